@@ -4,9 +4,8 @@
 
 δ moves the B-splines' coefficients: a sample sees 4 of them, so all matrices are banded and cost and memory are linear
 in the length of the clip. H is the Gauss-Newton curvature, F the flat acceleration energy that damps the step, d_p how
-far a point is in the floor (below zero: over it). Whole keyframes take coefficients away, see `steps`; what else is
-fixed, columns of partial keyframes and a loop's seam, is held by springs, stiff beside everything else. These shape the
-step; keyframes are no unknowns and stay exact.
+far a point is in the floor (below zero: over it). What is fixed, keyframes and a loop's seam, is held by springs, stiff
+beside everything else; they shape the step, the keyframes themselves are no unknowns and stay exact.
 
 H of smooth terms is summed over a few nodes a span; that of terms that begin, end or peak anywhere over E's own
 samples, or it would promise what E does not keep.
@@ -24,19 +23,17 @@ from itertools import pairwise, product
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy import sparse
 
 from .. import compiled
 from ..array import Array, Index, Mask
 from ..curve import banded
 from ..curve.quadrature import gauss_nodes
 from ..curve.seam import Seam
-from ..curve.spline import Path, Piece, Sampling, Spline
+from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
 from ..figure.kinematics import Samples
 from ..objective import Discretised, Seen, Term
 from ..penalty.curvature import Curvature
 from ..penalty.one_sided import OneSided
-from .steps import LOCAL, Steps
 
 POINTS = 2  # a span: smooth terms' curvature is no E
 SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # least, and by columns: their blocks stay in cache
@@ -46,13 +43,15 @@ SHARE_OF_POSITION = 0.3  # of the flat metric, beside acceleration
 MOST_CHANGES = 15  # of which one-sided residuals count
 SETTLED = 0.05  # of the model's decrease: a change that gains less is the last
 ENTRIES_AT_ONCE = 2_000_000  # of rows over four coefficients, 16 MB
+LOCAL = DEGREE + 1  # B-splines that a sample sees
 LEAST = 1e-12  # median of a curvature, where that is nought
-LEAST_SHARE = 0.2  # of a keyframe's largest, the middle coefficient's: else it follows from the others badly
 SHORTEST = 1e-3  # of a step to the minimum of one piece: one that must be shorter yet leads nowhere
+
+Picked = Index | slice
 
 
 class Layout:
-    """Where everything stands in the banded matrices of one timeline: C coefficients, see `steps`, by N columns.
+    """Where everything stands in the banded matrices of one timeline: coefficients (M + 2) by columns (N).
 
     A loop's coefficients are taken alternately from both ends, so that its seam is in the band too.
 
@@ -62,17 +61,8 @@ class Layout:
     def __init__(self, problem: Discretised) -> None:
         self.problem = problem
         spline, unknowns = problem.spline, problem.unknowns
-        self.width, self.place = problem.timeline.width, unknowns.place
+        self.count, self.width = spline.size, problem.timeline.width
         self.is_loop = spline.ends == "periodic"
-        self.free = np.zeros((spline.size, self.width))
-        self.free.reshape(-1)[self.place] = 1.0
-        self.tied = np.zeros(spline.size, bool)
-        if unknowns.ties is not None:
-            self.tied = np.diff(unknowns.ties.indptr).reshape(self.free.shape).any(axis=1)
-        self.fixed = self._fixed()
-        self.steps = Steps.of(spline, self.fixed)
-        self.fixed &= self.steps.count < spline.size
-        self.count = self.steps.count
         order = np.arange(self.count)
         if self.is_loop:
             order = np.ravel(np.column_stack([order, order[::-1]]))[: self.count]
@@ -80,33 +70,16 @@ class Layout:
         self.rank[order] = np.arange(self.count)
         self.order = order
         self.blocks = min(2 * LOCAL if self.is_loop else LOCAL, self.count)
+        self.place = unknowns.place
         t, self.weights = gauss_nodes(np.asarray(spline.times), POINTS)
         sampling = Sampling.of(spline, t)
         at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
-        pieces = [sampling.piece(slice(POINTS * a, POINTS * b)) for a, b in pairwise(edges)]
-        self.pieces = [(piece, self.steps.piece(piece)) for piece in pieces]
-        self.samples = self.steps.piece(problem.sampling.whole)
+        self.pieces = [
+            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a)) for a, b in pairwise(edges)
+        ]
         self.sided = list(range(len(problem.objective.terms)))
-        self.flat = self._flat(self.steps.piece(sampling.whole))
-
-    def _fixed(self) -> Mask:
-        """(M + 2,) the rows of the spline's `states_and_slopes` that steps leave alone."""
-        if self.is_loop:
-            return np.zeros(len(self.free), bool)
-        fixed = (self.free.max(axis=1) == 0) & ~self.tied
-        if self.problem.spline.ends == "held":
-            fixed[[1, -4]] = False  # they follow from the others
-        middle = self.problem.spline.at_times[1:-1]
-        fixed[1:-3] &= middle[:, 1] > LEAST_SHARE * middle.max(axis=1)
-        return fixed
-
-    @cached_property
-    def bases(self) -> sparse.csr_matrix:
-        """(S, C): what the coefficients do to the state at E's samples."""
-        first, values = self.samples.first, np.ascontiguousarray(self.samples.values[:, 0])
-        columns, starts = first[:, None] + np.arange(LOCAL), np.arange(0, values.size + 1, LOCAL)
-        return sparse.csr_matrix((values.ravel(), columns.ravel(), starts), shape=(first.size, self.count))
+        self.flat = self._flat(sampling.values)
 
     @cached_property
     def springs(self) -> Array:
@@ -115,10 +88,11 @@ class Layout:
 
     def springs_by_column(self) -> Array:
         """(M + 2, K + 1, N): the springs that hold entries of single columns, those of ties and seams left out."""
+        free = np.zeros((self.count, self.width))
+        free.reshape(-1)[self.place] = 1.0
         room = np.zeros((self.count, self.blocks + 1, self.width))
-        rows = np.flatnonzero(~self.fixed)
-        first, weights = self.steps.weights(*self.problem.spline.rows_by_coefficients())
-        column, apart, values = self._column_springs(first[rows], weights[rows], 1 - self.free[rows])
+        first, weights = self.problem.spline.rows_by_coefficients()
+        column, apart, values = self._column_springs(first, weights, 1 - free)
         np.add.at(room, (column, apart), values)
         return room
 
@@ -130,27 +104,31 @@ class Layout:
         """(M + 2, K + 1, N): the entries of a matrix's blocks that join a column with itself, to be added to."""
         return np.einsum("jckc->jkc", room)
 
-    def _below(self, first: Index) -> Iterator[tuple[int, int, Index, Index, Index]]:
-        """Of pairs (a, b) of the four coefficients that begin with `first` (S,), those with entries in the matrices'
-        lower half: which ones (P,), their columns (P,), and how far below these they are (P,)."""
+    def _pairs(self, first: int, count: int) -> list[Pair]:
+        """Where the B-splines of spans first ... first + count − 1 stand by pairs in the lower half."""
+        if not self.is_loop:
+            return [
+                Pair(slice(None), b, slice(b, LOCAL), slice(first + b, first + b + count), slice(0, LOCAL - b))
+                for b in range(LOCAL)
+            ]
+        found, spans = [], np.arange(first, first + count)
         for a, b in np.ndindex(LOCAL, LOCAL):
-            row, column = self.rank[first + a], self.rank[first + b]
+            row, column = self.rank[spans + a][:, None], self.rank[spans + b][:, None]
             some = np.flatnonzero(row >= column)
-            yield a, b, some, column[some], (row - column)[some]
+            found.append(Pair(some, b, slice(a, a + 1), column[some], (row - column)[some]))
+        return found
 
-    def add_blocks(self, room: Array, curvature: Curvature, piece: Piece) -> None:
+    def add_blocks(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
         """Adds what a curvature has as blocks; its samples are the nodes of neighbouring spans."""
         if compiled.kernel is not None:
-            for columns, blocks in curvature.squares():
-                compiled.call("add_blocks", room, self.rank, piece.first, piece.values, columns, blocks, self.width)
+            for columns, squares in curvature.squares():
+                compiled.call("add_blocks", room, self.rank, piece.first, piece.values, columns, squares, self.width)
             return
-        first = piece.first[::POINTS]
-        begin = np.flatnonzero(np.diff(first, prepend=-1))
         for columns, blocks in curvature.blocks(piece.values, POINTS):
-            local = np.add.reduceat(blocks.transpose(0, 2, 4, 1, 3, 5), begin)
+            local = blocks.transpose(0, 2, 4, 1, 3, 5)
             for part, seen in _seen_blocks(room, columns, local):
-                for a, b, some, column, apart in self._below(first[begin]):
-                    seen[column, apart] += part[some, b, a]
+                for spot in pairs:
+                    seen[spot.j, spot.k] += part[spot.spans, spot.b, spot.a]
 
     def add_rows(self, room: Array, *parts: tuple[Curvature, Piece]) -> None:
         """Adds what curvatures, each at any samples, have as rows."""
@@ -159,7 +137,8 @@ class Layout:
             if by_kernel:
                 for at, rows in curvature.rows_by_y():
                     self.add_by_kernel(room, piece, at, rows)
-            found += [(piece.first[at], rows) for at, rows in curvature.rows(piece.values, without_y=by_kernel)]
+            rows_left = curvature.rows(piece.values, without_y=by_kernel)
+            found += [(piece.first[at], rows) for at, rows in rows_left]
         if not found:
             return
         spans = np.concatenate([own for own, _ in found])
@@ -178,7 +157,7 @@ class Layout:
             if first < last:
                 self.add_square(room, int(spans[first]), rows[first:last])
 
-    def add_by_kernel(self, room: Array, piece: Piece, at: Index, rows: Array, sign: float = 1.0) -> None:
+    def add_by_kernel(self, room: Array, piece: Piece | Sampling, at: Index, rows: Array, sign: float = 1.0) -> None:
         """Adds Σ rowᵀrow of rows (P, N) by y at samples (P,), rising, of a piece, or takes it off."""
         signs = np.full(at.size, sign)
         compiled.call("add_squares", room, self.rank, piece.first, piece.values[:, 0], at, rows, signs)
@@ -211,33 +190,35 @@ class Layout:
         return banded.factored(np.array(band).reshape(-1, size))
 
     def solved(self, factor: Array, right: Array) -> Array:
-        """H⁻¹ v for v (C, N)."""
+        """H⁻¹ v for v (M + 2, N)."""
         solution = banded.solved(factor, right[self.order].reshape(-1, 1))
         return solution.reshape(self.count, self.width)[self.rank]
 
     def coloured(self, factor: Array, z: Array) -> Array:
-        """L⁻ᵀ z (C, N) for z flat, in the matrices' order."""
+        """L⁻ᵀ z (M + 2, N) for z flat, in the matrices' order."""
         return banded.other_half_solved(factor, z.reshape(-1, 1)).reshape(self.count, self.width)[self.rank]
 
     def whitened(self, factor: Array, gradient: Array) -> Array:
-        """L⁻¹ v, flat, in the matrices' order, for v (C, N)."""
+        """L⁻¹ v, flat, in the matrices' order, for v (M + 2, N)."""
         return banded.half_solved(factor, gradient[self.order].reshape(-1, 1)).ravel()
 
     def to_x(self, coefficients: Array) -> Array:
-        """The step in the unknowns (n,) that a step of the coefficients (C, N) means."""
-        return self.problem.spline.states_and_slopes(self.steps.to_spline(coefficients)).reshape(-1)[self.place]
+        """The step in the unknowns (n,) that a step of the coefficients (M + 2, N) means."""
+        return self.problem.spline.states_and_slopes(coefficients).reshape(-1)[self.place]
 
     def from_x(self, gradient: Array) -> Array:
-        """A gradient with respect to the unknowns (n,) as one with respect to coefficients, (C, N)."""
-        rows = np.zeros(self.free.shape)
-        rows.reshape(-1)[self.place] = gradient
-        return self.steps.from_spline(self.problem.spline.states_and_slopes_transposed(rows))
+        """A gradient with respect to the unknowns (n,) as one with respect to coefficients, (M + 2, N)."""
+        rows = np.zeros(self.count * self.width)
+        rows[self.place] = gradient
+        return self.problem.spline.states_and_slopes_transposed(rows.reshape(self.count, self.width))
 
     def _springs(self) -> Array:
         spline, unknowns = self.problem.spline, self.problem.unknowns
         room = self.empty()
-        first, weights = self.steps.weights(*spline.rows_by_coefficients())
-        held = (self.free.min(axis=1) == 0) & ~self.fixed
+        free = np.zeros((self.count, self.width))
+        free.reshape(-1)[self.place] = 1.0
+        first, weights = spline.rows_by_coefficients()
+        held = np.asarray(free.min(axis=1) == 0)
         if self.is_loop:
             held[-3:] = False
             for order in range(3):
@@ -245,16 +226,19 @@ class Layout:
         if spline.ends == "held":
             held[[1, -4]] = False
             self._hold_curvature(room, spline)
-        for i in np.flatnonzero(held & self.tied):
-            own: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy does not say what a slice is
-            moves = own[:, np.unique(own.indices)].toarray()
-            self._hold(room, first[i], weights[i], np.eye(self.width) - moves @ np.linalg.pinv(moves))
-        held &= ~self.tied
-        self._hold_columns(room, first[held], weights[held], 1 - self.free[held])
+        if unknowns.ties is not None:
+            tied = held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
+            for i in np.flatnonzero(tied):
+                own: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy does not say what a slice is
+                moves = own[:, np.unique(own.indices)].toarray()
+                each = np.tile(weights[i][:, None], self.width)
+                self._hold(room, first[i] + np.arange(DEGREE), each, np.eye(self.width) - moves @ np.linalg.pinv(moves))
+            held &= ~tied
+        self._hold_columns(room, first[held], weights[held], 1 - free[held])
         return room
 
     def _hold_columns(self, room: Array, first: Index, weights: Array, hold: Array) -> None:
-        """For each of some rows, springs on the columns of hold (R, N) of the sum of 4 coefficients, weights (R, 4)."""
+        """For each of some rows, springs on the columns of hold (R, N) of the sum of 3 coefficients, weights (R, 3)."""
         column, apart, values = self._column_springs(first, weights, hold)
         index = np.arange(self.width)
         place = (column[:, None], index, apart[:, None], index)
@@ -264,7 +248,7 @@ class Layout:
     def _column_springs(self, first: Index, weights: Array, hold: Array) -> tuple[Index, Index, Array]:
         """Of such springs: the matrix's columns (S,), how far below each (S,), and their entries (S, N)."""
         weights = weights / np.sqrt(np.sum(weights**2, axis=1, keepdims=True))
-        rank = self.rank[first[:, None] + np.arange(LOCAL)]
+        rank = self.rank[first[:, None] + np.arange(DEGREE)]
         apart = rank[:, :, None] - rank[:, None, :]
         row, a, b = np.nonzero(apart >= 0)
         return rank[row, b], apart[row, a, b], (weights[row, a] * weights[row, b])[:, None] * hold[row]
@@ -287,31 +271,42 @@ class Layout:
     def _hold_curvature(self, room: Array, spline: Spline) -> None:
         """No step of y'' at either end."""
         for end in spline.times[[0, -1]]:
-            begin, values = spline.local(np.array([end]))
-            first, weights = self.steps.weights(begin, values[:, 2])
-            self._hold(room, first[0], weights[0], np.eye(self.width))
+            seen = spline.basis([end], 2)
+            weights = np.tile(np.asarray(seen.data, float)[:, None], self.width)
+            self._hold(room, np.asarray(seen.indices, np.intp), weights, np.eye(self.width))
 
-    def _hold(self, room: Array, first: int, weights: Array, hold: Array) -> None:
-        """A spring on `hold` (N, N) of the sum of 4 coefficients, weights (4,)."""
-        weights = weights / np.linalg.norm(weights)
-        for (a, wa), (b, wb) in product(enumerate(weights), repeat=2):
-            row, column = self.rank[first + a], self.rank[first + b]
-            if row >= column:
-                room[column, :, row - column, :] += wa * wb * hold
+    def _hold(self, room: Array, coefficients: Index, weights: Array, hold: Array) -> None:
+        """A spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""
+        weights = weights / np.sqrt(np.sum(weights**2) / self.width)
+        for ja, wa in zip(coefficients, weights, strict=True):
+            for jb, wb in zip(coefficients, weights, strict=True):
+                row, column = self.rank[ja], self.rank[jb]
+                if row >= column:
+                    room[column, :, row - column, :] += wb[:, None] * hold * wa
 
-    def _flat(self, nodes: Piece) -> Array:
-        """(C, K + 1): ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, for each column the same."""
+    def _flat(self, bases: Array) -> Array:
+        """(M + 2, K + 1): ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, for each column the same."""
         timeline = self.problem.timeline
         keys = max(len(timeline.frames) - timeline.variable_count, 2)
         spacing = (timeline.times[-1] - timeline.times[0]) / keys
-        value, acceleration = nodes.values[:, 0], nodes.values[:, 2]
+        value, acceleration = bases[:, 0], bases[:, 2]
         density = acceleration[:, :, None] * acceleration[:, None, :]
         density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
-        local = self.weights[:, None, None] * density
+        local = (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
         flat = np.zeros((self.count, self.blocks + 1))
-        for a, b, some, column, apart in self._below(nodes.first):
-            np.add.at(flat, (column, apart), local[some, a, b])
+        for spot in self._pairs(0, len(local)):
+            flat[spot.j, spot.k] += local[spot.spans, spot.b, spot.a]
         return flat
+
+
+class Pair(NamedTuple):
+    """Where B-spline b of some spans stands with B-splines a in a matrix's blocks: at [j, k], shape (spans, a)."""
+
+    spans: Picked
+    b: int
+    a: slice
+    j: Picked
+    k: Picked
 
 
 def _seen_blocks(room: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
@@ -347,7 +342,7 @@ class OneSidedTerms:
 
     sides: OneSided
     weight: Array
-    layout: Layout
+    sampling: Sampling
 
     @classmethod
     def of(cls, layout: Layout, every: Sequence[Seen]) -> OneSidedTerms | None:
@@ -365,7 +360,7 @@ class OneSidedTerms:
             return None
         sides, order = OneSided.joined([sides for _, sides in parts]).sorted()
         factor = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts])[order]
-        return cls(sides, factor * problem.weights[sides.at], layout)
+        return cls(sides, factor * problem.weights[sides.at], problem.sampling)
 
     @property
     def value(self) -> Array:
@@ -373,24 +368,24 @@ class OneSidedTerms:
         return self.sides.value
 
     def changed(self, step: Array) -> Array:
-        """(P,): how the residuals change with a step (C, N) of the coefficients."""
-        moved = self.layout.bases @ step
+        """(P,): how the residuals change with a step (M + 2, N) of the coefficients."""
+        moved = self.sampling.bases[0] @ step
         return np.concatenate([rows.moved(moved) for rows in self.sides.gradients])
 
     def pulled_back(self, forces: Array) -> Array:
-        """(C, N): the gradient of forces · residuals, forces (P,)."""
-        count = self.layout.samples.t.size
+        """(M + 2, N): the gradient of forces · residuals, forces (P,)."""
+        count = self.sampling.t.size
         pulled = [rows.pulled_back(forces[run], count) for run, rows in self.sides.parts()]
-        return self.layout.bases.T @ np.add.reduce(pulled)
+        return self.sampling.bases[0].T @ np.add.reduce(pulled)
 
     def squares(self, some: Mask, factor: Array) -> tuple[Index, Array]:
         """Samples (A,), rising, and rows (A, N) by y with the Σ rowᵀrow of some (P,) residuals, each times a factor."""
-        found = []
+        parts = []
         for run, rows in self.sides.parts():
             own = np.flatnonzero(some[run])
             if own.size:
-                found.append(rows.squared(own, factor[run][own]))
-        at, rows = np.concatenate([at for at, _ in found]), np.concatenate([rows for _, rows in found])
+                parts.append(rows.squared(own, factor[run][own]))
+        at, rows = np.concatenate([at for at, _ in parts]), np.concatenate([rows for _, rows in parts])
         if np.any(at[1:] < at[:-1]):
             order = np.argsort(at, kind="stable")
             at, rows = at[order], rows[order]
@@ -405,14 +400,14 @@ class OneSidedTerms:
         if not some.any():
             return
         at, rows = self.squares(some, factor)
-        span, order = self.layout.samples.first[at], np.arange(at.size)
+        span, order = self.sampling.first[at], np.arange(at.size)
         width = LOCAL * rows.shape[1]
         few = max(1, ENTRIES_AT_ONCE // width)
         edges = [0, *(np.flatnonzero(np.diff(span)) + 1).tolist(), order.size]
         for a, b in pairwise(edges):
             for first in range(a, b, few):
                 own = order[first : min(first + few, b)]
-                bases = self.layout.samples.values[at[own], 0]
+                bases = self.sampling.values[at[own], 0]
                 yield int(span[first]), (bases[:, :, None] * rows[own, None, :]).reshape(own.size, width)
 
 
@@ -465,18 +460,17 @@ class Model:
             for k in sharp:
                 weights = terms[k].factor * problem.weights[seen.piece.which]
                 terms[k].penalty.curvature(seen.samples, curvature, weights, seen.blocks[k])
-            rows.append((curvature, layout.steps.piece(seen.piece)))
-        for piece, seen_here in layout.pieces:
+            rows.append((curvature, seen.piece))
+        for piece, pairs in layout.pieces:
             weights = layout.weights[piece.which]
             few = curved(piece, smooth, weights)
-            rows.append((few, seen_here))
-            layout.add_blocks(room, few, seen_here)
+            rows.append((few, piece))
+            layout.add_blocks(room, few, piece, pairs)
             if scale is None:
                 sizes.append(few.acceleration() / weights[:, None])
         layout.add_rows(room, *rows)
         for term, sampling in problem.instants:
-            here = curved(sampling.whole, [term], np.ones(sampling.t.size))
-            layout.add_rows(room, (here, layout.steps.piece(sampling.whole)))
+            layout.add_rows(room, (curved(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
         diagonal = layout.diagonal(room)[:, 0]
         size = max(middle(diagonal), LEAST)
         diagonal += FAINT * size
@@ -508,13 +502,11 @@ class Model:
         for _ in range(MOST_CHANGES):
             active = over > 0
             for sign, some in ((1.0, active & ~counted), (-1.0, counted & ~active)):
-                if compiled.kernel is not None:
-                    if some.any():
-                        at, rows = sided.squares(some, root)
-                        layout.add_by_kernel(held, layout.samples, at, rows, sign)
-                    continue
-                for span, rows in sided.spans(some, root):
-                    layout.add_square(held, span, rows, sign)
+                if compiled.kernel is not None and some.any():
+                    layout.add_by_kernel(held, sided.sampling, *sided.squares(some, root), sign)
+                elif compiled.kernel is None:
+                    for span, rows in sided.spans(some, root):
+                        layout.add_square(held, span, rows, sign)
             counted = active
             factor = layout.factor(held)
             if factor is None:
