@@ -129,7 +129,7 @@ def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_w
     monkeypatch.setattr(posing, "_posed", counted)
     edited = load.from_text(text, name="carry_box", like=clip)
     few, _ = len(searched), searched.clear()
-    heavier = text.replace("weight = ", "weight = 1", 1)
+    heavier = text.replace("weight = {body = 200}", "weight = {body = 300}", 1)
     assert heavier != text
     load.from_text(heavier, name="carry_box", like=edited)
     assert not searched
