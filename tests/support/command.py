@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -35,8 +36,13 @@ def commanded(
 
     def run(*words: object) -> Done:
         monkeypatch.setattr(sys, "argv", ["dynsplines", *map(str, words)])
-        with pytest.raises(SystemExit) as ended:
-            main()
+        handlers = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
+        try:
+            with pytest.raises(SystemExit) as ended:
+                main()
+        finally:  # a command that ends ignores signals, and so would all processes that later tests start
+            for number, handler in handlers.items():
+                signal.signal(number, handler)
         code = ended.value.code
         assert code is None or isinstance(code, int)
         said = capsys.readouterr()
