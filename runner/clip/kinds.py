@@ -310,8 +310,12 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
 def _equality(context: Context, options: Options) -> Penalty | None:
     """Closed loops [m²], and joints that follow others [rad² or m²]: a degree off counts like 17 mm."""
     loops, followers = closures(context.figure), couplings(context.figure)
-    parts = (Closed(loops),) if loops else (), (Coupled(followers),) if followers else ()
-    return Sum((*parts[0], *parts[1]), called="equality") if loops or followers else None
+    parts = list[Penalty]()
+    if loops:
+        parts.append(Closed(loops))
+    if followers:
+        parts.append(Coupled(followers))
+    return Sum(tuple(parts), called="equality") if parts else None
 
 
 def _flight(context: Context, options: FlightOptions) -> Penalty:
