@@ -32,6 +32,7 @@ from .kinematics import LinkMotion, Samples
 
 VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
 AT_ONCE = 2000  # wrenches whose vectors stay in cache
+NONE = np.zeros(0)  # for the kernel, of joints of a kind that the figure has none of
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,12 +102,13 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
     """`Wrenches.rows` by the compiled kernel."""
     out = np.empty((wrenches.at.size, wrenches.orders, samples.y.shape[1]))
     links, orders, tables = samples.links, wrenches.orders, samples.figure.tables
-    rates = (links.x_d, links.anchor_velocity, links.omega) if orders > 1 else (links.x, links.anchor, links.x)
+    # a row by y alone multiplies rates by zero: places stand for them, which are known
+    x_d, anchor_d, omega = (links.x_d, links.anchor_velocity, links.omega) if orders > 1 else (links.x,) * 3
     alpha = links.alpha if orders > 2 else links.x
-    slides = links.slide_axis if tables.slide_links.size else _NONE
-    hinges = links.hinge_axis if tables.hinge_links.size else _NONE
-    motion = (links.x, rates[0], links.anchor, rates[1], rates[2], alpha, slides, hinges)
-    quaternions = (samples.once(ways), samples.once(_bases)) if tables.quaternion_links.size else (_NONE, _NONE)
+    slides = links.slide_axis if tables.slide_links.size else NONE
+    hinges = links.hinge_axis if tables.hinge_links.size else NONE
+    motion = (links.x, x_d, links.anchor, anchor_d, omega, alpha, slides, hinges)
+    quaternions = (samples.once(ways), samples.once(_bases)) if tables.quaternion_links.size else (NONE, NONE)
     vectors = [getattr(wrenches, name) for name in VECTORS]
     figure = _facts(samples.figure)
     size = samples.count, out.shape[2], orders
@@ -114,14 +116,11 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
     return out
 
 
-_NONE = np.zeros(0)
-
-
 @lru_cache(maxsize=8)
 def _facts(figure: Figure) -> tuple[Index, Index]:
     """What the kernel knows of links, (L, 9), -1 where there is none: parent, column of a position, place among the
     slides and column, likewise of hinges and quaternions, place among the relative quaternions; and `followers`."""
-    tables = figure.tables
+    tables, chains = figure.tables, _chains(figure)
     facts = np.full((len(tables.parents), 9), -1, np.int64)
     facts[:, 0] = tables.parents
     facts[0, 0] = 0
@@ -131,18 +130,16 @@ def _facts(figure: Figure) -> tuple[Index, Index]:
         (4, tables.hinge_links, tables.hinge_columns),
         (6, tables.quaternion_links, tables.quaternion_columns[0]),
     ):
-        facts[links, first], facts[links, first + 1] = np.arange(links.size), columns
-    relative = tables.quaternion_links[~tables.in_world[tables.quaternion_links]]
-    facts[relative, 8] = np.arange(relative.size)
+        facts[links, first], facts[links, first + 1] = chains.place[links], columns
+    facts[chains.relatives, 8] = chains.base[chains.relatives]
     return facts, np.ascontiguousarray(followers(figure).astype(np.int64))
 
 
 def _bases(links: LinkMotion) -> Array:
     """The axes of the relative quaternions, which turn with the parents: (3, 3, n, S)."""
-    tables = links.figure.tables
-    own = tables.quaternion_links[~tables.in_world[tables.quaternion_links]]
-    parents = tables.parents[own]
-    base = hamilton(links.Q[:, parents], tables.turn[:, own, None])
+    tables, relatives = links.figure.tables, _chains(links.figure).relatives
+    parents = tables.parents[relatives]
+    base = hamilton(links.Q[:, parents], tables.turn[:, relatives, None])
     return rotation_matrix(base, 2 / dot(base, base))
 
 
@@ -183,6 +180,7 @@ class _Chains:
 
     after  (depth, L) of orientations in the world the next such link on the way, or 0
     place  (L,) index of a link among the links of its kind
+    relatives  links whose quaternions turn with their parents;  base  (L,) index of a link among them
     """
 
     free: Index
@@ -192,6 +190,8 @@ class _Chains:
     after: Index
     relative: Index
     place: Index
+    relatives: Index
+    base: Index
 
 
 @lru_cache(maxsize=8)
@@ -204,9 +204,12 @@ def _chains(figure: Figure) -> _Chains:
     for links in kinds[1:]:
         place[links] = np.arange(links.size)
     free, slides, hinges = (_padded(path, links) for links in kinds[:3])
-    world, relative = (_padded(path, tables.quaternion_links[some]) for some in (is_world, ~is_world))
+    relatives = tables.quaternion_links[~is_world]
+    base = np.zeros(len(path), np.intp)
+    base[relatives] = np.arange(relatives.size)
+    world, relative = _padded(path, tables.quaternion_links[is_world]), _padded(path, relatives)
     after = np.where(world > 0, followers(figure)[np.arange(len(path)), world], 0)
-    return _Chains(free, slides, hinges, world, after, relative, place)
+    return _Chains(free, slides, hinges, world, after, relative, place, relatives, base)
 
 
 def _padded(path: Mask, links: Index) -> Index:
@@ -343,7 +346,7 @@ class _Sweep:
             return
         parents = self.tables.parents[pairs.joint]
         moments = self._on_axes(self._moments(pairs), parents, pairs.at)
-        axes = self.samples.once(_bases)[:, :, _facts(self.samples.figure)[0][pairs.joint, 8], pairs.at]
+        axes = self.samples.once(_bases)[:, :, self.chains.base[pairs.joint], pairs.at]
         self._add_quaternions(out, pairs, [None if part is None else turned_back(axes, part) for part in moments])
 
     def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:
