@@ -136,9 +136,9 @@ class Layout:
         for curvature, piece in parts:
             if by_kernel:
                 for at, rows in curvature.rows_by_y():
-                    self.add_by_kernel(room, piece, at, rows)
-            rows_left = curvature.rows(piece.values, without_y=by_kernel)
-            found += [(piece.first[at], rows) for at, rows in rows_left]
+                    self.add_rows_by_y(room, piece, at, rows)
+            others = curvature.rows(piece.values, without_y=by_kernel)
+            found += [(piece.first[at], rows) for at, rows in others]
         if not found:
             return
         spans = np.concatenate([own for own, _ in found])
@@ -157,10 +157,20 @@ class Layout:
             if first < last:
                 self.add_square(room, int(spans[first]), rows[first:last])
 
-    def add_by_kernel(self, room: Array, piece: Piece | Sampling, at: Index, rows: Array, sign: float = 1.0) -> None:
-        """Adds Σ rowᵀrow of rows (P, N) by y at samples (P,), rising, of a piece, or takes it off."""
-        signs = np.full(at.size, sign)
-        compiled.call("add_squares", room, self.rank, piece.first, piece.values[:, 0], at, rows, signs)
+    def add_rows_by_y(self, room: Array, seen: Piece | Sampling, at: Index, rows: Array, sign: float = 1.0) -> None:
+        """Adds Σ rowᵀrow of rows (P, N) by y at samples (P,), rising, or takes it off."""
+        bases = seen.values[:, 0]
+        if compiled.kernel is not None:
+            compiled.call("add_squares", room, self.rank, seen.first, bases, at, rows, np.full(at.size, sign))
+            return
+        spans, width = seen.first[at], LOCAL * self.width
+        few = max(1, ENTRIES_AT_ONCE // width)  # over four coefficients all take four times the memory
+        edges = [0, *(np.flatnonzero(np.diff(spans)) + 1).tolist(), at.size]
+        for begin, end in pairwise(edges):
+            for first in range(begin, end, few):
+                run = slice(first, min(first + few, end))
+                wide = (bases[at[run], :, None] * rows[run, None, :]).reshape(-1, width)
+                self.add_square(room, int(spans[begin]), wide, sign)
 
     def add_square(self, room: Array, span: int, rows: Array, sign: float = 1.0) -> None:
         """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of one span, or takes it off."""
@@ -391,25 +401,6 @@ class OneSidedTerms:
             at, rows = at[order], rows[order]
         return at, rows
 
-    def spans(self, some: Mask, factor: Array) -> Iterator[tuple[int, Array]]:
-        """Of some (P,) residuals, each times its factor: a span, and rows (A, 4 N) over its coefficients with their
-        Σ rowᵀrow.
-
-        A few at a time: those of all spans together would be four times the memory of the rows of the states.
-        """
-        if not some.any():
-            return
-        at, rows = self.squares(some, factor)
-        span, order = self.sampling.first[at], np.arange(at.size)
-        width = LOCAL * rows.shape[1]
-        few = max(1, ENTRIES_AT_ONCE // width)
-        edges = [0, *(np.flatnonzero(np.diff(span)) + 1).tolist(), order.size]
-        for a, b in pairwise(edges):
-            for first in range(a, b, few):
-                own = order[first : min(first + few, b)]
-                bases = self.sampling.values[at[own], 0]
-                yield int(span[first]), (bases[:, :, None] * rows[own, None, :]).reshape(own.size, width)
-
 
 class Proposal(NamedTuple):
     """The minimum of m: the step (n,) of the unknowns to it, how far m falls, and Cholesky's factor of its curvature.
@@ -502,11 +493,8 @@ class Model:
         for _ in range(MOST_CHANGES):
             active = over > 0
             for sign, some in ((1.0, active & ~counted), (-1.0, counted & ~active)):
-                if compiled.kernel is not None and some.any():
-                    layout.add_by_kernel(held, sided.sampling, *sided.squares(some, root), sign)
-                elif compiled.kernel is None:
-                    for span, rows in sided.spans(some, root):
-                        layout.add_square(held, span, rows, sign)
+                if some.any():
+                    layout.add_rows_by_y(held, sided.sampling, *sided.squares(some, root), sign)
             counted = active
             factor = layout.factor(held)
             if factor is None:
