@@ -7,9 +7,8 @@ kinematics     samples of a path as motion of the links
 adjoint        gradients with respect to that motion, pulled back to the path
 dynamics       inverse dynamics of all samples at once, and its adjoint; eqs. 18-21 and appendix A of the paper
 wrench         the wrench at a free root: what must push the figure from outside for it to move as it does
-axes           what each coordinate of a figure does to its links, as a function of time
-wrenches       rows of what changes as links move, for any joints
-jacobian_rows  rows of moments and of the root's wrench, for ball joints in world coordinates
-joint_wrench   rows of the root's wrench, for any joints
+turns          what a change by small turns of joints means for the coordinates of the state
+wrenches       Jacobian rows of what changes as links move
+effort_rows    Jacobian rows of inverse dynamics: of joints' efforts, and of the root's wrench
 naming         what geoms are called, so that people know them
 """

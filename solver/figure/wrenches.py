@@ -25,10 +25,10 @@ import numpy as np
 
 from .. import compiled
 from ..array import Array, Index, Mask
-from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned_back
-from .axes import followers, ways
+from .algebra import cross, dot, turned_back
 from .figure import Figure
-from .kinematics import LinkMotion, Samples
+from .kinematics import Samples
+from .turns import Orders, bases, followers, on_moving_axes, on_quaternions, places, relatives, summed, ways
 
 VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
 AT_ONCE = 2000  # wrenches whose vectors stay in cache
@@ -108,7 +108,7 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
     slides = links.slide_axis if tables.slide_links.size else NONE
     hinges = links.hinge_axis if tables.hinge_links.size else NONE
     motion = (links.x, x_d, links.anchor, anchor_d, omega, alpha, slides, hinges)
-    quaternions = (samples.once(ways), samples.once(_bases)) if tables.quaternion_links.size else (NONE, NONE)
+    quaternions = (samples.once(ways), samples.once(bases)) if tables.quaternion_links.size else (NONE, NONE)
     vectors = [getattr(wrenches, name) for name in VECTORS]
     figure = _facts(samples.figure)
     size = samples.count, out.shape[2], orders
@@ -120,7 +120,7 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
 def _facts(figure: Figure) -> tuple[Index, Index]:
     """What the kernel knows of links, (L, 9), -1 where there is none: parent, column of a position, place among the
     slides and column, likewise of hinges and quaternions, place among the relative quaternions; and `followers`."""
-    tables, chains = figure.tables, _chains(figure)
+    tables, (place, base), apart = figure.tables, places(figure), relatives(figure)
     facts = np.full((len(tables.parents), 9), -1, np.int64)
     facts[:, 0] = tables.parents
     facts[0, 0] = 0
@@ -130,17 +130,9 @@ def _facts(figure: Figure) -> tuple[Index, Index]:
         (4, tables.hinge_links, tables.hinge_columns),
         (6, tables.quaternion_links, tables.quaternion_columns[0]),
     ):
-        facts[links, first], facts[links, first + 1] = chains.place[links], columns
-    facts[chains.relatives, 8] = chains.base[chains.relatives]
+        facts[links, first], facts[links, first + 1] = place[links], columns
+    facts[apart, 8] = base[apart]
     return facts, np.ascontiguousarray(followers(figure).astype(np.int64))
-
-
-def _bases(links: LinkMotion) -> Array:
-    """The axes of the relative quaternions, which turn with the parents: (3, 3, n, S)."""
-    tables, relatives = links.figure.tables, _chains(links.figure).relatives
-    parents = tables.parents[relatives]
-    base = hamilton(links.Q[:, parents], tables.turn[:, relatives, None])
-    return rotation_matrix(base, 2 / dot(base, base))
 
 
 def of_point(at: Index, link: Index, arm: Array, direction: Array) -> Wrenches:
@@ -179,8 +171,6 @@ class _Chains:
     """For every link the joints on the way to it, by kind: links (depth, L), 0 where there are fewer.
 
     after  (depth, L) of orientations in the world the next such link on the way, or 0
-    place  (L,) index of a link among the links of its kind
-    relatives  links whose quaternions turn with their parents;  base  (L,) index of a link among them
     """
 
     free: Index
@@ -189,27 +179,16 @@ class _Chains:
     world: Index
     after: Index
     relative: Index
-    place: Index
-    relatives: Index
-    base: Index
 
 
 @lru_cache(maxsize=8)
 def _chains(figure: Figure) -> _Chains:
-    tables = figure.tables
-    path = tables.path > 0
-    is_world = tables.in_world[tables.quaternion_links]
-    kinds = tables.free_links, tables.slide_links, tables.hinge_links, tables.quaternion_links
-    place = np.zeros(len(path), np.intp)
-    for links in kinds[1:]:
-        place[links] = np.arange(links.size)
-    free, slides, hinges = (_padded(path, links) for links in kinds[:3])
-    relatives = tables.quaternion_links[~is_world]
-    base = np.zeros(len(path), np.intp)
-    base[relatives] = np.arange(relatives.size)
-    world, relative = _padded(path, tables.quaternion_links[is_world]), _padded(path, relatives)
+    tables, path = figure.tables, figure.tables.path > 0
+    in_world = tables.quaternion_links[tables.in_world[tables.quaternion_links]]
+    kinds = tables.free_links, tables.slide_links, tables.hinge_links, in_world, relatives(figure)
+    free, slides, hinges, world, relative = (_padded(path, links) for links in kinds)
     after = np.where(world > 0, followers(figure)[np.arange(len(path)), world], 0)
-    return _Chains(free, slides, hinges, world, after, relative, place, relatives, base)
+    return _Chains(free, slides, hinges, world, after, relative)
 
 
 def _padded(path: Mask, links: Index) -> Index:
@@ -219,9 +198,6 @@ def _padded(path: Mask, links: Index) -> Index:
     for link, way in enumerate(ways):
         out[: way.size, link] = way
     return out
-
-
-Orders = list[Array | None]  # what counts for y, y', y'', (3, Q) or (4, Q) each; None is zero
 
 
 @dataclass(frozen=True, eq=False)
@@ -238,7 +214,7 @@ class _Sweep:
 
     def __init__(self, samples: Samples, wrenches: Wrenches) -> None:
         self.samples, self.tables, self.motion = samples, samples.figure.tables, samples.links
-        self.chains = _chains(samples.figure)
+        self.chains, (self.place, self.base) = _chains(samples.figure), places(samples.figure)
         self.at, self.link = wrenches.at, wrenches.link
         self.forces: Orders = [wrenches.force, wrenches.force_d, None]
         self.torques = self._on_turns(wrenches)
@@ -267,11 +243,11 @@ class _Sweep:
                 moments[0] = cross(d, force)
             if force_d is not None:
                 d_d = self._ends(motion.x_d, motion.anchor_velocity, pairs, after) - motion.anchor_velocity[there]
-                moments[0] = _sum(moments[0], cross(d_d, force_d))
+                moments[0] = summed(moments[0], cross(d_d, force_d))
                 moments[1] = cross(d, force_d)
         for order, torque in enumerate(self._of_pairs(self.torques, pairs)):
             if torque is not None:
-                moments[order] = _sum(moments[order], torque if after is None else torque * (after == 0))
+                moments[order] = summed(moments[order], torque if after is None else torque * (after == 0))
         return moments
 
     def _of_pairs(self, vectors: Orders, pairs: _Pairs) -> Orders:
@@ -288,25 +264,18 @@ class _Sweep:
         omega, alpha = self.motion.omega, self.motion.alpha
         there = (slice(None), self.link, self.at)
         if torque_d is not None:
-            torque = _sum(torque, cross(omega[there], torque_d))
+            torque = summed(torque, cross(omega[there], torque_d))
         if torque_dd is not None:
-            torque = _sum(torque, cross(alpha[there], torque_dd))
-            torque_d = _sum(torque_d, cross(omega[there], torque_dd))
+            torque = summed(torque, cross(alpha[there], torque_dd))
+            torque_d = summed(torque_d, cross(omega[there], torque_dd))
         return [torque, torque_d, torque_dd]
 
     def _on_axes(self, moments: Orders, frame: Index, at: Index) -> Orders:
-        """What of M₀, M₁, M₂ counts on the axes for φ, φ', φ'', when these turn with links `frame` (Q,): w' = ω × w."""
-        first, second, third = moments
-        if second is None and third is None:
+        """What counts on axes that turn with links `frame` (Q,)."""
+        if moments[1] is None and moments[2] is None:
             return moments
-        omega = self.motion.omega[:, frame, at]
-        if second is not None:
-            first = _sum(first, cross(second, omega))
-        if third is not None:
-            through = cross(third, omega)
-            first = _sum(first, cross(third, self.motion.alpha[:, frame, at]) + cross(through, omega))
-            second = _sum(second, 2 * through)
-        return [first, second, third]
+        alpha = None if moments[2] is None else self.motion.alpha[:, frame, at]
+        return on_moving_axes(moments, self.motion.omega[:, frame, at], alpha)
 
     def _free(self, out: Array) -> None:
         columns = np.zeros((3, len(self.tables.parents)), np.intp)
@@ -329,7 +298,7 @@ class _Sweep:
 
     def _add_axes(self, out: Array, pairs: _Pairs, axes: Array, columns: Index, moments: Orders) -> None:
         """What counts on axes (3, n, S) of hinges or slides."""
-        place = self.chains.place[pairs.joint]
+        place = self.place[pairs.joint]
         axis = axes[:, place, pairs.at]
         for order, moment in enumerate(self._on_axes(moments, pairs.joint, pairs.at)):
             if moment is not None:
@@ -346,26 +315,14 @@ class _Sweep:
             return
         parents = self.tables.parents[pairs.joint]
         moments = self._on_axes(self._moments(pairs), parents, pairs.at)
-        axes = self.samples.once(_bases)[:, :, self.chains.base[pairs.joint], pairs.at]
+        axes = self.samples.once(bases)[:, :, self.base[pairs.joint], pairs.at]
         self._add_quaternions(out, pairs, [None if part is None else turned_back(axes, part) for part in moments])
 
     def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:
-        """By φ = E η, φ' = E' η + E η', φ'' = E'' η + 2 E' η' + E η''; the moments are in the quaternions' axes."""
-        place = self.chains.place[pairs.joint]
-        turns = self.samples.once(ways)[: out.shape[1], :, place, pairs.at]
-        totals: Orders = [None, None, None]
-        for order, factors in enumerate(((1,), (1, 1), (1, 2, 1))):
-            moment = moments[order]
-            if moment is not None:
-                for derivative, factor in enumerate(factors):
-                    part = pure_product(moment, turns[derivative])
-                    target = order - derivative
-                    totals[target] = _sum(totals[target], part if factor == 1 else factor * part)
+        """The moments are in the quaternions' axes."""
+        place = self.place[pairs.joint]
         columns = self.tables.quaternion_columns[:, place]
-        for order, total in enumerate(totals):
+        turns = self.samples.once(ways)[: out.shape[1], :, place, pairs.at]
+        for order, total in enumerate(on_quaternions(moments, turns)):
             if total is not None:
                 out[pairs.wrench, order, columns] = total
-
-
-def _sum(one: Array | None, other: Array) -> Array:
-    return other if one is None else one + other

@@ -12,9 +12,8 @@ import numpy as np
 
 from ...array import Array, Mask
 from ...figure.adjoint import Cotangent
+from ...figure.effort_rows import wrench_rows
 from ...figure.figure import Figure
-from ...figure.jacobian_rows import Pushes, has_moment_rows, wrench_rows
-from ...figure.joint_wrench import any_wrench_rows
 from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
 from ..block import Dense
@@ -64,7 +63,8 @@ class Flight(Penalty):
             wrench.pull_back(into, felt[:3], felt[3:])
 
         def curved(into: Curvature, scale: Array) -> None:
-            rows = share[:, None, None] * rows_of_wrench(samples.taken(at), self.root)[:, : share.size]
+            wrench = RootWrench(samples.taken(at), self.root)
+            rows = share[:, None, None] * wrench_rows(wrench, moment=bool(self.angular))
             each = np.repeat(at, share.size)
             into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
 
@@ -75,9 +75,3 @@ def within(intervals: tuple[tuple[float, float], ...], t: Array) -> Mask:
     """(S,) whether times t (S,) lie in one of the intervals."""
     edges = np.reshape(intervals, (-1, 2))
     return np.any((edges[:, :1] <= t) & (t <= edges[:, 1:]), axis=0)
-
-
-def rows_of_wrench(samples: Samples, root: int, pushes: Pushes | None = None) -> Array:
-    """`wrench_rows`, whatever the figure's joints and coordinates: (S, 6, 3, N)."""
-    rows = wrench_rows if has_moment_rows(samples.figure) else any_wrench_rows
-    return rows(RootWrench(samples, root), pushes)

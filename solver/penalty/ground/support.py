@@ -17,14 +17,14 @@ from ...array import Array, Index, Mask
 from ...cone import Unsupplied, projection, unsupplied
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, cross
+from ...figure.effort_rows import Pushes, wrench_rows
 from ...figure.figure import Figure
-from ...figure.jacobian_rows import Pushes
 from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
 from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
-from .flight import A_TENTH, rows_of_wrench, within
+from .flight import A_TENTH, within
 from .footing import Footing, Interval
 
 EDGES = 4  # of the pyramid that stands for a friction cone
@@ -135,7 +135,7 @@ class Support(Penalty):
 
         def curved(into: Curvature, scale: Array) -> None:
             pushes = replace(found.pushes, at=np.searchsorted(at, found.pushes.at))
-            rows = share[:, :, None] * rows_of_wrench(samples.taken(at), self.root, pushes)
+            rows = share[:, :, None] * wrench_rows(RootWrench(samples.taken(at), self.root), pushes)
             root = np.linalg.cholesky(projection(found.left, found.edges, self.softness))
             rows = np.einsum("scd,scon->sdon", root, rows)
             each = np.repeat(at, 6)

@@ -16,7 +16,7 @@ from ...array import Array, Index
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, dot
 from ...figure.dynamics import InverseDynamics
-from ...figure.jacobian_rows import has_moment_rows, moment_rows
+from ...figure.effort_rows import joint_rows
 from ...figure.kinematics import Samples
 from ..block import Dense
 from ..curvature import Curvature
@@ -58,12 +58,11 @@ class Torque(Penalty):
                 _reflected_pulled_back(into, balls, parents, armature * moment_bar[:, balls], spin)
 
         def curved(into: Curvature, scale: Array) -> None:
-            rows = moment_rows(samples)
+            rows = joint_rows(samples)
             at = np.repeat(np.arange(samples.count), rows.shape[1])
             into.add_rows(at, scale[at], rows.reshape(at.size, 3, -1))
 
-        is_closed = has_moment_rows(samples.figure) and not tables.hinge_links.size + tables.slide_links.size
-        yield Dense(np.concatenate(efforts), pulled_back, curved if is_closed else None)
+        yield Dense(np.concatenate(efforts), pulled_back, curved)
 
 
 @dataclass(frozen=True, eq=False)

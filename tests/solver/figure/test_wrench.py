@@ -10,8 +10,8 @@ from random_samples import random_samples
 from taylor import taylor_slope
 
 from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.effort_rows import Pushes, wrench_rows
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.jacobian_rows import Pushes, wrench_rows
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
 

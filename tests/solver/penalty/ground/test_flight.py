@@ -3,7 +3,6 @@
 import mujoco
 import numpy as np
 import pytest
-from closed_forms import WOOD
 from curvature_of import assembled, assert_near, curvature_of, jacobians
 from figures import BALL_TREE, TINY, figure_of
 from oracles import mujoco_forces
@@ -16,12 +15,11 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.jacobian_rows import Pushes
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
-from dynsplines.solver.penalty.ground.flight import rows_of_wrench, within
+from dynsplines.solver.penalty.ground.flight import within
 from dynsplines.solver.problem import Problem, Settings
 
 G = 9.81
@@ -120,18 +118,6 @@ def test_a_flight_lasts_from_its_first_moment_to_its_last():
     assert within(((0.25, 0.5), (1.0, 1.0)), t).tolist() == [False, True, True, False, True, False]
     assert within(((0.0, 0.75), (0.5, 2.0)), t).all()
     assert not within((), t).any()
-
-
-@pytest.mark.parametrize("pushed", [False, True])
-def test_rows_for_any_joints_are_those_for_ball_joints_in_the_world(rng, monkeypatch, pushed):
-    figure = Figure(mujoco.MjModel.from_xml_string(WOOD))
-    root = int(figure.tables.free_links[0])
-    samples = random_samples(figure, rng, 4)
-    link, at = rng.choice(np.flatnonzero(figure.tables.path[:, root]), 6), np.sort(rng.integers(0, 4, 6))
-    pushes = Pushes(at, link, *rng.normal(size=(2, 3, 6))) if pushed else None
-    closed = rows_of_wrench(samples, root, pushes)
-    monkeypatch.setattr("dynsplines.solver.penalty.ground.flight.has_moment_rows", lambda _: False)
-    assert_near(rows_of_wrench(samples, root, pushes), closed, 1e-12)
 
 
 def hop(*penalties: tuple[Penalty, float]) -> tuple[float, float]:

@@ -1,0 +1,343 @@
+"""Jacobian rows of inverse dynamics in closed form: of joints' efforts, and of the wrench at a free root.
+
+Let a coordinate turn a set of links by a small turn φ(t) about an origin that stands still. Their momentum and angular
+momentum about it, J their inertia there, P = Σ m r and H their momenta, change so that the force F and the moment N
+that these links need (eqs. 18-21) change by
+
+    δF = (φ × P)''        δN = J φ'' + (J' φ' − H × φ') + φ × N + P × (φ × g)
+
+Gravity does not turn with them, hence the last term. A shift ψ(t) of the links changes these by δF = M ψ'' and
+δN = P × ψ'' + ψ × F. A turn about an anchor a is one about the origin and a shift by −φ × a; and a link whose
+orientation is in the state shifts the next such links, with all beyond them, by φ × (their anchor − a).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from ..array import Array, Index
+from .adjoint import Cotangent
+from .algebra import applied, cross, dot
+from .dynamics import InverseDynamics
+from .kinematics import LinkMotion, Samples
+from .turns import add_rows_of_shifts, add_rows_of_turns, chosen, followers, following, places, turning
+from .wrench import RootWrench
+from .wrenches import Wrenches, every_axis
+
+PRODUCT = (1, 2, 1)  # of a second derivative: times the factors' derivatives
+
+
+@dataclass(frozen=True)
+class Pushes:
+    """Forces that points of the figure get from outside: at samples `at` (P,), on links `link` (P,), at `offset` (3, P)
+    from the links' origins [m], force (3, P) [N]."""
+
+    at: Index
+    link: Index
+    offset: Array
+    force: Array
+
+    def by_link(self, vectors: Array, like: Array) -> Array:
+        """Vectors (3, P) of the pushes, summed over those of one link and sample: (3, L, S), the shape of `like`."""
+        flat, size = self.link * like.shape[2] + self.at, like[0].size
+        return np.array([np.bincount(flat, part, size) for part in vectors], float).reshape(like.shape)
+
+    def pull_back(self, wrench: RootWrench, into: Cotangent, force_bar: Array, moment_bar: Array) -> None:
+        """Adds the gradient of a scalar of force and moment, the moments of these pushes, which are held, taken off."""
+        pull = cross(moment_bar[:, self.at], self.force)
+        into.add_forces(self.link * into.samples.count + self.at, self.offset, pull)
+        by_centre = np.array([np.bincount(self.at, -part, into.samples.count) for part in pull], float)
+        wrench.pull_back(into, force_bar, moment_bar, by_centre)
+
+
+def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None, *, moment: bool = True) -> Array:
+    """(S, 6, 3, N): gradients of a free root's force and moment, world components, with respect to y, y', y''.
+
+    pushes  their moments (p − c) × f about the centre of mass are taken off the moment; the forces are held
+    moment  without it (S, 3, 3, N), of the force alone
+    """
+    samples, root, tables = wrench.samples, wrench.root, wrench.samples.figure.tables
+    own = tables.path[:, root]
+    links = _Links(samples, own, pushes, moment)
+    out = np.zeros((samples.y.shape[1], links.rows, 3, samples.count))
+    for moves in (_Turns(links), _Shifts(links)):
+        joints = moves.joints[own[moves.joints] > 0]
+        if joints.size:
+            change = moves.of(joints)
+            if moment:
+                centre, held = wrench.centre - links.origin, links.held.sum(axis=1) / wrench.mass
+                links.to_place(change, centre[:, None])
+                change[0, :, 3:] += _crosses(held[:, None], change[2, :, :3])  # the centre moves, too
+            moves.add(joints, change, np.tile(np.arange(links.rows)[:, None], joints.size), out)
+    return out.transpose(3, 1, 2, 0)
+
+
+def joint_rows(samples: Samples) -> Array:
+    """(S, R, 3, N): gradients of the joints' efforts with respect to y, y', y''.
+
+    First the moments at b ball joints, in the world: x of all, then y, then z; then the moments about the axes of
+    hinges, and the forces along those of slides; each with what the armature takes.
+    """
+    tables, motion, inverse = samples.figure.tables, samples.links, samples.once(InverseDynamics)
+    links, (place, _) = _Links(samples, np.ones(len(samples.figure.links))), places(samples.figure)
+    balls, hinges, slides = tables.ball_links, tables.hinge_links, tables.slide_links
+    edges = 3 * balls.size, 3 * balls.size + hinges.size
+    out = np.zeros((samples.y.shape[1], edges[1] + slides.size, 3, samples.count))
+    along = (
+        (hinges, motion.hinge_axis, inverse.moment, slice(3, 6), edges[0]),
+        (slides, motion.slide_axis, inverse.force, slice(0, 3), edges[1]),
+    )
+    for moves in (_Turns(links), _Shifts(links)):
+        for joint, moved, change in _pairs(links, moves):
+            for some in chosen(np.isin(joint, balls)):
+                rows = np.searchsorted(balls, joint[some]) + balls.size * np.arange(3)[:, None]
+                moves.add(moved[some], change[:, :, 3:, some], rows, out)
+            for kind, axes, effort, part, first in along:
+                for some in chosen(np.isin(joint, kind)):
+                    own = joint[some]
+                    axis = axes[:, place[own]]
+                    felt = np.einsum("okcns,cns->okns", change[:, :, part, some], axis)
+                    felt[0] += moves.turned(own, moved[some])[:, None] * cross(axis, effort[:, own])
+                    moves.add(moved[some], felt[:, :, None], first + place[own][None], out)
+    _add_armature(samples, out)
+    return out.transpose(3, 1, 2, 0)
+
+
+def _add_armature(samples: Samples, out: Array) -> None:
+    """Adds what the armature takes: of motors in proportion to y'', of ball joints by the rates of their links."""
+    tables, omega = samples.figure.tables, samples.links.omega
+    motors, balls = np.concatenate([tables.hinge_links, tables.slide_links]), tables.ball_links
+    columns = np.concatenate([tables.hinge_columns, tables.slide_columns])
+    out[columns, 3 * balls.size + np.arange(motors.size), 2] += tables.armature[motors][:, None]
+    heavy = np.flatnonzero(tables.armature[balls])
+    if heavy.size:
+        at, link, axis = every_axis(balls[heavy], samples.count)
+        parent, axis = tables.parents[link], axis * tables.armature[link]
+        # of axis · (α − α_p − ω × (ω − ω_p))
+        own = Wrenches(at, link, torque_d=cross(omega[:, parent, at], axis), torque_dd=axis)
+        other = Wrenches(at, parent, torque_d=cross(axis, omega[:, link, at]), torque_dd=-axis)
+        rows = (own.rows(samples) + other.rows(samples)).reshape(3, heavy.size, samples.count, 3, -1)
+        out[:, heavy + balls.size * np.arange(3)[:, None]] += rows.transpose(4, 0, 1, 3, 2)
+
+
+class _Links:
+    """What links are made of, about an origin that stands still: (..., L, S) each.
+
+    Changes are (3, 3, R, n, S): by order and component of φ or ψ, of R = 3 rows of force and 3 of moment.
+
+    origin    (3, S), amid the figure;  anchors  (3, 3, L, S) the joints' places from there, and two derivatives
+    mass      (L, 1);  first  (3, 3, L, S) m r, m r', m r''
+    held      (3, L, S) the force on a link, what pushes it taken off
+    """
+
+    def __init__(self, samples: Samples, own: Array, pushes: Pushes | None = None, moment: bool = True) -> None:
+        """own (L,): 1 for the links that count; without `moment` the changes have 3 rows."""
+        self.samples, self.figure, self.rows = samples, samples.figure, 6 if moment else 3
+        inverse, motion, tables = samples.once(InverseDynamics), samples.links, samples.figure.tables
+        self.origin = motion.x[:, 1:].mean(axis=1)
+        self.anchors = _anchors(motion)
+        self.anchors[0] -= self.origin[:, None]
+        self.gravity = samples.figure.gravity[:, None, None]
+        own = own[:, None]
+        self.mass = tables.mass[:, None] * own
+        self.held = inverse.net_force * own
+        r, v = inverse.centre - self.origin[:, None], motion.x_d + cross(motion.omega, inverse.offset)
+        self.first = np.array([self.mass * r, self.mass * v, self.held + self.mass * self.gravity])
+        if not moment:
+            return
+        half = own * cross(motion.omega[:, None], inverse.inertia) + _across(r, self.first[1])
+        self._inertia = own * inverse.inertia + _across(r, self.first[0])
+        self._inertia_d = half + half.swapaxes(0, 1)
+        self._spin = cross(r, self.first[1]) + own * inverse.momenta[0]
+        self._moment, self._pushed = cross(r, self.held) + own * inverse.net_torque, None
+        if pushes is not None:
+            place = motion.x[:, pushes.link, pushes.at] + pushes.offset - self.origin[:, pushes.at]
+            self._pushed = np.array([pushes.by_link(part, r) for part in _across(pushes.force, place)])
+            self.held = self.held - pushes.by_link(pushes.force, r)
+
+    def by_turns(self, sets: Array) -> Array:
+        """The changes of sets of links (n, L) by their turns φ about the origin."""
+        out = self._empty(len(sets))
+        first = _summed(sets, self.first)
+        _add_force(out, first)
+        if self.rows > 3:
+            out[0, :, 3:] = _crossed(_summed(sets, self._moment)) + _across(first[0], self.gravity)
+            if self._pushed is not None:
+                out[0, :, 3:] += _summed(sets, self._pushed)
+            out[1, :, 3:] = _summed(sets, self._inertia_d) + _crossed(_summed(sets, self._spin))
+            out[2, :, 3:] = _summed(sets, self._inertia)
+        return out
+
+    def by_turned_shifts(self, sets: Array, s: Array) -> Array:
+        """The changes of sets of links (n, L) by their shifts φ × s; s (3, 3, n, S) with two derivatives."""
+        out = self._empty(len(sets))
+        mass, first, held = sets @ self.mass, _summed(sets, self.first[0]), _summed(sets, self.held)
+        _add_force(out, mass * s)
+        if self.rows > 3:
+            for order, factor in enumerate(PRODUCT):
+                out[order, :, 3:] = factor * _across(first, s[2 - order])
+            out[0, :, 3:] -= _across(held, s[0])
+        return out
+
+    def by_shifts(self, sets: Array) -> Array:
+        """The changes of sets of links (n, L) by their shifts ψ."""
+        out = self._empty(len(sets))
+        out[2, range(3), range(3)] = sets @ self.mass
+        if self.rows > 3:
+            out[0, :, 3:] = _crossed(_summed(sets, self.held))
+            out[2, :, 3:] = -_crossed(_summed(sets, self.first[0]))
+        return out
+
+    def to_place(self, change: Array, place: Array) -> None:
+        """Takes the moments of changes about a place (3, n, S) from the origin, instead of the origin."""
+        change[:, :, 3:] -= _crosses(place, change[:, :, :3])
+
+    def carried(self, joint: Index, s: Array) -> Array:
+        """The changes of all beyond joints (P,), about their anchors, which shift with them by φ × s (3, 3, P, S)."""
+        change, mass, lever = self._empty(joint.size), *self._levers(joint)
+        _add_force(change, mass * s)
+        for order, factor in enumerate(PRODUCT):
+            change[order, :, 3:] = factor * _across(lever, s[2 - order])
+        return change
+
+    def shifted(self, joint: Index) -> Array:
+        """The same for shifts by ψ."""
+        change, mass, lever = self._empty(joint.size), *self._levers(joint)
+        change[2, range(3), range(3)] = mass
+        change[2, :, 3:] = -_crossed(lever)
+        return change
+
+    def _levers(self, joint: Index) -> tuple[Array, Array]:
+        """The masses beyond joints (P, 1), and their first moments about the anchors (3, P, S)."""
+        sets = self.figure.tables.beyond[joint]
+        mass = sets @ self.mass
+        return mass, np.matmul(sets, self.first[0]) - mass * self.anchors[0][:, joint]
+
+    def _empty(self, count: int) -> Array:
+        return np.zeros((3, 3, self.rows, count, self.samples.count))
+
+
+class _Turns:
+    """Small turns φ of links by their joints, about the joints' anchors."""
+
+    def __init__(self, links: _Links) -> None:
+        tables = links.figure.tables
+        self.links, self.add = links, partial(add_rows_of_turns, links.samples)
+        self.joints = np.concatenate([tables.quaternion_links, tables.hinge_links])
+
+    def of(self, joints: Index) -> Array:
+        """The changes of all that n joints move."""
+        links, beyond, after = self.links, self.links.figure.tables.beyond, following(self.links.figure)[joints]
+        near = np.union1d(joints, np.flatnonzero(after.any(axis=0)))
+        shares = after[:, near] - (joints[:, None] == near)
+        change = links.by_turns(turning(links.figure)[joints])
+        shifted = links.by_turned_shifts(beyond[near], links.anchors[:, :, near])
+        change += np.matmul(shares, shifted)
+        return change
+
+    def before(self, joint: Index, moved: Index) -> Array:
+        """The changes of all beyond joints (P,), about their anchors, by turns of joints before them: the joints are
+        carried along, and turned, too, where no link lies between whose orientation is in the state."""
+        links, anchors = self.links, self.links.anchors
+        between = followers(links.figure)[joint, moved]
+        nearest = np.where(between > 0, between, joint)
+        change = links.carried(joint, anchors[:, :, nearest] - anchors[:, :, moved])
+        for some in chosen(between == 0):
+            own = joint[some]
+            sets = links.figure.tables.beyond[own]
+            turn = links.by_turns(sets) + links.by_turned_shifts(sets, -anchors[:, :, own])
+            links.to_place(turn, anchors[0][:, own])
+            change[:, :, :, some] += turn
+        return change
+
+    def turned(self, joint: Index, moved: Index) -> Array:
+        """(P,) 1 where the axes of joints turn with the others."""
+        return turning(self.links.figure)[moved, joint]
+
+
+class _Shifts:
+    """Shifts ψ of links by slides and free joints."""
+
+    def __init__(self, links: _Links) -> None:
+        tables = links.figure.tables
+        self.links, self.add = links, partial(add_rows_of_shifts, links.samples)
+        self.joints = np.concatenate([tables.free_links, tables.slide_links])
+
+    def of(self, joints: Index) -> Array:
+        """The changes of all that n joints move."""
+        return self.links.by_shifts(self.links.figure.tables.beyond[joints])
+
+    def before(self, joint: Index, moved: Index) -> Array:
+        """The changes of all beyond joints (P,), about their anchors, by shifts of joints before them."""
+        return self.links.shifted(joint)
+
+    def turned(self, joint: Index, moved: Index) -> Array:
+        """(P,) 1 where the axes of joints turn with the others: nowhere."""
+        return np.zeros(joint.size)
+
+
+def _pairs(links: _Links, moves: _Turns | _Shifts) -> Iterator[tuple[Index, Index, Array]]:
+    """Joints (P,) whose efforts change with others (P,), and the changes of force and moment about their anchors."""
+    path = links.figure.tables.path > 0
+    has_effort = ~np.isin(np.arange(len(path)), [0, *links.figure.tables.free_links])
+    moved, joint = np.nonzero(path[moves.joints] & has_effort)
+    change = moves.of(moves.joints)[:, :, :, moved]
+    links.to_place(change, links.anchors[0][:, joint])
+    yield joint, moves.joints[moved], change
+    joint, moved = np.nonzero(path[:, moves.joints] & has_effort[:, None])
+    moved = moves.joints[moved]
+    joint, moved = joint[joint != moved], moved[joint != moved]
+    yield joint, moved, moves.before(joint, moved)
+
+
+def _anchors(motion: LinkMotion) -> Array:
+    """Where joints turn, with two derivatives, (3, 3, L, S)."""
+    places = np.array([motion.x, motion.x_d, motion.x_dd])
+    if motion.hang is not None:
+        places += np.array([motion.hang, cross(motion.omega, motion.hang), applied(motion.swing, motion.hang)])
+    return places
+
+
+def _summed(sets: Array, part: Array) -> Array:
+    """Sums over sets of links (n, L): (..., L, S) -> (..., n, S)."""
+    if np.all(sets.sum(axis=1) == 1):
+        return part[..., np.argmax(sets, axis=1), :]
+    return np.matmul(sets, part)
+
+
+def _add_force(change: Array, first: Array) -> None:
+    """Adds δF = (φ × p)'' to changes, p (3, 3, n, S) with two derivatives."""
+    for order, factor in enumerate(PRODUCT):
+        change[order, :, :3] += factor * _crossed(first[2 - order])
+
+
+def _crossed(v: Array) -> Array:
+    """φ × v by components of φ and of the product: (3, n, S) -> (3, 3, n, S)."""
+    out, (x, y, z) = np.zeros((3, *v.shape)), v
+    out[1, 0], out[2, 1], out[0, 2] = z, x, y
+    for target, source in ((out[2, 0], y), (out[0, 1], z), (out[1, 2], x)):
+        np.negative(source, out=target)
+    return out
+
+
+def _across(p: Array, v: Array) -> Array:
+    """p × (φ × v), likewise: (3, n, S) with (3, n, S)."""
+    out = np.negative(p)[:, None] * v
+    diagonal = dot(p, v)
+    for i in range(3):
+        out[i, i] += diagonal
+    return out
+
+
+def _crosses(v: Array, rows: Array) -> Array:
+    """v × each of vectors: (3, n, S) with (..., 3, n, S)."""
+    (x, y, z), out = v, np.empty(np.broadcast_shapes(v.shape, rows.shape))
+    a, b, c = (rows[..., i, :, :] for i in range(3))
+    out[..., 0, :, :] = y * c - z * b
+    out[..., 1, :, :] = z * a - x * c
+    out[..., 2, :, :] = x * b - y * a
+    return out

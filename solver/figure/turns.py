@@ -1,0 +1,171 @@
+"""What a residual's change by small turns of a figure's joints means for the coordinates of the state.
+
+A residual that changes by M₀ · φ + M₁ · φ' + M₂ · φ'' as a joint turns by φ(t) changes by the same M along an axis w of
+the joint, where φ = θ w; an axis that moves with a link of angular velocity ω has w' = ω × w. Three axes make one of a
+quaternion: φ = E η for a change η of it, about the world's axes where the quaternion is the link's orientation in the
+world, else about the parent's. The former turns what lies before the next such links on the ways out; what is beyond
+these goes along with their anchors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+
+import numpy as np
+
+from ..array import Array, Index, Mask
+from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned_back
+from .figure import Figure
+from .kinematics import LinkMotion, Samples
+
+Orders = list[Array | None]  # what counts for φ, φ', φ'' or for y, y', y'', component first; None is zero
+
+
+def on_moving_axes(moments: Orders, omega: Array, alpha: Array | None) -> Orders:
+    """M₀, M₁, M₂ on the coordinates along axes that turn with links of these rates (3, ...), which M₂ needs both."""
+    first, second, third = moments
+    if second is not None:
+        first = summed(first, cross(second, omega))
+    if third is not None and alpha is not None:
+        through = cross(third, omega)
+        first = summed(first, cross(third, alpha) + cross(through, omega))
+        second = summed(second, 2 * through)
+    return [first, second, third]
+
+
+def on_quaternions(moments: Orders, turns: Array) -> Orders:
+    """M₀, M₁, M₂ (3, ...) on quaternions (4, ...), by φ = E η, φ' = E' η + E η', φ'' = E'' η + 2 E' η' + E η''.
+
+    turns  (3, 4, ...) the quaternions' `ways`
+    """
+    totals: Orders = [None, None, None]
+    for order, factors in enumerate(((1,), (1, 1), (1, 2, 1))):
+        moment = moments[order]
+        if moment is not None:
+            for derivative, factor in enumerate(factors):
+                part, total = pure_product(moment, turns[derivative]), totals[order - derivative]
+                if factor != 1:
+                    part *= factor
+                if total is None:
+                    totals[order - derivative] = part
+                else:
+                    total += part
+    return totals
+
+
+def summed(one: Array | None, other: Array) -> Array:
+    """The sum, where one may be zero."""
+    return other if one is None else one + other
+
+
+def ways(links: LinkMotion) -> Array:
+    """The quaternions p of E η = vec(η ⊗ conj(p)), and two derivatives: (3, 4, n, S)."""
+    (q, q_d, q_dd), dots = links.states.quaternions[:, :, 1:], links.states.dots[:, 1:]
+    scale = 2 / dots[0]
+    stretch = dots[1] * scale
+    stretch_d = (dot(q_d, q_d) + dots[2]) * scale - stretch**2
+    return np.array([q, q_d - stretch * q, q_dd - 2 * stretch * q_d + (stretch**2 - stretch_d) * q]) * scale
+
+
+@lru_cache(maxsize=8)
+def places(figure: Figure) -> tuple[Index, Index]:
+    """(L,) the index of a link among the links of its kind, slides, hinges or quaternions; and (L,) that of one whose
+    quaternion turns with its parent among those."""
+    tables = figure.tables
+    own, base = np.zeros((2, len(figure.links)), np.intp)
+    for links in (tables.slide_links, tables.hinge_links, tables.quaternion_links):
+        own[links] = np.arange(links.size)
+    base[relatives(figure)] = np.arange(relatives(figure).size)
+    return own, base
+
+
+def relatives(figure: Figure) -> Index:
+    """The links whose quaternions turn with their parents."""
+    tables = figure.tables
+    return tables.quaternion_links[~tables.in_world[tables.quaternion_links]]
+
+
+def bases(links: LinkMotion) -> Array:
+    """The axes of the relative quaternions, which turn with the parents: (3, 3, n, S)."""
+    tables, chosen = links.figure.tables, relatives(links.figure)
+    base = hamilton(links.Q[:, tables.parents[chosen]], tables.turn[:, chosen, None])
+    return rotation_matrix(base, 2 / dot(base, base))
+
+
+@lru_cache(maxsize=8)
+def turning(figure: Figure) -> Array:
+    """(L, L) 1 for the links (columns) that the joint of a link (row) turns."""
+    return figure.tables.beyond - following(figure) @ figure.tables.beyond
+
+
+@lru_cache(maxsize=8)
+def following(figure: Figure) -> Array:
+    """(L, L) 1 for the next links (columns) after a link (row), where the orientations of both are in the state."""
+    tables = figure.tables
+    out = np.zeros((len(figure.links), len(figure.links)))
+    inner = [i for i in tables.quaternion_links if tables.in_world[i] and tables.parents[i]]
+    out[tables.parents[inner], inner] = 1.0
+    return out
+
+
+@lru_cache(maxsize=8)
+def followers(figure: Figure) -> Index:
+    """(L, L): on the way to a link (row) the next after another (column) whose orientation is in the state, or 0."""
+    after = following(figure)
+    return np.argmax(figure.tables.path[:, None] * after, axis=2) * ((figure.tables.path @ after.T) > 0)
+
+
+def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index, out: Array) -> None:
+    """Sets the entries of rows that change by φ, φ', φ'' of n links' joints, small turns about the world's axes.
+
+    changes  (3, 3, C, n, S) by order and component of φ
+    row      (C, n) which row of `out` (N, R, 3, S) each is
+    """
+    tables, motion, (place, base) = samples.figure.tables, samples.links, places(samples.figure)
+
+    def rates(frames: Index) -> tuple[Array, Array]:
+        return motion.omega[:, None, frames], motion.alpha[:, None, frames]
+
+    is_hinge = np.isin(links, tables.hinge_links)
+    for some in chosen(is_hinge):
+        own = links[some]
+        axes = motion.hinge_axis[:, None, place[own]]
+        for order, moment in enumerate(on_moving_axes(list(changes[:, :, :, some]), *rates(own))):
+            if moment is not None:
+                out[tables.hinge_columns[place[own]], row[:, some], order] = dot(axes, moment)
+    for kind, is_world in ((tables.in_world, True), (~tables.in_world, False)):
+        for some in chosen(~is_hinge & kind[links]):
+            own = links[some]
+            moments: Orders = list(changes[:, :, :, some])
+            if not is_world:
+                axes = samples.once(bases)[:, :, None, base[own]]
+                moments = on_moving_axes(moments, *rates(tables.parents[own]))
+                moments = [turned_back(axes, part) for part in moments if part is not None]
+            totals = on_quaternions(moments, samples.once(ways)[:, :, None, place[own]])
+            for order, total in enumerate(totals):
+                out[tables.quaternion_columns[:, None, place[own]], row[:, some], order] = total
+
+
+def add_rows_of_shifts(samples: Samples, links: Index, changes: Array, row: Index, out: Array) -> None:
+    """The same for shifts along the world's axes, of slides and free joints."""
+    tables, motion, (place, _) = samples.figure.tables, samples.links, places(samples.figure)
+    for free, columns in zip(tables.free_links, tables.position_columns.T, strict=True):
+        for some in chosen(links == free):
+            for order in range(3):
+                out[columns[:, None, None], row[:, some], order] = changes[order][:, :, some]
+    for some in chosen(np.isin(links, tables.slide_links)):
+        own = links[some]
+        axes, frames = motion.slide_axis[:, None, place[own]], own[None]
+        forces = on_moving_axes(list(changes[:, :, :, some]), motion.omega[:, frames], motion.alpha[:, frames])
+        for order, force in enumerate(forces):
+            if force is not None:
+                out[tables.slide_columns[place[own]], row[:, some], order] = dot(axes, force)
+
+
+def chosen(mask: Mask) -> Iterator[Index | slice]:
+    """Where a mask holds, if it does anywhere: all of it as a slice, which copies nothing."""
+    if mask.all() and mask.size:
+        yield slice(None)
+    elif mask.any():
+        yield np.flatnonzero(mask)
