@@ -1,93 +1,197 @@
-"""The command `dynsplines`. Everything heavy is imported inside the command that needs it."""
+"""The command `dynsplines`: its options, and the calls behind each command.
 
-from __future__ import annotations
+Modules are imported when they are used first. Annotations are objects, not text, which typer would evaluate slowly.
+"""
 
-import contextlib
 import json
+import math
 import os
 import sys
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from enum import StrEnum
+from functools import partial
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn, cast
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn, cast
 
 import typer
+from typer.core import TyperGroup
 
-from .system import stopping
+from .errors import UserError, unknown
+from .system import exit_status
+
+
+class _Lazy:
+    """A module of this package, imported when it is used first."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __getattr__(self, attribute: str) -> Any:
+        return getattr(import_module(self._name, __package__), attribute)
+
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from . import batch as batches
+    from . import inputs, models, motion
+    from .batch import recordings
+    from .clean import running
+    from .clip import kinds, load, starter
+    from .edit import files, lead_in, thin_files
+    from .exchange import formats, imported, quantities, take
+    from .exchange.skeleton import maps
+    from .measure import chart, problems, summary
+    from .measure import report as reports
+    from .picture import film, graphics, rendering, show
+    from .scene import outside
+    from .studio import sources as studio_sources
+    from .studio import start as studio_start
+    from .system import output as outputs
+    from .system import progress as terminal
+    from .system import quantity
+else:
 
-    from .clip.load import Clip
-    from .edit.files import Edit
-    from .measure.problems import Flaw
-    from .motion import Saved
-    from .picture.graphics import Graphics
-    from .picture.show import Look
-    from .system.progress import Progress
+    def _lazy(package: str, names: str) -> list[_Lazy]:
+        return [_Lazy(f"{package}.{name}") for name in names.split()]
+
+    batches, inputs, models, motion = _lazy("", "batch inputs models motion")
+    kinds, load, starter = _lazy(".clip", "kinds load starter")
+    files, lead_in, thin_files = _lazy(".edit", "files lead_in thin_files")
+    formats, imported, quantities, take, maps = _lazy(".exchange", "formats imported quantities take skeleton.maps")
+    chart, problems, summary, reports = _lazy(".measure", "chart problems summary report")
+    film, graphics, rendering, show = _lazy(".picture", "film graphics rendering show")
+    studio_sources, studio_start = _lazy(".studio", "sources start")
+    outputs, terminal, quantity = _lazy(".system", "output progress quantity")
+    recordings, running, outside = _lazy("", "batch.recordings clean.running scene.outside")
 
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
-MOST_IMAGES = 100_000  # an hour of film at 30 a second
-WRONG = 3  # the exit code of --strict
-OURS = 4  # that of a mistake in the program
-DEBUG = "DYNSPLINES_DEBUG"
-HOW = "what the same command prints as `dynsplines --debug ...`"
-NO_ROOM = (  # the linker's, MuJoCo's, and Python's where it has no memory for the error itself
-    "failed to map segment",
-    "annot allocate memory",
-    "ould not allocate memory",
-    "error return without exception set",
-)
+VIOLATED = 3  # the exit code of --strict
 BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", ".clip.table", ".system.progress")
 
+
+class _Panels(TyperGroup):
+    """Commands listed under their `rich_help_panel`; rich itself would double the time that --help takes."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        panels: dict[str, list[tuple[str, str]]] = {}
+        for name, command in self.commands.items():
+            summary = (command.help or "").partition("\n")[0].rstrip(".")
+            panels.setdefault(getattr(command, "rich_help_panel", ""), []).append((f"{name:10}", summary))
+        for panel, rows in panels.items():
+            with formatter.section(panel):
+                formatter.write_dl(rows)
+
+
 app = typer.Typer(
-    help="Sparse keyframes of an articulated figure into smooth motion that keeps its feet out of the floor.",
+    cls=_Panels,
+    help="Compute smooth motion of an articulated figure through sparse keyframes.\n\n"
+    "Begin with `dynsplines render run_and_step`. `dynsplines COMMAND --help` lists a command's options.",
     add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
 )
 
-Source = Annotated[
-    str, typer.Argument(metavar="CLIP|MOTION.npz", help="a shipped clip, a .toml or .xml file, or a saved motion")
+
+def _flag(name: str, help: str, **more: Any) -> Any:
+    return typer.Option(name, help=help, **more)
+
+
+def _value(metavar: str, help: str, default: str | bool = True, *names: str, **more: Any) -> Any:
+    """An option; `default` describes the default where it is no constant."""
+    return typer.Option(*names, metavar=metavar, help=help, show_default=default, **more)
+
+
+def _number(
+    metavar: str, help: str, least: float, most: float, default: str | bool = True, *names: str, kind: type = float
+) -> Any:
+    """An option of a finite number from `least` to `most`: click's own ranges let nan through."""
+    span = f"{least:g} to {most}" if most < math.inf else f"{least:g} or more" if least > -math.inf else ""
+
+    def number(text: object) -> float:
+        try:
+            value = kind(text)
+        except (ValueError, OverflowError):
+            value = math.nan
+        if not (least <= value <= most and math.isfinite(value)):
+            raise typer.BadParameter(f"{text}: give a {'whole ' * (kind is int)}number{span and f', {span}'}")
+        return value
+
+    return _value(metavar, f"{help}{span and f', {span}'}", default, *names, parser=number)
+
+
+def _seconds(help: str, default: str | bool = True, *names: str) -> Any:
+    return _number("SECONDS", help, -math.inf, math.inf, default, *names)
+
+
+def _output(default: str) -> Any:
+    return _value("FILE", "Write to this file", default, "-o", "--output")
+
+
+def _size(text: str) -> tuple[int, int]:
+    """Width and height [pixels] of "1280x720"."""
+    sides = text.lower().split("x")
+    if len(sides) != 2 or not all(side.isascii() and side.isdigit() and len(side) < 10 for side in sides):
+        raise typer.BadParameter(f"{text}: give WIDTHxHEIGHT in pixels, such as 1280x720")
+    width, height = map(int, sides)
+    if not (16 <= width <= 3840 and 16 <= height <= 2160):
+        raise typer.BadParameter(f"{text}: give 16x16 to 3840x2160")
+    return width, height
+
+
+def _quantity(kind: str, flag: str) -> Callable[[str], float]:
+    return lambda text: getattr(quantity, kind)(text, flag)
+
+
+Only = StrEnum("Only", ["before", "after", "keys"])
+
+
+def _prepare(context: typer.Context, allow: bool) -> bool:
+    """Apply --allow-outside until the command ends, and import MuJoCo without graphics unless the command draws."""
+    context.with_resource(outside.allowed(allow))
+    if context.command.name != "render":
+        graphics.do_without()
+    return allow
+
+
+Anything = "Name of a shipped clip, a .toml or .xml file, or a motion"
+Source = Annotated[str, typer.Argument(metavar="CLIP|MOTION.npz", help=Anything)]
+Clip = Annotated[str, typer.Argument(metavar="CLIP", help="Name of a shipped clip, or a .toml or .xml file")]
+Recording = Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion, or a file that `import` reads")]
+Overwrite = Annotated[bool, _flag("--overwrite", "Overwrite an existing output file")]
+Strict = Annotated[bool, _flag("--strict", "Exit with code 3 if there are violations")]
+Fresh = Annotated[bool, _flag("--fresh", "Solve again, even if the clip has not changed")]
+Outside = Annotated[bool, _flag("--allow-outside", "Let a model read files outside its folder", callback=_prepare)]
+AsJson = Annotated[bool, _flag("--json", "Print JSON")]
+SkipRest = Annotated[bool, _flag("--skip-rest", "Leave out the T-pose before the motion")]
+Repeat = Annotated[int | None, _number("N", "Play a loop N times, without a seam", 1, math.inf, "once", kind=int)]
+Rate = Annotated[float | None, _number("HZ", "Samples per second", 0.01, 100_000, "the clip's, or 30")]
+Figure = Annotated[str | None, _value("MODEL", "Figure of the recording, shipped or MJCF", "the file's")]
+Format = Annotated[str | None, _value("FORMAT", "Format of the recording", "by the file's ending", "--from")]
+Fps = Annotated[float | None, _number("HZ", "Frames per second of the recording", 0.01, 1000, "the file's")]
+Scale = Annotated[float | None, _number("METRES", "Unit of length of the file, 0.01 for cm", 1e-6, 10**6, "inferred")]
+Scene = Annotated[Path | None, _value("FILE", "TOML file with the [scene] of the recording", "a flat floor")]
+Within = Annotated[
+    float | None,
+    _value("LENGTH", "Bound on how far limbs are moved, as 3cm", "none", parser=_quantity("length", "--within")),
 ]
-ClipSource = Annotated[str, typer.Argument(metavar="CLIP", help="a shipped clip, or a .toml or .xml file")]
-Model = Annotated[str | None, typer.Option("--model", help="a figure, instead of a clip; with --keys")]
-Keys = Annotated[str | None, typer.Option("--keys", help=".npz with time (K,) and qpos (K, nq); with --model")]
-Output = Annotated[Path | None, typer.Option("-o", "--output", help="the file to write")]
-Overwrite = Annotated[bool, typer.Option("--overwrite", help="let -o be the file that is edited")]
-OverThere = Annotated[bool, typer.Option("--overwrite", help="let -o be a file that is there")]
-Repeat = Annotated[int | None, typer.Option("--repeat", help="play a loop so many times, without a seam")]
-Strict = Annotated[bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with the motion")]
-Fresh = Annotated[bool, typer.Option("--fresh", help="solve a clip again that was solved before, unchanged")]
-SkipRest = Annotated[bool, typer.Option("--skip-rest", help="leave out the T-pose before the motion of a recording")]
-
-
-def _let_outside(context: typer.Context, yes: bool) -> bool:
-    """What --allow-outside does, until the command ends."""
-    from .scene.outside import allowed
-
-    context.with_resource(allowed(yes))
-    return yes
-
-
-Outside = Annotated[
-    bool,
-    typer.Option(
-        "--allow-outside", callback=_let_outside, help="let a model read files that lie outside its own folder"
+Speed = Annotated[
+    float | None,
+    _value(
+        "SPEED",
+        "Bound on joints, as 20rad/s or 1200deg/s",
+        "none",
+        "--speed-limit",
+        parser=_quantity("speed", "--speed-limit"),
     ),
 ]
-Kind = Annotated[str | None, typer.Option("--from", help="its format, if the ending is ambiguous")]
-Fps = Annotated[float | None, typer.Option(help="frames per second, if the file does not specify it")]
-Scale = Annotated[float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")]
-SceneFile = Annotated[Path | None, typer.Option(help="a TOML file with [scene]: steps and obstacles of it")]
-ContactsFile = Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")]
-Within = Annotated[str | None, typer.Option(help="how far hands, feet and pelvis may move, such as 3cm")]
-SpeedLimit = Annotated[str | None, typer.Option(help="how fast joints may turn, such as 20rad/s or 1200deg/s")]
-MapFile = Annotated[
-    Path | None, typer.Option("--map", help="a bone map, TOML, or the name of a map that ships: g1, human")
-]
-WriteMap = Annotated[bool, typer.Option("--write-map", help="write the bone map that is used to --map")]
-AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
+Contacts = Annotated[Path | None, _value("FILE", "TOML file with [[contact]] tables", "inferred")]
+WriteMap = Annotated[bool, _flag("--write-map", "Write the bone map that is used to --map")]
+Model = Annotated[str | None, _value("MODEL", "Figure of --keys, shipped or MJCF", "the clip's")]
+Keys = Annotated[str | None, _value("FILE", ".npz with time (K,) and qpos (K, nq) of --model", "the clip's")]
+Edited = Annotated[Path | None, _output("SOURCE_EDIT.npz, or .toml of a clip")]
+OverSource = Annotated[bool, _flag("--overwrite", "Let -o be the file that is edited")]
+Map = Annotated[Path | None, _value("FILE", "Bone map, TOML, or a map that ships: g1, human", "inferred", "--map")]
 
 
 def main() -> None:
@@ -96,88 +200,24 @@ def main() -> None:
 
 
 def run(command: Callable[[], int | None]) -> NoReturn:
-    """End with a command's exit code; bad input and internal errors are reported in one line."""
-    from .system import mujoco_warnings
-    from .system.terminal import fit
-    from .system.threads import keep_to_one
+    """Run an app of typer, and end with its exit code or one line on its error."""
 
-    keep_to_one()
-    fit()
-    try:
-        with mujoco_warnings.reported_to(mujoco_warnings.print_note):
-            code = command()
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
-        sys.exit(1)
-    except SystemExit:
-        raise
-    except BaseException as error:
-        code, line = _ending(error)
-        if code == OURS and os.environ.get(DEBUG):
-            raise
-        _end(code, line)
-    if code == 130:  # typer's own answer to Ctrl-C
-        _end(stopping.code(130), "stopped")
-    sys.exit(stopping.code(code or 0))
+    def translated() -> int | None:
+        try:
+            return command()
+        except typer.Abort:
+            raise KeyboardInterrupt from None
+        except UsageError as error:
+            if type(error) is typer.BadParameter and (option := getattr(error, "param", None)) is not None:
+                raise UserError(f"{option.opts[0]} {error.message.removeprefix('Value error, ')}") from None
+            path = error.ctx.command_path if error.ctx else "dynsplines"
+            raise UserError(f"{error.format_message()} (see `{path} --help`)") from None
+
+    exit_status.run(translated)
 
 
-def _ending(error: BaseException) -> tuple[int, str]:
-    """The exit code for an error, and its message."""
-    from .errors import UserError, one_line
-
-    match error:
-        case UserError():
-            return 2, one_line(error)
-        case UsageError():
-            command = error.ctx.command_path if error.ctx else "dynsplines"
-            return 2, one_line(f"{error.format_message()} (see `{command} --help`)")
-        case FileNotFoundError(filename=None) if _is_nowhere():
-            return 2, "the folder that the command was started in is gone"
-        case OSError():
-            return 2, one_line(f"'{error.filename}': {error.strerror}" if error.filename else error.strerror or error)
-        case MemoryError():
-            return 2, "not enough memory for this"
-    if isinstance(error, typer.Abort) or _interrupted(error):
-        return stopping.code(130), "stopped"
-    if any(words in str(error) for words in NO_ROOM):
-        return 2, "not enough memory for this, or to load what it needs"
-    if isinstance(error, RuntimeError) and "can't start new thread" in str(error):
-        return 2, "the system allows no more threads, or no more memory"
-    return OURS, one_line(f"a mistake of dynsplines, not of yours: {_place(error)}; please report it, with {HOW}")
-
-
-def _place(error: BaseException) -> str:
-    """What went wrong, and where in the program."""
-    import traceback
-
-    found = traceback.extract_tb(error.__traceback__)
-    where = f" ({Path(found[-1].filename).name}:{found[-1].lineno})" if found else ""
-    return f"{type(error).__name__}: {error}{where}"
-
-
-def _is_nowhere() -> bool:
-    """Whether the folder that the command was started in has been removed."""
-    try:
-        Path.cwd()
-    except FileNotFoundError:
-        return True
-    return False
-
-
-def _interrupted(error: BaseException | None) -> bool:
-    """Whether Ctrl-C is behind it: pressed while an extension module is imported it comes out as an ImportError."""
-    while error is not None and not isinstance(error, KeyboardInterrupt):
-        error = error.__cause__ or error.__context__
-    return error is not None
-
-
-def _end(code: int, line: str) -> NoReturn:
-    print(f"dynsplines: {line}", file=sys.stderr)
-    sys.exit(code)
-
-
-def _tell_version(asked: bool) -> None:
-    if asked:
+def _print_version(wanted: bool) -> None:
+    if wanted:
         from importlib.metadata import version  # only here: it takes a moment
 
         from .solver import compiled
@@ -188,83 +228,38 @@ def _tell_version(asked: bool) -> None:
 
 
 @app.callback()
-def _whatever(
-    debug: Annotated[bool, typer.Option("--debug", help="show where in the program a mistake of its own is")] = False,
-    version: Annotated[
-        bool, typer.Option("--version", is_eager=True, callback=_tell_version, help="print the version")
-    ] = False,
+def _options(
+    debug: Annotated[bool, _flag("--debug", "Print a traceback on an internal error")] = False,
+    version: Annotated[bool, _flag("--version", "Print the version", is_eager=True, callback=_print_version)] = False,
 ) -> None:
     if debug:
-        os.environ[DEBUG] = "1"
+        os.environ[exit_status.DEBUG] = "1"
 
 
-@app.command()
-def render(
-    source: Source = "",
-    output: Output = None,
-    only: Annotated[str, typer.Option(help="before, after or keys (the keyframes, without solving)")] = "",
-    ghosts: Annotated[bool, typer.Option("--ghosts", help="the paper's figure 6: keyframes darkest")] = False,
-    size: Annotated[str, typer.Option(help="of the whole picture, pixels")] = "1280x720",
-    fps: Annotated[float | None, typer.Option(help="images a second [default: the clip's, 30]")] = None,
-    camera: Annotated[
-        str, typer.Option(help="side, left, front, three_quarter, back, or a camera of the model")
-    ] = "side",
-    slow: Annotated[float, typer.Option(help="how many times slower than life")] = 1.0,
-    at: Annotated[float | None, typer.Option(help="only the image at this time, seconds")] = None,
-    workers: Annotated[
-        int | None, typer.Option(help="processes that draw [default: one a core for rays, else 1]")
-    ] = None,
-    repeat: Repeat = None,
-    strict: Strict = False,
-    fresh: Fresh = False,
-    model: Model = None,
-    keys: Keys = None,
+@app.command("new", rich_help_panel="Create")
+def new_clip(
+    model: Annotated[str, typer.Argument(metavar="MODEL", help="MJCF file, or name of a shipped figure")],
+    output: Annotated[Path | None, _output("MODEL.toml")] = None,
+    overwrite: Overwrite = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Solve a clip (or take a saved motion) and render before | after; .mp4 .webm .gif .png by the ending."""
-    from .errors import UserError
-
-    width, height = _size(size)
-    if only not in ("", "before", "after", "keys"):
-        raise UserError(f"--only {only}: not one of before, after, keys")
-    if fps is not None and not 0.01 <= fps <= 1000:
-        raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
-    if not 0.01 <= slow <= 1000:
-        raise UserError(f"--slow {slow:g}: give how many times slower, 0.01 to 1000, such as 4")
-    from .system.workers import MOST_WORKERS
-
-    if workers is not None and not 1 <= workers <= MOST_WORKERS:
-        raise UserError(f"--workers {workers}: give a number of processes, 1 to {MOST_WORKERS}")
-    name = _name(source, model, keys)
-    target = output or Path(f"{name}.png" if ghosts or at is not None else f"{name}.mp4")
-    _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
-    graphics = _graphics()
-    from .picture.rendering import draw
-    from .picture.show import Look
-    from .system.progress import Progress
-
-    with Progress() as progress:
-        unmet: list[str] | None = [] if only == "keys" else None
-        found = _found(source, model, keys, unmet=unmet)
-        for line in unmet or ():
-            progress.say(f"note: {line}; drawn as near as it comes")
-        _check_repeat(found, repeat)
-        _check_camera(found, camera)
-        _check_at(found, at, repeat)
-        look = Look(width, height, fps or found.fps, only, ghosts, camera, slow, at)
-        _check_length(found, look, repeat)
-        progress.say(graphics.line)
-        result = _result(found, progress, repeat, solve=only not in ("keys", "before"), fresh=fresh)
-        draw(result.saved, look, graphics, target, workers, progress)
-        _tell(progress, target, result.problems, source)
-    _judge(result.problems, strict)
+    """Write a commented clip for a model, to be edited.
+    It has the model's keyframes, or a pose and a move. Comments list the joints, sites and options."""
+    target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
+    notes: list[str] = []
+    text = starter.starter(model, target, notes.append)
+    with outputs.Replacement(target) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    for note in notes:
+        print(f"note: {note}", file=sys.stderr)
+    print(f"wrote {target}; see it: dynsplines render {target}{' --allow-outside' if allow_outside else ''}")
 
 
-@app.command()
+@app.command(rich_help_panel="Create")
 def solve(
-    source: ClipSource = "",
-    output: Output = None,
-    fps: Annotated[float | None, typer.Option(help="samples a second in the file [default: the clip's, 30]")] = None,
+    source: Clip = "",
+    output: Annotated[Path | None, _output("CLIP.npz")] = None,
+    fps: Rate = None,
     repeat: Repeat = None,
     strict: Strict = False,
     as_json: AsJson = False,
@@ -273,36 +268,202 @@ def solve(
     keys: Keys = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Solve a clip and save the motion as arrays (.npz)."""
-    _without_graphics()
-    from . import motion
-    from .errors import UserError
-    from .system.output import check_target
-    from .system.progress import Progress
-
-    target = output or Path(f"{_name(source, model, keys)}.npz")
-    if target.suffix != ".npz":
-        raise UserError(f"{target}: a motion file's name ends in .npz")
-    if fps is not None and not 0.01 <= fps <= 100_000:
-        raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
-    check_target(target)
-    with Progress() as progress:
-        found = _found(source, model, keys, fps)
-        if isinstance(found, motion.Saved):
+    """Solve a clip and save the motion as arrays (.npz).
+    Violations are printed last, worst first. Ctrl-C stops the search and saves the best motion so far."""
+    target = _target(output, f"{_name(source, model, keys)}.npz", "motion")
+    with terminal.Progress() as progress:
+        clip = inputs.load(source, model=model, keys=keys, fps=fps)
+        if isinstance(clip, motion.Saved):
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
-        _check_repeat(found, repeat)
-        motion.sample_count((found.keys[-1].time - found.keys[0].time) * (repeat or 1), found.fps)
-        result = _result(found, progress, repeat, fresh=fresh)
-        motion.save(result.saved, target)
-        _tell(progress, target, result.problems, target)
+        first, last = inputs.span(clip, repeat)
+        motion.sample_count(last - first, clip.fps)
+        saved, violations = inputs.solved(clip, progress, repeat, fresh=fresh)
+        motion.save(saved, target)
+        _conclude(progress, target, violations, target)
     if as_json:
-        from .measure.summary import summary
-
-        print(json.dumps(summary(result.saved, result.problems), indent=2))
-    _judge(result.problems, strict)
+        print(json.dumps(summary.summary(saved, violations), indent=2))
+    _judge(violations, strict)
 
 
-@app.command()
+@app.command(rich_help_panel="Create")
+def render(
+    source: Source = "",
+    output: Annotated[Path | None, _output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
+    only: Annotated[Only | None, _value("before|after|keys", "Draw one; keys without solving", "both")] = None,
+    ghosts: Annotated[bool, _flag("--ghosts", "Draw the keyframes darkest, as the paper's figure 6")] = False,
+    size: Annotated[Any, _value("WIDTHxHEIGHT", "Size of the picture in pixels", parser=_size)] = "1280x720",
+    fps: Annotated[float | None, _number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
+    camera: Annotated[str, _value("NAME", "side, left, front, three_quarter, back, or of the model")] = "side",
+    slow: Annotated[float, _number("FACTOR", "Factor of slow motion", 0.01, 1000)] = 1.0,
+    at: Annotated[float | None, _seconds("Draw one picture, at this time", "all")] = None,
+    workers: Annotated[
+        int | None, _number("N", "Processes that draw", 1, 60, "1; for rays one per core", kind=int)
+    ] = None,
+    repeat: Repeat = None,
+    strict: Strict = False,
+    fresh: Fresh = False,
+    model: Model = None,
+    keys: Keys = None,
+    allow_outside: Outside = False,
+) -> None:
+    """Draw a clip or a motion as a film or a picture.
+    The ending of -o selects .mp4, .webm, .gif, or .png for a contact sheet. A clip is solved first."""
+    target = output or Path(f"{_name(source, model, keys)}.{'png' if ghosts or at is not None else 'mp4'}")
+    width, height = size
+    film.check_target(target, width, height)
+    if width % 2 and not only and not (ghosts and target.suffix.lower() == ".png"):
+        raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
+    renderer = _renderer()
+    with terminal.Progress() as progress:
+        unmet: list[str] | None = [] if only == "keys" else None
+        clip = inputs.load(source, model=model, keys=keys, unmet=unmet)
+        for line in unmet or ():
+            progress.say(f"note: {line}; drawn as near as it comes")
+        look = show.Look(width, height, fps or clip.fps, only or "", ghosts, camera, slow, at)
+        look.check(clip.figure.model, *inputs.span(clip, repeat), flags="--")
+        progress.say(renderer.line)
+        is_solved = only not in ("keys", "before")
+        saved, violations = inputs.solved(clip, progress, repeat, solve=is_solved, fresh=fresh)
+        rendering.draw(saved, look, renderer, target, workers, progress)
+        _conclude(progress, target, violations, source)
+    _judge(violations, strict)
+
+
+@app.command(rich_help_panel="Create")
+def studio(
+    source: Annotated[str, typer.Argument(metavar="CLIP|MOTION|RECORDING|MODEL.xml", help=Anything)] = "run_and_step",
+    figure: Figure = None,
+    port: Annotated[int, _number("PORT", "TCP port, 0 for a free one", 0, 65535, kind=int)] = 0,
+    host: Annotated[str, _value("ADDRESS", "Address to serve; any but this needs --allow-remote")] = "127.0.0.1",
+    browser: Annotated[bool, _flag("--browser/--no-browser", "Open the page in a browser")] = True,
+    allow_remote: Annotated[bool, _flag("--allow-remote", "Let other machines edit and write files")] = False,
+    allow_outside: Outside = False,
+) -> None:
+    """Edit and solve a motion live, on a page in the browser."""
+    from importlib.util import find_spec
+
+    for name in ("starlette", "uvicorn", "websockets", "tomlkit"):
+        if name not in sys.modules and find_spec(name) is None:
+            raise UserError(f"the studio needs {name}: pip install 'dynamic-splines[studio]'")
+    studio_start.check_host(host, allow_remote=allow_remote)
+    more = {"host": host, "port": port, "browser": browser, "allow_remote": allow_remote}
+    studio_start.run(studio_sources.opened(source, figure=figure), say=partial(print, flush=True), **more)
+
+
+@app.command(rich_help_panel="Create")
+def clips(show: Annotated[str | None, _value("NAME", "Print the text of one, to be edited", "none")] = None) -> None:
+    """List the clips that ship, or print one."""
+    if show is None:
+        print(*(f"{name:16} {line}" for name, line in models.clips().items()), sep="\n")
+    elif show in models.clips():
+        print(models.clip_text(show), end="")
+    else:
+        raise UserError(f"--show: {unknown('clip', show, models.clips())}")
+
+
+@app.command("models", rich_help_panel="Create")
+def list_models() -> None:
+    """List the figures that ship."""
+    print(*(f"{name:16} {line}" for name, line in models.figures().items()), sep="\n")
+
+
+@app.command("penalties", rich_help_panel="Create")
+def list_penalties(as_json: AsJson = False) -> None:
+    """List the soft constraints, their weights and options.
+    They are the [[penalty]] tables of a clip, with default weights and the units of options."""
+    if as_json:
+        print(json.dumps([kind.described() for kind in kinds.KINDS.values()], indent=2))
+        return
+    for kind in kinds.KINDS.values():
+        if kind.parts[0].name:
+            print(kind.name)
+        for part in kind.parts:
+            on = f"; on with {part.option}" if part.option else "" if kind.is_default else "; on where listed"
+            print(f"{f'  {part.name}' if part.name else kind.name:13} {part.weight:4g}  {part.keeps_small}{on}")
+        for name, values in kind.choices().items():
+            print(f"{'':20}{name} ({values})")
+
+
+@app.command(rich_help_panel="Edit")
+def mirror(
+    source: Source,
+    output: Edited = None,
+    overwrite: OverSource = False,
+    fresh: Fresh = False,
+    allow_outside: Outside = False,
+) -> None:
+    """Exchange left and right of a motion or a clip."""
+    _edit(files.mirrored(), output, overwrite, fresh, source)
+
+
+@app.command(rich_help_panel="Edit")
+def retime(
+    source: Source,
+    output: Edited = None,
+    speed: Annotated[float | None, _number("FACTOR", "Factor of the speed", -math.inf, math.inf, "none")] = None,
+    duration: Annotated[float | None, _seconds("New duration", "none")] = None,
+    overwrite: OverSource = False,
+    fresh: Fresh = False,
+    allow_outside: Outside = False,
+) -> None:
+    """Play a motion or a clip faster or slower."""
+    _edit(files.retimed(speed, duration), output, overwrite, fresh, source)
+
+
+@app.command(rich_help_panel="Edit")
+def trim(
+    source: Source,
+    output: Edited = None,
+    first: Annotated[float | None, _seconds("Start of the interval", "the start", "--from")] = None,
+    last: Annotated[float | None, _seconds("End of the interval", "the end", "--to")] = None,
+    overwrite: OverSource = False,
+    fresh: Fresh = False,
+    allow_outside: Outside = False,
+) -> None:
+    """Cut a motion to an interval of time, unchanged inside it."""
+    _edit(files.trimmed(first, last), output, overwrite, fresh, source)
+
+
+@app.command(rich_help_panel="Edit")
+def join(
+    first: Source,
+    second: Source,
+    output: Edited = None,
+    transition: Annotated[float, _seconds("Duration of the transition")] = 0.4,
+    overwrite: OverSource = False,
+    fresh: Fresh = False,
+    allow_outside: Outside = False,
+) -> None:
+    """Append one motion to another, with a transition.
+    The second motion is moved to the end of the first."""
+    _edit(files.joined(transition), output, overwrite, fresh, first, second)
+
+
+@app.command(rich_help_panel="Edit")
+def thin(
+    source: Annotated[str, typer.Argument(metavar="MOTION", help="Motion (.npz), recording, or clip")],
+    output: Annotated[Path | None, _output("SOURCE_thin.toml")] = None,
+    max_error: Annotated[str, _value("LENGTH", "Maximum displacement of any body or site")] = "2cm",
+    max_angle: Annotated[float, _number("DEGREES", "Maximum rotation of any body", 0, 180)] = 5.0,
+    solve: Annotated[bool, _flag("--solve", "Bound the solved motion, not only the spline")] = False,
+    exact: Annotated[bool, _flag("--exact", "Write settings that leave the spline as it is")] = False,
+    skip_rest: SkipRest = False,
+    figure: Figure = None,
+    kind: Format = None,
+    fps: Fps = None,
+    overwrite: Overwrite = False,
+    fresh: Fresh = False,
+    allow_outside: Outside = False,
+) -> None:
+    """Reduce a motion to the fewest keyframes within a bound.
+    The ending of -o selects a clip (.toml) or a motion (.npz)."""
+    recording = thin_files.ToThin(source, figure, kind, fps, fresh, skip_rest)
+    bound = thin_files.bound(max_error, max_angle)
+    with terminal.Progress() as progress:
+        thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, progress=progress)
+
+
+@app.command(rich_help_panel="Analyse")
 def report(
     source: Source = "",
     strict: Strict = False,
@@ -312,428 +473,187 @@ def report(
     keys: Keys = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Measure before and after on a 1 kHz grid: penetration, knees, skate, torques, what is left to gain."""
-    _without_graphics()
+    """Measure a motion before and after the search.
+    Penetration, joint ranges, skate, torques, and how much a longer search could gain, at 1 kHz."""
     from rich.console import Console
 
-    from .measure.report import tables
-    from .system.progress import Progress
-
-    _name(source, model, keys)
-    with Progress() as progress:
-        measured = _measured(_found(source, model, keys), progress, fresh=fresh).report
+    measured = _measured(source, model, keys, fresh).report
     if as_json:
-        print(json.dumps(_plain(measured), indent=2))
+        print(json.dumps({key: value for key, value in measured.items() if key != "curves"}, indent=2))
     else:
-        with _whole(source):
-            shown = tables(measured)
-        Console(highlight=False).print(shown, markup=False)
+        with inputs.complete_report(source):
+            text = reports.tables(measured)
+        Console(highlight=False).print(text, markup=False)
     _judge(measured["problems"], strict)
 
 
-@app.command()
+@app.command(rich_help_panel="Analyse")
 def plot(
     source: Source = "",
-    output: Output = None,
+    output: Annotated[Path | None, _output("CLIP.png")] = None,
     fresh: Fresh = False,
     model: Model = None,
     keys: Keys = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Charts: foot height, unit magnitude, Euler-Lagrange deviation, penalties per evaluation (.png .svg .pdf)."""
-    _without_graphics()
-    import numpy as np
-
-    from .measure import chart
-    from .system.output import check_target
-    from .system.progress import Progress
-
+    """Draw charts of a motion and of its search.
+    Foot height, unit magnitude, Euler-Lagrange deviation and penalties per evaluation, as .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
-    check_target(target)
-    with Progress() as progress:
-        saved = _measured(_found(source, model, keys), progress, fresh=fresh)
-        with _whole(source):
-            chart.draw(saved.name, saved.report, saved.trace, np.array([key.time for key in saved.keys]), target)
-        progress.say(f"wrote {target}")
+    outputs.check_target(target)
+    saved = _measured(source, model, keys, fresh)
+    with inputs.complete_report(source):
+        chart.draw(saved.name, saved.report, saved.trace, [key.time for key in saved.keys], target)
+    print(f"wrote {target}", file=sys.stderr)
 
 
-@app.command(name="new")
-def new_clip(
-    model: Annotated[str, typer.Argument(metavar="MODEL", help="an MJCF file, or a shipped figure")],
-    output: Output = None,
-    overwrite: OverThere = False,
-    allow_outside: Outside = False,
-) -> None:
-    """Write a clip to begin with, for any model: its keyframes, or a pose and a move; comments name all its parts."""
-    _without_graphics()
-    from .clip.starter import starter
-    from .errors import UserError
-    from .system.output import Replacement, check_new, check_target
-
-    target = output or Path(f"{Path(model).stem}.toml")
-    if target.suffix != ".toml":
-        raise UserError(f"{target}: a clip file's name ends in .toml")
-    check_target(target)
-    check_new(target, overwrite=overwrite)
-    notes: list[str] = []
-    text = starter(model, target, notes.append)
-    with Replacement(target) as temporary:
-        temporary.write_text(text, encoding="utf-8")
-    for note in notes:
-        print(f"note: {note}", file=sys.stderr)
-    print(f"wrote {target}; see it: dynsplines render {target}{' --allow-outside' if allow_outside else ''}")
-
-
-@app.command()
-def mirror(
-    source: Source,
-    output: Output = None,
-    overwrite: Overwrite = False,
-    fresh: Fresh = False,
-    allow_outside: Outside = False,
-) -> None:
-    """Exchange left and right of a motion (.npz) or a clip (.toml), in the x-z plane."""
-    _without_graphics()
-    from .edit import files as edit_files
-
-    _edited([source], edit_files.mirrored(), output, overwrite=overwrite, fresh=fresh)
-
-
-@app.command()
-def retime(
-    source: Source,
-    output: Output = None,
-    speed: Annotated[float | None, typer.Option(help="how many times as fast")] = None,
-    duration: Annotated[float | None, typer.Option(help="how long it shall last, seconds")] = None,
-    overwrite: Overwrite = False,
-    fresh: Fresh = False,
-    allow_outside: Outside = False,
-) -> None:
-    """Play a motion (.npz) or a clip (.toml) faster or slower."""
-    _without_graphics()
-    from .edit import files as edit_files
-
-    _edited([source], edit_files.retimed(speed, duration), output, overwrite=overwrite, fresh=fresh)
-
-
-@app.command()
-def trim(
-    source: Source,
-    output: Output = None,
-    first: Annotated[float | None, typer.Option("--from", help="seconds of the clip")] = None,
-    last: Annotated[float | None, typer.Option("--to", help="seconds of the clip")] = None,
-    overwrite: Overwrite = False,
-    fresh: Fresh = False,
-    allow_outside: Outside = False,
-) -> None:
-    """Cut a motion to an interval; inside it stays the same."""
-    _without_graphics()
-    from .edit import files as edit_files
-
-    _edited([source], edit_files.trimmed(first, last), output, overwrite=overwrite, fresh=fresh)
-
-
-@app.command()
-def join(
-    first: Source,
-    second: Source,
-    output: Output = None,
-    transition: Annotated[
-        float, typer.Option(help="seconds from the end of the first to the start of the second")
-    ] = 0.4,
-    overwrite: Overwrite = False,
-    fresh: Fresh = False,
-    allow_outside: Outside = False,
-) -> None:
-    """Append a second motion to a first: moved to its end, with a transition in between."""
-    _without_graphics()
-    from .edit import files as edit_files
-
-    _edited([first, second], edit_files.joined(transition), output, overwrite=overwrite, fresh=fresh)
-
-
-@app.command()
-def thin(
-    source: Annotated[
-        str, typer.Argument(metavar="MOTION", help="a motion (.npz), a recording of another program, or a clip")
-    ],
-    max_error: Annotated[str, typer.Option(help="how far any body or site may be off, such as 2cm")] = "2cm",
-    max_angle: Annotated[float, typer.Option(help="how far any body may be turned off, degrees")] = 5.0,
-    output: Output = None,
-    solve: Annotated[
-        bool, typer.Option("--solve", help="let the solved motion keep the bound, and not only the spline")
-    ] = False,
-    exact: Annotated[
-        bool, typer.Option("--exact", help="write settings that leave the spline as it is, also after an edit")
-    ] = False,
-    skip_rest: SkipRest = False,
-    figure: Annotated[str | None, typer.Option(help="of a recording: a shipped figure or MJCF")] = None,
-    kind: Annotated[
-        str | None, typer.Option("--from", help="the recording's format, if its ending is not enough")
-    ] = None,
-    fps: Annotated[float | None, typer.Option(help="the recording's frames per second, if missing in it")] = None,
-    overwrite: OverThere = False,
-    fresh: Fresh = False,
-    allow_outside: Outside = False,
-) -> None:
-    """The fewest keyframes that keep a motion within a bound, as a clip (.toml) or a motion (.npz)."""
-    _without_graphics()
-    from .edit import thin_files
-    from .system.progress import Progress
-
-    recording = thin_files.ToThin(source, figure, kind, fps, fresh, skip_rest)
-    bound = thin_files.bound(max_error, max_angle)
-    with Progress() as progress:
-        thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, progress=progress)
-
-
-@app.command()
+@app.command(rich_help_panel="Exchange")
 def export(
     source: Source,
-    to: Annotated[
-        str | None, typer.Option("--to", help="the format, if -o's ending is not enough; see `dynsplines formats`")
-    ] = None,
-    output: Output = None,
-    fps: Annotated[float | None, typer.Option(help="samples a second [default: the motion's]")] = None,
+    to: Annotated[str | None, _value("FORMAT", "Format, of `dynsplines formats`", "by the ending of -o")] = None,
+    output: Annotated[Path | None, _output("SOURCE with the format's ending")] = None,
+    fps: Rate = None,
     columns: Annotated[
-        str,
-        typer.Option("--with", help="of csv: more columns, of velocities,torques,wrench,ground (with commas), or all"),
+        str, _value("COLUMNS", "Of csv: velocities,torques,wrench,ground or all", "none", "--with")
     ] = "",
-    simulate: Annotated[
-        bool,
-        typer.Option(
-            "--simulate",
-            help="of mjcf: a scene to simulate with actuators and their targets; also chosen by -o X.simulate.xml",
-        ),
-    ] = False,
+    simulate: Annotated[bool, _flag("--simulate", "Of mjcf: add actuators; implied by -o X.simulate.xml")] = False,
     repeat: Repeat = None,
-    overwrite: OverThere = False,
+    overwrite: Overwrite = False,
     fresh: Fresh = False,
     allow_outside: Outside = False,
 ) -> None:
     """Write a motion in the format of another program."""
-    _without_graphics()
-    from .errors import UserError
-    from .exchange import formats, quantities
-    from .exchange.take import Wishes
-    from .system.output import check_new, check_target
-    from .system.progress import Progress
-
-    form = formats.chosen(to, output)
-    wishes = Wishes(simulate, quantities.named(columns))
+    form, wishes = formats.chosen(to, output), take.Wishes(simulate, quantities.named(columns))
     formats.check_wishes(form, wishes)
-    if fps is not None and not 0.01 <= fps <= 100_000:
-        raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
-    target = output or formats.target_of(_exported_name(source), form, wishes)
-    check_target(target)
-    check_new(target, overwrite=overwrite)
-    with Progress() as progress:
-        found = _found(source, None, None)
-        _check_repeat(found, repeat)
-        result = _result(found, progress, repeat, fresh=fresh)
-        formats.export(result.saved, form.name, target, fps=fps, wishes=wishes, overwrite=overwrite, tell=progress.say)
-        _tell(progress, target, result.problems, source)
+    target = output or formats.target_of(formats.stem(Path(source)), form, wishes)
+    outputs.check_target(target)
+    outputs.check_new(target, overwrite=overwrite)
+    with terminal.Progress() as progress:
+        clip = inputs.load(source)
+        inputs.span(clip, repeat)
+        saved, violations = inputs.solved(clip, progress, repeat, fresh=fresh)
+        formats.export(saved, form.name, target, fps=fps, wishes=wishes, overwrite=overwrite, tell=progress.say)
+        _conclude(progress, target, violations, source)
 
 
-@app.command(name="import")
+@app.command("import", rich_help_panel="Exchange")
 def import_motion(
-    source: Annotated[Path, typer.Argument(metavar="FILE", help="a recorded motion of another program")],
-    figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
-    kind: Kind = None,
+    source: Annotated[Path, typer.Argument(metavar="FILE", help="Recorded motion of another program")],
+    figure: Figure = None,
+    kind: Format = None,
     fps: Fps = None,
     scale: Scale = None,
     skip_rest: SkipRest = False,
-    output: Output = None,
+    output: Annotated[Path | None, _output("FILE.npz")] = None,
     strict: Strict = False,
-    overwrite: OverThere = False,
+    overwrite: Overwrite = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Read a recorded motion and report its violations; every sample becomes a keyframe, nothing is solved."""
-    _without_graphics()
-    from . import motion
-    from .edit import lead_in
-    from .errors import UserError
-    from .exchange.formats import stem
-    from .exchange.imported import imported
-    from .measure import problems
-    from .system.output import check_new, check_target
-    from .system.progress import Progress
-
-    if fps is not None and not 0.01 <= fps <= 1000:
-        raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
-    if scale is not None and not 1e-6 <= scale <= 1e6:
-        raise UserError(f"--scale {scale:g}: give the file's unit in metres, 0.01 for centimetres")
-    target = output or Path(f"{stem(source)}.npz")
-    if target.suffix != ".npz":
-        raise UserError(f"{target}: a motion file's name ends in .npz")
-    check_target(target)
+    """Read a recorded motion and report its violations.
+    Every sample becomes a keyframe; nothing is solved."""
+    target = _target(output, f"{formats.stem(source)}.npz", "motion")
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is what is read; give another -o")
-    check_new(target, overwrite=overwrite)
-    with Progress() as progress:
-        found = imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-        saved = lead_in.told(found, progress, skip=skip_rest)
+    outputs.check_new(target, overwrite=overwrite)
+    with terminal.Progress() as progress:
+        recording = imported.imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
+        saved = lead_in.told(recording, progress, skip=skip_rest)
         motion.save(saved, target)
         violations = problems.of_motion(saved)
-        _tell(progress, target, problems.by_name(violations), target)
+        _conclude(progress, target, problems.by_name(violations), target)
     _judge(violations, strict)
 
 
-def _bone_map(path: Path | None, writes: bool) -> Path | None:
-    """Return the file of --map; raises UserError for --write-map without one."""
-    from .errors import UserError
-    from .exchange.skeleton.maps import map_of
-
-    if writes and path is None:
-        raise UserError("--write-map: name the file, --map FILE")
-    return path if writes else map_of(path)
-
-
-@app.command()
-def clean(
-    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a motion, or a file that `import` reads")],
-    output: Output = None,
-    figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
-    map_file: MapFile = None,
-    write_map: WriteMap = False,
-    kind: Kind = None,
-    fps: Fps = None,
-    scale: Scale = None,
-    scene: SceneFile = None,
-    contacts: ContactsFile = None,
-    within: Within = None,
-    speed_limit: SpeedLimit = None,
-    overwrite: OverThere = False,
-    allow_outside: Outside = False,
-) -> None:
-    """A recording made physical: feet stay where they stand, nothing sinks, jumps or floats; the motion is kept."""
-    _without_graphics()
-    from .clean import running
-    from .system.progress import Progress
-    from .system.quantity import length, speed
-
-    map_file = _bone_map(map_file, write_map)
-    bound = None if within is None else length(within, "--within")
-    fastest = None if speed_limit is None else speed(speed_limit, "--speed-limit")
-    with Progress() as progress:
-        found = running.Source(source, figure, kind, fps, scale, scene, contacts, map_file, write_map, speed=fastest)
-        running.run(found, output, within=bound, overwrite=overwrite, progress=progress)
-
-
-@app.command()
-def retarget(
-    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a skeleton's motion: BVH")],
-    to: Annotated[str, typer.Option("--to", help="the figure or robot: a shipped one or MJCF")],
-    output: Output = None,
-    map_file: MapFile = None,
-    write_map: WriteMap = False,
-    kind: Kind = None,
-    fps: Fps = None,
-    scale: Scale = None,
-    scene: SceneFile = None,
-    contacts: ContactsFile = None,
-    within: Within = None,
-    speed_limit: SpeedLimit = None,
-    overwrite: OverThere = False,
-    allow_outside: Outside = False,
-) -> None:
-    """A skeleton's motion on another figure, cleaned there: its stances, its ranges, its limbs out of each other."""
-    _without_graphics()
-    from .clean import running
-    from .exchange.formats import stem
-    from .system.progress import Progress
-    from .system.quantity import length, speed
-
-    map_file = _bone_map(map_file, write_map)
-    bound = None if within is None else length(within, "--within")
-    fastest = None if speed_limit is None else speed(speed_limit, "--speed-limit")
-    with Progress() as progress:
-        found = running.Source(source, to, kind, fps, scale, scene, contacts, map_file, write_map, True, fastest)
-        target = output or Path(f"{stem(source)}.{Path(to).stem}.npz")
-        running.run(found, target, within=bound, overwrite=overwrite, progress=progress)
-
-
-@app.command(name="formats")
+@app.command("formats", rich_help_panel="Exchange")
 def list_formats() -> None:
-    """The formats of other programs that export writes and import reads."""
-    from .exchange.formats import FORMATS
-
-    for each in FORMATS:
-        ways = " and ".join(word for word, yes in (("reads", each.reads), ("writes", each.writes)) if yes)
-        print(f"{each.name:12} {each.ending:15} {ways:16} {each.says}")
+    """List the formats that export writes and import reads."""
+    for each in formats.FORMATS:
+        uses = " and ".join(word for word, can in (("reads", each.reads), ("writes", each.writes)) if can)
+        print(f"{each.name:12} {each.ending:15} {uses:16} {each.says}")
 
 
-@app.command()
+@app.command(rich_help_panel="Recordings")
+def clean(
+    source: Recording,
+    output: Annotated[Path | None, _output("RECORDING.clean, with its ending")] = None,
+    figure: Figure = None,
+    map_file: Map = None,
+    write_map: WriteMap = False,
+    kind: Format = None,
+    fps: Fps = None,
+    scale: Scale = None,
+    scene: Scene = None,
+    contacts: Contacts = None,
+    within: Within = None,
+    speed_limit: Speed = None,
+    overwrite: Overwrite = False,
+    allow_outside: Outside = False,
+) -> None:
+    """Make a recording physically plausible.
+    Feet keep their stances, and nothing sinks, jumps or floats. The rest of the motion is kept."""
+    place = _map(map_file, write_map)
+    recording = running.Source(source, figure, kind, fps, scale, scene, contacts, place, write_map, False, speed_limit)
+    _clean(recording, output, within, overwrite)
+
+
+@app.command(rich_help_panel="Recordings")
+def retarget(
+    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion of a skeleton, such as BVH")],
+    to: Annotated[str, _value("MODEL", "Figure or robot, shipped or MJCF")],
+    output: Annotated[Path | None, _output("RECORDING.MODEL.npz")] = None,
+    map_file: Map = None,
+    write_map: WriteMap = False,
+    kind: Format = None,
+    fps: Fps = None,
+    scale: Scale = None,
+    scene: Scene = None,
+    contacts: Contacts = None,
+    within: Within = None,
+    speed_limit: Speed = None,
+    overwrite: Overwrite = False,
+    allow_outside: Outside = False,
+) -> None:
+    """Transfer a skeleton's motion to a figure, and clean it.
+    Joint ranges of the figure are kept, and its limbs stay out of each other."""
+    target = output or Path(f"{formats.stem(source)}.{Path(to).stem}.npz")
+    place = _map(map_file, write_map)
+    recording = running.Source(source, to, kind, fps, scale, scene, contacts, place, write_map, True, speed_limit)
+    _clean(recording, target, within, overwrite)
+
+
+@app.command(rich_help_panel="Batch")
 def batch(
-    sources: Annotated[
-        list[str] | None,
-        typer.Argument(
-            metavar="CLIPS...",
-            help="shipped clips, .toml or .xml files, folders (every .toml below), patterns; or recordings",
-        ),
-    ] = None,
-    output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="DIR", help="the folder of results and manifest")
-    ] = Path("batch"),
-    listed: Annotated[
-        str | None, typer.Option("--list", metavar="FILE", help="more clips, one a line; - is stdin")
-    ] = None,
-    workers: Annotated[int | None, typer.Option(help="processes on this machine [default: one a core]")] = None,
-    scheduler: Annotated[str | None, typer.Option(help="tcp://host:8786, a Dask cluster to use instead")] = None,
-    to: Annotated[str, typer.Option("--to", help="npz, or one of `dynsplines formats`")] = "npz",
-    fps: Annotated[float | None, typer.Option(help="samples a second [default: the clip's]")] = None,
-    limit_time: Annotated[float, typer.Option(help="seconds that a clip may take")] = 3600.0,
-    limit_memory: Annotated[
-        float | None, typer.Option(help="MB that a clip's process may use [default: its worker's share]")
-    ] = None,
-    measure: Annotated[
-        bool,
-        typer.Option(
-            "--report/--no-report", help="measure every motion at 1 kHz, too, which takes longer than to solve it"
-        ),
-    ] = False,
-    retry_failed: Annotated[bool, typer.Option("--retry-failed", help="also what failed and has not changed")] = False,
-    strict: Annotated[
-        bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with a motion")
-    ] = False,
-    clean_all: Annotated[bool, typer.Option("--clean", help="they are recordings: clean each")] = False,
-    onto: Annotated[
-        str | None, typer.Option("--retarget", metavar="MODEL", help="they are recordings: bring each on to a figure")
-    ] = None,
-    figure: Annotated[str | None, typer.Option(help="with --clean: the figure they are for")] = None,
-    map_file: Annotated[Path | None, typer.Option("--map", help="with --retarget: the bone map")] = None,
-    kind: Kind = None,
-    scene: SceneFile = None,
+    clips: Annotated[list[str] | None, typer.Argument(help="Clips, folders, patterns, or recordings")] = None,
+    output: Annotated[Path, _value("DIR", "Folder of results and manifest", True, "-o", "--output")] = Path("batch"),
+    listed: Annotated[str | None, _value("FILE", "More clips, one per line; - is stdin", "none", "--list")] = None,
+    workers: Annotated[int | None, _number("N", "Processes on this machine", 1, 1000, "one per core", kind=int)] = None,
+    scheduler: Annotated[str | None, _value("tcp://HOST:PORT", "Dask cluster to use instead", "none")] = None,
+    to: Annotated[str, _value("FORMAT", "npz, or one of `dynsplines formats`")] = "npz",
+    fps: Rate = None,
+    limit_time: Annotated[float, _number("SECONDS", "Maximum time of a clip", 0.1, 10**6)] = 3600.0,
+    limit_memory: Annotated[float | None, _number("MB", "Maximum memory of a clip", 256, 10**7, "its share")] = None,
+    measure: Annotated[bool, _flag("--report/--no-report", "Measure at 1 kHz; takes longer than solving")] = False,
+    retry_failed: Annotated[bool, _flag("--retry-failed", "Retry clips that failed before")] = False,
+    strict: Strict = False,
+    clean_all: Annotated[bool, _flag("--clean", "Clean recordings")] = False,
+    onto: Annotated[str | None, _value("MODEL", "Retarget recordings to this figure", "none", "--retarget")] = None,
+    figure: Figure = None,
+    map_file: Map = None,
+    kind: Format = None,
+    scene: Scene = None,
     within: Within = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Solve many clips, on every core or on a Dask cluster; repeating the command resumes an interrupted run."""
-    _without_graphics()
-    from . import batch as batches
-    from .batch import recordings
-    from .system.progress import Progress
-
+    """Solve many clips in parallel.
+    Runs on every core or on a Dask cluster. Repeating the command resumes an interrupted run."""
     cleaning = recordings.asked(
         clean=clean_all, onto=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, within=within
     )
-
-    with Progress() as progress:
+    with terminal.Progress() as progress:
         tally = batches.run(
-            sources or [],
-            output,
-            progress,
-            listed=listed,
-            workers=workers,
-            scheduler=scheduler,
-            to=to,
-            fps=fps,
-            seconds=limit_time,
-            megabytes=limit_memory,
-            report=measure,
-            retry_failed=retry_failed,
-            cleaning=cleaning,
-        )
+            clips or [], output, progress, listed=listed, workers=workers, scheduler=scheduler, to=to, fps=fps,
+            seconds=limit_time, megabytes=limit_memory, report=measure, retry_failed=retry_failed, cleaning=cleaning,
+        )  # fmt: skip
         if cleaning is not None:
             recordings.tell(tally, progress)
         for line in [*([] if cleaning is not None else tally.problems), *tally.failures()]:
@@ -744,323 +664,67 @@ def batch(
     _judge(tally.wrong, strict)
 
 
-@app.command()
-def studio(
-    source: Annotated[
-        str, typer.Argument(metavar="CLIP|MOTION|RECORDING|MODEL.xml", help="what to open; see `dynsplines clips`")
-    ] = "run_and_step",
-    figure: Annotated[str | None, typer.Option(help="of a recording: a shipped figure or MJCF")] = None,
-    port: Annotated[int, typer.Option(help="0 takes a free one", min=0, max=65535)] = 0,
-    host: Annotated[
-        str, typer.Option(help="another address than this machine's own needs --allow-remote")
-    ] = "127.0.0.1",
-    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="open the page, or only print where")] = True,
-    allow_remote: Annotated[
-        bool, typer.Option("--allow-remote", help="let other machines edit the clip and write files next to it")
-    ] = False,
-    allow_outside: Outside = False,
-) -> None:
-    """See, edit and optimise a motion live on a page in the browser."""
-    _without_graphics()
-    from .errors import UserError
-
-    for name in ("starlette", "uvicorn", "websockets", "tomlkit"):
-        if not _is_there(name):
-            raise UserError(f"the studio needs {name}: pip install 'dynamic-splines[studio]'")
-    from .studio import sources, start
-
-    start.check_host(host, allow_remote=allow_remote)
-    document = sources.opened(source, figure=figure)
-    start.run(
-        document,
-        host=host,
-        port=port,
-        browser=browser,
-        allow_remote=allow_remote,
-        say=lambda line: print(line, flush=True),
-    )
-
-
-@app.command()
-def clips(
-    shown: Annotated[
-        str | None, typer.Option("--show", metavar="NAME", help="print one's text, to change: > my.toml")
-    ] = None,
-) -> None:
-    """The clips that ship."""
-    from dynsplines import models
-
-    if shown is not None:
-        from .errors import UserError, unknown
-
-        if shown not in models.clips():
-            raise UserError(f"--show: {unknown('clip', shown, models.clips())}")
-        print(models.clip_text(shown), end="")
-        return
-    for name, line in models.clips().items():
-        print(f"{name:16} {line}")
-
-
-@app.command(name="penalties")
-def list_penalties(as_json: AsJson = False) -> None:
-    """The soft constraints of a clip's [[penalty]] tables: default weights, what they keep small, options."""
-    from .clip.kinds import KINDS
-
-    if as_json:
-        print(json.dumps([kind.described() for kind in KINDS.values()], indent=2))
-        return
-    for kind in KINDS.values():
-        if kind.parts[0].name:
-            print(kind.name)
-        for part in kind.parts:
-            on = f"; on with {part.option}" if part.option else "" if kind.is_default else "; on where listed"
-            print(f"{f'  {part.name}' if part.name else kind.name:13} {part.weight:4g}  {part.keeps_small}{on}")
-        for name, values in kind.choices().items():
-            print(f"{'':20}{name} ({values})")
-
-
-@app.command(name="models")
-def list_models() -> None:
-    """The figures that ship."""
-    from dynsplines import models
-
-    for name, line in models.figures().items():
-        print(f"{name:16} {line}")
-
-
-def _edited(sources: list[str], edit: Edit, output: Path | None, *, overwrite: bool, fresh: bool) -> None:
-    """An edit of files, told as it goes."""
-    from .edit.files import run
-    from .system.progress import Progress
-
-    with Progress() as progress:
-        target, found = run(sources, edit, output, overwrite=overwrite, fresh=fresh, progress=progress)
-        _tell(progress, target, found, target)
-
-
 def _name(source: str, model: str | None, keys: str | None) -> str:
-    """What a command's output is called after."""
-    from .errors import UserError
-
+    """Return the stem of the output's name; raises UserError without a source."""
     if not source and keys is None and model is None:
         raise UserError("name a clip (see `dynsplines clips`), a file, or --model with --keys")
     return Path(source if keys is None else keys).stem or "motion"
 
 
-def _exported_name(source: str) -> str:
-    """What an exported file is called after: what it came from."""
-    from .exchange.formats import stem
-
-    _name(source, None, None)
-    return stem(Path(source))
-
-
-@contextlib.contextmanager
-def _whole(source: str) -> Iterator[None]:
-    """A motion file from elsewhere can hold a report that is none."""
-    from .errors import UserError
-
-    try:
-        yield
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
-        raise UserError(f"{source}: its report is not complete: {type(error).__name__} {error}") from None
+def _measured(source: str, model: str | None, keys: str | None, fresh: bool) -> "motion.Saved":
+    """Return the motion of a source with its report."""
+    _name(source, model, keys)
+    with terminal.Progress() as progress:
+        return inputs.measured(inputs.load(source, model=model, keys=keys), progress, fresh=fresh)
 
 
-def _size(text: str) -> tuple[int, int]:
-    from .errors import UserError
-
-    parts = text.lower().split("x")
-    if len(parts) != 2 or not all(part.isascii() and part.isdigit() and len(part) < 10 for part in parts):
-        raise UserError(f"--size {text}: give WIDTHxHEIGHT in pixels, such as 1280x720")
-    width, height = int(parts[0]), int(parts[1])
-    if not (16 <= width <= 3840 and 16 <= height <= 2160):
-        raise UserError(f"--size {text}: from 16x16 to 3840x2160")
-    return width, height
+def _edit(edit: "files.Edit", output: Path | None, overwrite: bool, fresh: bool, *edited: str) -> None:
+    """Apply an edit to files, and print what is written."""
+    with terminal.Progress() as progress:
+        target, violations = files.run(list(edited), edit, output, overwrite=overwrite, fresh=fresh, progress=progress)
+        _conclude(progress, target, violations, target)
 
 
-def _film_target(target: Path, width: int, height: int, *, halves: bool) -> None:
-    from .errors import UserError
-    from .picture.film import FilmError, check_target
-
-    try:
-        check_target(target, width, height)
-    except FilmError as error:
-        raise UserError(str(error)) from None
-    if halves and width % 2:
-        raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
+def _map(place: Path | None, writes: bool) -> Path | None:
+    """Return the file of --map; raises UserError for --write-map without one."""
+    if writes and place is None:
+        raise UserError("--write-map: name the file, --map FILE")
+    return place if writes else maps.map_of(place)
 
 
-def _is_there(package: str) -> bool:
-    """Whether it is installed; it is not imported."""
-    from importlib.util import find_spec
-
-    try:
-        return find_spec(package) is not None
-    except ValueError:  # of one that was taken away in this process
-        return False
+def _clean(recording: "running.Source", target: Path | None, within: float | None, overwrite: bool) -> None:
+    with terminal.Progress() as progress:
+        running.run(recording, target, within=within, overwrite=overwrite, progress=progress)
 
 
-def _without_graphics() -> None:
-    from .picture.graphics import do_without
+def _target(output: Path | None, name: str, kind: str, overwrite: bool = True) -> Path:
+    """Return the file to write, with the ending of `name`; raises UserError if it cannot be written."""
+    target = output or Path(name)
+    if target.suffix != Path(name).suffix:
+        raise UserError(f"{target}: a {kind} file's name ends in {Path(name).suffix}")
+    outputs.check_target(target)
+    outputs.check_new(target, overwrite=overwrite)
+    return target
 
-    do_without()
 
-
-def _graphics() -> Graphics:
-    """The renderer to use; what does not need mujoco is imported while another process tries it."""
+def _renderer() -> "graphics.Graphics":
+    """Return the renderer to use; modules without mujoco are imported while another process tries it."""
     from concurrent.futures import ThreadPoolExecutor
-    from importlib import import_module
-
-    from .errors import UserError
-    from .picture.graphics import GraphicsError, choose
 
     with ThreadPoolExecutor(1) as aside:
-        found = aside.submit(choose)
+        trial = aside.submit(graphics.choose)
         for name in BEFORE_MUJOCO:
             import_module(name, __package__)
-        try:
-            return found.result()
-        except GraphicsError as error:
-            raise UserError(str(error)) from None
+        return trial.result()
 
 
-def _found(
-    source: str, model: str | None, keys: str | None, fps: float | None = None, unmet: list[str] | None = None
-) -> Clip | Saved:
-    """What a command is about: a saved motion, or a clip to solve; `unmet` as for `clip.load`."""
-    from . import motion
-    from .clip import load as clip
-
-    if motion.is_motion(source) and keys is None and model is None:
-        return clip.load_motion(Path(source))
-    return clip.load(source, model=model, keys=keys, fps=fps, unmet=unmet)
-
-
-@dataclass(frozen=True)
-class _Result:
-    """A motion, and what is wrong with it."""
-
-    saved: Saved
-    problems: tuple[Flaw, ...]
-
-
-def _result(
-    found: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True, fresh: bool = False
-) -> _Result:
-    """A saved motion as it is, or a clip solved, played so many times; nothing is wrong with what is not solved.
-
-    fresh  a clip is solved now, and not as it may have been before
-    """
-    from . import kept, motion, work
-    from .measure import problems
-
-    if not solve:
-        saved = found if isinstance(found, motion.Saved) else work.unsolved(found).saved(progress, with_report=False)
-        return _Result(_repeated(saved, repeat), ())
-    if isinstance(found, motion.Saved):
-        saved = _repeated(found, repeat)
-        return _Result(saved, () if problems.is_recording(saved) else problems.of_motion(saved))
-    solved = kept.solved(found, progress, fresh=fresh)
-    saved = solved.saved(progress, with_report=False)
-    if repeat is None:
-        return _Result(saved, solved.problems)
-    saved = _repeated(saved, repeat)
-    return _Result(saved, problems.of_motion(saved))
-
-
-def _measured(found: Clip | Saved, progress: Progress, *, fresh: bool) -> Saved:
-    """A motion with its report, made now unless its file has one; `fresh` as for `_result`."""
-    from . import kept, motion
-    from .edit.edits import measured
-    from .measure import problems
-
-    if not isinstance(found, motion.Saved):
-        return kept.solved(found, progress, fresh=fresh).saved(progress)
-    if not found.report:
-        return measured(found, progress, "not searched: imported")
-    if "problems" in found.report:
-        return found
-    return replace(found, report={"problems": problems.plain(problems.of_motion(found)), **found.report})
-
-
-def _tell(progress: Progress, target: Path, found: Sequence[Flaw], file: object) -> None:
-    """What was written, and what is wrong with it; `file` is what a report of all of it takes."""
-    from .measure.problems import lines
-
-    progress.say(f"wrote {target}")
-    for line in lines(found, file):
+def _conclude(progress: Any, target: Path, violations: "Sequence[problems.Flaw]", file: object) -> None:
+    """Print what was written, and its violations; `file` is what `dynsplines report` takes for all of them."""
+    for line in (f"wrote {target}", *problems.lines(violations, file)):
         progress.say(line)
 
 
-def _judge(found: Sequence[object], strict: bool) -> None:
+def _judge(violations: Sequence[object], strict: bool) -> None:
     """End with code 3 if there are violations and `strict` is set."""
-    if strict and found:
-        raise typer.Exit(WRONG)
-
-
-def _check_repeat(found: Clip | Saved, repeat: int | None) -> None:
-    """Raises UserError unless what is to be repeated is a loop, and not for hours."""
-    from . import motion
-    from .clip import load as clip
-    from .errors import UserError
-
-    ends = found.timeline.ends if isinstance(found, motion.Saved) else found.ends
-    period = found.keys[-1].time - found.keys[0].time
-    if repeat is None:
-        return
-    if ends != "periodic":
-        raise UserError(f"--repeat: '{found.name}' is no loop; its ends are '{ends}', not 'periodic'")
-    if repeat < 1 or repeat * period > clip.LONGEST:
-        raise UserError(f"--repeat {repeat}: give a number of periods from 1 on that last {clip.LONGEST:g} s at most")
-
-
-def _repeated(saved: Saved, repeat: int | None) -> Saved:
-    from .edit.edits import repeated
-
-    if repeat is None:
-        return saved
-    words = f"one period was solved and is played {repeat} times"
-    return replace(repeated(saved, repeat), search=saved.search | {"stopped because": words})
-
-
-def _check_camera(found: Clip | Saved, camera: str) -> None:
-    """Raises UserError for a camera that is not there, before anything long begins."""
-    from .errors import UserError, unknown
-    from .picture.camera import ANGLES
-
-    model = found.figure.model
-    known = [*ANGLES, *(name for i in range(model.ncam) if (name := model.camera(i).name))]
-    if camera not in known:
-        raise UserError(f"--camera: {unknown('camera', camera, known)}")
-
-
-def _span(found: Clip | Saved, repeat: int | None) -> tuple[float, float]:
-    """First and last time of what is shown [s]."""
-    first, last = found.keys[0].time, found.keys[-1].time
-    return first, first + (last - first) * (repeat or 1)
-
-
-def _check_at(found: Clip | Saved, at: float | None, repeat: int | None) -> None:
-    """Raises UserError for a time outside the clip."""
-    from .errors import UserError
-
-    first, last = _span(found, repeat)
-    if at is not None and not first <= at <= last:
-        raise UserError(f"--at {at:g}: the clip goes from {first:g} to {last:g} s")
-
-
-def _check_length(found: Clip | Saved, look: Look, repeat: int | None) -> None:
-    """Raises UserError for too many images, or one at a time that the clip does not have."""
-    from .errors import UserError
-
-    first, last = _span(found, repeat)
-    if look.at is not None and not first <= look.at <= last:
-        raise UserError(f"--at {look.at:g}: the clip runs from {first:g} to {last:g} s")
-    count = (last - first) * look.fps * look.slow
-    if count > MOST_IMAGES:
-        raise UserError(f"{count:.0f} images; over {MOST_IMAGES}: lower --fps or --slow")
-
-
-def _plain(report: dict) -> dict:
-    """The report without the charts' long curves."""
-    return {key: value for key, value in report.items() if key != "curves"}
+    if strict and violations:
+        raise typer.Exit(VIOLATED)

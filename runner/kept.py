@@ -34,7 +34,7 @@ from .clip.load import Clip, table_of
 from .clip.text import tables
 from .errors import UserError
 from .measure.exactness import keyframe_error
-from .motion import read_arrays
+from .motion import Saved, read_arrays
 from .system.cache_folder import make_room, place
 from .system.output import Replacement
 from .system.progress import Progress
@@ -67,6 +67,13 @@ def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
     work.tell_notes(clip, progress)
     progress.say(f"solved before: {work.course(found.motion) or 'nothing to search'}; --fresh solves it again")
     return found
+
+
+def saved(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
+    """Return a saved motion as it is, or that of a clip, without a report; `fresh` as for `solved`."""
+    if isinstance(source, Saved):
+        return source
+    return solved(source, progress, fresh=fresh).saved(progress, with_report=False)
 
 
 def key_of(clip: Clip) -> str:

@@ -46,15 +46,12 @@ def paper(seeds: Seeds = None, figures: Folder = None, as_json: AsJson = False) 
 
 def _draw_figures(folder: Path, seeds: int | None, *, as_json: bool) -> None:
     from dynsplines.errors import UserError
-    from dynsplines.picture.graphics import GraphicsError, choose
+    from dynsplines.picture.graphics import choose
     from dynsplines.system.progress import Progress
 
     if seeds is not None:
         raise UserError("--seeds: figures are of the clips run_and_step and tumble, not of sets; leave it out")
-    try:
-        graphics = choose()
-    except GraphicsError as error:
-        raise UserError(str(error)) from None
+    graphics = choose()
     from .figures import drawing
 
     drawing.check_folder(folder)

@@ -33,7 +33,7 @@ def asked(
     map_file: Path | None,
     kind: str | None,
     scene: Path | None,
-    within: str | None,
+    within: str | float | None,
 ) -> Cleaning | None:
     """What the options of the command mean; None for clips. Raises UserError for those that do not go together."""
     if clean and onto is not None:

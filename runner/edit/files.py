@@ -51,14 +51,14 @@ def run(
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
     target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
     _check_target(target, sources, overwrite)
-    found = [motion.load(Path(s)) if motion.is_motion(s) else clips.load(s) for s in sources]
+    found = [clips.load_motion(Path(each)) if motion.is_motion(each) else clips.load(each) for each in sources]
     edit.check(found)
     one, is_clip = found[0], target.suffix == ".toml"
     if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
         said = edit.clip(tables(clips.table_of(one.text, sources[0])), one)
         _write_clip(said, sources[0], target)
         return target, ()
-    saved = edit.motions([_solved(each, progress, fresh) for each in found], progress)
+    saved = edit.motions([kept.saved(each, progress, fresh=fresh) for each in found], progress)
     if is_clip:
         if not saved.text:
             raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
@@ -82,18 +82,12 @@ def _is_sampled(found: Clip | Saved) -> bool:
     return follows or problems.is_recording(found)
 
 
-def _solved(found: Clip | Saved, progress: Progress, fresh: bool) -> Saved:
-    if isinstance(found, Saved):
-        return found
-    return kept.solved(found, progress, fresh=fresh).saved(progress, with_report=False)
-
-
 def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
     check_target(target)
-    for source in sources:
-        if target.exists() and Path(source).exists() and target.samefile(source) and not overwrite:
+    for each in sources:
+        if target.exists() and Path(each).exists() and target.samefile(each) and not overwrite:
             raise UserError(f"'{target}' is what is edited; give another -o, or --overwrite")
 
 

@@ -49,7 +49,7 @@ class ToThin:
         if not told and motion.is_motion(self.source) and not is_foreign(path):
             return clips.load_motion(path)
         if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
-            return kept.solved(clips.load(self.source), progress, fresh=self.fresh).saved(progress, with_report=False)
+            return kept.saved(clips.load(self.source), progress, fresh=self.fresh)
         return imported(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +34,7 @@ def style(size: float) -> dict[Any, Any]:
     return {"axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "font.size": size}
 
 
-def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: np.ndarray, target: Path) -> None:
+def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: Collection[float], target: Path) -> None:
     """Four charts in one picture, written whole or not at all."""
     with plt.rc_context(style(9)):
         figure, axes = plt.subplots(2, 2, figsize=(12, 7.2), layout="constrained")
@@ -50,7 +51,7 @@ def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: np.ndar
             plt.close(figure)
 
 
-def _heights(axes: Axes, curves: dict[str, Any], key_times: np.ndarray) -> None:
+def _heights(axes: Axes, curves: dict[str, Any], key_times: Collection[float]) -> None:
     axes.set_title("lowest contact point over its surface", loc="left")
     for side, colour in (("before", BEFORE), ("after", AFTER)):
         rows = list(curves[side]["height"].values())
@@ -68,7 +69,7 @@ def _heights(axes: Axes, curves: dict[str, Any], key_times: np.ndarray) -> None:
         axes.legend(frameon=False)
 
 
-def _lengths(axes: Axes, curves: dict[str, Any], key_times: np.ndarray) -> None:
+def _lengths(axes: Axes, curves: dict[str, Any], key_times: Collection[float]) -> None:
     axes.set_title("length of the quaternions before normalising", loc="left")
     for side, colour in (("before", BEFORE), ("after", AFTER)):
         data = curves[side]
@@ -109,7 +110,7 @@ def _penalties(axes: Axes, trace: list[Any]) -> None:
         axes.legend(frameon=False, ncols=2, fontsize=8)
 
 
-def _mark(axes: Axes, key_times: np.ndarray) -> None:
+def _mark(axes: Axes, key_times: Collection[float]) -> None:
     """Keyframes as fine lines."""
     for t in key_times:
         axes.axvline(t, color=INK, lw=0.5, alpha=0.25)

@@ -44,7 +44,7 @@ _BT709 = 1  # the number that H.273 gives to BT.709, for primaries, transfer and
 _TV_RANGE = 1  # AVCOL_RANGE_MPEG
 
 
-class FilmError(ValueError):
+class FilmError(UserError):
     """The target or the images cannot become a film; the message is one line that says what to change."""
 
 

@@ -57,7 +57,7 @@ print("drawn" if image.max() > 60 and image.min() < 30 else "blank")
 """
 
 
-class GraphicsError(RuntimeError):
+class GraphicsError(UserError):
     """The renderer that was asked for by name does not work here."""
 
 

@@ -31,7 +31,7 @@ def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int 
         drawn = show.images(saved, look, graphics, still_keys=still, workers=workers, picks=picks)
         with contextlib.closing(drawn) as images:
             film.write(target, progress.over(images, "rendering", count), look.fps, count=count)
-    except (film.FilmError, ValueError) as error:
+    except ValueError as error:
         raise UserError(str(error)) from None
     except OSError as error:
         raise UserError(f"cannot write '{target}': {error.strerror or error}") from None

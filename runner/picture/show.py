@@ -7,17 +7,19 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TypedDict
 
+import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 
+from ..errors import UserError, unknown
 from ..motion import Saved, sampled
 from ..scene.assets import Scene
 from ..scene.framing import height, middles
 from ..system.workers import in_order
 from . import layout
-from .camera import View, plan, still
+from .camera import ANGLES, View, plan, still
 from .ghost import Ghost
 from .graphics import Graphics
 from .stage import Picture, Stage
@@ -27,6 +29,7 @@ PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process 
 SMOOTHING = 2  # times larger than a tile are its pictures drawn: four samples a pixel, as many as multisampling takes
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25  # of ghosts
+MAX_FRAMES = 100_000  # of a film: an hour at 30 frames per second
 BETWEEN_RATE = 15.0  # [1/s] in-betweens of a still
 
 
@@ -50,6 +53,22 @@ class Look:
     slow: float = 1.0
     at: float | None = None
     shrunk: float = 1.0
+
+    def check(self, model: mujoco.MjModel, first: float, last: float, *, flags: str = "") -> None:
+        """Raise UserError for a camera, a time or a number of frames that a motion from `first` to `last` [s] lacks.
+
+        flags  what stands before the names in messages
+        """
+        cameras = [*ANGLES, *(name for i in range(model.ncam) if (name := model.camera(i).name))]
+        if self.camera not in cameras:
+            raise UserError(f"{flags}camera: {unknown('camera', self.camera, cameras)}")
+        if self.at is not None and not first <= self.at <= last:
+            raise UserError(
+                f"{flags}at {self.at:g}: the motion runs from {first:g} to {last:g} s; nothing is at {self.at:g}"
+            )
+        count = (last - first) * self.fps * self.slow
+        if count > MAX_FRAMES:
+            raise UserError(f"{count:.0f} images; over {MAX_FRAMES}: lower {flags}fps or {flags}slow")
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ from ..clip import load as clips
 from ..clip.load import Clip
 from ..clip.own import unknown_here
 from ..edit import edits, thinning
-from ..errors import UserError, unknown
+from ..errors import UserError
 from ..measure import problems
 from ..measure.problems import Flaw
 from ..measure.report import tables
@@ -257,30 +257,17 @@ class Motion:
         workers  processes that draw; more than one, or rays, need a script's main part behind
                  `if __name__ == "__main__":`
         """
-        from ..picture.graphics import GraphicsError, choose
+        from ..picture.graphics import choose
         from ..picture.rendering import draw
         from ..picture.show import Look
 
-        self._check_look(only, camera, at)
-        target = Path(path) if path is not None else Path(f"{self.name}.{'png' if ghosts or at is not None else 'mp4'}")
-        try:
-            graphics = choose()
-        except GraphicsError as error:
-            raise UserError(str(error)) from None
-        look = Look(*size, fps or self.fps, only, ghosts, camera, slow, at)
-        draw(self.saved, look, graphics, target, workers or 1, Progress() if progress else _silent())
-        return target
-
-    def _check_look(self, only: str, camera: str, at: float | None) -> None:
-        from ..picture.camera import ANGLES
-
-        cameras = [*ANGLES, *(name for i in range(self.model.ncam) if (name := self.model.camera(i).name))]
         if only not in ("", "before", "after", "keys"):
             raise UserError(f"only = '{only}': not one of before, after, keys")
-        if camera not in cameras:
-            raise UserError(unknown("camera", camera, cameras))
-        if at is not None and not self.start <= at <= self.end:
-            raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; nothing is at {at:g}")
+        look = Look(*size, fps or self.fps, only, ghosts, camera, slow, at)
+        look.check(self.model, self.start, self.end)
+        target = Path(path) if path is not None else Path(f"{self.name}.{'png' if ghosts or at is not None else 'mp4'}")
+        draw(self.saved, look, choose(), target, workers or 1, Progress() if progress else _silent())
+        return target
 
     @as_python_warnings()
     def export(

@@ -144,7 +144,7 @@ STRATA = {
         work
         exchange kept
         edit
-        clean
+        clean inputs
         batch
         python studio
         cli

@@ -23,6 +23,7 @@ import tiny
 from command import Command, Done, commanded
 from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
+from typer.main import get_command
 
 from dynsplines import cli, models, work
 from dynsplines.clip.kinds import KINDS
@@ -267,6 +268,30 @@ def test_help_is_help(run, words):
     done = run(*words)
     assert (done.code, done.err) == (0, "")
     assert "Usage: dynsplines" in done.out
+
+
+def test_the_help_groups_all_commands_and_cuts_no_summary(run, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    lines = run("--help").out.splitlines()
+    panels = [line.rstrip(":") for line in lines if re.fullmatch(r"[A-Z]\w+:", line)]
+    assert panels == ["Options", "Create", "Edit", "Analyse", "Exchange", "Recordings", "Batch"]
+    listed = dict(line.split(maxsplit=1) for line in lines[lines.index("Create:") :] if line.startswith("  "))
+    commands = get_command(cli.app).commands  # type: ignore[attr-defined]
+    assert listed.keys() == commands.keys()
+    for name, command in commands.items():
+        assert command.help.partition("\n")[0] == f"{listed[name]}."
+        assert len(listed[name]) < 60
+
+
+@pytest.mark.parametrize("name", get_command(cli.app).commands)  # type: ignore[attr-defined]
+def test_the_help_of_a_command_has_all_options_with_units_and_defaults(run, name):
+    text = "".join(run(name, "--help").out.split())
+    for option in get_command(cli.app).commands[name].params:  # type: ignore[attr-defined]
+        words = option.help.replace(" ", "")
+        assert words in text
+        if option.param_type_name == "option" and not option.is_flag:
+            assert option.metavar  # such as SECONDS
+            assert option.required or f"{words}[default:" in text
 
 
 def test_help_is_quick_because_it_imports_nothing_heavy():
@@ -555,7 +580,7 @@ BAD_WORDS = [
         for n in ("0", "-1", "61", "1" * 30)
     ),
     *((["render", MOTION, *SMALL, "--workers", n], ["--workers"]) for n in ("two", "1.5", "")),
-    (["render", MOTION, *SMALL, "--only", "all"], ["before, after, keys"]),
+    (["render", MOTION, *SMALL, "--only", "all"], ["--only 'all'", "'before', 'after', 'keys'"]),
     (["render", MOTION, *SMALL, "--camera", "sidee"], ["no camera 'sidee'", "did you mean 'side'?", "high"]),
     (["render", MOTION, *SMALL, "--camera", ""], ["no camera ''"]),
     (["render", MOTION, *SMALL, "--camera", "sidee", "--ghosts"], ["no camera 'sidee'"]),
@@ -792,7 +817,7 @@ def test_what_is_no_loop_is_not_repeated(run, motion_file, tmp_path):
     with nothing_written(tmp_path):
         assert_refused(run("solve", "tiny.toml", "--repeat", 2), "--repeat", "'tiny' is no loop", "'periodic'")
         assert_refused(run("render", motion_file, *SMALL, "--repeat", 2), "is no loop")
-        assert_refused(run("solve", "loop.toml", "--repeat", 0), "--repeat 0", "from 1 on")
+        assert_refused(run("solve", "loop.toml", "--repeat", 0), "--repeat 0: give a whole number, 1 or more")
         assert_refused(run("solve", "loop.toml", "--repeat", 5000), "600 s at most")
 
 

@@ -1,0 +1,94 @@
+"""The input of a command, a clip or a saved motion: loaded, solved, played several times, measured."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+from . import kept, motion, work
+from .clip import load as clips
+from .clip.load import Clip
+from .errors import UserError
+from .measure import problems
+from .measure.problems import Flaw
+from .motion import Saved
+from .system.progress import Progress
+
+
+def load(
+    source: str,
+    *,
+    model: str | None = None,
+    keys: str | None = None,
+    fps: float | None = None,
+    unmet: list[str] | None = None,
+) -> Clip | Saved:
+    """Return a saved motion, or a clip to solve; the arguments are those of `clip.load`."""
+    if motion.is_motion(source) and keys is None and model is None:
+        return clips.load_motion(Path(source))
+    return clips.load(source, model=model, keys=keys, fps=fps, unmet=unmet)
+
+
+def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]:
+    """Return the first and the last time [s] of a source that is played `repeat` times.
+
+    Raises UserError for a repeated source that is not a loop, or lasts too long.
+    """
+    first, last = source.keys[0].time, source.keys[-1].time
+    if repeat is None:
+        return first, last
+    ends = source.timeline.ends if isinstance(source, Saved) else source.ends
+    if ends != "periodic":
+        raise UserError(f"--repeat: '{source.name}' is no loop; its ends are '{ends}', not 'periodic'")
+    if repeat * (last - first) > clips.LONGEST:
+        raise UserError(f"--repeat {repeat}: give a number of periods that last {clips.LONGEST:g} s at most")
+    return first, first + repeat * (last - first)
+
+
+def solved(
+    source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True, fresh: bool = False
+) -> tuple[Saved, Sequence[Flaw]]:
+    """Return the motion of a source, played `repeat` times, and its violations; none if it is not solved.
+
+    fresh  solve a clip even if the cache holds its motion
+    """
+    violations: Sequence[Flaw] | None = None if solve else ()
+    if isinstance(source, Saved):
+        out = source
+    elif solve:
+        result = kept.solved(source, progress, fresh=fresh)
+        out, violations = result.saved(progress, with_report=False), result.problems if repeat is None else None
+    else:
+        out = work.unsolved(source).saved(progress, with_report=False)
+    if repeat is not None:
+        from .edit import edits  # only here: few commands repeat
+
+        reason = f"one period was solved and is played {repeat} times"
+        out = replace(edits.repeated(out, repeat), search=out.search | {"stopped because": reason})
+    if violations is None:
+        violations = () if problems.is_recording(out) else problems.of_motion(out)
+    return out, violations
+
+
+def measured(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
+    """Return the motion of a source with its report, measured unless its file holds it; `fresh` as for `solved`."""
+    if not isinstance(source, Saved):
+        return kept.solved(source, progress, fresh=fresh).saved(progress)
+    if not source.report:
+        from .edit import edits  # only here, likewise
+
+        return edits.measured(source, progress, "not searched: imported")
+    if "problems" in source.report:
+        return source
+    return replace(source, report={"problems": problems.plain(problems.of_motion(source))} | source.report)
+
+
+@contextmanager
+def complete_report(name: str) -> Iterator[None]:
+    """Raise UserError for the report of a motion file that lacks entries, while it is printed or drawn."""
+    try:
+        yield
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
+        raise UserError(f"{name}: its report is not complete: {type(error).__name__} {error}") from None

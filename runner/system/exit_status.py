@@ -1,0 +1,99 @@
+"""How a command ends: with an exit code, and one line on stderr for every error."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import NoReturn
+
+from ..errors import UserError, one_line
+from . import stopping
+
+STOPPED = 130  # the exit code of Ctrl-C
+INTERNAL = 4  # that of an internal error
+DEBUG = "DYNSPLINES_DEBUG"
+HOW = "what the same command prints as `dynsplines --debug ...`"
+NO_ROOM = (  # the linker's, MuJoCo's, and Python's where it has no memory for the error itself
+    "failed to map segment",
+    "annot allocate memory",
+    "ould not allocate memory",
+    "error return without exception set",
+)
+
+
+def run(command: Callable[[], int | None]) -> NoReturn:
+    """End with a command's exit code; bad input and internal errors are reported in one line."""
+    from . import mujoco_warnings
+    from .terminal import fit
+    from .threads import keep_to_one
+
+    keep_to_one()
+    fit()
+    try:
+        with mujoco_warnings.reported_to(mujoco_warnings.print_note):
+            code = command()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
+        sys.exit(1)
+    except SystemExit:
+        raise
+    except BaseException as error:
+        code, line = _ending(error)
+        if code == INTERNAL and os.environ.get(DEBUG):
+            raise
+        _end(code, line)
+    if code == STOPPED:  # typer's own answer to Ctrl-C
+        _end(stopping.code(STOPPED), "stopped")
+    sys.exit(stopping.code(code or 0))
+
+
+def _ending(error: BaseException) -> tuple[int, str]:
+    """The exit code for an error, and its message."""
+    match error:
+        case UserError():
+            return 2, one_line(error)
+        case FileNotFoundError(filename=None) if _is_nowhere():
+            return 2, "the folder that the command was started in is gone"
+        case OSError():
+            return 2, one_line(f"'{error.filename}': {error.strerror}" if error.filename else error.strerror or error)
+        case MemoryError():
+            return 2, "not enough memory for this"
+    if _is_interrupt(error):
+        return stopping.code(STOPPED), "stopped"
+    if any(words in str(error) for words in NO_ROOM):
+        return 2, "not enough memory for this, or to load what it needs"
+    if isinstance(error, RuntimeError) and "can't start new thread" in str(error):
+        return 2, "the system allows no more threads, or no more memory"
+    return INTERNAL, one_line(f"a mistake of dynsplines, not of yours: {_place(error)}; please report it, with {HOW}")
+
+
+def _place(error: BaseException) -> str:
+    """An error with the line of the program that raised it."""
+    import traceback
+
+    calls = traceback.extract_tb(error.__traceback__)
+    place = f" ({Path(calls[-1].filename).name}:{calls[-1].lineno})" if calls else ""
+    return f"{type(error).__name__}: {error}{place}"
+
+
+def _is_nowhere() -> bool:
+    """Whether the folder that the command was started in has been removed."""
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return True
+    return False
+
+
+def _is_interrupt(error: BaseException | None) -> bool:
+    """Whether Ctrl-C is behind it: pressed while an extension module is imported it comes out as an ImportError."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__ or error.__context__
+    return error is not None
+
+
+def _end(code: int, line: str) -> NoReturn:
+    print(f"dynsplines: {line}", file=sys.stderr)
+    sys.exit(code)
