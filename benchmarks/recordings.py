@@ -33,7 +33,7 @@ from dynsplines.clip.follow.keeping import Ground, ground_of
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.skeleton.roles import roles
-from dynsplines.measure.measures import turning, turns
+from dynsplines.measure.checks import turning, turns
 from dynsplines.motion import sampled, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat

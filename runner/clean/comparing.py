@@ -19,7 +19,7 @@ from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import arrays_of, places_of
 
 from ..clip.follow.keeping import Ground
-from ..measure.measures import turning, turns
+from ..measure.checks import turning, turns
 from .cleaning import Cleaned, Verdict
 from .sinking import along, depth
 

@@ -17,6 +17,7 @@ from dynsplines.solver.penalty import (
     Hold,
     Lean,
     Placed,
+    Range,
     Stance,
     Support,
     carried_links,
@@ -25,6 +26,7 @@ from dynsplines.solver.penalty import (
     leans,
     lying,
     stances,
+    steady,
 )
 from dynsplines.solver.reading.rhythm import Rhythm
 from dynsplines.solver.reading.stride import Gait
@@ -121,6 +123,13 @@ class Context:
         """The stances that keyframes tell, where the clip's contacts do not speak of the same point."""
         found = stances(self.figure, self.keys, self.points, self.surfaces)
         return tuple(stance for stance in found if not self.contacts.overlaps(stance))
+
+    @cached_property
+    def held_joints(self) -> tuple[Range, ...]:
+        """The joints that neighbouring keyframes hold at one value and that the raw spline would swing."""
+        aloft = () if self.support is None else self.support.flights
+        repeats = self.keys.ends == "periodic" or self.rhythm is not None
+        return steady(self.figure, self.keys, repeats=repeats, aloft=aloft)
 
     @property
     def lying(self) -> tuple[Stance, ...]:

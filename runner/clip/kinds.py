@@ -50,7 +50,6 @@ from dynsplines.solver.penalty import (
     grounded_intervals,
     joint_ranges,
     open_intervals,
-    steady,
     surfaces_on,
 )
 from dynsplines.solver.penalty.ground.grounded import CLOSE
@@ -368,15 +367,8 @@ def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
             )
 
 
-def steady_joints(context: Context) -> tuple[Range, ...]:
-    """The joints that neighbouring keyframes give one value and that the spline through the keyframes would swing."""
-    aloft = () if context.support is None else context.support.flights
-    repeats = context.keys.ends == "periodic" or context.rhythm is not None
-    return steady(context.figure, context.keys, repeats=repeats, aloft=aloft)
-
-
 def _overshoot(context: Context, options: Options) -> Penalty | None:
-    joints = steady_joints(context)
+    joints = context.held_joints
     return Steady.of(context.figure, joints, context.keys.times) if joints else None
 
 

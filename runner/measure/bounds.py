@@ -9,7 +9,7 @@ from dataclasses import dataclass
 class Bound:
     """Kinds of violations and their tolerances: docs/problems.md has the same table.
 
-    most  in `unit`: "m", "degrees", "rad/s²", or "" for what has none
+    most  in `unit`: "m", "degrees", "degrees/s", "rad/s²", or "" for what has none
     why   of this size
     """
 
@@ -42,9 +42,11 @@ BOUNDS = {
         Bound("coupled", 1.0, "degrees", "a hinge off what it follows"),
         Bound("coupled travel", 0.002, "m", "a slide off what it follows"),
         Bound("torn", 0.005, "m", "points of a closed loop apart"),
+        Bound("speed", 10.0, "degrees/s", "or 5 % of the limit, if that is more: a soft constraint gives as much"),
         Bound("whip", 500.0, "rad/s²", "or 4 times what the raw spline needs, if that is more; run_loop comes to 370"),
         Bound("length", 0.5, "", "quaternions so far from length 1 turn fast between samples"),
         Bound("search", 1.0, "", "the search ended before it was done"),
     )
 }
 WHIP_SHARE = 4.0  # of the raw spline's largest angular acceleration
+SPEED_SHARE = 0.05  # of a limit of speed

@@ -18,6 +18,7 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import generalised_forces
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
@@ -28,9 +29,11 @@ from dynsplines.solver.penalty import (
     Placement,
     Rolling,
     SelfContact,
+    carried_links,
     closures,
     couplings,
     joint_ranges,
+    slipped,
     stances,
     within,
 )
@@ -39,19 +42,34 @@ from dynsplines.solver.surface.points import places_of
 from dynsplines.solver.surface.touch import counts_all
 
 from ..clip.load import Clip
-from ..motion import samples_at
+from ..motion import continuous, samples_at
 from . import shown
 from .depths import depth
 from .exactness import keyframe_error
-from .grid import RATE, Grid
-from .hold_report import hold_rows, in_carried
-from .penetration import lowest, penetration, self_penetration
+from .penetration import lowest, moving_geoms, penetration, self_penetration
 from .shown import Line
 from .swings import swings
 
 RESTING = 0.01  # [m] from a surface, up to which a point that moves skates
 LEAST_STANCE = 0.05  # [s]: shorter, and two images of a recording stand next to each other, and no foot
+RATE = 1000.0  # [1/s], between the samples that the optimiser saw
 STIFF = 1e-7  # softness of what supports: what is left then is what cannot be supplied
+
+
+@dataclass(frozen=True)
+class Grid:
+    """One motion on the fine grid: times (T,) [s], samples, qpos (T, nq)."""
+
+    time: Array
+    samples: Samples
+    qpos: Array
+
+    @classmethod
+    def of(cls, clip: Clip, timeline: Timeline, rate: float = RATE) -> Grid:
+        first, last = float(timeline.times[0]), float(timeline.times[-1])
+        time = np.linspace(first, last, max(2, round((last - first) * rate) + 1))
+        samples = samples_at(clip.figure, path_of(timeline), time)
+        return cls(time, samples, continuous(clip.figure, clip.figure.to_qpos(samples.y)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -250,6 +268,31 @@ def _placement_report(clip: Clip, timeline: Timeline) -> dict[str, float]:
         _, away = Placement((point,)).away(samples)
         out[f"{point.point.name} at {point.time:g} s"] = float(np.linalg.norm(away))
     return out
+
+
+def hold_rows(clip: Clip, timeline: Timeline, rate: float) -> list[dict[str, Any]]:
+    """Every hold that the clip gives: how far its site gets on the body from where it was when it took hold, on a grid
+    of so many times a second."""
+    out = []
+    for hold in clip.context.holds:
+        time = np.linspace(hold.first, hold.last, max(3, round((hold.last - hold.first) * rate)))
+        track = slipped(samples_at(clip.figure, path_of(timeline), time), hold)
+        moved = np.linalg.norm(track - track[:, :1], axis=0)
+        told = {"hand": hold.point.name, "body": hold.body, "from, s": hold.first, "to, s": hold.last}
+        out.append(told | {"moved, m": float(moved.max()), "at, s": float(time[int(moved.argmax())])})
+    return out
+
+
+def in_carried(clip: Clip, time: Array, qpos: Array) -> dict[str, Any]:
+    """The deepest that the figure is in what it carries along qpos (T, nq), by MuJoCo; empty if it holds nothing."""
+    model, links = clip.figure.model, carried_links(clip.figure, clip.context.holds)
+    if not links:
+        return {}
+    movers = np.array(moving_geoms(model), np.intp)
+    is_carried = np.isin(clip.figure.body_link[model.geom_bodyid[movers]], links)
+    pairs = np.array(np.meshgrid(movers[~is_carried], movers[is_carried])).reshape(2, -1)
+    deepest, where = self_penetration(model, pairs, time, qpos)
+    return {"deepest": deepest, "where": where}
 
 
 def _key_timeline(clip: Clip, timeline: Timeline) -> Timeline:

@@ -29,8 +29,7 @@ from dynsplines.solver.surface.points import places_of
 
 from ..clip.load import Clip
 from . import shown
-from .grid import Grid
-from .measured import Seen, lines, side
+from .measured import Grid, Seen, lines, side
 from .problems import plain, problems
 from .shown import Line
 

@@ -14,7 +14,7 @@ from move import of
 from dynsplines.clip import load as clips
 from dynsplines.clip.text import tables, written
 from dynsplines.edit.edits import retimed_tables
-from dynsplines.measure.hold_report import in_carried
+from dynsplines.measure.measured import in_carried
 
 pytestmark = pytest.mark.slow
 G = 9.81

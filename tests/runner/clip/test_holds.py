@@ -15,7 +15,7 @@ from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.text import tables, written
 from dynsplines.edit.edits import retimed_tables, trimmed
 from dynsplines.errors import UserError
-from dynsplines.measure.hold_report import hold_rows, in_carried
+from dynsplines.measure.measured import hold_rows, in_carried
 from dynsplines.measure.problems import problems
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+import mujoco
 import numpy as np
 import pytest
 from rich.console import Console
@@ -281,21 +282,123 @@ def test_a_point_off_the_place_that_the_search_was_to_find(tmp_path):
     assert wrong(problem, work.solve(problem, quiet()).motion.timeline) == ()
 
 
-def test_limbs_in_each_other_only_where_the_clip_asks(tmp_path):
-    rows = "".join(
+def swinging(*turns: float) -> str:
+    """Keyframes of TRUNK, one a second, that swing its arm by angles [degrees] with the hand beside the trunk."""
+    return "".join(
         f"[[keyframe]]\ntime = {t}\nroot = {{position = [0, 0, 2], rotation = {{rotvec = [0, 0, 0]}}}}\n"
         f"joints = {{shoulder = {{rotvec = [-40, {turn}, 0]}}, wrist = {{rotvec = [0, 0, 0]}}}}\n"
-        for t, turn in ((0, 40), (1, -40))
+        for t, turn in enumerate(turns)
     )
-    assert wrong(read(rows, TRUNK, tmp_path)) == ()
-    (found,) = wrong(
-        read(
-            rows + "[[penalty]]\nkind = 'collision'\nself = true\nweight = {self = 1}\nmargin = 0.01\n", TRUNK, tmp_path
-        )
-    )
+
+
+def deepest(problem: Clip, rate: float) -> float:
+    """[m] of any pair of geoms that MuJoCo lets collide, by its distances, along the raw spline."""
+    model, data = problem.figure.model, mujoco.MjData(problem.figure.model)
+    run = sampled(problem.figure, work.unsolved(problem).motion.raw, rate)
+    depth = 0.0
+    for qpos in run.qpos:
+        data.qpos[:] = qpos
+        mujoco.mj_forward(model, data)
+        for one, two in data.contact.geom.tolist():
+            depth = max(depth, -mujoco.mj_geomDistance(model, data, one, two, 1.0, None))
+    return depth
+
+
+PENALTY = "[[penalty]]\nkind = 'collision'\nself = true\nweight = {self = 1}\nmargin = 0.01\n"
+
+
+@pytest.mark.parametrize("penalty", ["", PENALTY])
+def test_limbs_in_each_other_are_reported_whatever_the_clip_penalizes(tmp_path, penalty):
+    problem = read(swinging(40, -40) + penalty, TRUNK, tmp_path)
+    (found,) = wrong(problem)
     assert (found.kind, found.keyframe) == ("self", None)
-    assert 0.05 < found.amount < 0.14
-    assert found.text.startswith("trunk and hand are ")
+    assert found.amount == pytest.approx(deepest(problem, 500), abs=0.002)
+    assert found.text.startswith("trunk and hand are 7")
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "count"),
+    [
+        ('geom name="trunk"', 'geom name="trunk" contype="0" conaffinity="2"', 0),
+        ('geom name="trunk"', 'geom name="trunk" contype="2" conaffinity="0"', 0),
+        ('geom name="trunk"', 'geom name="trunk" contype="0" conaffinity="1"', 1),
+        ("</worldbody>", '</worldbody><contact><exclude body1="trunk" body2="hand"/></contact>', 0),
+        ("</worldbody>", '</worldbody><contact><exclude body1="trunk" body2="arm"/></contact>', 1),
+        ("<geom ", '<geom contype="0" conaffinity="0" ', 1),
+    ],
+)
+def test_bodies_collide_as_mujoco_has_it_or_all_of_them_if_none_would(tmp_path, one, other, count):
+    problem = read(swinging(40, -40), TRUNK.replace(one, other), tmp_path)
+    assert [each.kind for each in wrong(problem)] == ["self"] * count
+    assert (deepest(problem, 60) > 0.01) == (count > 0 and 'contype="0" conaffinity="0"' not in other)
+
+
+@pytest.mark.parametrize(("between", "texts"), [(1, []), (2, ["ball and c are 30 mm deeper in each other"])])
+def test_bodies_that_overlap_at_rest_count_by_how_much_deeper_they_are_unless_they_are_joined(tmp_path, between, texts):
+    names = "ab"[:between]
+    chain = '<body name="c" pos=".12 0 0"><joint name="c" type="slide"/><geom size=".05" mass="1"/></body>'
+    for name in names:
+        inertia = '<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>'
+        chain = f'<body name="{name}"><joint name="{name}"/>{inertia}{chain}</body>'
+    model = BALL.replace('<site name="mark" pos="0 0 0"/>', chain.replace('type="slide"', 'type="slide" axis="1 0 0"'))
+    rows = "".join(
+        f"[[keyframe]]\ntime = {t}\nroot = {{position = [0, 0, 2], rotation = {{rotvec = [0, 0, 0]}}}}\n"
+        f"joints = {{c = {-0.03 * t}, {', '.join(f'{name} = 0' for name in names)}}}\n"
+        for t in (0, 1)
+    )
+    found = wrong(read(rows, model, tmp_path))
+    assert [each.text for each in found] == [f"keyframe 2 itself: {text} at 1.00 s" for text in texts]
+
+
+def test_keyframes_with_limbs_in_each_other_are_one_line(tmp_path):
+    (found,) = wrong(read(swinging(2, 0, 3), TRUNK, tmp_path))
+    assert found.keyframe == 2
+    assert found.text.startswith("keyframe 2 itself: trunk and hand are ")
+    assert found.text.endswith(" in each other at 1.00 s, and in 2 other keyframes")
+
+
+def test_forearms_in_the_head_and_in_each_other_are_reported_as_deep_as_mujoco_has_them():
+    arm = "joints.{0}_shoulder = {{{{rotvec = [{1}, -140, {2}]}}}}\njoints.{0}_elbow = {{{{rotvec = [0, -130, 0]}}}}\n"
+    arms = arm.format("left", 20, -60) + arm.format("right", -20, 60)
+    arms = arms.replace("{{", "{").replace("}}", "}")
+    problem = read('figure = "human"\n' + HIGH.format(0) + HIGH.format(1) + arms + HIGH.format(2))
+    found = {each.text.split(" are ")[0]: each.amount for each in wrong(problem) if each.keyframe == 2}
+    model, data = problem.figure.model, mujoco.MjData(problem.figure.model)
+    data.qpos[:] = problem.keys[1].state
+    mujoco.mj_kinematics(model, data)
+    bodies = {model.body(body).name: model.body(body).id for body in range(model.nbody)}
+    geoms = {name: np.flatnonzero(model.geom_bodyid == body).tolist() for name, body in bodies.items()}
+    for pair in ("chest and left_forearm", "chest and right_forearm", "left_forearm and right_forearm"):
+        one, two = pair.split(" and ")
+        both = itertools.product(geoms[one], geoms[two])
+        depth = max(-mujoco.mj_geomDistance(model, data, first, last, 1.0, None) for first, last in both)
+        assert found[f"keyframe 2 itself: {pair}"] == pytest.approx(depth, abs=1e-4) and depth > 0.03
+
+
+def test_joints_faster_than_their_limit(tmp_path):
+    rows = "".join(f"[[keyframe]]\ntime = {t}\njoints = {{slide = 0, swing = {80 * t}}}\n" for t in (0, 1))
+    limit = '[[penalty]]\nkind = "limits"\nspeed = {}\n'
+    (found,) = wrong(read(rows + limit.format(50), ARM.format(more="", equality=""), tmp_path))
+    assert (found.kind, found.name, found.unit, found.keyframe) == ("speed", "swing", "degrees/s", None)
+    assert found.amount == pytest.approx(30, abs=0.5)
+    assert found.text.startswith("swing turns 30 degrees/s faster than its limit of 50 degrees/s at ")
+    assert wrong(read(rows + limit.format(75), ARM.format(more="", equality=""), tmp_path)) == ()
+    (found,) = wrong(read(rows.replace("80", "8000") + limit.format(7000), ARM.format(more="", equality=""), tmp_path))[
+        :1
+    ]
+    assert (
+        wrong(read(rows.replace("8000", "800") + limit.format(790), ARM.format(more="", equality=""), tmp_path)) == ()
+    )
+
+
+def test_a_foot_is_one_line_in_an_interval_and_not_one_for_each_of_its_points():
+    contact = '[[contact]]\npoint = "right_{}"\nfrom = {}\nto = {}\n'
+    text = STANDING + contact.format("toe", 1.2, 1.8) + contact.format("heel", 1.1, 1.7)
+    (found,) = [each for each in wrong(read(text)) if each.kind == "contact"]
+    alone = [each for each in wrong(read(STANDING + contact.format("toe", 1.2, 1.8))) if each.kind == "contact"]
+    assert found.amount >= alone[0].amount
+    apart = STANDING + contact.format("toe", 1.1, 1.4) + contact.format("heel", 1.5, 1.8)
+    assert len([each for each in wrong(read(apart)) if each.kind == "contact"]) == 2
 
 
 def test_a_limb_that_whips():

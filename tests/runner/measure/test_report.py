@@ -15,7 +15,7 @@ from tiny import FIGURE, written
 
 from dynsplines import work
 from dynsplines.clip import load as clip
-from dynsplines.measure.grid import Grid
+from dynsplines.measure.measured import Grid
 from dynsplines.measure.report import _far_from_trouble, report, tables
 from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of

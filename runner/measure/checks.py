@@ -1,0 +1,423 @@
+"""Checks of a motion: per kind of violation its rows, and by how much each is violated at which sample.
+
+Residuals are those of the penalties where there is one, without the allowances that a search has for keyframes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import (
+    BendLimits,
+    Closed,
+    Contact,
+    Coupled,
+    Hold,
+    JointRange,
+    Placed,
+    Placement,
+    Range,
+    Rest,
+    Rolling,
+    Speed,
+    Stance,
+    closures,
+    couplings,
+    slipped,
+)
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.heights import FAR, heights
+from dynsplines.solver.surface.points import Point, placed, places_of
+
+from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE
+from .depths import bunches, depths
+from .overlaps import Overlaps
+
+SELF_STRIDE = 8  # samples of the grid from one look for overlapping bodies to the next: 30 a second
+SAME_DEPTH = 0.002  # [m] by which a sole point may be less deep than another point of its foot and still be named
+
+
+@dataclass(frozen=True)
+class Row:
+    """One quantity: its kind of bound, its name, and a sentence with {} for the amount."""
+
+    kind: str
+    name: str
+    text: str
+    bound: float
+
+
+@dataclass(frozen=True, eq=False)
+class Hits:
+    """Amounts (m,) of rows (m,) at samples (m,)."""
+
+    row: Index
+    at: Index
+    amount: Array
+
+    @classmethod
+    def of(cls, amounts: Array, least: float = 0.0) -> Hits:
+        """Of amounts (n, S), those above the least."""
+        row, at = np.nonzero(amounts > least)
+        return cls(row, at, amounts[row, at])
+
+    @classmethod
+    def joined(cls, parts: Sequence[Hits]) -> Hits:
+        """All parts in one, in their order."""
+        if not parts:
+            return cls(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0))
+        return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("row", "at", "amount")))
+
+    def taken(self, which: Index | Mask) -> Hits:
+        """A selection."""
+        return Hits(self.row[which], self.at[which], self.amount[which])
+
+
+@dataclass(frozen=True, eq=False)
+class Check:
+    """Rows of which the worst of a group is reported.
+
+    hits      the amounts in samples; those below the bounds serve the report
+    row       a row by its number
+    bounds    (n,) above which an amount is a violation
+    groups    (n,)
+    is_fixed  whether keyframes (m,) determine the amounts of rows (m,): they cause the violation, and not the path
+    named     (n,) rows named in place of others of their group that are hardly worse
+    stride    samples of the grid from one look to the next
+    is_once   whether the keyframes that cause it are one violation per group, not one each
+    """
+
+    hits: Callable[[Samples], Hits]
+    row: Callable[[int], Row]
+    bounds: Array
+    groups: Index
+    is_fixed: Callable[[Index, Index], Mask]
+    named: Mask | None = None
+    stride: int = 1
+    is_once: bool = False
+
+    @classmethod
+    def each(
+        cls,
+        rows: Sequence[Row],
+        hits: Callable[[Samples], Hits],
+        fixed: Mask | None = None,
+        groups: Index | None = None,
+    ) -> Check:
+        """Of listed rows, each a group of its own unless `groups` says otherwise; fixed (n, K), no keyframe if None."""
+
+        def is_fixed(row: Index, key: Index) -> Mask:
+            return np.zeros(row.size, bool) if fixed is None else fixed[row, key]
+
+        bounds = np.array([row.bound for row in rows])
+        return cls(hits, rows.__getitem__, bounds, np.arange(len(rows)) if groups is None else groups, is_fixed)
+
+
+@dataclass(frozen=True, eq=False)
+class Fixed:
+    """What keyframes fix of a figure: masks (K, N) of the state, and (L, K) of where links are."""
+
+    figure: Figure
+    states: Mask
+    places: Mask
+
+    @classmethod
+    def of(cls, figure: Figure, states: Mask) -> Fixed:
+        """By the masks (K, N) of keyframes."""
+        return cls(
+            figure, states, placed(figure, states, [Point("", i, np.zeros(3)) for i in range(len(figure.links))])
+        )
+
+    def joints(self, links: Sequence[int]) -> Mask:
+        """(n, K) which keyframes fix the joints of n links, the rotation of free ones."""
+        columns = [quaternion_columns(self.figure.links[i]) or self.figure.links[i].qpos for i in links]
+        return np.array([np.atleast_2d(self.states[:, column].T).all(axis=0) for column in columns])
+
+
+def row_of(kind: str, name: str, text: str, bound: float | None = None) -> Row:
+    """A row with the bound of its kind."""
+    return Row(kind, name, text, BOUNDS[kind].most if bound is None else bound)
+
+
+def bends(limits: BendLimits, fixed: Fixed) -> Check:
+    """Knees and elbows bent backward, sideways or twisted."""
+    rows = [
+        row_of(kind, joint.name, f"{joint.name} {text}")
+        for kind, text in (
+            ("backward", "is bent {} backward"),
+            ("sideways", "bends {} farther sideways than it may"),
+            ("twist", "is twisted {} farther than it may be"),
+        )
+        for joint in limits.joints
+    ]
+
+    def hits(samples: Samples) -> Hits:
+        flexion, sideways, twist = limits.angles(samples)
+        beyond = [limits.least - flexion, np.abs(sideways) - limits.sideways, np.abs(twist) - limits.twist]
+        return Hits.of(np.degrees(np.concatenate(beyond)), -np.inf)
+
+    return Check.each(rows, hits, np.tile(fixed.joints([joint.link for joint in limits.joints]), (3, 1)))
+
+
+def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Mask | None = None) -> Check:
+    """Joints beyond bounds: kinds of hinges and balls, and of slides; a text with the fields of a `Range`."""
+    limits, slides = JointRange(tuple(joints)), np.array([joint.kind is JointKind.SLIDE for joint in joints])
+    rows = [
+        row_of(kinds[int(slide)], joint.name, text.format("{}", joint=joint))
+        for joint, slide in zip(joints, slides, strict=True)
+    ]
+
+    def hits(samples: Samples) -> Hits:
+        found = Hits.of(limits.beyond(samples))
+        return replace(found, amount=np.where(slides[found.row], found.amount, np.degrees(found.amount)))
+
+    return Check.each(rows, hits, fixed)
+
+
+def speeds(figure: Figure, limit: Speed) -> Check:
+    """Hinges and ball joints that turn faster than their limits."""
+    most = np.degrees(limit.limits)
+    rows = [
+        row_of("speed", name, f"{name} turns {{}} faster than its limit of {top:.0f} degrees/s", bound)
+        for name, top, bound in zip(
+            [figure.links[i].name for i in limit.links],
+            most,
+            np.maximum(BOUNDS["speed"].most, SPEED_SHARE * most),
+            strict=True,
+        )
+    ]
+    return Check.each(rows, lambda samples: Hits.of(np.degrees(limit.speeds(samples)) - most[:, None]))
+
+
+def coupled(fixed: Fixed) -> Check | None:
+    """Joints off what equality constraints make them follow."""
+    joints = couplings(fixed.figure)
+    if not joints:
+        return None
+    law, turns = Coupled(joints), np.array([[joint.unit == "degrees"] for joint in joints])
+    kinds = ["coupled" if joint.unit == "degrees" else "coupled travel" for joint in joints]
+    rows = [
+        row_of(kind, joint.name, f"{joint.name} is {{}} off what it follows")
+        for kind, joint in zip(kinds, joints, strict=True)
+    ]
+
+    def hits(samples: Samples) -> Hits:
+        away = np.abs(law.away(samples)[0])
+        return Hits.of(np.where(turns, np.degrees(away), away))
+
+    is_fixed = fixed.states.T
+    both = [is_fixed[joint.follower] & (is_fixed[joint.driver] if joint.driver >= 0 else True) for joint in joints]
+    return Check.each(rows, hits, np.array(both))
+
+
+def torn(fixed: Fixed) -> Check | None:
+    """Closed loops whose ends come apart."""
+    pairs = closures(fixed.figure)
+    if not pairs:
+        return None
+    loops = Closed(pairs)
+    rows = [row_of("torn", pair.name, f"the loop of {pair.name} is torn by {{}}") for pair in pairs]
+    both = fixed.places[[pair.one.link for pair in pairs]] & fixed.places[[pair.two.link for pair in pairs]]
+    _, groups = np.unique([pair.name for pair in pairs], return_inverse=True)
+    return Check.each(rows, lambda samples: Hits.of(np.linalg.norm(loops.apart(samples), axis=0)), both, groups)
+
+
+def whips(figure: Figure, raw_peak: float) -> Check | None:
+    """Links whose angular acceleration relative to their parents is far beyond what the raw spline needs."""
+    links = turning(figure)
+    if not links:
+        return None
+    bound = max(BOUNDS["whip"].most, WHIP_SHARE * raw_peak)
+    names = [figure.links[i].name for i in links]
+    rows = [row_of("whip", name, f"{name} whips: {{}}, the raw spline needs {raw_peak:.0f}", bound) for name in names]
+    return Check.each(rows, lambda samples: Hits.of(turns(samples)[links]))
+
+
+def turning(figure: Figure) -> list[int]:
+    """The links that turn about a joint."""
+    return [i for i, link in enumerate(figure.links) if i > 0 and link.kind in (JointKind.BALL, JointKind.HINGE)]
+
+
+def turns(samples: Samples) -> Array:
+    """(L, S) [rad/s²] size of every link's angular acceleration relative to its parent."""
+    alpha = samples.links.alpha
+    return np.linalg.norm(alpha - alpha[:, samples.figure.tables.parents], axis=0)
+
+
+def lengths(figure: Figure) -> Check | None:
+    """Quaternions far from length 1."""
+    names = [figure.links[i].name for i in figure.tables.quaternion_links]
+    text = "the quaternion of {} is {{}} off length 1 and turns fast"
+    rows = [row_of("length", name, text.format(name)) for name in names]
+    return Check.each(rows, lambda samples: Hits.of(np.abs(np.sqrt(samples.q_dots[0]) - 1))) if rows else None
+
+
+def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, fixed: Fixed) -> Check:
+    """Contacts whose points are over what they rest on, or over the surface below them, where there is one."""
+    text = "contact {} is {{}} up while it should rest"
+    rows = [row_of("hover", rest.point.name, text.format(rest.point.name)) for rest in rests]
+    points = tuple(rest.point for rest in rests)
+    radii = np.array([point.radius for point in points])
+
+    def hits(samples: Samples) -> Hits:
+        places = places_of(points, samples)[0]
+        height, _ = heights(surfaces, places, radii)
+        for i, rest in enumerate(rests):
+            if rest.ground is not None:
+                height[i] = rest.ground.height(places[:, i]) - radii[i]
+        during = np.array([(samples.t >= rest.first) & (samples.t <= rest.last) for rest in rests])
+        return Hits.of(np.where(during & (height < FAR), height, 0.0))
+
+    return Check.each(rows, hits, fixed.places[[point.link for point in points]], groups)
+
+
+@dataclass(frozen=True, eq=False)
+class Stay:
+    """A point that is to stay in its place.
+
+    kind     "contact" or "stance"
+    text     a sentence with {} for the amount
+    rolling  how it rolls, if it does
+    """
+
+    kind: str
+    stance: Stance
+    text: str
+    rolling: Rolling | None = None
+
+    def away(self, samples: Samples, at: Index) -> Array:
+        """(k,) [m] how far it is from its place at samples `at` (k,)."""
+        point = self.stance.point
+        x, rotation = samples.links.poses(point.link * samples.count + at)
+        off = x + np.einsum("ijk,j->ik", rotation, point.position) - self.stance.place(samples.t[at])
+        if self.rolling is not None:
+            off -= self.rolling.way(samples.links.Q[:, point.link, at])
+        return np.linalg.norm(off, axis=0)
+
+
+def moved(stays: Sequence[Stay], groups: Index, fixed: Fixed) -> Check:
+    """Points that are to stay in their places and move."""
+
+    def hits(samples: Samples) -> Hits:
+        parts = []
+        for i, stay in enumerate(stays):
+            at = np.flatnonzero((samples.t >= stay.stance.first) & (samples.t <= stay.stance.last))
+            if at.size:
+                parts.append(Hits(np.full(at.size, i), at, stay.away(samples, at)))
+        return Hits.joined(parts)
+
+    rows = [row_of(stay.kind, stay.stance.point.name, stay.text) for stay in stays]
+    return Check.each(rows, hits, fixed.places[[stay.stance.point.link for stay in stays]], groups)
+
+
+def slips(holds: Sequence[Hold], starts: Sequence[Array], fixed: Fixed) -> Check:
+    """Sites that move on what they hold; starts (3,) each: where on the link it was when the hold began [m]."""
+    text = "{} moves {{}} on {}, which it holds"
+    rows = [row_of("hold", hold.point.name, text.format(hold.point.name, hold.body)) for hold in holds]
+
+    def hits(samples: Samples) -> Hits:
+        out = np.zeros((len(holds), samples.count))
+        for i, (hold, start) in enumerate(zip(holds, starts, strict=True)):
+            during = (samples.t >= hold.first) & (samples.t <= hold.last)
+            out[i] = during * np.linalg.norm(slipped(samples, hold) - start[:, None], axis=0)
+        return Hits.of(out)
+
+    return Check.each(rows, hits, np.array([fixed.places[hold.point.link] & fixed.places[hold.link] for hold in holds]))
+
+
+def misses(points: Sequence[Placed]) -> Check:
+    """Points that were left to the search and are not where they were to be."""
+    rows = [row_of("placement", place.point.name, f"{place.point.name} is {{}} off its place") for place in points]
+    placement = Placement(tuple(points))
+
+    def hits(samples: Samples) -> Hits:
+        which, at = placement.pairs(samples)
+        return Hits(which, at, np.linalg.norm(placement.away(samples)[1], axis=0))
+
+    return Check.each(rows, hits)
+
+
+def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
+    """Points of a figure in surfaces: a row each pair of them, a group each pair of a foot or limb and a surface.
+
+    parts  points and the surfaces to keep them out of;  soles  the names of points to be named rather than others
+    feet   (L,) the link that stands for a foot or limb
+    """
+    pairs = [
+        (point, surface.name, part.carrier) for part in parts for surface in part.surfaces for point in part.points
+    ]
+    numbers: dict[tuple[int, str], int] = {}
+    groups = [numbers.setdefault((int(feet[point.link]), name), len(numbers)) for point, name, _ in pairs]
+    links, carriers = (
+        np.array(column, np.intp) for column in ([p.link for p, _, _ in pairs], [c for _, _, c in pairs])
+    )
+
+    bunched = [bunches(part.points) for part in parts]
+
+    def hits(samples: Samples) -> Hits:
+        found, first = [], 0
+        for part, limbs in zip(parts, bunched, strict=True):
+            for surface in part.surfaces:
+                for bunch, at, deep in depths(limbs, surface, samples, part.carrier):
+                    row, sample = np.nonzero(deep > 0)
+                    if row.size:
+                        found.append(Hits(first + bunch.which[row], at[sample], deep[row, sample]))
+                first += len(part.points)
+        return Hits.joined(found)
+
+    def row(index: int) -> Row:
+        point, surface, _ = pairs[index]
+        place = f"the {surface}" if surface.isalpha() and surface.islower() else f"'{surface}'"
+        return row_of("penetration", point.name, f"{point.name} is {{}} in {place}")
+
+    def is_fixed(row: Index, key: Index) -> Mask:
+        return fixed.places[links[row], key] & fixed.places[carriers[row], key]
+
+    named = np.array([point.name in soles for point, _, _ in pairs], bool)
+    bounds = np.full(len(pairs), BOUNDS["penetration"].most)
+    return Check(hits, row, bounds, np.array(groups, np.intp), is_fixed, named)
+
+
+def tangled(carried: Sequence[int], fixed: Fixed) -> Check:
+    """Moving bodies in each other: a row each pair of links, a group each pair of limbs; of carried ones see `sunk`."""
+    figure, count = fixed.figure, len(fixed.figure.links)
+    overlaps = Overlaps.of(figure)
+    is_carried = np.isin(np.arange(count), carried)
+
+    def hits(samples: Samples) -> Hits:
+        met = overlaps.met(samples)
+        both = np.flatnonzero(is_carried[met.links[0]] == is_carried[met.links[1]])
+        return Hits(met.links[0, both] * count + met.links[1, both], met.at[both], met.depth[both])
+
+    def row(index: int) -> Row:
+        one, two = divmod(index, count)
+        names = [figure.model.body(figure.links[i].body).name or figure.links[i].name for i in (one, two)]
+        deeper = "deeper " if overlaps.at_rest[one, two] else ""
+        return row_of("self", names[0], f"{names[0]} and {names[1]} are {{}} {deeper}in each other")
+
+    def is_fixed(row: Index, key: Index) -> Mask:
+        return fixed.places[row // count, key] & fixed.places[row % count, key]
+
+    limbs, bounds = _limbs(figure), np.full(count * count, BOUNDS["self"].most)
+    groups = (np.minimum(limbs[:, None], limbs) * count + np.maximum(limbs[:, None], limbs)).ravel()
+    return Check(hits, row, bounds, groups, is_fixed, stride=SELF_STRIDE, is_once=True)
+
+
+def _limbs(figure: Figure) -> Index:
+    """(L,) the first link of what a link is part of: the trunk, which is the root with what branches next to it, or a
+    limb, which is a chain without branches."""
+    parents = figure.tables.parents
+    branches = np.bincount(parents[1:], minlength=parents.size) > 1
+    limbs, in_trunk = np.arange(parents.size), parents == 0
+    for i in range(1, parents.size):
+        parent = parents[i]
+        in_trunk[i] |= branches[i] and in_trunk[parent]
+        if parent and (in_trunk[i] or not branches[parent]):
+            limbs[i] = limbs[parent]
+    return limbs

@@ -1,0 +1,237 @@
+"""Measurement of a motion: the amounts of all checks that its clip calls for, on one grid.
+
+What is measured does not depend on what the clip penalizes. Violations and reports are made of the same amounts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.penalty import (
+    BendLimits,
+    Contact,
+    Hold,
+    Penalty,
+    Planted,
+    Rest,
+    Resting,
+    Rolling,
+    Speed,
+    Stance,
+    Sum,
+    joint_ranges,
+    slipped,
+    stances,
+)
+from dynsplines.solver.surface.points import Point, body_points, places_of
+
+from ..clip.kinds import BODY, bolted_links
+from ..clip.load import Clip
+from ..motion import samples_at
+from . import checks
+from .checks import Check, Fixed, Hits, Stay
+
+RATE = 240.0  # [1/s]: a foot at 4 m/s moves 17 mm from one sample to the next
+RUN = 1000  # samples at once, whose arrays do not fill the memory
+ROUNDING = 1e-9  # [s]
+
+
+@dataclass(frozen=True, eq=False)
+class Measurement:
+    """The amounts of all checks along a timeline that answers a clip.
+
+    clip    with the keyframes that you specified, of a recording the first and the last besides
+    time    (T,) [s] of the grid;  key_at  (K,) where on it the keyframes are
+    checks  each with its amounts
+    stays   points that are to stay in their places, each with the number of its foot and interval
+    """
+
+    clip: Clip
+    timeline: Timeline
+    time: Array
+    key_at: Index
+    checks: tuple[tuple[Check, Hits], ...]
+    stays: tuple[tuple[Stay, int], ...]
+
+    @classmethod
+    def of(cls, clip: Clip, timeline: Timeline, raw: Timeline) -> Measurement:
+        """Measure a timeline; `raw` is the spline through the clip's keyframes, to which whips are compared."""
+        clip, path = _as_keyed(clip), path_of(timeline)
+        key_times = np.clip([key.time for key in clip.keys], *path.span)
+        stays = tuple(_stays(clip, timeline))
+        instants = [t for stay, _ in stays for t in (stay.stance.first, stay.stance.last)]
+        instants += [t for hold in clip.context.holds for t in (hold.first, hold.last)]
+        instants += [place.time for place in clip.context.placed]
+        even = np.linspace(*path.span, max(2, round(float(np.ptp(path.span)) * RATE) + 1))
+        time = np.unique(np.concatenate([even, key_times, instants]))
+        key_at = np.searchsorted(time, key_times)
+        every = list(_checks(clip, timeline, stays, _peak(clip.figure, raw, time)))
+        parts: list[list[Hits]] = [[] for _ in every]
+        for run in np.array_split(np.arange(time.size), -(-time.size // RUN)):
+            samples = samples_at(clip.figure, path, time[run])
+            for check, hits in zip(every, parts, strict=True):
+                at = run if check.stride == 1 else run[(run % check.stride == 0) | np.isin(run, key_at)]
+                part = check.hits(samples if at is run else samples.taken(at - run[0]))
+                hits.append(replace(part, at=at[part.at]))
+        amounts = tuple((check, Hits.joined(hits)) for check, hits in zip(every, parts, strict=True))
+        return cls(clip, timeline, time, key_at, amounts, stays)
+
+    @property
+    def numbers(self) -> Index:
+        """(K,) the numbers of the keyframes as you specified them, from 1."""
+        specified = {key.time for key in self.clip.said}
+        return np.cumsum([key.time in specified for key in self.clip.keys])
+
+
+def _as_keyed(clip: Clip) -> Clip:
+    """Of a recording's frames, which nobody gave, the first and the last beside the keyframes."""
+    said, ends = {key.time for key in clip.said}, (0, len(clip.keys) - 1)
+    nothing = np.zeros(clip.figure.width, bool)
+    keys = tuple(
+        key if key.time in said else replace(key, fixed=nothing)
+        for k, key in enumerate(clip.keys)
+        if key.time in said or k in ends
+    )
+    return clip if len(keys) == len(clip.keys) else replace(clip, problem=replace(clip.problem, keys=keys))
+
+
+def _peak(figure: Figure, raw: Timeline, time: Array) -> float:
+    """[rad/s²] the largest angular acceleration of a link relative to its parent on the raw spline."""
+    links, path = checks.turning(figure), path_of(raw)
+    runs = np.array_split(time[::2], -(-time.size // RUN))
+    return max(float(checks.turns(samples_at(figure, path, run))[links].max(initial=0.0)) for run in runs)
+
+
+def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], raw_peak: float) -> Iterator[Check]:
+    figure, context = clip.figure, clip.context
+    fixed = Fixed.of(figure, np.array([key.fixed for key in clip.keys]))
+    feet, parts = _feet(figure, context.points), list(_parts(clip))
+    for kind in ("contact", "stance"):
+        rows = [(stay, group) for stay, group in stays if stay.kind == kind]
+        if rows:
+            yield checks.moved([stay for stay, _ in rows], np.array([group for _, group in rows]), fixed)
+    if context.holds:
+        yield checks.slips(context.holds, [begun(figure, timeline, hold) for hold in context.holds], fixed)
+    yield checks.sunk(_kept_out(clip, parts), frozenset(point.name for point in context.points), feet, fixed)
+    rests = [rest for part in parts if isinstance(part, Resting) for rest in part.rests]
+    if rests and context.surfaces:
+        yield checks.hovering(rests, context.surfaces, _groups(rests, feet), fixed)
+    joints = joint_ranges(figure)
+    if joints:
+        own = fixed.joints([joint.link for joint in joints])
+        yield checks.ranges(joints, ("range", "travel"), "{joint.name} is {} beyond its range", own)
+    if context.held_joints and not clip.follows:
+        during = "the keyframes at {joint.first:g} and {joint.last:g} s both specify"
+        text = f"{{joint.name}} swings {{}} off the value that {during}"
+        yield checks.ranges(context.held_joints, ("overshoot", "overshoot travel"), text)
+    if context.placed:
+        yield checks.misses(context.placed)
+    optional = (
+        checks.coupled(fixed),
+        checks.torn(fixed),
+        checks.lengths(figure),
+        checks.whips(figure, raw_peak),
+        checks.tangled(context.carried, fixed),
+    )
+    yield from (check for check in optional if check is not None)
+    for part in parts:
+        if isinstance(part, BendLimits) and part.joints:
+            yield checks.bends(part, fixed)
+        if isinstance(part, Speed):
+            yield checks.speeds(figure, part)
+
+
+def _parts(clip: Clip) -> Iterator[Penalty]:
+    """The soft constraints, those that stand together one by one."""
+    for penalty, _ in clip.penalties:
+        yield from penalty.parts if isinstance(penalty, Sum) else (penalty,)
+
+
+def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
+    """Soles and body, and what they are to stay out of, whether or not the clip has it penalised."""
+    contacts = [part for part in parts if isinstance(part, Contact)]
+    names = {part.name for part in contacts}
+    if Contact.called not in names:
+        contacts.append(Contact(clip.context.points, clip.context.surfaces))
+    if BODY not in names:
+        body, bolted = body_points(clip.figure), bolted_links(clip.figure)
+        for surface in clip.context.surfaces:
+            links = bolted.get(surface.name, frozenset())
+            contacts.append(Contact(tuple(point for point in body if point.link not in links), (surface,)))
+    return tuple(part for part in contacts if part.points and part.surfaces)
+
+
+def _feet(figure: Figure, points: Sequence[Point]) -> Index:
+    """(L,) the link that stands for a foot: of a foot and its toes, if both have sole points, the first."""
+    feet, soles = np.arange(len(figure.links)), {point.link for point in points}
+    for i, link in enumerate(figure.links[1:], start=1):
+        if i in soles and link.parent in soles:
+            feet[i] = feet[link.parent]
+    return feet
+
+
+def _groups(rests: Sequence[Rest | Stance], feet: Index) -> Index:
+    """(n,) a number for every foot and interval; intervals of a foot that overlap are one."""
+    order = sorted(range(len(rests)), key=lambda i: (feet[rests[i].point.link], rests[i].first))
+    groups, number, foot, end = np.zeros(len(rests), np.intp), -1, -1, -np.inf
+    for i in order:
+        if feet[rests[i].point.link] != foot or rests[i].first > end - ROUNDING:
+            number, end = number + 1, -np.inf
+        groups[i], foot, end = number, feet[rests[i].point.link], max(end, rests[i].last)
+    return groups
+
+
+def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
+    """(3,) [m] where on the link that it holds a hold's point is when it begins."""
+    return slipped(samples_at(figure, path_of(timeline), np.array([hold.first])), hold)[:, 0]
+
+
+def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
+    """The clip's contacts, and the stances inferred from its keyframes, each with the number of its group."""
+    figure, feet = clip.figure, _feet(clip.figure, clip.context.points)
+    known = [stance for part in _parts(clip) if isinstance(part, Planted) for stance in part.stances]
+    rests = clip.context.contacts.given
+    if rests:
+        middle = samples_at(figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))
+        spots = np.diagonal(places_of([rest.point for rest in rests], middle)[0], axis1=1, axis2=2)
+        for k, (rest, group) in enumerate(zip(rests, _groups(rests, feet).tolist(), strict=True)):
+            rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
+            for stance in _pieces(rest, known, spots[:, k]):
+                text = f"contact {stance.point.name} moves {{}} while it should rest"
+                yield Stay("contact", stance, text, rolling), group
+    inferred = [stance for stance in _inferred(clip, timeline) if not any(_same(stance, rest) for rest in rests)]
+    for stance, group in zip(inferred, _groups(inferred, feet).tolist(), strict=True):
+        yield (
+            Stay("stance", stance, f"{stance.point.name} moves {{}} between keyframes that put it in one place"),
+            group,
+        )
+
+
+def _inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
+    """Stances of soles inferred from keyframes, partial ones as the motion fills them."""
+    states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
+    frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
+    return stances(
+        clip.figure, Timeline(tuple(frames), np.zeros((2, timeline.width))), clip.context.points, clip.context.surfaces
+    )
+
+
+def _same(stance: Stance, rest: Rest) -> bool:
+    """Whether a stance and a contact are of one point at one time."""
+    meet = stance.first < rest.last - ROUNDING and rest.first < stance.last - ROUNDING
+    same = stance.point.link == rest.point.link and np.array_equal(stance.point.position, rest.point.position)
+    return bool(meet and same)
+
+
+def _pieces(rest: Rest, known: Sequence[Stance], middle: Array) -> list[Stance]:
+    """Where a contact's point is to be: as the clip has it, else where it is in the middle of the contact, (3,) [m]."""
+    first, last = rest.first - ROUNDING, rest.last + ROUNDING
+    placed = [stance for stance in known if _same(stance, rest) and first <= stance.first and stance.last <= last]
+    return placed or [Stance(rest.point, rest.first, rest.last, middle, middle)]

@@ -1,0 +1,129 @@
+"""Overlaps of moving bodies, by MuJoCo's collision detection with its filters, whatever the clip penalizes.
+
+Which bodies collide is the model's: contype and conaffinity, <exclude>, <pair>, no parent with its child. All geoms
+of a model in which nothing collides count. Bodies at most two joints apart that overlap at rest do so by design and are
+excluded: a hip lies in the abdomen. Others that do not move freely count as far as they overlap more than at rest.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass
+from functools import lru_cache
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.surface.touch import counts_all, movers
+
+JOINED = 2  # bodies so near in the tree are excluded if they overlap at rest
+BITS = 31  # of contype
+
+
+@dataclass(frozen=True, eq=False)
+class Overlap:
+    """Overlaps of pairs of geoms at samples `at` (m,): links (2, m), the lower first, geoms (2, m), depth (m,) [m]."""
+
+    at: Index
+    links: Index
+    geoms: Index
+    depth: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Overlaps:
+    """The bodies of a figure that can overlap.
+
+    model    a copy in which moving geoms collide, and nothing else
+    at_rest  (L, L) [m] how deep two links are in each other at rest, the lower first; infinite if excluded
+    """
+
+    figure: Figure
+    model: mujoco.MjModel
+    at_rest: Array
+
+    @classmethod
+    @lru_cache(maxsize=2)
+    def of(cls, figure: Figure) -> Overlaps:
+        """Return all bodies that MuJoCo would let collide."""
+        model, at_rest = _collision_model(figure.model), np.zeros((len(figure.links),) * 2)
+        rest = _overlaps(figure, model, figure.model.qpos0[None], np.zeros(1, np.intp))
+        steps = _steps(figure)[tuple(rest.links)]
+        deep = np.where(steps <= JOINED, np.inf, np.where(np.isfinite(steps), rest.depth, 0.0))
+        np.maximum.at(at_rest, tuple(rest.links), deep)
+        if counts_all(figure.model):
+            _exclude(model, figure.body_link, np.isinf(at_rest))
+        return cls(figure, model, at_rest)
+
+    def met(self, samples: Samples) -> Overlap:
+        """Return the overlaps in samples that are deeper than at rest, with the depth beyond that."""
+        overlap = _overlaps(self.figure, self.model, self.figure.to_qpos(samples.y), np.arange(samples.count))
+        depth = overlap.depth - self.at_rest[tuple(overlap.links)]
+        deeper = np.flatnonzero(depth > 0)
+        return Overlap(overlap.at[deeper], overlap.links[:, deeper], overlap.geoms[:, deeper], depth[deeper])
+
+
+def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> Overlap:
+    """Overlaps at qpos (k, nq) of samples `at` (k,)."""
+    data, parts = mujoco.MjData(model), []
+    for q, sample in zip(qpos, at.tolist(), strict=True):
+        data.qpos[:] = q
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_collision(model, data)
+        if data.ncon:
+            parts.append((np.full(data.ncon, sample), data.contact.geom.T.copy(), -data.contact.dist))
+    parts.append((np.zeros(0, np.intp), np.zeros((2, 0), np.intp), np.zeros(0)))
+    when, geoms, depth = (np.concatenate(part, axis=-1) for part in zip(*parts, strict=True))
+    links = np.sort(figure.body_link[model.geom_bodyid[geoms]], axis=0)
+    deep = np.flatnonzero((depth > 0) & (links[0] > 0) & (links[0] < links[1]))
+    return Overlap(when[deep], links[:, deep], geoms[:, deep], depth[deep])
+
+
+def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
+    """A copy in which moving geoms collide with each other as MuJoCo has it, or all of them where nothing collides."""
+    out, solid = copy.copy(model), movers(model)
+    still = np.setdiff1d(np.arange(model.ngeom), solid)
+    bodies = np.unique(model.geom_bodyid[solid])
+    if counts_all(model):
+        out.geom_contype[solid] = out.geom_conaffinity[solid] = 1
+        out.body_contype[bodies] = out.body_conaffinity[bodies] = 1
+        out.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)  # its trees have colliding geoms only
+    out.geom_contype[still] = out.geom_conaffinity[still] = 0
+    fixed = np.setdiff1d(np.arange(model.nbody), bodies)
+    out.body_contype[fixed] = out.body_conaffinity[fixed] = 0
+    out.opt.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    out.geom_margin[:] = 0
+    return out
+
+
+def _exclude(model: mujoco.MjModel, body_link: Index, excluded: Mask) -> None:
+    """Let excluded pairs of links (L, L) not collide in a model whose flags are alike, in a quarter of the time.
+
+    Every body has a bit of contype, and the bits of those that it meets in conaffinity.
+    """
+    bodies = np.flatnonzero(model.body_contype)
+    if bodies.size > BITS or not excluded.any():
+        return
+    links = body_link[bodies]
+    meets = ~(excluded | excluded.T)[np.ix_(links, links)]
+    model.body_contype[bodies] = 1 << np.arange(bodies.size)
+    model.body_conaffinity[bodies] = meets @ (1 << np.arange(bodies.size))
+    for geom_flags, body_flags in (
+        (model.geom_contype, model.body_contype),
+        (model.geom_conaffinity, model.body_conaffinity),
+    ):
+        geom_flags[:] = np.where(geom_flags != 0, body_flags[model.geom_bodyid], 0)
+
+
+def _steps(figure: Figure) -> Array:
+    """(L, L) how many bodies apart two links are, infinite where one of them moves freely from the other."""
+    bodies, path = np.array([link.body for link in figure.links]), figure.tables.path
+    first = np.append(True, bodies[1:] != bodies[:-1])  # a body's other joints do not count
+    depth, shared = path[:, first].sum(axis=1), path[:, first] @ path[:, first].T
+    is_free: Mask = np.any(path[:, figure.tables.free_links] > 0, axis=1)
+    apart = np.logical_or.outer(is_free, is_free) & (path @ path.T == 0)
+    return np.where(apart, np.inf, depth[:, None] + depth - 2 * shared)
