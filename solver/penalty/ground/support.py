@@ -135,9 +135,9 @@ class Support(Penalty):
 
         def curved(into: Curvature, scale: Array) -> None:
             pushes = replace(found.pushes, at=np.searchsorted(at, found.pushes.at))
-            rows = share[:, :, None] * wrench_rows(RootWrench(samples.taken(at), self.root), pushes)
-            root = np.linalg.cholesky(projection(found.left, found.edges, self.softness))
-            rows = np.einsum("scd,scon->sdon", root, rows)
+            rows = wrench_rows(RootWrench(samples.taken(at), self.root), pushes).reshape(at.size, 6, -1)
+            root = share * np.linalg.cholesky(projection(found.left, found.edges, self.softness))
+            rows = np.matmul(root.swapaxes(1, 2), rows)
             each = np.repeat(at, 6)
             into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
 
