@@ -1,4 +1,4 @@
-"""Images a second: our OpenGL renderer against a bare mujoco.Renderer loop, and the rays with two processes.
+"""Images a second: our OpenGL renderer against a bare mujoco.Renderer loop, and the CPU alone with two processes.
 
     python benchmarks/rendering.py IMAGES REPEATS SIZE      OpenGL alone, its figures as JSON
 
@@ -21,9 +21,9 @@ from typing import Any
 
 from bench import CLIP, Effort, Section, Target, alternated, dynsplines, median, seconds
 
-SIZE, RAYS_SIZE = "1280x720", "1280x720"
+SIZE, SOFTWARE_SIZE = "1280x720", "1280x720"
 FPS = 30
-RAYS_SECONDS_OF_CLIP = 2.2
+SOFTWARE_SECONDS_OF_CLIP = 2.2
 
 
 def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
@@ -31,7 +31,7 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
     from dynsplines.picture.graphics import choose
 
     graphics = choose()
-    if graphics.kind == "rays":
+    if graphics.kind == "software":
         return {"renderer": graphics.line, "missing": "no OpenGL here"}
     from rich.console import Console
 
@@ -87,11 +87,11 @@ def _bare(saved: Any, look: Any, images: int, target: Path) -> None:
             writer.write_frame(np.hstack(sides))
 
 
-def rays(workers: int, folder: Path, fps: float) -> tuple[float, str | None]:
-    """Seconds for a small video by MuJoCo's rays with so many processes, and why not."""
-    command = dynsplines("render", CLIP, "--only", "before", "--size", RAYS_SIZE, "--fps", f"{fps:g}")
-    command += ["-o", str(folder / f"rays{workers}.mp4"), "--workers", str(workers)]
-    environment = os.environ | {"DYNSPLINES_RENDERER": "rays", "TERM": "dumb"}
+def software(workers: int, folder: Path, fps: float) -> tuple[float, str | None]:
+    """Seconds for a small video by the CPU alone with so many processes, and why not."""
+    command = dynsplines("render", CLIP, "--only", "before", "--size", SOFTWARE_SIZE, "--fps", f"{fps:g}")
+    command += ["-o", str(folder / f"software{workers}.mp4"), "--workers", str(workers)]
+    environment = os.environ | {"DYNSPLINES_RENDERER": "software", "TERM": "dumb"}
     spent, done = seconds(lambda: subprocess.run(command, capture_output=True, text=True, env=environment, check=False))
     if done.returncode == 0:
         return spent, None
@@ -116,37 +116,37 @@ def measure(effort: Effort) -> Section:
         section.add(gl["renderer"], SIZE, images, ours, bare, share)
     else:
         section.add("OpenGL", SIZE, "–", f"skipped: {gl.get('missing', done.stderr[-200:])}", "–", "–")
-    cast = _rays(section, effort)
+    cast = _software(section, effort)
     section.targets = [
         Target("OpenGL: ours / a bare mujoco.Renderer loop", share, 0.9, least=True),
-        Target("rays: two processes / one, the whole command", cast.get("gain"), 1.7, least=True),
+        Target("software: two processes / one, the whole command", cast.get("gain"), 1.7, least=True),
     ]
     section.notes = [
         "OpenGL: opening the renderer, drawing two pictures an image, captions (ours only), encoding by one thread; "
         "the same MJCF, shadows and multisampling, x264's medium preset; the bare loop at the default crf 23, ours 18",
-        "rays: `dynsplines render --only before` (no solving) in child processes, starting included; this machine has "
-        f"{os.cpu_count()} cores",
+        "software: `dynsplines render --only before` (no solving) in child processes, starting included; this machine "
+        f"has {os.cpu_count()} cores",
     ]
-    section.data = {"opengl": gl, "rays": cast}
+    section.data = {"opengl": gl, "software": cast}
     return section
 
 
-def _rays(section: Section, effort: Effort) -> dict[str, Any]:
-    """The rays' row, and its figures."""
+def _software(section: Section, effort: Effort) -> dict[str, Any]:
+    """The row of the CPU alone, and its figures."""
     fps = effort.count(20, 2)
-    images = int(RAYS_SECONDS_OF_CLIP * fps + 1e-9) + 1
+    images = int(SOFTWARE_SECONDS_OF_CLIP * fps + 1e-9) + 1
     spent: dict[int, list[float]] = {1: [], 2: []}
     with tempfile.TemporaryDirectory() as folder:
         for i in range(effort.repeats):
             for workers in spent:
-                effort.tell(f"rays, {workers} processes, run {i + 1}")
-                took, why = rays(workers, Path(folder), float(fps))
+                effort.tell(f"software, {workers} processes, run {i + 1}")
+                took, why = software(workers, Path(folder), float(fps))
                 if why is not None:
-                    section.add("rays, two processes", RAYS_SIZE, images, f"skipped: {why}", "–", "–")
+                    section.add("software, two processes", SOFTWARE_SIZE, images, f"skipped: {why}", "–", "–")
                     return {"missing": why}
                 spent[workers].append(took)
     one, two = (images / median(spent[workers]) for workers in (1, 2))
-    section.add("rays, two processes", RAYS_SIZE, images, two, one, two / one)
+    section.add("software, two processes", SOFTWARE_SIZE, images, two, one, two / one)
     return {"seconds": spent, "images": images, "gain": two / one}
 
 

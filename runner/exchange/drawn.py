@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike
 
 from dynsplines.solver.array import Array
 
+from ..scene.triangles import Piece, half_extent, is_still, picture_repeat, pieces, png, triangles
 from .skeleton import hierarchy
-from .triangles import Piece, half_extent, is_still, picture_repeat, pieces, png, triangles
 
 KINDS = {
     mujoco.mjtGeom.mjGEOM_PLANE: "plane",

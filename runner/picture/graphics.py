@@ -1,4 +1,4 @@
-"""Which renderer works on this machine: EGL, OSMesa, a display, or MuJoCo's own rays.
+"""Which renderer works on this machine: EGL, OSMesa, a display, or the CPU alone.
 
 MuJoCo reads MUJOCO_GL once, while it is imported, and a value that does not work makes that import raise. Some drivers
 even abort the process. So every candidate is tried in a child process, and `choose` must run before the first
@@ -25,7 +25,7 @@ from ..errors import UserError
 from ..system.cache_folder import place
 from ..system.output import Replacement
 
-Kind = Literal["egl", "osmesa", "display", "rays"]
+Kind = Literal["egl", "osmesa", "display", "software"]
 
 OVERRIDE = "DYNSPLINES_RENDERER"
 PROBE_SECONDS = 60.0  # [s] that a renderer may take to draw a first image
@@ -36,7 +36,7 @@ _NAMES: dict[Kind, str] = {
     "egl": "EGL",
     "osmesa": "OSMesa",
     "display": "OpenGL on the display",
-    "rays": "MuJoCo's rays on the CPU",
+    "software": "software, on the CPU",
 }
 _SWITCHED_OFF = ("disable", "disabled", "off", "false", "0")
 _FASTER = "slow; `apt-get install libosmesa6` or `libegl1 libgl1` makes it faster"
@@ -76,7 +76,7 @@ class Graphics:
 def choose() -> Graphics:
     """The fastest renderer that was seen to work, and MUJOCO_GL set for it.
 
-    DYNSPLINES_RENDERER=rays|egl|osmesa|display forces one. Otherwise a MUJOCO_GL set by the user comes first; a value
+    DYNSPLINES_RENDERER=software|egl|osmesa|display forces one. Otherwise a MUJOCO_GL of yours comes first; a value
     that does not work is removed from this process's environment, since it would make `import mujoco` raise.
     """
     forced = os.environ.get(OVERRIDE, "").strip().lower()
@@ -86,7 +86,7 @@ def choose() -> Graphics:
         return _after_import(_imported_backend())
     wish = os.environ.get("MUJOCO_GL", "").strip().lower()
     if wish in _SWITCHED_OFF:
-        return _settle("rays", wish, f"MUJOCO_GL={wish}")
+        return _settle("software", wish, f"MUJOCO_GL={wish}")
     if wish and _works(wish):
         return _settle(_kind_of(wish), wish)
     if wish:
@@ -96,7 +96,7 @@ def choose() -> Graphics:
         if backend != wish and _works(backend):
             return _settle(_kind_of(backend), backend, note)
     hint = _FASTER if sys.platform == "linux" else "slow"
-    return _settle("rays", None, "; ".join(part for part in (note, hint) if part))
+    return _settle("software", None, "; ".join(part for part in (note, hint) if part))
 
 
 def do_without() -> None:
@@ -107,13 +107,14 @@ def do_without() -> None:
 
 def _forced(name: str) -> Graphics:
     """The renderer that DYNSPLINES_RENDERER names, or a GraphicsError."""
+    name = "software" if name == "rays" else name  # as it was called up to 0.2
     if name not in _NAMES:
         raise GraphicsError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
     asked = f"{OVERRIDE}={name}"
-    if name == "rays":
+    if name == "software":
         if not _imported():
             os.environ.pop("MUJOCO_GL", None)
-        return Graphics("rays", _line("rays", asked))
+        return Graphics("software", _line("software", asked))
     if _imported():
         backends = [backend for backend in [_imported_backend()] if _kind_of(backend) == name]
     else:
@@ -122,7 +123,7 @@ def _forced(name: str) -> Graphics:
         if _works(backend):
             return _settle(_kind_of(backend), backend, asked)
     raise GraphicsError(
-        f"{asked}: {name} does not work here; unset it to let a working renderer be chosen, or use rays"
+        f"{asked}: {name} does not work here; unset it to let a working renderer be chosen, or use software"
     )
 
 
@@ -130,7 +131,7 @@ def _after_import(backend: str) -> Graphics:
     """Once mujoco is imported only the backend it took can draw."""
     if backend not in _SWITCHED_OFF and _works(backend):
         return Graphics(_kind_of(backend), _line(_kind_of(backend)))
-    return Graphics("rays", _line("rays", _IMPORTED))
+    return Graphics("software", _line("software", _IMPORTED))
 
 
 def _settle(kind: Kind, backend: str | None, note: str = "") -> Graphics:

@@ -15,12 +15,12 @@ from .show import Look
 
 
 def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, progress: Progress) -> None:
-    """Writes .mp4, .webm, .gif or .png; `asked` is how many processes may draw, None: one, or with rays one a core."""
+    """Write .mp4, .webm, .gif or .png; `asked` processes draw at most, None: one, or without OpenGL one a core."""
     still = target.suffix.lower() == ".png"
-    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)
+    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "software" else 1)
     try:
         if look.ghosts and still:
-            film.write(target, [show.figure_six(saved, look, graphics, workers=workers)], look.fps)
+            film.write(target, [show.figure_six(saved, look, graphics)], look.fps)
             return
         count, picks = show.image_count(saved, look, still_keys=still), None
         if still:

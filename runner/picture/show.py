@@ -25,7 +25,7 @@ from .graphics import Graphics
 from .stage import Picture, Stage
 
 KEY_SECONDS = 0.5  # [s] that a film stays on a keyframe
-PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process takes to start, and some more
+PIXELS_OF_A_PROCESS = 4_000_000  # the CPU draws as many in twice the time that a process takes to start
 SMOOTHING = 2  # times larger than a tile are its pictures drawn: four samples a pixel, as many as multisampling takes
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25  # of ghosts
@@ -117,10 +117,10 @@ def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
 def for_tiles(look: Look, tile: int, graphics: Graphics) -> Look:
     """The same look drawn no larger than its images need to be as tiles of a contact sheet.
 
-    tile  the longer side of one [pixels]; rays smooth edges themselves, OpenGL's pictures are shrunk by half for that
+    tile  the longer side of one [pixels]; the CPU smooths edges itself, OpenGL's pictures are shrunk by half for that
     """
     longest = max(look.width, look.height)
-    times = 1 if graphics.kind == "rays" else SMOOTHING
+    times = 1 if graphics.kind == "software" else SMOOTHING
     if longest <= times * tile:
         return replace(look, shrunk=max(1.0, longest / tile))
     width, height = (times * max(1, round(side * tile / longest)) for side in (look.width, look.height))
@@ -138,7 +138,7 @@ def images(
 ) -> Generator[Picture, None, None]:
     """The images of a video; `still_keys` gives each keyframe once. The same whatever the number of workers.
 
-    workers  processes that draw, at most: as many as there is work for; with rays, threads where one process is enough
+    workers  processes that draw, at most: as many as there is work for
     picks    which of the images of a still to draw, if not all
     """
     keys = look.only == "keys"
@@ -146,14 +146,14 @@ def images(
     shots = shots if picks is None else [shots[i] for i in picks]
     repeat = max(1, round(KEY_SECONDS * look.fps)) if keys and not still_keys else 1
     processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
-    stage = partial(_stage, saved.scene, look, graphics, len(shots[0].panes), max(1, workers // processes))
+    stage = partial(_stage, saved.scene, look, graphics, len(shots[0].panes))
     for image in in_order(stage, _drawn, shots, processes):
         for _ in range(repeat):
             yield image
 
 
-def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int, threads: int) -> Stage:
-    return Stage(scene, look.width // panes, look.height, graphics, threads=threads, shrunk=look.shrunk)
+def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int) -> Stage:
+    return Stage(scene, look.width // panes, look.height, graphics, shrunk=look.shrunk)
 
 
 def _drawn(stage: Stage, shot: Shot) -> Picture:
@@ -212,13 +212,10 @@ def _key_ghosts(saved: Saved) -> tuple[Ghost, ...]:
     return tuple(Ghost(q, shade=0.6, opacity=0.3) for q in qpos)
 
 
-def figure_six(
-    saved: Saved, look: Look, graphics: Graphics, *, workers: int = 1, rate: float = BETWEEN_RATE
-) -> Picture:
+def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BETWEEN_RATE) -> Picture:
     """One still: keyframes darkest, variable frames lighter, in-betweens lightest (figure 6 of the paper).
 
-    workers  threads, with rays
-    rate     in-betweens a second
+    rate  in-betweens a second
     """
     figure = saved.figure
     timeline = saved.raw if look.only == "before" else saved.timeline
@@ -233,5 +230,5 @@ def figure_six(
         ghosts = []
     ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[own]]
     view = still(root_path(saved, qpos), look.width / look.height, look.camera, **_lens(saved))
-    with _stage(saved.scene, look, graphics, 1, workers) as stage:
+    with _stage(saved.scene, look, graphics, 1) as stage:
         return stage.picture(None, view, ghosts=ghosts)

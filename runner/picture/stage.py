@@ -1,18 +1,18 @@
-"""Pictures of a figure in its scene: the same picture whether OpenGL or MuJoCo's rays draw it."""
+"""Pictures of a figure in its scene: the same picture whether OpenGL or the CPU alone draws it."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from types import TracebackType
-from typing import Protocol, Self
+from typing import Self
 
 import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..scene.assets import Scene
-from ..scene.mujoco_versions import is_drawn_directional, without_shadow
+from ..scene.mujoco_versions import Lamp, drawn_lamp, without_shadow
 from .camera import View
 from .ghost import Ghost
 from .graphics import Graphics
@@ -26,12 +26,6 @@ LEAST_SLICES, LEAST_STACKS = 9, 6  # of round shapes, round and along: with fewe
 _SUN_DISTANCE = 6.0  # [m]; a directional light's shadows are drawn round the place it stands at
 
 
-class Painter(Protocol):
-    """Draws figures in a scene."""
-
-    def picture(self, figures: Sequence[Ghost], view: View) -> Picture: ...
-
-
 class Stage:
     """A scene that takes pictures of its figure.
 
@@ -41,38 +35,31 @@ class Stage:
     Call `graphics.choose` before anything imports mujoco, this file included.
     """
 
-    def __init__(
-        self,
-        scene: Scene,
-        width: int,
-        height: int,
-        graphics: Graphics,
-        *,
-        threads: int = 0,
-        shrunk: float = 1.0,
-    ) -> None:
-        """Opens what draws.
+    def __init__(self, scene: Scene, width: int, height: int, graphics: Graphics, *, shrunk: float = 1.0) -> None:
+        """Open what draws.
 
         scene          the model
         width, height  of the pictures [pixels]
-        threads        for rays, 0 for one a core
-        shrunk         how many times smaller the pictures will be shown: OpenGL then spends less on what nobody sees
+        shrunk         how many times smaller the pictures will be shown: OpenGL then spends less on invisible detail
         """
         if width < 1 or height < 1:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
-        spec = scene.spec()
-        self.model = spec.compile()
+        self.model = scene.spec().compile()
         flat = self.model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)
         without_shadow(self.model, flat)  # a floor's own shadow is only specks of rounding on it
-        self.width, self.height = width, height
-        self._gl: _OpenGL | None = None
-        if graphics.kind == "rays":
-            from .rays import Rays
+        self._data = mujoco.MjData(self.model)
+        self._option, self._perturb = mujoco.MjvOption(), mujoco.MjvPerturb()
+        self._option.sitegroup[:] = 0
+        most = max(10_000, 100 * self.model.ngeom)
+        if graphics.kind == "software":
+            from .raster import Raster
 
-            self._painter: Painter = Rays(spec, width, height, threads=threads)
+            self._renderer: mujoco.Renderer | Raster = Raster(self.model, height, width, max_geom=most)
         else:
             _simplify(self.model.vis, height, shrunk)
-            self._painter = self._gl = _OpenGL(self.model, width, height)
+            window = self.model.vis.global_
+            window.offwidth, window.offheight = width, height  # a larger buffer takes long to clear
+            self._renderer = mujoco.Renderer(self.model, height, width, max_geom=most)
 
     def __enter__(self) -> Self:
         return self
@@ -83,9 +70,8 @@ class Stage:
         self.close()
 
     def close(self) -> None:
-        """Give the OpenGL context back; no pictures after this."""
-        if self._gl is not None:
-            self._gl.close()
+        """Release the OpenGL context; no pictures after this."""
+        self._renderer.close()
 
     @property
     def cameras(self) -> tuple[str, ...]:
@@ -94,6 +80,8 @@ class Stage:
 
     def picture(self, qpos: ArrayLike | None, view: View, *, ghosts: Sequence[Ghost] = ()) -> Picture:
         """(height, width, 3) the figure and its ghosts, as seen from the view.
+
+        Translucent figures are drawn solid and the picture is blended, so their inner parts do not shine through.
 
         qpos    (nq,) of the main figure, or None for the ghosts alone
         ghosts  more figures, in their own shades
@@ -104,7 +92,58 @@ class Stage:
                 raise ValueError(f"a qpos of shape {figure.qpos.shape}; this model's is ({self.model.nq},)")
         if view.fixed is not None and view.fixed not in self.cameras:
             raise ValueError(f"no camera '{view.fixed}'; the model's cameras: {', '.join(self.cameras) or 'none'}")
-        return self._painter.picture(figures, view)
+        solid = [figure for figure in figures if figure.opacity == 1]
+        plain = self._draw(solid, view)
+        translucent = sorted({figure.opacity for figure in figures} - {0.0, 1.0})
+        if not translucent:
+            return plain
+        out = plain.astype(np.float32)
+        for opacity in translucent:
+            sheet = self._draw([*solid, *(figure for figure in figures if figure.opacity == opacity)], view)
+            covered = (np.abs(sheet.astype(np.int16) - plain) > 2).any(axis=-1)
+            out[covered] += np.float32(opacity) * (sheet[covered] - out[covered])
+        return np.rint(out).astype(np.uint8)
+
+    def _draw(self, figures: Sequence[Ghost], view: View) -> Picture:
+        """The scene and these figures, all solid."""
+        scene = self._renderer.scene
+        self._pose(figures[0].qpos if figures else self.model.qpos0)
+        still, moving = int(mujoco.mjtCatBit.mjCAT_STATIC), int(mujoco.mjtCatBit.mjCAT_DYNAMIC)
+        camera = self._camera(view)
+        mujoco.mjv_updateScene(self.model, self._data, self._option, self._perturb, camera, still, scene)
+        self._aim_shadows(scene, view)
+        for figure in figures:
+            self._pose(figure.qpos)
+            start = scene.ngeom
+            mujoco.mjv_addGeoms(self.model, self._data, self._option, self._perturb, moving, scene)
+            for geom in scene.geoms[start : scene.ngeom]:
+                geom.rgba[:3] += figure.shade * (1 - geom.rgba[:3])
+        return self._renderer.render()
+
+    def _pose(self, qpos: Array) -> None:
+        self._data.qpos[:] = qpos
+        mujoco.mj_kinematics(self.model, self._data)
+        mujoco.mj_comPos(self.model, self._data)
+        mujoco.mj_camlight(self.model, self._data)
+
+    def _aim_shadows(self, scene: mujoco.MjvScene, view: View) -> None:
+        """Shadows are drawn only near a directional light's place, so it comes along with the camera."""
+        if view.fixed is not None:
+            return
+        for light in scene.lights[: scene.nlight]:
+            if drawn_lamp(light) is Lamp.DIRECTIONAL and not light.headlight:
+                light.pos[:] = np.asarray(view.lookat) - _SUN_DISTANCE * light.dir
+
+    def _camera(self, view: View) -> mujoco.MjvCamera:
+        camera = mujoco.MjvCamera()
+        if view.fixed is not None:
+            camera.type = int(mujoco.mjtCamera.mjCAMERA_FIXED)
+            camera.fixedcamid = self.model.camera(view.fixed).id
+            return camera
+        camera.type = int(mujoco.mjtCamera.mjCAMERA_FREE)
+        camera.lookat[:] = view.lookat
+        camera.distance, camera.azimuth, camera.elevation = view.distance, view.azimuth, view.elevation
+        return camera
 
 
 def _simplify(vis: mujoco.MjVisual, height: int, shrunk: float) -> None:
@@ -121,73 +160,3 @@ def _simplify(vis: mujoco.MjVisual, height: int, shrunk: float) -> None:
     quality.numstacks = max(min(quality.numstacks, LEAST_STACKS), round(share * quality.numstacks))
     if quality.shadowsize > 0:
         quality.shadowsize = 2 ** math.floor(math.log2(max(1.0, share * quality.shadowsize)))
-
-
-class _OpenGL:
-    """Draws through mujoco.Renderer."""
-
-    def __init__(self, model: mujoco.MjModel, width: int, height: int) -> None:
-        model.vis.global_.offwidth, model.vis.global_.offheight = width, height  # a larger buffer takes long to clear
-        self._model, self._data = model, mujoco.MjData(model)
-        self._renderer = mujoco.Renderer(model, height, width, max_geom=max(10_000, 100 * model.ngeom))
-        self._option = mujoco.MjvOption()
-        self._option.sitegroup[:] = 0
-        self._perturb = mujoco.MjvPerturb()
-
-    def close(self) -> None:
-        self._renderer.close()
-
-    def picture(self, figures: Sequence[Ghost], view: View) -> Picture:
-        """Translucent figures are drawn solid and the picture is blended, so their inner parts do not shine through."""
-        solid = [figure for figure in figures if figure.opacity == 1]
-        plain = self._draw(solid, view)
-        translucent = sorted({figure.opacity for figure in figures} - {0.0, 1.0})
-        if not translucent:
-            return plain
-        out = plain.astype(np.float32)
-        for opacity in translucent:
-            sheet = self._draw([*solid, *(figure for figure in figures if figure.opacity == opacity)], view)
-            covered = (np.abs(sheet.astype(np.int16) - plain) > 2).any(axis=-1)
-            out[covered] += np.float32(opacity) * (sheet[covered] - out[covered])
-        return np.rint(out).astype(np.uint8)
-
-    def _draw(self, figures: Sequence[Ghost], view: View) -> Picture:
-        """The scene and these figures, all solid."""
-        scene = self._renderer.scene
-        self._pose(figures[0].qpos if figures else self._model.qpos0)
-        still, moving = int(mujoco.mjtCatBit.mjCAT_STATIC), int(mujoco.mjtCatBit.mjCAT_DYNAMIC)
-        camera = self._camera(view)
-        mujoco.mjv_updateScene(self._model, self._data, self._option, self._perturb, camera, still, scene)
-        self._aim_shadows(scene, view)
-        for figure in figures:
-            self._pose(figure.qpos)
-            start = scene.ngeom
-            mujoco.mjv_addGeoms(self._model, self._data, self._option, self._perturb, moving, scene)
-            for geom in scene.geoms[start : scene.ngeom]:
-                geom.rgba[:3] += figure.shade * (1 - geom.rgba[:3])
-        return self._renderer.render()
-
-    def _pose(self, qpos: Array) -> None:
-        self._data.qpos[:] = qpos
-        mujoco.mj_kinematics(self._model, self._data)
-        mujoco.mj_comPos(self._model, self._data)
-        mujoco.mj_camlight(self._model, self._data)
-
-    def _aim_shadows(self, scene: mujoco.MjvScene, view: View) -> None:
-        """Shadows are drawn only near a directional light's place, so it comes along with the camera."""
-        if view.fixed is not None:
-            return
-        for light in scene.lights[: scene.nlight]:
-            if is_drawn_directional(light) and not light.headlight:
-                light.pos[:] = np.asarray(view.lookat) - _SUN_DISTANCE * light.dir
-
-    def _camera(self, view: View) -> mujoco.MjvCamera:
-        camera = mujoco.MjvCamera()
-        if view.fixed is not None:
-            camera.type = int(mujoco.mjtCamera.mjCAMERA_FIXED)
-            camera.fixedcamid = self._model.camera(view.fixed).id
-            return camera
-        camera.type = int(mujoco.mjtCamera.mjCAMERA_FREE)
-        camera.lookat[:] = view.lookat
-        camera.distance, camera.azimuth, camera.elevation = view.distance, view.azimuth, view.elevation
-        return camera

@@ -12,5 +12,6 @@ outside          whether a model may refer to files outside its own folder
 configuration    what configurations of a model, MuJoCo's qpos, must not be, whoever sent them
 model_inputs     a model given to the Python API: a name, a path, MJCF text, an MjSpec or an MjModel
 urdf             the root link of a URDF file
+triangles        visible geoms of a model, how they look, and the triangles that draw them
 mujoco_versions  what MuJoCo calls by other names in its older versions
 """

@@ -31,20 +31,24 @@ def lamp(model: mujoco.MjModel, light: int) -> Lamp:
     """Of which kind a light is. Before 3.3.1 all are directional or spots."""
     if not hasattr(model, "light_type"):
         return Lamp.DIRECTIONAL if model.light_directional[light] else Lamp.SPOT
+    return _lamp_of(model.light_type[light])
+
+
+def _lamp_of(kind: int) -> Lamp:
     kinds = mujoco.mjtLightType
     named = {
         kinds.mjLIGHT_DIRECTIONAL: Lamp.DIRECTIONAL,
         kinds.mjLIGHT_POINT: Lamp.POINT,
         kinds.mjLIGHT_IMAGE: Lamp.IMAGE,
     }
-    return {int(kind): name for kind, name in named.items()}.get(int(model.light_type[light]), Lamp.SPOT)
+    return {int(each): name for each, name in named.items()}.get(int(kind), Lamp.SPOT)
 
 
-def is_drawn_directional(light: Any) -> bool:
-    """Whether a light of a scene to be drawn (MjvLight) shines in parallel."""
+def drawn_lamp(light: Any) -> Lamp:
+    """Of which kind a light of a scene to be drawn (MjvLight) is."""
     if not hasattr(light, "type"):
-        return bool(light.directional)
-    return light.type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL
+        return Lamp.DIRECTIONAL if light.directional else Lamp.SPOT
+    return _lamp_of(light.type)
 
 
 def without_shadow(model: mujoco.MjModel, geoms: Any) -> None:

@@ -40,7 +40,7 @@ SMALL = ("--size", "32x32")
 @pytest.fixture
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
     """Runs the command in an empty folder with the tiny clip in it."""
-    monkeypatch.setenv("DYNSPLINES_RENDERER", "rays")
+    monkeypatch.setenv("DYNSPLINES_RENDERER", "software")
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     monkeypatch.chdir(tmp_path)
     written(tmp_path)
@@ -168,7 +168,7 @@ def test_the_ending_says_what_is_rendered(run, motion_file, tmp_path, ending, ma
 @pytest.mark.slow
 def test_a_contact_sheet_draws_only_the_images_that_it_shows(run, motion_file, saved, tmp_path, monkeypatch):
     look = show.Look(32, 32, 100.0)
-    every = list(show.images(saved, look, Graphics("rays", "")))
+    every = list(show.images(saved, look, Graphics("software", "")))
     film.write(tmp_path / "all.png", every, 100, count=len(every))
     drawn: list[show.Shot] = []
     draw = show._drawn
@@ -737,7 +737,7 @@ def test_ctrl_c_while_rendering_stops_at_once_and_leaves_nothing(tmp_path, motio
     )
     process = subprocess.Popen(
         [sys.executable, "-c", script], cwd=tmp_path, stderr=subprocess.PIPE, text=True, start_new_session=True,
-        env={**os.environ, "DYNSPLINES_RENDERER": "rays"},
+        env={**os.environ, "DYNSPLINES_RENDERER": "software"},
     )  # fmt: skip
     assert process.stderr is not None
     assert "renderer" in process.stderr.readline()

@@ -24,7 +24,6 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.system import stopping
 from dynsplines.system.output import Replacement
 from dynsplines.system.progress import Progress
-from dynsplines.system.workers import MOST_WORKERS, cores
 
 from . import charts, scenes
 from .captioned import Picture, captioned
@@ -79,7 +78,6 @@ class Results:
 
     def __init__(self, graphics: Graphics, progress: Progress) -> None:
         self.graphics, self.progress = graphics, progress
-        self.threads = min(cores(), MOST_WORKERS)
 
     @cached_property
     def runner(self) -> Saved:
@@ -113,7 +111,7 @@ Figure = tuple[Picture, str]
 
 def _figure_6(results: Results) -> Figure:
     saved = results.runner
-    return scenes.path_of_frames(saved, results.graphics, threads=results.threads), (
+    return scenes.path_of_frames(saved, results.graphics), (
         f"A figure of {saved.figure.model.nv} degrees of freedom runs and jumps on to a step. Its {len(saved.keys)} "
         f"keyframes are drawn darkest, the {saved.timeline.variable_count} variable frames that the search has put "
         "between them less dark, and the in-betweens of the spline through both lightest."
@@ -122,7 +120,7 @@ def _figure_6(results: Results) -> Figure:
 
 def _figure_7(results: Results) -> Figure:
     saved = results.tumbler
-    return scenes.turning_body(saved, results.graphics, threads=results.threads), (
+    return scenes.turning_body(saved, results.graphics), (
         f"A path of least covariant acceleration through {len(saved.keys)} orientations of one body. Bright: the "
         "keyframes; faint: the variable frames and in-betweens. The body travels from left to right only so that "
         "each orientation can be seen beside the one before."
@@ -141,7 +139,7 @@ def _figure_10(results: Results) -> Figure:
 
 def _figure_11(results: Results) -> Figure:
     saved, dip = results.runner, results.dip
-    picture = scenes.keyframes_and_sample(saved, saved.raw, dip, results.graphics, threads=results.threads)
+    picture = scenes.keyframes_and_sample(saved, saved.raw, dip, results.graphics)
     return picture, (
         f"Before: the keyframes of figure 6, faint, and the raw spline through them {dip.time:.2f} s into the clip, "
         f"solid. A foot passes through the step, {MILLIMETRES * dip.depth:.0f} mm deep; in the corner from nearby, "
@@ -151,7 +149,7 @@ def _figure_11(results: Results) -> Figure:
 
 def _figure_12(results: Results) -> Figure:
     saved, dip = results.runner, results.dip
-    picture = scenes.keyframes_and_sample(saved, saved.timeline, dip, results.graphics, threads=results.threads)
+    picture = scenes.keyframes_and_sample(saved, saved.timeline, dip, results.graphics)
     deepest = scenes.looked_at(saved, saved.timeline).deepest
     return picture, (
         f"After: the same keyframes and the same time, {dip.time:.2f} s, once the path between is optimised. The soft "

@@ -32,14 +32,14 @@ MARGIN = 20  # [pixels] to the picture's edge
 WHITE = 255
 
 
-def path_of_frames(saved: Saved, graphics: Graphics, *, threads: int = 1) -> Picture:
+def path_of_frames(saved: Saved, graphics: Graphics) -> Picture:
     """Figure 6: keyframes darkest, variable frames less dark, in-betweens lightest."""
-    return figure_six(saved, Look(WIDTH, TALL), graphics, workers=threads)
+    return figure_six(saved, Look(WIDTH, TALL), graphics)
 
 
-def turning_body(saved: Saved, graphics: Graphics, *, threads: int = 1) -> Picture:
+def turning_body(saved: Saved, graphics: Graphics) -> Picture:
     """Figure 7: the keyframes of a body that turns and travels, and a faint path between them."""
-    return figure_six(saved, Look(WIDTH, FLAT), graphics, workers=threads, rate=BETWEEN_RATE)
+    return figure_six(saved, Look(WIDTH, FLAT), graphics, rate=BETWEEN_RATE)
 
 
 @dataclass(frozen=True)
@@ -79,19 +79,17 @@ def pose(saved: Saved, timeline: Timeline, time: float) -> Array:
     return saved.figure.to_qpos(path_of(timeline).at(np.array([time])))[0]
 
 
-def keyframes_and_sample(
-    saved: Saved, timeline: Timeline, dip: Dip, graphics: Graphics, *, threads: int = 1
-) -> Picture:
+def keyframes_and_sample(saved: Saved, timeline: Timeline, dip: Dip, graphics: Graphics) -> Picture:
     """Figures 11 and 12: the keyframes, translucent, and the motion at the time of a dip, with a close look at it."""
     keys = key_configurations(saved.figure, timeline, np.array([key.time for key in saved.keys]))
     sample = pose(saved, timeline, dip.time)
     ghosts = [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in keys]
     fovy = float(saved.figure.model.vis.global_.fovy)
     view = still(root_path(saved, keys), WIDTH / TALL, "side", fovy=fovy, height=figure_height(saved))
-    with Stage(saved.scene, WIDTH, TALL, graphics, threads=threads) as stage:
+    with Stage(saved.scene, WIDTH, TALL, graphics) as stage:
         whole = stage.picture(sample, view, ghosts=ghosts)
     height = round(CLOSE * TALL)
-    with Stage(saved.scene, round(CLOSE_ASPECT * height), height, graphics, threads=threads) as stage:
+    with Stage(saved.scene, round(CLOSE_ASPECT * height), height, graphics) as stage:
         return inset(whole, stage.picture(sample, dip.view))
 
 

@@ -20,10 +20,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
+from ...scene.triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 from ..nodes import gltf_file
 from ..skeleton import hierarchy
 from ..take import Recording, Take
-from ..triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 from .bvh import recording
 
 STILL = 1e-7  # [m, or of a quaternion's entries]: less is no movement

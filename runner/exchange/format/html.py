@@ -17,10 +17,10 @@ from typing import Any
 import numpy as np
 
 from ...motion import sampled
+from ...scene.triangles import is_still, pieces
 from ..drawn import drawn, packed
 from ..skeleton import hierarchy
 from ..take import Bodies, Take
-from ..triangles import is_still, pieces
 
 SAME = 1e-6  # [m, or of a quaternion's entries]: nearer, before and after are one motion
 

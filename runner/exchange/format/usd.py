@@ -19,10 +19,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
+from ...scene.triangles import Piece, linear, pieces, texels, triangles
 from ..nodes import usd_file
 from ..skeleton import hierarchy
 from ..take import Recording, Take
-from ..triangles import Piece, linear, pieces, texels, triangles
 from .bvh import recording
 
 ENDINGS = (".usd", ".usda", ".usdc")

@@ -15,7 +15,7 @@ from ...clip.load import Clip
 from ...clip.posing.places import posable_sites
 from ...exchange.drawn import drawn
 from ...exchange.skeleton import hierarchy
-from ...exchange.triangles import is_still, pieces
+from ...scene.triangles import is_still, pieces
 
 FLOOR = 40.0  # [m] from its middle to which a floor without end is drawn
 

@@ -13,7 +13,7 @@ from paper.figures import drawing
 
 @pytest.fixture
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
-    monkeypatch.setenv("DYNSPLINES_RENDERER", "rays")
+    monkeypatch.setenv("DYNSPLINES_RENDERER", "software")
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     monkeypatch.chdir(tmp_path)
     return commanded(monkeypatch, capsys, command.main)

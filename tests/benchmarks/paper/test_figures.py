@@ -30,7 +30,7 @@ from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.refine.euler_lagrange import covariant_residual
 from dynsplines.system.progress import Progress
 
-RAYS = Graphics("rays", "renderer: rays")
+SOFTWARE = Graphics("software", "renderer: software")
 STEP_UP = """
 figure = "human"
 [scene]
@@ -218,7 +218,7 @@ def test_the_dip_is_where_mujoco_finds_the_raw_motion_deepest_in_the_step(climbe
 @pytest.mark.slow
 def test_before_and_after_differ_where_the_sample_is_and_not_in_the_keyframes(climber, small):
     dip = Dip.of(climber, climber.raw)
-    before, after = (keyframes_and_sample(climber, side, dip, RAYS) for side in (climber.raw, climber.timeline))
+    before, after = (keyframes_and_sample(climber, side, dip, SOFTWARE) for side in (climber.raw, climber.timeline))
     assert before.shape == after.shape == (64, 160, 3)
     assert (before != after).any()
     np.testing.assert_array_equal(before[:, -10:], after[:, -10:])
@@ -240,12 +240,12 @@ def results(climber: Saved, tumbler: Saved, monkeypatch: pytest.MonkeyPatch) -> 
     """Of a short clip in place of the runner, which is not solved anew."""
     found = {drawing.RUNNER: climber, drawing.TUMBLER: tumbler}
     monkeypatch.setattr(Results, "_solved", lambda self, name: found[name])
-    return Results(RAYS, quiet())
+    return Results(SOFTWARE, quiet())
 
 
 @pytest.mark.slow
 def test_all_figures_are_drawn_into_a_folder_that_is_made_for_them(results, small, tmp_path):
-    drawn = drawing.draw(tmp_path / "new" / "figures", RAYS, quiet())
+    drawn = drawing.draw(tmp_path / "new" / "figures", SOFTWARE, quiet())
     assert [each.number for each in drawn] == [6, 7, 9, 10, 11, 12] == list(FIGURES)
     assert names(tmp_path / "new" / "figures") == sorted(f"figure_{number}.png" for number in FIGURES)
     for each in drawn:

@@ -45,7 +45,7 @@ def before_mujoco_is_imported(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.slow
 def test_mujoco_imports_after_a_choice_without_any_setting():
     kind, line, _ = choose_in_a_fresh_process()
-    assert kind in ("egl", "osmesa", "display", "rays")
+    assert kind in ("egl", "osmesa", "display", "software")
     assert line.startswith("renderer: ")
 
 
@@ -63,24 +63,25 @@ def test_a_mujoco_gl_whose_platform_clashes_is_removed_before_it_can_raise():
     assert left != "egl"
 
 
-def test_graphics_switched_off_by_the_user_means_rays():
-    assert choose_in_a_fresh_process(MUJOCO_GL="disable")[0] == "rays"
+def test_graphics_switched_off_by_the_user_means_software():
+    assert choose_in_a_fresh_process(MUJOCO_GL="disable")[0] == "software"
 
 
-def test_rays_can_be_forced_even_when_mujoco_gl_is_broken():
-    kind, line, left = choose_in_a_fresh_process(MUJOCO_GL="nonsense", DYNSPLINES_RENDERER="rays")
-    assert (kind, left) == ("rays", "unset")
-    assert "DYNSPLINES_RENDERER=rays" in line
+@pytest.mark.parametrize("name", ["software", "rays"])  # as it is called, and was
+def test_drawing_without_opengl_can_be_forced_even_when_mujoco_gl_is_broken(name: str):
+    kind, line, left = choose_in_a_fresh_process(MUJOCO_GL="nonsense", DYNSPLINES_RENDERER=name)
+    assert (kind, left) == ("software", "unset")
+    assert "DYNSPLINES_RENDERER=software" in line
 
 
 def test_after_mujoco_is_imported_only_its_own_backend_counts():
     code = "import os, mujoco\nos.environ['MUJOCO_GL'] = 'nonsense'\n" + SHOW
-    assert choose_in_a_fresh_process(code, MUJOCO_GL="disable")[0] == "rays"
+    assert choose_in_a_fresh_process(code, MUJOCO_GL="disable")[0] == "software"
 
 
 def test_an_unknown_forced_renderer_lists_those_there_are(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv(graphics.OVERRIDE, "vulkan")
-    with pytest.raises(graphics.GraphicsError, match="no such renderer; renderers: egl, osmesa, display, rays"):
+    with pytest.raises(graphics.GraphicsError, match="no such renderer; renderers: egl, osmesa, display, software"):
         graphics.choose()
 
 
@@ -92,13 +93,13 @@ def test_a_forced_renderer_that_does_not_work_is_an_error(monkeypatch: pytest.Mo
         graphics.choose()
 
 
-def test_without_any_gl_library_rays_are_chosen_and_the_packages_are_named(monkeypatch: pytest.MonkeyPatch):
+def test_without_any_gl_library_software_is_chosen_and_the_packages_are_named(monkeypatch: pytest.MonkeyPatch):
     before_mujoco_is_imported(monkeypatch)
     no_backend_works(monkeypatch)
     monkeypatch.setattr(sys, "platform", "linux")
     monkeypatch.setenv("MUJOCO_GL", "osmesa")
     found = graphics.choose()
-    assert found.kind == "rays"
+    assert found.kind == "software"
     assert "MUJOCO_GL=osmesa does not work here" in found.line
     assert "libosmesa6" in found.line
     assert "MUJOCO_GL" not in os.environ

@@ -1,4 +1,4 @@
-"""A motion as images: before | after, one of them, the keyframes, figure 6; drawn by rays, so that no GL is needed."""
+"""A motion as images: before | after, one of them, the keyframes, figure 6; drawn by the CPU alone."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from dynsplines.picture import show
 from dynsplines.picture.graphics import Graphics
 from dynsplines.picture.show import Look, figure_height, figure_six, for_tiles, image_count, images, root_path
 
-RAYS = Graphics("rays", "renderer: rays")
+SOFTWARE = Graphics("software", "renderer: software")
 W, H = 48, 32
 
 
@@ -21,7 +21,7 @@ def look(**more) -> Look:
 
 
 def shot(saved: Saved, **more) -> list[np.ndarray]:
-    return list(images(saved, look(**more), RAYS))
+    return list(images(saved, look(**more), SOFTWARE))
 
 
 def apart(a: np.ndarray, b: np.ndarray) -> int:
@@ -65,7 +65,7 @@ def test_keyframes_are_shown_as_they_are_each_for_half_a_second(saved):
         for image in film[5 * i : 5 * i + 5]:
             np.testing.assert_array_equal(image, film[5 * i])
     assert apart(film[0], film[5]) > 3
-    sheet = list(images(saved, look(only="keys"), RAYS, still_keys=True))
+    sheet = list(images(saved, look(only="keys"), SOFTWARE, still_keys=True))
     assert len(sheet) == image_count(saved, look(only="keys"), still_keys=True) == 3
     np.testing.assert_array_equal(sheet, film[::5])
 
@@ -77,12 +77,12 @@ GL = Graphics("egl", "")
     ("size", "graphics", "drawn", "shrunk"),
     [
         ((1280, 720), GL, (960, 540), 2),
-        ((1280, 720), RAYS, (480, 270), 1),
+        ((1280, 720), SOFTWARE, (480, 270), 1),
         ((720, 1280), GL, (540, 960), 2),
         ((640, 360), GL, (640, 360), 640 / 480),
         ((320, 180), GL, (320, 180), 1),
-        ((1001, 300), RAYS, (480, 144), 1),
-        ((301, 1000), RAYS, (144, 480), 1),
+        ((1001, 300), SOFTWARE, (480, 144), 1),
+        ((301, 1000), SOFTWARE, (144, 480), 1),
     ],
 )
 def test_images_of_a_sheet_are_drawn_no_larger_than_they_need_be(size, graphics, drawn, shrunk):
@@ -94,7 +94,7 @@ def test_images_of_a_sheet_are_drawn_no_larger_than_they_need_be(size, graphics,
 
 def test_picked_images_are_those_of_the_film(saved):
     film = shot(saved, only="after")
-    some = list(images(saved, look(only="after"), RAYS, picks=[0, 3]))
+    some = list(images(saved, look(only="after"), SOFTWARE, picks=[0, 3]))
     np.testing.assert_array_equal(some, [film[0], film[3]])
 
 
@@ -106,9 +106,9 @@ def test_ghosts_add_the_keyframes_to_every_image(saved):
 @pytest.mark.slow
 def test_figure_six_shows_keyframes_darker_than_what_is_between(saved):
     empty = replace(saved, keys=())
-    everything = figure_six(saved, look(width=96, height=64), RAYS)
-    keys = figure_six(saved, look(width=96, height=64, only="keys"), RAYS)
-    none = figure_six(empty, look(width=96, height=64, only="keys"), RAYS)
+    everything = figure_six(saved, look(width=96, height=64), SOFTWARE)
+    keys = figure_six(saved, look(width=96, height=64, only="keys"), SOFTWARE)
+    none = figure_six(empty, look(width=96, height=64, only="keys"), SOFTWARE)
     assert everything.shape == keys.shape == (64, 96, 3)
     assert apart(keys, none) > 20
     own = np.abs(keys.astype(int) - none).max(axis=-1) > 8
@@ -120,7 +120,7 @@ def test_figure_six_shows_keyframes_darker_than_what_is_between(saved):
 
 @pytest.mark.slow
 def test_figure_six_of_the_raw_spline_is_another(saved):
-    before, after = figure_six(saved, look(only="before"), RAYS), figure_six(saved, look(), RAYS)
+    before, after = figure_six(saved, look(only="before"), SOFTWARE), figure_six(saved, look(), SOFTWARE)
     assert apart(before, after) > 0
 
 
@@ -132,8 +132,8 @@ def test_an_unknown_camera_is_refused_with_those_there_are(saved):
 @pytest.mark.parametrize("camera", ["side", "front", "three_quarter", "back"])
 def test_every_view_has_the_figure_in_the_picture(saved, camera):
     empty = replace(saved, keys=())
-    with_figure = figure_six(saved, look(camera=camera, only="keys"), RAYS)
-    assert apart(with_figure, figure_six(empty, look(camera=camera, only="keys"), RAYS)) > 10
+    with_figure = figure_six(saved, look(camera=camera, only="keys"), SOFTWARE)
+    assert apart(with_figure, figure_six(empty, look(camera=camera, only="keys"), SOFTWARE)) > 10
 
 
 def test_the_camera_follows_the_root_and_knows_the_figures_height(saved):
@@ -146,21 +146,14 @@ def test_the_camera_follows_the_root_and_knows_the_figures_height(saved):
 @pytest.mark.parametrize("more", [{"only": "keys"}, {"ghosts": True, "camera": "side"}])
 def test_more_workers_draw_the_same_images(saved, monkeypatch, more):
     monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
-    one, two = (list(images(saved, look(**more), RAYS, workers=workers)) for workers in (1, 2))
+    one, two = (list(images(saved, look(**more), SOFTWARE, workers=workers)) for workers in (1, 2))
     np.testing.assert_array_equal(one, two)
 
 
-@pytest.mark.parametrize(
-    ("pixels", "workers", "used"),
-    [(1, 1, (1, 1)), (1, 3, (3, 1)), (1, 60, (5, 12)), (5 * W * H // 2, 9, (2, 4)), (10**9, 3, (1, 3))],
-)
-def test_processes_are_as_many_as_there_is_work_for_and_threads_the_rest(saved, monkeypatch, pixels, workers, used):
-    def told(opened, work, items, processes):
-        found.append((processes, opened.args[-1]))
-        return iter([])
-
-    found: list[tuple[int, int]] = []
+@pytest.mark.parametrize(("pixels", "workers", "used"), [(1, 1, 1), (1, 60, 5), (5 * W * H // 2, 9, 2), (10**9, 3, 1)])
+def test_processes_are_as_many_as_there_is_work_for(saved, monkeypatch, pixels, workers, used):
+    counts: list[int] = []
     monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", pixels)
-    monkeypatch.setattr(show, "in_order", told)
-    assert list(images(saved, look(), RAYS, workers=workers)) == []
-    assert found == [used]
+    monkeypatch.setattr(show, "in_order", lambda opened, work, items, processes: counts.append(processes) or iter([]))
+    assert list(images(saved, look(), SOFTWARE, workers=workers)) == []
+    assert counts == [used]

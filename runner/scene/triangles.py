@@ -60,7 +60,7 @@ class Triangles:
 def pieces(model: mujoco.MjModel) -> list[Piece]:
     """Every visible geom, in the model's order."""
     shown = [g for g in range(model.ngeom) if model.geom_group[g] < HIDDEN_GROUP]
-    found = [_piece(model, geom) for geom in shown]
+    found = [piece_of(model, geom) for geom in shown]
     return [piece for piece in found if piece.colour[3] > 0]
 
 
@@ -69,7 +69,8 @@ def is_still(model: mujoco.MjModel, piece: Piece) -> bool:
     return bool(model.body_weldid[piece.body] == 0)
 
 
-def _piece(model: mujoco.MjModel, geom: int) -> Piece:
+def piece_of(model: mujoco.MjModel, geom: int) -> Piece:
+    """A geom, visible or not."""
     material = int(model.geom_matid[geom])
     colour = np.array(model.geom_rgba[geom], float)
     kind = mujoco.mjtGeom(model.geom_type[geom])
