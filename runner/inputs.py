@@ -6,15 +6,17 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from . import kept, motion, work
+from . import motion
 from .clip import load as clips
 from .clip.load import Clip
 from .errors import UserError
-from .measure import problems
-from .measure.problems import Flaw
 from .motion import Saved
-from .system.progress import Progress
+
+if TYPE_CHECKING:
+    from .measure.problems import Flaw
+    from .system.progress import Progress
 
 
 def load(
@@ -54,6 +56,9 @@ def solved(
 
     fresh  solve a clip even if the cache holds its motion
     """
+    from . import kept, work  # only here: a clip that is refused is not solved
+    from .measure import problems
+
     violations: Sequence[Flaw] | None = None if solve else ()
     if isinstance(source, Saved):
         out = source
@@ -74,6 +79,9 @@ def solved(
 
 def measured(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
     """Return the motion of a source with its report, measured unless its file holds it; `fresh` as for `solved`."""
+    from . import kept  # only here, as above
+    from .measure import problems
+
     if not isinstance(source, Saved):
         return kept.solved(source, progress, fresh=fresh).saved(progress)
     if not source.report:
