@@ -20,7 +20,7 @@ import nlopt
 import numpy as np
 import pytest
 import tiny
-from command import Command, Done, commanded
+from command import Command, Done, commanded, refusal
 from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
 from typer.main import get_command
@@ -35,6 +35,7 @@ POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter t
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 SMALL = ("--size", "32x32")
+COMMANDS: dict[str, Any] = get_command(cli.app).commands  # type: ignore[attr-defined]
 
 
 @pytest.fixture
@@ -58,12 +59,7 @@ def solving_forbidden(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def assert_refused(done: Done, *words: str) -> None:
-    """One line on stderr, code 2, nothing on stdout."""
-    assert done.code == 2
-    assert done.out == ""
-    (line,) = done.err.splitlines()
-    assert line.startswith("dynsplines: ")
-    assert "Traceback" not in line
+    line = refusal(done)
     for word in words:
         assert word in line
     assert not re.search(r"\bframe\b", line), "a user has keyframes"
@@ -276,17 +272,16 @@ def test_the_help_groups_all_commands_and_cuts_no_summary(run, monkeypatch):
     panels = [line.rstrip(":") for line in lines if re.fullmatch(r"[A-Z]\w+:", line)]
     assert panels == ["Options", "Create", "Edit", "Analyse", "Exchange", "Recordings", "Batch"]
     listed = dict(line.split(maxsplit=1) for line in lines[lines.index("Create:") :] if line.startswith("  "))
-    commands = get_command(cli.app).commands  # type: ignore[attr-defined]
-    assert listed.keys() == commands.keys()
-    for name, command in commands.items():
+    assert listed.keys() == COMMANDS.keys()
+    for name, command in COMMANDS.items():
         assert command.help.partition("\n")[0] == f"{listed[name]}."
         assert len(listed[name]) < 60
 
 
-@pytest.mark.parametrize("name", get_command(cli.app).commands)  # type: ignore[attr-defined]
+@pytest.mark.parametrize("name", COMMANDS)
 def test_the_help_of_a_command_has_all_options_with_units_and_defaults(run, name):
     text = "".join(run(name, "--help").out.split())
-    for option in get_command(cli.app).commands[name].params:  # type: ignore[attr-defined]
+    for option in COMMANDS[name].params:
         words = option.help.replace(" ", "")
         assert words in text
         if option.param_type_name == "option" and not option.is_flag:
@@ -314,23 +309,17 @@ def in_a_fresh_process(folder: Path, script: str, **settings: str) -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("words", "absent"),
-    [
-        (["solve", "tiny.toml"], ["glfw", "OpenGL", "matplotlib", "av", "PIL"]),
-        (["plot", "tiny.npz"], ["glfw", "OpenGL", "av"]),
-        (["report", "tiny.npz"], ["glfw", "OpenGL", "matplotlib", "av", "PIL"]),
-    ],
-)
-def test_what_draws_nothing_imports_nothing_that_draws_and_needs_no_graphics(tmp_path, motion_file, words, absent):
-    (tmp_path / "tiny.npz").write_bytes(motion_file.read_bytes())
+def test_what_draws_nothing_imports_nothing_that_draws_and_needs_no_graphics(tmp_path):
     written(tmp_path)
     script = (
-        f"import sys; from dynsplines import cli; sys.argv = ['dynsplines', *{words}]\n"
-        f"try: cli.main()\nexcept SystemExit as end: assert not end.code\n"
-        f"print(sorted({set(absent)} & set(sys.modules)))"
+        "import sys; from dynsplines import cli\nimported = []\n"
+        "for words in (['solve', 'tiny.toml'], ['report', 'tiny.npz'], ['plot', 'tiny.npz']):\n"
+        "    sys.argv = ['dynsplines', *words]\n"
+        "    try: cli.main()\n    except SystemExit as end: assert not end.code\n"
+        "    imported.append(sorted({'glfw', 'OpenGL', 'matplotlib', 'av', 'PIL'} & set(sys.modules)))\n"
+        "print(imported)"
     )
-    assert in_a_fresh_process(tmp_path, script, MUJOCO_GL="nonsense") == "[]"
+    assert in_a_fresh_process(tmp_path, script, MUJOCO_GL="nonsense") == "[[], [], ['PIL', 'matplotlib']]"
 
 
 @pytest.mark.slow
@@ -570,16 +559,8 @@ BAD_WORDS = [
     (["render", MOTION, "--size", "32x33"], ["32x34"]),
     *((["render", MOTION, "--size", size], ["--size"]) for size in ("0x0", "big", "1280", "1280x", "-1x-1", "²x²", "")),
     (["render", MOTION, "--size", "99999x99999"], ["3840x2160"]),
-    *((["render", MOTION, *SMALL, "--fps", fps], ["--fps"]) for fps in ("0", "-1", "nan", "inf", "1e9", "many")),
-    *((["solve", "tiny.toml", "--fps", fps], ["--fps"]) for fps in ("0", "-1", "nan", "inf", "1e9", "many")),
-    *((["render", MOTION, *SMALL, "--slow", slow], ["--slow"]) for slow in ("0", "-1", "nan", "inf", "slow")),
     (["render", MOTION, *SMALL, "--fps", "1000", "--slow", "1000"], ["images", "lower"]),
-    *((["render", MOTION, *SMALL, "--at", at], ["--at"]) for at in ("-1", "0.5", "nan", "inf", "soon")),
-    *(
-        (["render", MOTION, *SMALL, "--workers", n], [f"--workers {n}: ", "1 to 60"])
-        for n in ("0", "-1", "61", "1" * 30)
-    ),
-    *((["render", MOTION, *SMALL, "--workers", n], ["--workers"]) for n in ("two", "1.5", "")),
+    *((["render", MOTION, *SMALL, "--at", at], ["--at"]) for at in ("-1", "0.5")),
     (["render", MOTION, *SMALL, "--only", "all"], ["--only 'all'", "'before', 'after', 'keys'"]),
     (["render", MOTION, *SMALL, "--camera", "sidee"], ["no camera 'sidee'", "did you mean 'side'?", "high"]),
     (["render", MOTION, *SMALL, "--camera", ""], ["no camera ''"]),
@@ -608,6 +589,25 @@ def test_a_mistake_on_the_command_line_is_one_line_and_writes_nothing(
     monkeypatch.setattr(work, "solve", lambda *_: pytest.fail("solved before it looked"))
     with nothing_written(tmp_path):
         assert_refused(run(*(motion_file if word == MOTION else word for word in words)), *told)
+
+
+UNITS = ("HZ", "N", "SECONDS", "FACTOR", "MB", "DEGREES", "METRES", "PORT")
+NUMBERS = [(name, each) for name in COMMANDS for each in COMMANDS[name].params if each.metavar in UNITS]
+
+
+@pytest.mark.parametrize(("name", "option"), NUMBERS, ids=lambda v: v if isinstance(v, str) else v.opts[0])
+def test_a_number_that_is_none_or_out_of_its_range_is_refused(run, tmp_path, name, option):
+    """The range is read from the help."""
+    span = re.search(r"(?:, (\S+) (?:to (\S+)|or more))?$", option.help)
+    assert span is not None
+    wrong = ["nan", "inf", "-inf", "many", "", "1" * 5000]
+    if span[1] is not None:
+        wrong += [str(float(span[1]) - 1e-6), *([f"{2 * float(span[2]):.0f}"] if span[2] else [])]
+    if option.metavar in ("N", "PORT"):
+        wrong += ["1.5", "2e0"]
+    with nothing_written(tmp_path):
+        for word in wrong:
+            assert re.match(rf"{option.opts[-1]} .*: give a (whole )?number", refusal(run(name, option.opts[-1], word)))
 
 
 def test_a_camera_is_looked_for_before_solving(run, monkeypatch, tmp_path):
@@ -849,7 +849,6 @@ def test_edits_write_a_motion_named_after_what_is_done(run, motion_file, tmp_pat
         np.testing.assert_allclose(joined["key_time"], [0, 0.2, 0.41, 0.61, 0.71, 0.81])
     report = json.loads(run("report", "tiny_joined.npz", "--json").out)
     assert report["stopped because"] == "not searched: joined"
-    assert run("plot", "tiny_joined.npz").code == 0
     assert run("render", "tiny_retimed.npz", *SMALL, "--fps", 5, "-o", "film.gif").code == 0
     assert run("solve", "tiny_retimed.toml").code == 0
 
@@ -964,7 +963,7 @@ def test_the_report_begins_with_what_is_wrong(run, tmp_path):
 def test_the_same_command_writes_the_same_bytes_whatever_threads_are_asked_for(tmp_path):
     tiny.written(tmp_path)
     seen = set()
-    for threads in ("1", "2", "4"):
+    for threads in ("1", "4"):
         script = "from dynsplines.cli import main; main()"
         command = [sys.executable, "-c", script, "solve", "tiny.toml", "-o", f"{threads}.npz", "--fresh"]
         asked = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), threads)

@@ -29,6 +29,15 @@ class Done:
 Command = Callable[..., Done]
 
 
+def refusal(done: Done) -> str:
+    """The one line of a command that ends with code 2 and prints nothing else, without the name of the program."""
+    assert (done.code, done.out) == (2, "")
+    (line,) = done.err.splitlines()
+    assert "Traceback" not in line
+    assert line.startswith("dynsplines: ")
+    return line.removeprefix("dynsplines: ")
+
+
 def commanded(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], main: Callable[[], None] = cli.main
 ) -> Command:

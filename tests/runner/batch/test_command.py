@@ -7,10 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from command import commanded, refusal
 from tiny import written
 
 import dynsplines.batch
-from dynsplines import cli
 
 Refused = Callable[..., str]
 
@@ -22,35 +22,17 @@ def refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     written(tmp_path)
 
-    def refused(*words: object) -> str:
-        monkeypatch.setattr(sys, "argv", ["dynsplines", "batch", *map(str, words)])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        said = capsys.readouterr()
-        assert ended.value.code == 2
-        assert said.out == ""
-        lines = said.err.splitlines()
-        assert len(lines) == 1
-        assert lines[0].startswith("dynsplines: ")
-        return lines[0].removeprefix("dynsplines: ")
-
-    return refused
+    run = commanded(monkeypatch, capsys)
+    return lambda *words: refusal(run("batch", *words))
 
 
 @pytest.mark.parametrize(
     ("words", "line"),
     [
-        (("--workers", 0), "--workers 0: give a whole number, 1 to 1000"),
         (
             ("--workers", 2, "--scheduler", "tcp://here:8786"),
             "--workers are of this machine and --scheduler is elsewhere; give one of them",
         ),
-        (("--limit-time", 0), "--limit-time 0: give a number, 0.1 to 1000000"),
-        (
-            ("--limit-memory", 50),
-            "--limit-memory 50: give a number, 256 to 10000000",
-        ),
-        (("--fps", "nan"), "--fps nan: give a number, 0.01 to 100000"),
         (("-o", "tiny.xml"), "cannot write to 'tiny.xml': File exists"),
         (("absent.toml",), "no file 'absent.toml'"),
     ],

@@ -1,12 +1,12 @@
 """The commands export and import as a user meets them: what they say, and what can be done with an imported motion."""
 
-import sys
 from pathlib import Path
 
 import pytest
 import wild
+from command import commanded, refusal
 
-from dynsplines import cli, motion
+from dynsplines import motion
 from dynsplines.exchange import formats
 
 
@@ -17,59 +17,51 @@ def run(tmp_path, monkeypatch, capsys):
     (tmp_path / "robot.xml").write_text(wild.ROBOT)
     motion.save(wild.motion_of("robot.xml"), tmp_path / "wild.npz")
 
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["dynsplines", *words])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        said = capsys.readouterr()
-        return ended.value.code or 0, said.out, said.err
-
-    return run
+    return commanded(monkeypatch, capsys)
 
 
 @pytest.mark.slow
 def test_an_imported_motion_is_measured_when_a_report_is_asked_for(run, tmp_path):
-    code, _, said = run("export", "wild.npz", "--to", "mjlab")
-    assert code == 0 and said.splitlines()[-1] == "wrote wild.mjlab.npz"  # beside it, no other: it has no ball joints
+    assert (
+        run("export", "wild.npz", "--to", "mjlab").last == "wrote wild.mjlab.npz"
+    )  # beside it, no other: it has no ball joints
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.mjlab.npz", "wild.npz"]
-    assert run("import", "wild.mjlab.npz", "--figure", "robot.xml", "-o", "back.npz")[0] == 0
-    code, told, _ = run("report", "back.npz")
-    assert code == 0 and "not searched: imported" in " ".join(told.split()) and "objective" in told
+    assert run("import", "wild.mjlab.npz", "--figure", "robot.xml", "-o", "back.npz").code == 0
+    done = run("report", "back.npz")
+    assert done.code == 0 and "not searched: imported" in " ".join(done.out.split()) and "objective" in done.out
 
 
 def test_formats_are_listed_and_a_wrong_one_is_told(run):
-    _, told, _ = run("formats")
-    rows = {line.split()[0]: line for line in told.splitlines()}
+    rows = {line.split()[0]: line for line in run("formats").out.splitlines()}
     assert {"csv", "npz", "mjcf", "mjlab", "mjlab-csv", "locomujoco", "gmr", "mimickit", "deepmimic"} <= rows.keys()
     assert "reads and writes" in rows["gmr"] and "writes" not in rows["amass"]
-    code, _, said = run("export", "wild.npz", "--to", "amass")
-    assert code == 2 and "read only; written are: csv" in said
-    code, _, said = run("export", "wild.npz", "--to", "mjlb")
-    assert code == 2 and "did you mean 'mjlab" in said
+    assert "read only; written are: csv" in refusal(run("export", "wild.npz", "--to", "amass"))
+    assert "did you mean 'mjlab" in refusal(run("export", "wild.npz", "--to", "mjlb"))
 
 
 def test_what_a_format_cannot_hold_leaves_no_file_behind(run, tmp_path):
-    code, _, said = run("export", "wild.npz", "--to", "deepmimic")
-    assert code == 2 and "no ball joint 'spine', only: floating, left_hip_pitch" in " ".join(said.split())
+    assert "no ball joint 'spine', only: floating, left_hip_pitch" in refusal(
+        run("export", "wild.npz", "--to", "deepmimic")
+    )
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
 
 
 @pytest.mark.slow
 def test_an_export_is_called_after_what_it_came_from(run, tmp_path):
     (tmp_path / "wild.npz").rename(tmp_path / "v1.npz")  # whose name inside is still wild
-    code, _, said = run("export", "v1.npz", "--to", "csv")
-    assert code == 0 and said.splitlines()[-1] == "wrote v1.csv"
-    assert run("export", "v1.npz", "--to", "mjcf", "--simulate")[0] == 0
+    assert run("export", "v1.npz", "--to", "csv").last == "wrote v1.csv"
+    assert run("export", "v1.npz", "--to", "mjcf", "--simulate").code == 0
     assert {path.name for path in tmp_path.iterdir()} == {"robot.xml", "v1.npz", "v1.csv", "v1.simulate.xml"}
 
 
 @pytest.mark.parametrize("output", [[], ["-o", "wild.csv"]])
 def test_an_exported_file_that_is_there_stays_unless_told(run, tmp_path, output):
     (tmp_path / "wild.csv").write_text("mine")
-    code, _, said = run("export", "wild.npz", "--to", "csv", *output)
-    assert code == 2 and "'wild.csv' is there already; give another -o, or --overwrite" in said
+    assert "'wild.csv' is there already; give another -o, or --overwrite" in refusal(
+        run("export", "wild.npz", "--to", "csv", *output)
+    )
     assert (tmp_path / "wild.csv").read_text() == "mine"
-    assert run("export", "wild.npz", "--to", "csv", *output, "--overwrite")[0] == 0
+    assert run("export", "wild.npz", "--to", "csv", *output, "--overwrite").code == 0
     assert (tmp_path / "wild.csv").read_text().startswith("time,floating.x")
 
 
@@ -78,44 +70,44 @@ def test_what_lies_beside_an_export_stays_too_unless_it_is_the_same(run, tmp_pat
     motion.save(wild.motion_of("human"), tmp_path / "human.npz")
     beside = tmp_path / "human.mjlab.hinges.xml"
     beside.write_text("mine")
-    code, _, said = run("export", "human.npz", "--to", "mjlab")
-    assert code == 2 and "'human.mjlab.hinges.xml' is there already" in said
+    assert "'human.mjlab.hinges.xml' is there already" in refusal(run("export", "human.npz", "--to", "mjlab"))
     assert beside.read_text() == "mine" and not (tmp_path / "human.mjlab.npz").exists()
-    assert run("export", "human.npz", "--to", "mjlab", "--overwrite")[0] == 0
+    assert run("export", "human.npz", "--to", "mjlab", "--overwrite").code == 0
     (tmp_path / "human.mjlab.npz").unlink()
-    assert run("export", "human.npz", "--to", "mjlab")[0] == 0  # what is beside it is just what it would be
+    assert run("export", "human.npz", "--to", "mjlab").code == 0  # what is beside it is just what it would be
 
 
 @pytest.mark.slow
 def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tmp_path):
-    assert run("export", "wild.npz", "--to", "csv", "--with", "velocities,torques")[0] == 0
+    assert run("export", "wild.npz", "--to", "csv", "--with", "velocities,torques").code == 0
     assert "arm_pitch.t [N m]" in (tmp_path / "wild.csv").read_text().splitlines()[0]
-    code, _, said = run("export", "wild.npz", "-o", "a.bvh", "--with", "all")
-    assert code == 2 and "cannot hold columns of forces or velocities; those that can: csv" in said
-    code, _, said = run("export", "wild.npz", "-o", "a.bvh", "--simulate")
-    assert code == 2 and "cannot hold a scene to simulate; those that can: mjcf" in said
-    code, _, said = run("export", "wild.npz", "-o", "a.csv", "--with", "torqes")
-    assert code == 2 and "did you mean 'torques'" in said
+    assert "cannot hold columns of forces or velocities; those that can: csv" in refusal(
+        run("export", "wild.npz", "-o", "a.bvh", "--with", "all")
+    )
+    assert "cannot hold a scene to simulate; those that can: mjcf" in refusal(
+        run("export", "wild.npz", "-o", "a.bvh", "--simulate")
+    )
+    assert "did you mean 'torques'" in refusal(run("export", "wild.npz", "-o", "a.csv", "--with", "torqes"))
     assert not list(tmp_path.glob("a.*"))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("output", [[], ["-o", "walk.npz"]])
 def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
-    assert run("export", "wild.npz", "--to", "csv", "-o", "walk.csv")[0] == 0
+    assert run("export", "wild.npz", "--to", "csv", "-o", "walk.csv").code == 0
     (tmp_path / "walk.npz").write_text("mine")
-    code, _, said = run("import", "walk.csv", "--figure", "robot.xml", *output)
-    assert code == 2 and "'walk.npz' is there already; give another -o, or --overwrite" in said
+    assert "'walk.npz' is there already; give another -o, or --overwrite" in refusal(
+        run("import", "walk.csv", "--figure", "robot.xml", *output)
+    )
     assert (tmp_path / "walk.npz").read_text() == "mine"
-    assert run("import", "walk.csv", "--figure", "robot.xml", *output, "--overwrite")[0] == 0
+    assert run("import", "walk.csv", "--figure", "robot.xml", *output, "--overwrite").code == 0
     assert motion.load(tmp_path / "walk.npz").name == "walk"
 
 
 @pytest.mark.slow
 def test_a_motion_is_called_after_its_file_without_the_formats_whole_ending(run, tmp_path):
-    assert run("export", "wild.npz", "--to", "locomujoco", "-o", "doggo7.loco.npz")[0] == 0
-    code, _, said = run("import", "doggo7.loco.npz", "--figure", "robot.xml")
-    assert code == 0 and "wrote doggo7.npz" in said.splitlines()
+    assert run("export", "wild.npz", "--to", "locomujoco", "-o", "doggo7.loco.npz").code == 0
+    assert "wrote doggo7.npz" in run("import", "doggo7.loco.npz", "--figure", "robot.xml").err.splitlines()
     assert motion.load(tmp_path / "doggo7.npz").name == "doggo7"
 
 
@@ -161,7 +153,7 @@ def test_an_ending_that_fits_goes_with_the_formats_name(name, kind):
 
 
 def test_export_needs_no_format_where_the_ending_tells_it(run, tmp_path):
-    assert run("export", "wild.npz", "-o", "a.bvh")[0] == 0
+    assert run("export", "wild.npz", "-o", "a.bvh").code == 0
     assert (tmp_path / "a.bvh").read_text().startswith("HIERARCHY")
 
 
@@ -181,25 +173,22 @@ def test_export_needs_no_format_where_the_ending_tells_it(run, tmp_path):
     ],
 )
 def test_a_name_that_does_not_fit_is_refused_before_anything_is_written(run, tmp_path, words, told):
-    code, _, said = run("export", "wild.npz", *words)
-    assert code == 2 and told in said
+    assert told in refusal(run("export", "wild.npz", *words))
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
 
 
 @pytest.mark.parametrize("words", [["x.html"], ["x.y", "--from", "html"]])
 def test_a_format_that_is_only_written_is_told(run, words):
-    code, _, said = run("import", *words, "-o", "new.npz")
-    assert code == 2 and "the format 'html' is only written; read are: csv" in said
+    assert "the format 'html' is only written; read are: csv" in refusal(run("import", *words, "-o", "new.npz"))
 
 
 def test_an_import_reports_violations_as_solve_does(run, tmp_path):
     rows = "\n".join("0,0,-0.5,1,0,0,0,0,0,0,0,0" for _ in range(5))
     (tmp_path / "low.csv").write_text(rows + "\n")
     words = ("import", "low.csv", "--from", "csv", "--figure", "robot.xml", "--fps", "30", "-o", "low.npz")
-    code, _, said = run(*words)
-    told = said.splitlines()
-    assert code == 0 and told[0] == "wrote low.npz"
-    assert "problem: base is 600 mm in the floor at 0.00 s, 5 samples in all" in told
-    assert len({line.split()[1] for line in told[1:]}) == len(told) - 1  # one line a body
-    code, _, said = run(*words, "--strict", "--overwrite")
-    assert code == 3 and (tmp_path / "low.npz").exists()
+    done = run(*words)
+    first, *problems = done.err.splitlines()
+    assert (done.code, first) == (0, "wrote low.npz")
+    assert "problem: base is 600 mm in the floor at 0.00 s, 5 samples in all" in problems
+    assert len({line.split()[1] for line in problems}) == len(problems)  # one line a body
+    assert run(*words, "--strict", "--overwrite").code == 3 and (tmp_path / "low.npz").exists()
