@@ -16,8 +16,7 @@ import report
 from bench import Effort, Section, median
 from perturbed import solved
 
-from dynsplines import models
-from dynsplines.clip import load as clips
+from dynsplines import models, recordings
 from dynsplines.solver import Solution
 from dynsplines.solver.array import Array
 
@@ -52,7 +51,7 @@ def costs(of: Solution, motion: Solution) -> dict[str, float]:
 
 def outcomes(name: str, terms: Sequence[str], effort: Effort) -> list[Outcome]:
     """One clip without each of some terms, those that have something to do in it."""
-    clip = clips.load(name)
+    clip = recordings.load(name)
     whole = solved(clip)
     with_it = costs(whole, whole)
     found = []

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 
+from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.motion import continuous
 from dynsplines.solver import inbetween
@@ -49,7 +50,7 @@ class Motion:
 
 def whole(name: str) -> Motion:
     """A shipped clip, solved, at 30 images a second."""
-    clip = clips.load(name)
+    clip = recordings.load(name)
     found = inbetween(clip.problem)
     first, last = found.path.span
     time = first + np.arange(int((last - first) * FPS + 1e-9) + 1) / FPS

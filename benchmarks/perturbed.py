@@ -17,6 +17,7 @@ from bench import Effort, Section, Target, median, people, seconds, worst
 
 from dynsplines.clip import load as clips
 from dynsplines.clip.contacts import contacts
+from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables, written
 from dynsplines.errors import UserError
 from dynsplines.solver import Frame, Solution, inbetween
@@ -127,7 +128,7 @@ def _moved(figure: Figure, key: Frame, rng: np.random.Generator) -> Frame:
 
 def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Clip:
     """The clip without the contacts that other keyframes contradict, which would be refused."""
-    table = clips.table_of(clip.text, clip.name)
+    table = table_of(clip.text, clip.name)
     timeline = replace(clip.problem, keys=tuple(keys)).raw
     kept: list[int] = []
     for i in range(len(table.contact)):

@@ -19,7 +19,6 @@ from bench import Effort, Section, Target, median, seconds
 from dynsplines import models
 from dynsplines.clip.constraints import posing_bends
 from dynsplines.clip.posing.feet import sole_points
-from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
@@ -65,7 +64,7 @@ class Draw:
         links = {point.link for point in named}
         return cls(
             figure,
-            posing_bends(figure, [PenaltyTable(kind="limits")]),
+            posing_bends(figure, {}),
             (*named, *(point for point in soles if point.link not in links)),
         )
 

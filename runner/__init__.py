@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from dynsplines.models import clips as clips
     from dynsplines.models import figures as figures
 
-    from .clip.load import Clip as Clip
+    from .clip.build import Clip as Clip
     from .errors import UserError as UserError
     from .python.building import Keyframe as Keyframe
     from .python.building import build as build
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .python.motion import inbetween as inbetween
 else:
     _HOMES = {
-        "Clip": "dynsplines.clip.load",
+        "Clip": "dynsplines.clip.build",
         "Keyframe": "dynsplines.python.building",
         "Motion": "dynsplines.python.motion",
         "UserError": "dynsplines.errors",

@@ -35,9 +35,9 @@ if TYPE_CHECKING:
     from . import batch as batches
     from . import inputs, models, motion
     from .batch import recordings
-    from .clean import running
+    from .clean import lead_in, running
     from .clip import kinds, load, starter
-    from .edit import files, lead_in, thin_files
+    from .edit import files, thin_files
     from .exchange import formats, imported, quantities, take
     from .exchange.skeleton import maps
     from .measure import chart, problems, summary
@@ -56,13 +56,13 @@ else:
 
     batches, inputs, models, motion = _lazy("", "batch inputs models motion")
     kinds, load, starter = _lazy(".clip", "kinds load starter")
-    files, lead_in, thin_files = _lazy(".edit", "files lead_in thin_files")
+    files, thin_files = _lazy(".edit", "files thin_files")
     formats, imported, quantities, take, maps = _lazy(".exchange", "formats imported quantities take skeleton.maps")
     chart, problems, summary, reports = _lazy(".measure", "chart problems summary report")
     film, graphics, rendering, show = _lazy(".picture", "film graphics rendering show")
     studio_sources, studio_start = _lazy(".studio", "sources start")
     outputs, terminal, quantity = _lazy(".system", "output progress quantity")
-    recordings, running, outside = _lazy("", "batch.recordings clean.running scene.outside")
+    recordings, running, lead_in, outside = _lazy("", "batch.recordings clean.running clean.lead_in scene.outside")
 
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from . import motion
-from .clip import load as clips
-from .clip.load import Clip
+from . import motion, recordings
+from .clip.build import Clip
+from .clip.load import load_motion
+from .clip.parse import LONGEST
 from .errors import UserError
 from .motion import Saved
 
@@ -27,10 +28,10 @@ def load(
     fps: float | None = None,
     unmet: list[str] | None = None,
 ) -> Clip | Saved:
-    """Return a saved motion, or a clip to solve; the arguments are those of `clip.load`."""
+    """Return a saved motion, or a clip to solve; the arguments are those of `recordings.load`."""
     if motion.is_motion(source) and keys is None and model is None:
-        return clips.load_motion(Path(source))
-    return clips.load(source, model=model, keys=keys, fps=fps, unmet=unmet)
+        return load_motion(Path(source))
+    return recordings.load(source, model=model, keys=keys, fps=fps, unmet=unmet)
 
 
 def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]:
@@ -44,8 +45,8 @@ def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]
     ends = source.timeline.ends if isinstance(source, Saved) else source.ends
     if ends != "periodic":
         raise UserError(f"--repeat: '{source.name}' is no loop; its ends are '{ends}', not 'periodic'")
-    if repeat * (last - first) > clips.LONGEST:
-        raise UserError(f"--repeat {repeat}: give a number of periods that last {clips.LONGEST:g} s at most")
+    if repeat * (last - first) > LONGEST:
+        raise UserError(f"--repeat {repeat}: give a number of periods that last {LONGEST:g} s at most")
     return first, first + repeat * (last - first)
 
 

@@ -30,7 +30,8 @@ from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.solution import Solution
 
 from . import work
-from .clip.load import Clip, table_of
+from .clip.build import Clip
+from .clip.parse import table_of
 from .clip.text import tables
 from .errors import UserError
 from .measure.exactness import keyframe_error

@@ -16,7 +16,7 @@ from dynsplines.solver.search.descent import WIDEST
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
-from .clip.load import Clip
+from .clip.build import Clip
 from .measure.problems import Flaw, problems
 from .motion import Saved
 from .system import largest

@@ -12,7 +12,7 @@ from pathlib import Path, PurePosixPath
 
 from dynsplines import models
 
-from ..clip import load as clip
+from ..clip import parse as clip
 from ..errors import UserError, unknown
 from ..exchange import formats
 from ..scene import outside
@@ -128,7 +128,7 @@ def _clip_files(
 
     before  the clips that follow this one
     """
-    named, recording = clip.named(data.decode("utf-8", errors="replace"))
+    named, recording = clip.references(data.decode("utf-8", errors="replace"))
     files, absolute = {path: data}, None
     if named is not None and named not in models.figures():
         figure = Path(os.path.normpath(path.parent / named))

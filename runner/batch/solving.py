@@ -36,8 +36,7 @@ def solved(task: Task, folder: Path) -> Product:
 def _solved(task: Task, folder: Path) -> Product:
     from rich.console import Console
 
-    from .. import work
-    from ..clip import load as clip
+    from .. import recordings, work
     from ..measure.problems import plain
     from ..scene import outside
     from ..system.progress import Progress
@@ -53,7 +52,7 @@ def _solved(task: Task, folder: Path) -> Product:
     source, figure = task.files.clip, task.files.figure
     where = str(folder / source) if Path(source).suffix else source
     with outside.allowed(task.allow_outside):
-        problem = clip.load(where, figure_file=figure and str(folder / figure), fps=task.fps)
+        problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.fps)
     with Path(os.devnull).open("w") as nowhere:
         progress = Progress(Console(file=nowhere))
         result = work.solve(problem, progress)

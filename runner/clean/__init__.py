@@ -1,5 +1,6 @@
 """Recordings made physical: what slides, sinks, floats and jumps in them is mended, the motion is kept.
 
+lead_in    the pose before a recording's motion: that to which cameras or skeleton were set
 repairs    gaps, jumps, samples that come twice or are no numbers, rest poses: found, told and bridged
 cleaning   a repaired recording, its stances, and the motion near it that keeps to them
 sinking    how deep a figure is in what is round it, and where a search did not see it

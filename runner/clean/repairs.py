@@ -14,8 +14,8 @@ from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.reading.recorded import groups, places
 
-from ..edit.lead_in import LeadIn, lead_in
 from ..errors import UserError
+from .lead_in import LeadIn, lead_in
 
 FEWEST = 5  # samples of a motion
 TWICE = 0.1  # of the usual step: samples so near to each other are one that comes twice

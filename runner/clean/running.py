@@ -16,10 +16,11 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.solution import Improvement
 
 from .. import motion
-from ..clip import load as clips
 from ..clip.follow.keeping import ground_of, rests_of
 from ..clip.follow.recording import Moving
+from ..clip.load import figure_of, load_motion
 from ..clip.obstacles import obstacles
+from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..errors import UserError
 from ..exchange import formats, gaps
@@ -151,7 +152,7 @@ def _target(source: Source) -> Path:
 
 def _around(source: Source) -> SurroundingsTable:
     """The scene, and the contacts, of the two files; each may hold either."""
-    tables = [clips.file_of(path, SurroundingsTable) for path in (source.scene, source.contacts) if path is not None]
+    tables = [file_of(path, SurroundingsTable) for path in (source.scene, source.contacts) if path is not None]
     scenes = [table.scene for table in tables if table.scene.model_fields_set]
     if len(scenes) > 1:
         raise UserError(f"'{source.scene}' and '{source.contacts}' both hold a [scene]")
@@ -167,10 +168,10 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
             raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
         if source.map is not None:
             raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
-        return _Read.of(clips.load_motion(source.file))
+        return _Read.of(load_motion(source.file))
     chosen = retarget.Map()
     if source.map is not None and not source.writes_map:
-        told_by = clips.file_of(source.map, MapTable)
+        told_by = file_of(source.map, MapTable)
         chosen = retarget.Map(told_by.figure, told_by.recording)
     with retarget.by(chosen) as met, gaps.allowed():
         try:
@@ -208,7 +209,7 @@ def _cleaned(
     apart: bool,
     speed: float | None = None,
 ) -> tuple[Cleaned, Saved]:
-    figure = clips.figure_of(found.scene, found.name)
+    figure = figure_of(found.scene, found.name)
     mended = repaired(figure, found.time, found.qpos, found.name)
     for note in mended.notes:
         progress.say(f"note: {note}")

@@ -1,22 +1,20 @@
-"""A clip file and the problem that it means.
+"""A clip file and the problem that it specifies: parse, pose, build.
 
-table        the clip file's tables: which keys there are and what they hold, and complaints in the file's own words
-load         a clip file (TOML, degrees, names) becomes a problem: figure, keyframes, soft constraints, settings
-text         a clip's tables as TOML text again, and keyframes as its tables: the way back of clip.py
-file         a motion as a clip's file again
-mirror       left and right exchanged in a clip's tables, in the words of the file
-constraints  a clip's soft constraints by kind
-contacts     a clip's [[contact]] tables: which point rests from when to when, and where if anybody says so
-obstacles    the obstacles that a clip's [scene] tables describe
-holds        a clip's [[hold]] tables: which site stays where on which body, from when to when
-things       things of a clip's scene that move, a crate or a ball
-feet         which points of a figure stand on the ground
-places       what a clip can name of a figure
-placing      keyframes by position
-standing     what a partial keyframe leaves free is posed before the search: feet that stand stay where they stand
-couplings    equality constraints of a model as a clip keeps them
-rotation     rotations as a clip file writes them
-pose_report  what a pose violates: equality constraints, joint ranges, the floor, bodies in each other
-starter      a clip to begin with, for any model
-follow/      a clip that follows a recording, and whose keyframes edit it
+load          the three stages in order, from a file, a text, arrays, a model or a solved motion
+parse         first stage: TOML text into checked tables
+pose          second stage: keyframe tables into keyframes of a figure
+build         last stage: keyframes into a problem with soft constraints
+table         the tables of a clip's file: keys and values
+table_errors  errors of the tables in terms of the file
+text          tables as TOML text, and keyframes as tables
+file          a motion as a clip's file
+mirror        left and right exchanged in a clip's tables
+context       the inputs of soft constraints, inferred from keyframes and tables
+kinds         the kinds of soft constraint
+constraints   the soft constraints of a clip: defaults, and the changes of its [[penalty]] tables
+contacts      the [[contact]] and [[hold]] tables
+obstacles     the obstacles and objects of [scene]
+starter       a clip to begin with, for any model
+posing/       places, roots and feet of keyframes
+follow/       a clip that follows a recording, and whose keyframes edit it
 """

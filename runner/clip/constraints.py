@@ -27,7 +27,8 @@ from .kinds import (
     Renamed,
     bend_limits,
 )
-from .table import PenaltyTable, spoken
+from .table import PenaltyTable
+from .table_errors import describe
 from .text import assignment
 
 CARRIED = ("flight", "support", "peak")  # on by default where it is known what carries the figure
@@ -58,7 +59,7 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
         try:
             options[entry.kind] = kind.options.model_validate(entry.said)
         except ValidationError as error:
-            raise UserError(f"{where}: {spoken(error, raw, ('penalty', i - 1))}") from None
+            raise UserError(f"{where}: {describe(error, raw, ('penalty', i - 1))}") from None
         _check_weight(kind, options[entry.kind], here)
         numbers[entry.kind] = i
     return options
@@ -107,7 +108,7 @@ def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
     )
 
 
-def renewed(rows: Sequence[dict[str, Any]]) -> Sequence[dict[str, Any]]:
+def replaced(rows: Sequence[dict[str, Any]]) -> Sequence[dict[str, Any]]:
     """[[penalty]] tables, those of an older clip with the kinds of today."""
     entries = [PenaltyTable.model_validate({"weight": 1} | row) for row in rows]  # the default of all kinds then
     if not any(entry.kind in RENAMED for entry in entries) or any(_now(entry).kind not in KINDS for entry in entries):
@@ -149,10 +150,13 @@ class Constraints:
     notes: tuple[str, ...]
 
 
-def constraints(context: Context, entries: Sequence[PenaltyTable]) -> Constraints:
-    """The soft constraints of a clip's keyframes and tables; raises UserError for what does not fit the figure."""
-    listed = chosen(entries, context.where)
-    options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | listed
+def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
+    """Return the soft constraints of a clip's keyframes and of the options of the kinds that it lists.
+
+    Raises:
+        UserError: for options that do not fit the figure.
+    """
+    options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | dict(listed)
     notes = context.lacking
     context = _with_options(context, options, listed.keys())
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.rhythm is None:
@@ -227,34 +231,29 @@ def _deep(context: Context, contacts: Sequence[Contact]) -> Iterator[str]:
         )
 
 
-def posing_bends(figure: Figure, entries: Sequence[PenaltyTable]) -> BendLimits | None:
-    """The limits of knees and elbows in a pose: those of the motion, or None where their penalty is off."""
-    options = _options("limits", entries)
+def posing_bends(figure: Figure, listed: Mapping[str, Options]) -> BendLimits | None:
+    """Return the limits of knees and elbows in a pose: those of the motion, or None where their penalty is off."""
+    options = listed.get("limits", LimitOptions())
     assert isinstance(options, LimitOptions)
     names = options.bend_joints
     bends = tuple(bend for bend in knees_and_elbows(figure) if names is None or bend.name in names)
     return bend_limits(bends, options) if bends and _weight("limits", options, "bend") > 0 else None
 
 
-def listed_flights(entries: Sequence[PenaltyTable]) -> tuple[tuple[float, float], ...]:
-    """(first, last) [s] of every flight in the tables."""
-    options = _options("flight", entries)
+def listed_flights(listed: Mapping[str, Options]) -> tuple[tuple[float, float], ...]:
+    """Return (first, last) [s] of every flight in the tables."""
+    options = listed.get("flight", FlightOptions())
     assert isinstance(options, FlightOptions)
     return tuple(options.intervals or ())
 
 
-def weight_factors(entries: Sequence[PenaltyTable], where: str) -> dict[str, float]:
-    """Factors of the weights of terms, by the terms' names, of a clip that follows a recording."""
+def weight_factors(listed: Mapping[str, Options]) -> dict[str, float]:
+    """Return the factors of the weights of terms, by their names, of a clip that follows a recording."""
     factors: dict[str, float] = {}
-    for name, options in chosen(entries, where).items():
+    for name, options in listed.items():
         weight, kind = options.weight, KINDS[name]
         for part in kind.parts:
             factor = weight.get(part.name) if isinstance(weight, dict) else weight
             if factor is not None:
                 factors[kind.term(part)] = factor
     return factors
-
-
-def _options(kind: str, entries: Sequence[PenaltyTable]) -> Options:
-    listed = chosen([entry for entry in entries if entry.kind == kind], "clip")
-    return listed.get(kind, KINDS[kind].options())

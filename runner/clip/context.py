@@ -34,8 +34,7 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging
 
 from ..errors import UserError, unknown
-from .contacts import Contacts, contacts
-from .holds import holds
+from .contacts import Contacts, contacts, holds
 from .posing.feet import sole_points
 from .posing.places import Places
 from .table import ContactTable, HoldTable

@@ -14,7 +14,9 @@ from ..motion import Saved
 from ..scene.assets import Scene
 from ..scene.compose import compose, figure_spec
 from ..system.output import Replacement, check_target
-from . import load as clips
+from .build import around
+from .load import scene_of
+from .parse import Parsed, table_of
 from .text import keyframe_tables, tables, written
 
 OF_MOTIONS = ("figure", "fps", "scene")  # tables of a clip with a recording that hold for its motion alone, too
@@ -31,7 +33,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     if exact or not _follows_shipped(saved):
         saved = standing_alone(saved)
     if saved.text:
-        said = tables(clips.table_of(saved.text, saved.name))
+        said = tables(table_of(saved.text, saved.name))
     else:
         said: dict[str, Any] = {"figure": shipped_scene(saved.scene), "fps": saved.fps, "solve": _ends(saved)}
         said["keyframe"] = keyframe_tables(saved.figure, saved.keys)
@@ -63,7 +65,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
 def standing_alone(saved: Saved) -> Saved:
     """A motion that follows a recording, as one of its own: every frame of it a whole keyframe, and no word of the
     recording, which is as it was and lies where it lay. Any other motion as it is."""
-    table = clips.table_of(saved.text, saved.name) if saved.text else None
+    table = table_of(saved.text, saved.name) if saved.text else None
     if table is None or table.recording is None:
         return saved
     timeline, figure = saved.timeline, saved.figure
@@ -77,7 +79,7 @@ def standing_alone(saved: Saved) -> Saved:
 
 def _follows_shipped(saved: Saved) -> bool:
     """Whether the recording that a motion follows, if any, is found from everywhere."""
-    said = clips.table_of(saved.text, saved.name).recording if saved.text else None
+    said = table_of(saved.text, saved.name).recording if saved.text else None
     return said is None or said.file in models.clips()
 
 
@@ -102,7 +104,7 @@ def shipped_scene(scene: Scene) -> str:
 def _tells_scene(saved: Saved) -> bool:
     """Whether the tables alone make the scene that the motion is in; what they refer to may be gone."""
     try:
-        return clips.from_text(saved.text, name=saved.name).mjcf == saved.mjcf
+        return scene_of(Parsed.of(saved.text, saved.name, saved.name)).mjcf == saved.mjcf
     except UserError:
         return False
 
@@ -112,4 +114,4 @@ def _ends(saved: Saved) -> dict[str, Any]:
     out: dict[str, Any] = {"coordinates": saved.figure.coordinates}
     if saved.timeline.ends in ("periodic", "clamped"):
         out["ends"] = saved.timeline.ends
-    return out | clips.around(saved)
+    return out | around(saved)

@@ -59,8 +59,8 @@ from dynsplines.solver.surface.points import Point, body_points, hanging
 from dynsplines.solver.surface.touch import bolted
 
 from ..errors import UserError, unknown
+from .contacts import moving_bodies
 from .context import Context
-from .holds import moving_bodies
 from .table import Angle, Number, Real, Table
 
 HARD, HARD_TRAVEL = float(np.radians(0.05)), 5e-5  # [rad, m] that a keyframe may be beyond a hard range

@@ -164,7 +164,7 @@ def _placed(row: dict[str, Any]) -> dict[str, Any]:
 
 def _body(name: str, table: dict[str, Any], sides: _Sides) -> dict[str, Any]:
     """How a body is turned and where it is, or a point in its axes, said of the one on the other side."""
-    out = _in_world(table, sides.reflection(name), f"bodies.{name}")
+    out = _in_world(table, sides.reflection(name))
     if table.get("position") is not None:
         out["position"] = _signed(table["position"], POLAR)
     if table.get("at") is not None:
@@ -214,7 +214,7 @@ def _root(table: dict[str, Any], reflection: Array) -> dict[str, Any]:
     if table.get("position", "free") != "free":
         out["position"] = _signed(table["position"], POLAR)
     if table.get("rotation", "free") != "free":
-        out["rotation"] = _in_world(table["rotation"], reflection, "root.rotation")
+        out["rotation"] = _in_world(table["rotation"], reflection)
     return out
 
 
@@ -230,7 +230,7 @@ def _joint(name: str, value: Any, sides: _Sides) -> tuple[str, Any]:
     mirror, number = sides.mirror, sides.link(name)
     partner = sides.figure.links[mirror.partner[number]]
     if isinstance(value, dict):
-        return partner.name, _in_parent(value, mirror.reflection[number], f"joints.{name}")
+        return partner.name, _in_parent(value, mirror.reflection[number])
     if value == "free":
         return partner.name, value
     shift = mirror.shift[partner.qpos]
@@ -238,24 +238,24 @@ def _joint(name: str, value: Any, sides: _Sides) -> tuple[str, Any]:
     return partner.name, mirror.sense(mirror.partner[number]) * value + shift
 
 
-def _in_world(table: dict[str, Any], reflection: Array, where: str) -> dict[str, Any]:
+def _in_world(table: dict[str, Any], reflection: Array) -> dict[str, Any]:
     """A rotation R in the world as S R Mᵀ, for the reflection M of its frame."""
     if np.array_equal(reflection, WORLD) or not WAYS & set(table):
         return _rotation(table)
-    matrix = WORLD @ quat.matrices(_quaternion(table, where)) @ reflection.T
+    matrix = WORLD @ quat.matrices(_quaternion(table)) @ reflection.T
     return _without_rotation(table) | rotation(quat.from_matrix(matrix))
 
 
-def _in_parent(table: dict[str, Any], reflection: Array, where: str) -> dict[str, Any]:
+def _in_parent(table: dict[str, Any], reflection: Array) -> dict[str, Any]:
     """A ball joint's rotation: about an axis and by an angle that the reflection M of its frame takes to the other."""
     if np.array_equal(reflection, WORLD):
         return _rotation(table)
-    quaternion = _quaternion(table, where)
+    quaternion = _quaternion(table)
     return _without_rotation(table) | rotation(np.concatenate([quaternion[:1], -reflection @ quaternion[1:]]))
 
 
-def _quaternion(table: dict[str, Any], where: str) -> Array:
-    return quaternion_of(RotationTable(**{key: value for key, value in table.items() if key in WAYS}), where)
+def _quaternion(table: dict[str, Any]) -> Array:
+    return quaternion_of(RotationTable(**{key: value for key, value in table.items() if key in WAYS}))
 
 
 def _without_rotation(table: dict[str, Any]) -> dict[str, Any]:

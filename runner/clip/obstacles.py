@@ -1,64 +1,74 @@
-"""The obstacles that a clip's [scene] tables describe."""
+"""Obstacles and objects of a clip's [scene]: what stands about, and what lies where it was put until a hand holds it.
+
+A keyframe that does not place an object has it where the keyframe before has it, or the first ones where the first
+that places it does, unless a [[hold]] has carried it in between: then it is free whatever `others` is.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
-from dynsplines.solver.array import Array
-
-from ..errors import UserError
 from ..scene.obstacle import KINDS, Obstacle
+from .contacts import ROUNDING
 from .posing.rotation import quaternion_of
-from .table import BarTable, BoxTable, SceneTable, SphereTable
+from .table import BarTable, BoxTable, ClipTable, KeyframeTable, RootTable, SceneTable, SphereTable
 
-SHORTEST = 1e-4  # [m] from end to end
+FREE = RootTable(position="free", rotation="free")
 
 
 def obstacles(scene: SceneTable) -> tuple[Obstacle, ...]:
-    """The obstacles of a scene's tables, in the order of their kinds."""
-    return tuple(_obstacles(scene))
+    """Return the obstacles of a scene's tables, in the order of their kinds."""
+    numbered = ((kind, pair) for kind in KINDS for pair in enumerate(getattr(scene, kind), start=1))
+    return tuple(_obstacle(kind, table.name or f"{kind} {number}", table) for kind, (number, table) in numbered)
 
 
-def _obstacles(scene: SceneTable) -> Iterator[Obstacle]:
-    for kind in KINDS:
-        for number, table in enumerate(getattr(scene, kind), start=1):
-            name = table.name or f"{kind} {number}"
-            where = f"scene.{kind} {number}" + (f" ('{table.name}')" if table.name else "")
-            yield _one(kind, name, table, where)
-
-
-def _one(kind: str, name: str, table: BoxTable | SphereTable | BarTable, where: str) -> Obstacle:
+def _obstacle(kind: str, name: str, table: BoxTable | SphereTable | BarTable) -> Obstacle:
     ends = None
     if isinstance(table, BoxTable):
         size = tuple(0.5 * length for length in table.size)
     elif isinstance(table, SphereTable):
         size = (table.radius,)
     else:
-        ends = _ends(table, where)
+        ends = None if table.start is None or table.end is None else np.array([*table.start, *table.end])
         size = (table.radius,) if table.length is None else (table.radius, 0.5 * table.length)
-    if table.mass is not None and table.body is None:
-        raise UserError(f"{where}: 'mass' is for parts of a body that moves; name it by body = '...'")
-    if table.position is None and ends is None and table.body is None:
-        raise UserError(f"{where}: 'position' is missing")
     place = np.array(table.position or (0.0, 0, 0))
-    turn = np.array([1.0, 0, 0, 0]) if table.rotation is None else quaternion_of(table.rotation, f"{where}: rotation")
+    turn = np.array([1.0, 0, 0, 0]) if table.rotation is None else quaternion_of(table.rotation)
     return Obstacle(name, kind, size, place, turn, ends, table.color, table.body, table.mass)
 
 
-def _ends(table: BarTable, where: str) -> Array | None:
-    """Where a capsule or cylinder goes from and to, or None if it lies about its position."""
-    about = [name for name in ("position", "length", "rotation") if getattr(table, name) is not None]
-    if table.start is None and table.end is None:
-        if table.length is None:
-            raise UserError(f"{where}: give position and length, or from and to")
-        return None
-    if table.start is None or table.end is None:
-        raise UserError(f"{where}: 'from' and 'to' go together")
-    if about:
-        raise UserError(f"{where}: give from and to, or position and length, not both ('{about[0]}' and 'from')")
-    ends = np.array([*table.start, *table.end])
-    if np.linalg.norm(ends[3:] - ends[:3]) < SHORTEST:
-        raise UserError(f"{where}: from and to are the same point")
-    return ends
+def objects(scene: SceneTable) -> tuple[str, ...]:
+    """Return the names of the bodies that a scene's tables make."""
+    parts = (*scene.box, *scene.sphere, *scene.capsule, *scene.cylinder)
+    return tuple(dict.fromkeys(part.body for part in parts if part.body is not None))
+
+
+def lying(table: ClipTable) -> list[KeyframeTable]:
+    """Return a clip's keyframes with the places of objects that nothing has moved since the keyframe before.
+
+    In a clip that follows a recording the recording places them.
+    """
+    rows = list(table.keyframe)
+    for name in objects(table.scene) if table.recording is None else ():
+        time, place = rows[0].time, _first(table, name)
+        for k, row in enumerate(rows):
+            if name in row.roots:
+                place = row.roots[name]
+            else:
+                place = FREE if _is_carried(table, name, time, row.time) else place
+                rows[k] = row.model_copy(update={"roots": row.roots | {name: place}})
+            time = row.time
+    return rows
+
+
+def _first(table: ClipTable, name: str) -> RootTable:
+    """Where an object is at first: where the first keyframe that places it has it, if nothing holds it before."""
+    row = next((row for row in table.keyframe if name in row.roots), None)
+    if row is None or _is_carried(table, name, table.keyframe[0].time, row.time):
+        return FREE
+    return row.roots[name]
+
+
+def _is_carried(table: ClipTable, name: str, first: float, last: float) -> bool:
+    """Whether something holds an object at a time between two."""
+    held = (hold for hold in table.hold if hold.body == name)
+    return any(max(hold.start, first) < min(hold.end, last) - ROUNDING for hold in held)

@@ -1,12 +1,13 @@
-"""The clip file's tables: which keys there are and what they hold, and complaints in the file's own words."""
+"""The tables of a clip's file: their keys, the values of these, and what has to go together."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+import math
+from itertools import pairwise
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, Strict, model_validator
 
-from ..errors import unknown
 from ..system.quantity import LARGEST
 
 Real = Annotated[float, Strict(), Field(allow_inf_nan=False)]
@@ -19,6 +20,8 @@ Axis = Number | Literal["free"]
 Share = Annotated[Real, Field(ge=0, le=1)]
 Place = tuple[Number, Number, Number]
 KEY = "key:"  # before the name of a <key> of the model
+ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
+SHORTEST_BAR = 1e-4  # [m] from end to end
 ModelKey = Annotated[str, Strict(), Field(pattern=f"^{KEY}.+")]
 
 
@@ -29,13 +32,47 @@ class Table(BaseModel):
 
 
 class RotationTable(Table):
-    """A rotation, said in one of several ways."""
+    """A rotation in one of several notations, turned by a heading about the vertical."""
 
     rotvec: tuple[Number, Number, Number] | None = None
     euler: list[Number] | None = None
     order: str | None = None
     quat: tuple[Number, Number, Number, Number] | None = None
     heading: Number | None = None
+
+    @property
+    def is_rotation(self) -> bool:
+        """Whether a rotation is specified."""
+        return not self.model_fields_set.isdisjoint(RotationTable.model_fields)
+
+    @property
+    def is_heading(self) -> bool:
+        """Whether only a heading is specified."""
+        return self.heading is not None and self.model_fields_set.isdisjoint({"rotvec", "euler", "quat", "order"})
+
+    def check_rotation(self) -> None:
+        """Raises ValueError unless it is one rotation."""
+        notations = [name for name in ("rotvec", "euler", "quat") if getattr(self, name) is not None]
+        if self.is_heading:
+            return
+        if len(notations) != 1:
+            given = " and ".join(notations) or "none"
+            raise ValueError(f"give exactly one of rotvec, euler, quat, not {given}")
+        if self.order is not None and self.euler is None:
+            raise ValueError(f"order goes with euler, not with {notations[0]}")
+        if self.quat is not None and math.hypot(*self.quat) < 1e-6:
+            raise ValueError("the quaternion is zero")
+        order = "xyz" if self.order is None else self.order
+        if self.euler is not None and (not order or set(order) - set("xyz") or len(order) != len(self.euler)):
+            raise ValueError(
+                f"euler has {len(self.euler)} angles and order = '{order}'; order names an axis x, y or z for each"
+            )
+
+    @model_validator(mode="after")
+    def check(self) -> Self:
+        """Raises ValueError for keys that do not go together."""
+        self.check_rotation()
+        return self
 
 
 class RootTable(Table):
@@ -58,6 +95,19 @@ class BodyTable(RotationTable):
     flat: Flag | None = None
     position: tuple[Axis, Axis, Axis] | None = None
     at: Place | None = None
+
+    @model_validator(mode="after")
+    def check(self) -> Self:
+        """Raises ValueError unless it has a position, is flat, or has a rotation."""
+        if self.at is not None and self.position is None:
+            raise ValueError("'at' is a point of the body; say where it is to be by position = [x, y, z]")
+        if self.flat is not None and self.is_rotation:
+            raise ValueError("give flat or a rotation, not both")
+        if self.flat is False:
+            raise ValueError(f"flat = false says nothing; give flat = true or a rotation, {ROTATION}")
+        if self.is_rotation or (self.flat is None and self.position is None):
+            self.check_rotation()
+        return self
 
 
 class KeyframeTable(Table):
@@ -95,6 +145,19 @@ class _ObstacleTable(Table):
     position: Place | None = None
     rotation: RotationTable | None = None
 
+    def check_place(self) -> None:
+        """Raises ValueError for an obstacle without a place."""
+        if self.position is None and self.body is None:
+            raise ValueError("'position' is missing")
+
+    @model_validator(mode="after")
+    def check(self) -> Self:
+        """Raises ValueError for keys that do not go together."""
+        self.check_place()
+        if self.mass is not None and self.body is None:
+            raise ValueError("'mass' is for parts of a body that moves; name it by body = '...'")
+        return self
+
 
 class BoxTable(_ObstacleTable):
     """A box."""
@@ -115,6 +178,21 @@ class BarTable(_ObstacleTable):
     length: Length | None = None
     start: Place | None = Field(None, alias="from")
     end: Place | None = Field(None, alias="to")
+
+    def check_place(self) -> None:
+        """Raises ValueError for a bar that lies neither about a position nor between two points."""
+        if self.start is None and self.end is None:
+            if self.length is None:
+                raise ValueError("give position and length, or from and to")
+            super().check_place()
+            return
+        if self.start is None or self.end is None:
+            raise ValueError("'from' and 'to' go together")
+        for name in ("position", "length", "rotation"):
+            if getattr(self, name) is not None:
+                raise ValueError(f"give from and to, or position and length, not both ('{name}' and 'from')")
+        if math.dist(self.start, self.end) < SHORTEST_BAR:
+            raise ValueError("from and to are the same point")
 
 
 class SceneTable(Table):
@@ -211,6 +289,17 @@ class RecordingTable(Table):
     weight: Annotated[Real, Field(gt=0, le=1e6)] = 1.0
     blend: Annotated[Real, Field(gt=0, le=60)] | None = None
 
+    @model_validator(mode="after")
+    def check(self) -> Self:
+        """Raises ValueError for keys that do not go together."""
+        if self.times is not None and (self.at is not None or self.speed is not None):
+            raise ValueError("give times, or at and speed, not both")
+        moments = self.times or []
+        is_rising = all(a < c and b < d for (a, b), (c, d) in pairwise(moments))
+        if self.times is not None and (len(moments) < 2 or not is_rising):
+            raise ValueError("times are pairs [of the recording, of the clip], two or more, and both rise")
+        return self
+
 
 class SurroundingsTable(Table):
     """What is round a recording: the scene that it was made in, and the contacts in it."""
@@ -238,165 +327,3 @@ class ClipTable(Table):
     hold: list[HoldTable] = []
     recording: RecordingTable | None = None
     keyframe: list[KeyframeTable] = []
-
-
-def spoken(
-    error: ValidationError, raw: dict[str, Any], inside: tuple[int | str, ...] = (), root: type[Table] | None = None
-) -> str:
-    """The first complaint of a validation, in the clip file's own words.
-
-    inside  where in `raw` that stands which was validated
-    root    the whole file's tables, if it is no clip
-    """
-    complaints = error.errors()
-    telling = ("finite_number", "extra_forbidden")
-    first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
-    names, words, given = _walked((*inside, *first["loc"]), raw)
-    where = "".join(f"{word}: " for word in words)
-    key = ".".join(names)
-    kind = first["type"]
-    if kind == "extra_forbidden":
-        above = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
-        fields = _schema(words, names[:-1], root or ClipTable).model_fields
-        return where + above + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
-    if kind == "missing" and isinstance(first["loc"][-1], str):
-        return f"{where}'{key}' is missing"
-    if kind == "finite_number":
-        return f"{where}{key or 'number'} must be a finite number, not {given}"
-    for start, bound in (("greater_than_equal", "at least"), ("greater_than", "above"), ("less_than", "at most")):
-        if kind.startswith(start):
-            limit = next(iter(first.get("ctx", {}).values()))
-            return f"{where}{key} must be {bound} {limit:g}, not {given}"
-    plain = "a table" if kind.endswith(("model_type", "dict_type")) else first["msg"].removeprefix("Input should be ")
-    expected = _EXPECTED.get(_role(words, names), plain)
-    return f"{where}{key + ' ' if key else ''}must be {expected}, not {_shown(given)}"
-
-
-def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[str], Any]:
-    """The keys of a complaint's location, the numbered tables around it, and what stands there.
-
-    pydantic's locations also hold the names of alternatives, which no user knows: a key is what the file has there.
-    """
-    names: list[str] = []
-    words: list[str] = []
-    here = raw
-    for i, part in enumerate(location):
-        if isinstance(here, list) and isinstance(part, int) and part < len(here):
-            here = here[part]
-            if i == 2 and names[0] == "scene":
-                name = here.get("name") if isinstance(here, dict) else None
-                words.append(f"{'.'.join(names)} {part + 1}" + (f" ('{name}')" if isinstance(name, str) else ""))
-                names.clear()
-            if i == 1:
-                time = here.get("time") if isinstance(here, dict) else None
-                known = isinstance(time, int | float) and not isinstance(time, bool) and abs(time) <= LARGEST
-                words.append(f"{names.pop()} {part + 1}" + (f" (t = {time:g} s)" if known else ""))
-        elif isinstance(here, dict) and part in here:
-            names.append(str(part))
-            here = here[part]
-        elif isinstance(here, dict) and i == len(location) - 1:
-            names.append(str(part))
-    return names, words, here
-
-
-def _role(words: list[str], names: list[str]) -> str:
-    """What kind of entry a key is: joints have names of their own."""
-    if words and words[0].startswith("penalty") and names and names[0] in _OF_PENALTIES:
-        return _OF_PENALTIES[names[0]]
-    if len(names) == 2 and names[0] in _NAMED:
-        return _NAMED[names[0]][0]
-    if words and words[0].startswith(("contact", "hold")) and names:
-        return {"from": "time", "to": "time", "position": "obstacle's position", "body": "body's name"}.get(
-            names[-1], names[-1]
-        )
-    if words and words[0].startswith("scene.") and names[-1:] in (["position"], ["rotation"]):
-        return f"obstacle's {names[-1]}"
-    if words and words[0].startswith("scene.") and names[-1:] == ["body"]:
-        return "body's name"
-    return names[-1] if names else ""
-
-
-def _schema(words: list[str], names: list[str], root: type[Table]) -> type[Table]:
-    """The table that an unknown key stands in."""
-    if len(names) == 2 and names[0] in _NAMED:
-        return _NAMED[names[0]][1]
-    if names:
-        return _TABLES[names[-1]]
-    return _TABLES[words[0].split()[0]] if words else root
-
-
-def _shown(value: Any) -> str:
-    """A value of the file as a message shows it: short."""
-    if isinstance(value, dict):
-        return "a table"
-    if isinstance(value, bool):
-        return str(value).lower()
-    text = repr(value) if isinstance(value, str | int | float | list) else str(value)
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
-_OF_PENALTIES = {"weight": "weight", "bodies": "bodies of a penalty", "axis": "axis of a penalty"}
-_NAMED: dict[str, tuple[str, type[Table]]] = {
-    "joints": ("joint", RotationTable),
-    "roots": ("root", RootTable),
-    "sites": ("site", SiteTable),
-    "bodies": ("body", BodyTable),
-}
-_TABLES: dict[str, type[Table]] = {
-    "keyframe": KeyframeTable,
-    "penalty": PenaltyTable,
-    "contact": ContactTable,
-    "hold": HoldTable,
-    "scene": SceneTable,
-    "step": StepTable,
-    "scene.box": BoxTable,
-    "scene.sphere": SphereTable,
-    "scene.capsule": BarTable,
-    "scene.cylinder": BarTable,
-    "solve": SolveTable,
-    "recording": RecordingTable,
-    "root": RootTable,
-    "rotation": RotationTable,
-}
-
-ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
-_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least_bend", "sideways", "twist")
-_OF_OTHERS = ("angular", "friction", "heading", "mass", "period", "radius", "reach", "speed", "turn")
-_WHOLE = ("variable", "frames", "evaluations", "samples")
-_EXPECTED = {
-    **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),
-    **dict.fromkeys(_WHOLE, "a whole number"),
-    **dict.fromkeys(("kind", "criterion", "optimiser", "order", "point", "hand"), "a word in quotes"),
-    **dict.fromkeys(("points", "bend_joints", "bodies of a penalty"), "a list of names"),
-    "intervals": "a list of [from, to] in seconds",
-    "others": "'free', 'rest', 'hold' or 'key:NAME', a <key> of the model",
-    "figure": "the name of a figure or a path in quotes",
-    "keyframe": "[[keyframe]] tables",
-    "penalty": "[[penalty]] tables",
-    "contact": "[[contact]] tables",
-    "hold": "[[hold]] tables",
-    **{kind: f"[[scene.{kind}]] tables" for kind in ("box", "sphere", "capsule", "cylinder")},
-    **dict.fromkeys(("obstacle's position", "from", "to"), "[x, y, z] in metres"),
-    "root": "a table: position and rotation of a free joint",
-    "obstacle's rotation": ROTATION,
-    "size": "[length, width, height] in metres",
-    "color": "[red, green, blue, opacity], each from 0 to 1",
-    **dict.fromkeys(("name", "body's name"), "a name in quotes"),
-    "position": '[x, y, z] in metres, each a number or "free"',
-    "rotation": f'{ROTATION} or "free"',
-    "joint": f'{ROTATION}, a number or "free"',
-    "site": '[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}',
-    "body": f"{{flat = true}} or a rotation, {ROTATION}, or {{position = [x, y, z]}}",
-    "at": "[x, y, z] in metres, in the body's own axes",
-    "axis of a penalty": "[x, y, z] in the body's own axes",
-    "by": "'pose' or 'search'",
-    "flat": "true",
-    "self": "true or false",
-    "rotvec": "three angles [x, y, z] in degrees",
-    "euler": "a list of angles in degrees",
-    "quat": "four numbers [w, x, y, z]",
-    "coordinates": "'auto', 'world' or 'joint'",
-    "ends": "'free', 'clamped' or 'periodic'",
-    "travel": "[x, y, z] in metres",
-    "quadrature": "'gauss' or 'uniform'",
-}

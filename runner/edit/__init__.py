@@ -4,5 +4,4 @@ edits       edits of saved motions, and of clips' tables: mirrored, retimed, tri
 files       from files to an edit and back: motions or clips in, a new one out, never over what it came from unasked
 thinning    `thin`: a recorded motion as few keyframes, with the guarantee measured on what comes out
 thin_files  the command `thin`: from a motion's file to the clip of its keyframes, and what is said of it
-lead_in     what a recording begins with before its motion: the pose to which the cameras or the skeleton were set
 """

@@ -22,10 +22,11 @@ from dynsplines.solver.problem import renormalised
 from dynsplines.solver.search.descent import optimised
 from dynsplines.solver.solution import Solution
 
-from ..clip import load as clips
+from ..clip.build import AROUND, Clip, around
 from ..clip.file import standing_alone
-from ..clip.load import Clip
+from ..clip.load import answered, of_motion
 from ..clip.mirror import mirrored_tables
+from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
 from ..clip.text import keyframe_tables, tables, written
 from ..errors import UserError
 from ..measure.problems import stop_of
@@ -77,7 +78,7 @@ def retimed(saved: Saved, speed: float) -> Saved:
         timeline, raw = retime.retimed(saved.timeline, speed), retime.retimed(saved.raw, speed)
     start = saved.keys[0].time
     keys = tuple(replace(key, time=start + (key.time - start) / speed) for key in saved.keys)
-    clips.check_times([key.time for key in keys], saved.name)
+    check_times([key.time for key in keys], saved.name)
     return replace(
         saved, text=_text(saved, lambda clip: retimed_tables(clip, speed)), keys=keys, timeline=timeline, raw=raw
     )
@@ -114,7 +115,7 @@ def check_interval(found: Clip | Saved, first: float, last: float) -> None:
     """Raises UserError unless there is motion from `first` to `last` [s]."""
     with _told(found.name):
         retime.check_interval((found.keys[0].time, found.keys[-1].time), first, last)
-    clips.check_times([first, last], found.name)
+    check_times([first, last], found.name)
 
 
 def trimmed(saved: Saved, first: float, last: float) -> Saved:
@@ -123,7 +124,7 @@ def trimmed(saved: Saved, first: float, last: float) -> Saved:
     saved = standing_alone(saved)
     timeline = retime.trimmed(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
-    inside = [key for key in saved.keys if begin + clips.SHORTEST <= key.time <= end - clips.SHORTEST]
+    inside = [key for key in saved.keys if begin + SHORTEST <= key.time <= end - SHORTEST]
     keys = (_key_on(saved.figure, timeline, 0), *inside, _key_on(saved.figure, timeline, -1))
     return _with_keys(saved, keys, timeline)
 
@@ -134,8 +135,8 @@ def repeated(saved: Saved, count: int) -> Saved:
         return saved
     saved = standing_alone(saved)
     period = saved.keys[-1].time - saved.keys[0].time
-    if count * period > clips.LONGEST:
-        raise UserError(f"{saved.name}: {count} periods of {period:g} s are over {clips.LONGEST:g} s")
+    if count * period > LONGEST:
+        raise UserError(f"{saved.name}: {count} periods of {period:g} s are over {LONGEST:g} s")
     with _told(saved.name):
         timeline, raw = (retime.repeated(saved.figure, each, count) for each in (saved.timeline, saved.raw))
     times = [key.time + period * i for i in range(count) for key in saved.keys[1 if i else 0 :]]
@@ -150,14 +151,14 @@ def repeated(saved: Saved, count: int) -> Saved:
         "hold": [row for i in rounds for row in _later(held, period * i)],
         "flight": [row for i in rounds for row in _later(flown, period * i)],
     }
-    around = clips.around(replace(saved, timeline=timeline))
-    text = _keyed(saved, keys, lambda solve: _around(solve, around), more)
+    displacement = around(replace(saved, timeline=timeline))
+    text = _keyed(saved, keys, lambda solve: _displaced(solve, displacement), more)
     return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={}, search={})
 
 
-def _around(solve: dict[str, Any], around: dict[str, Any]) -> dict[str, Any]:
+def _displaced(solve: dict[str, Any], displacement: dict[str, Any]) -> dict[str, Any]:
     """[solve] of a loop that comes back another way, where it says how."""
-    return solve | {name: around.get(name, 0.0) for name in clips.AROUND if solve.get(name) is not None}
+    return solve | {name: displacement.get(name, 0.0) for name in AROUND if solve.get(name) is not None}
 
 
 def joined(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:
@@ -176,7 +177,7 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     between = _transition(before, one, two, ends, progress)
     keys = (*before.keys[:-1], *ends, *moved[1:])
     with _told("join"):
-        clips.check_times([key.time for key in keys], "join")
+        check_times([key.time for key in keys], "join")
     contacts, flown = _later(_rows(after, "contact"), shift), _flights(after)
     more: Lasting = {
         "contact": [row for row in contacts if row.get("position") is None],  # what has one has moved elsewhere
@@ -199,8 +200,8 @@ def _moved(figure: Figure, timeline: Timeline, key: Frame, place: join.Placement
 
 def check_transition(transition: float) -> None:
     """Raises UserError for a transition [s] that takes no time, or too much."""
-    if not clips.SHORTEST <= transition <= clips.LONGEST:
-        raise UserError(f"a transition lasts {clips.SHORTEST:g} to {clips.LONGEST:g} s, not {transition:g}")
+    if not SHORTEST <= transition <= LONGEST:
+        raise UserError(f"a transition lasts {SHORTEST:g} to {LONGEST:g} s, not {transition:g}")
 
 
 def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, Frame], progress: Progress) -> Timeline:
@@ -208,7 +209,7 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, F
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = join.bridge(saved.figure, one, two, variable=count)
     text = _text(saved, _without_flights)
-    clip = clips.of_motion(replace(saved, text=text, keys=ends, timeline=one))
+    clip = of_motion(replace(saved, text=text, keys=ends, timeline=one))
     objective = renormalised(clip.problem.plain_objective, saved.raw)
     progress.step("solving the transition", 0.0, force=True)
     return optimised(objective, begin, tolerance=TOLERANCE)
@@ -238,7 +239,7 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
 
 def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
     """A motion with the report that belongs to it; `edit` says why no search stopped, where none did."""
-    clip = clips.answered(saved)
+    clip = answered(saved)
     objective = clip.problem.plain_objective
     if clip.settings.renormalise:
         objective = renormalised(objective, saved.raw)
@@ -271,7 +272,7 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
 
 def _freed(solve: dict[str, Any]) -> dict[str, Any]:
     """[solve] of a clip whose ends are free now."""
-    return {key: value for key, value in solve.items() if key not in ("ends", *clips.AROUND)}
+    return {key: value for key, value in solve.items() if key not in ("ends", *AROUND)}
 
 
 def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed, more: Lasting | None = None) -> str:
@@ -316,14 +317,14 @@ def _intervals(penalty: dict[str, Any]) -> list[dict[str, Any]]:
 
 def _flights(saved: Saved) -> Rows | None:
     """The flights of a motion's text, none where it leaves them to its keyframes."""
-    said = tables(clips.table_of(saved.text, saved.name)).get("penalty", []) if saved.text else []
+    said = tables(table_of(saved.text, saved.name)).get("penalty", []) if saved.text else []
     rows = [_intervals(row) for row in said if row.get("intervals") is not None]
     return [row for each in rows for row in each] if rows else None
 
 
 def _rows(saved: Saved, kind: str) -> Rows:
     """The contacts or holds of a motion's text."""
-    return tables(clips.table_of(saved.text, saved.name)).get(kind, []) if saved.text else []
+    return tables(table_of(saved.text, saved.name)).get(kind, []) if saved.text else []
 
 
 def _later(rows: Rows, shift: float) -> list[dict[str, Any]]:
@@ -343,9 +344,9 @@ def _carried(contacts: Rows, figure: Figure, seam: Seam, periods: int) -> list[d
 def _cut(rows: Rows, first: float, last: float) -> list[dict[str, Any]]:
     """The parts of contacts, holds or flights that lie between two times [s]."""
     cut = [row | {"from": max(row["from"], first), "to": min(row["to"], last)} for row in rows]
-    return [row for row in cut if row["to"] - row["from"] >= clips.SHORTEST]
+    return [row for row in cut if row["to"] - row["from"] >= SHORTEST]
 
 
 def _text(saved: Saved, edit: Edit) -> str:
     """A motion's clip, edited; a motion that came from no clip has none."""
-    return written(edit(tables(clips.table_of(saved.text, saved.name)))) if saved.text else ""
+    return written(edit(tables(table_of(saved.text, saved.name)))) if saved.text else ""

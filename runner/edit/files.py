@@ -10,11 +10,12 @@ from typing import Any
 
 from dynsplines import models
 
-from .. import kept, motion
+from .. import kept, motion, recordings
 from ..clip import file as clip_file
-from ..clip import load as clips
-from ..clip.load import Clip
+from ..clip.build import Clip
+from ..clip.load import load_motion
 from ..clip.mirror import mirrored_tables
+from ..clip.parse import table_of
 from ..clip.text import tables, written
 from ..errors import UserError
 from ..measure import problems
@@ -51,11 +52,11 @@ def run(
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
     target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
     _check_target(target, sources, overwrite)
-    found = [clips.load_motion(Path(each)) if motion.is_motion(each) else clips.load(each) for each in sources]
+    found = [load_motion(Path(each)) if motion.is_motion(each) else recordings.load(each) for each in sources]
     edit.check(found)
     one, is_clip = found[0], target.suffix == ".toml"
     if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
-        said = edit.clip(tables(clips.table_of(one.text, sources[0])), one)
+        said = edit.clip(tables(table_of(one.text, sources[0])), one)
         _write_clip(said, sources[0], target)
         return target, ()
     saved = edit.motions([kept.saved(each, progress, fresh=fresh) for each in found], progress)
@@ -63,7 +64,7 @@ def run(
         if not saved.text:
             raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
         if isinstance(one, Clip):
-            _write_clip(tables(clips.table_of(saved.text, sources[0])), sources[0], target)
+            _write_clip(tables(table_of(saved.text, sources[0])), sources[0], target)
         else:
             clip_file.write(replace(saved, name=target.stem), target, overwrite=overwrite)
         return target, ()
@@ -78,7 +79,7 @@ def _is_sampled(found: Clip | Saved) -> bool:
     """Whether keyframes are a recording's own instants, which nobody set and nobody can be told of."""
     if isinstance(found, Clip):
         return found.follows
-    follows = bool(found.text) and clips.table_of(found.text, found.name).recording is not None
+    follows = bool(found.text) and table_of(found.text, found.name).recording is not None
     return follows or problems.is_recording(found)
 
 
@@ -98,7 +99,7 @@ def _write_clip(said: dict[str, Any], source: str, target: Path) -> None:
         figure = Path(source).parent / said["figure"]
         said["figure"] = Path(os.path.relpath(figure, target.parent)).as_posix()
     text = written(said)
-    clips.from_text(text, name=target.stem, where=str(target), folder=target.parent)
+    recordings.from_text(text, name=target.stem, where=str(target), folder=target.parent)
     with Replacement(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
 

@@ -9,8 +9,9 @@ import numpy as np
 
 from dynsplines import models
 
-from .. import kept, motion
-from ..clip import load as clips
+from .. import kept, motion, recordings
+from ..clean import lead_in
+from ..clip.load import load_motion
 from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
 from ..exchange.imported import imported
@@ -18,7 +19,7 @@ from ..motion import Saved
 from ..system.output import check_new
 from ..system.progress import Progress
 from ..system.quantity import length
-from . import lead_in, thinning
+from . import thinning
 from .thinning import ThinnedMotion
 
 ROUNDING = 1e-6  # of the bound, what a file's digits may add
@@ -47,9 +48,9 @@ class ToThin:
         told = self.figure is not None or self.kind is not None
         path = Path(self.source)
         if not told and motion.is_motion(self.source) and not is_foreign(path):
-            return clips.load_motion(path)
+            return load_motion(path)
         if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
-            return kept.saved(clips.load(self.source), progress, fresh=self.fresh)
+            return kept.saved(recordings.load(self.source), progress, fresh=self.fresh)
         return imported(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
 
 
@@ -88,7 +89,7 @@ def run(
     written = thinning.write(found, target, exact=exact, overwrite=overwrite)
     told = [found.line]
     if target.suffix == ".toml":
-        solved = kept.solved(clips.load(str(target)), progress, fresh=recording.fresh).motion.timeline
+        solved = kept.solved(recordings.load(str(target)), progress, fresh=recording.fresh).motion.timeline
         after = thinning.measured(thinning.recorded_of(saved, *bound), replace(found.motion, timeline=solved))
         told = [after.line] if solve or exact else [f"{found.line}: the spline", _as_solved(after)]
         thinning.write(found, target, exact=exact, note="; ".join(told), overwrite=True)

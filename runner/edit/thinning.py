@@ -21,7 +21,9 @@ from dynsplines.solver.edit.thin import Bound, Recorded, Worst, refined, thin
 
 from .. import work
 from ..clip import file as clip_file
-from ..clip import load as clips
+from ..clip.build import Clip, around, radians
+from ..clip.load import of_motion
+from ..clip.parse import SHORTEST, table_of
 from ..clip.text import keyframe_tables, tables, written
 from ..errors import UserError
 from ..motion import Saved, save
@@ -79,8 +81,8 @@ def thinned(
     def told(note: str) -> None:
         progress.step("thinning", None, note)
 
-    def problem(keys: Sequence[Frame]) -> clips.Clip:
-        return clips.of_motion(replace(saved, text=text.of(keys), keys=tuple(keys)), contacts=True)
+    def problem(keys: Sequence[Frame]) -> Clip:
+        return of_motion(replace(saved, text=text.of(keys), keys=tuple(keys)), contacts=True)
 
     def solved(keys: Sequence[Frame]) -> Timeline:
         return work.solve(problem(keys), progress).motion.timeline
@@ -111,8 +113,8 @@ def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
     keys = np.array([key.time for key in saved.keys])
     times, figure = _instants(saved, keys), saved.figure
     qpos = figure.to_qpos(path_of(saved.timeline).at(times))
-    back = clips.around(saved)
-    travel, turn = back.get("travel"), clips.radians(back.get("turn"))
+    back = around(saved)
+    travel, turn = back.get("travel"), radians(back.get("turn"))
     return Recorded(figure, times, qpos, Bound(distance, angle), saved.timeline.ends, travel, turn)
 
 
@@ -120,12 +122,12 @@ def _instants(saved: Saved, keys: Array) -> Array:
     first, last = keys[0], keys[-1]
     if np.diff(keys).mean() <= 1.01 / saved.fps:
         return keys
-    rate = min(saved.fps * np.ceil(RATE / saved.fps), 1 / clips.SHORTEST)
+    rate = min(saved.fps * np.ceil(RATE / saved.fps), 1 / SHORTEST)
     grid = first + np.arange(int((last - first) * rate) + 1) / rate
     after = keys[np.searchsorted(keys, grid).clip(1, keys.size - 1)]
     before = keys[np.searchsorted(keys, grid, side="right").clip(1, keys.size - 1) - 1]
     apart = np.minimum(np.abs(after - grid), np.abs(grid - before))
-    return np.sort(np.concatenate([keys, grid[apart > clips.SHORTEST]]))
+    return np.sort(np.concatenate([keys, grid[apart > SHORTEST]]))
 
 
 class _Text:
@@ -133,7 +135,7 @@ class _Text:
 
     def __init__(self, saved: Saved) -> None:
         self.saved = saved
-        self.said = tables(clips.table_of(saved.text, saved.name)) if saved.text else None
+        self.said = tables(table_of(saved.text, saved.name)) if saved.text else None
 
     def of(self, keys: Sequence[Frame]) -> str:
         if self.said is None:
@@ -143,7 +145,7 @@ class _Text:
 
 def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame]) -> dict[str, Any]:
     """A clip's tables through other keyframes, with the contacts that are inside them."""
-    search = clip_file.searching(said.get("solve", {})) | clips.around(saved)
+    search = clip_file.searching(said.get("solve", {})) | around(saved)
     out = said | {"solve": search, "keyframe": keyframe_tables(saved.figure, keys)}
     if not search:
         del out["solve"]

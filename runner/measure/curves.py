@@ -12,7 +12,7 @@ from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
 
-from ..clip.load import Clip
+from ..clip.build import Clip
 from ..motion import samples_at
 
 RATE = 250.0  # [1/s]: finer than any chart is wide

@@ -7,7 +7,7 @@ import numpy as np
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 
-from ..clip.load import Clip
+from ..clip.build import Clip
 
 
 def keyframe_error(clip: Clip, timeline: Timeline) -> float:

@@ -41,7 +41,7 @@ from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import places_of
 from dynsplines.solver.surface.touch import counts_all
 
-from ..clip.load import Clip
+from ..clip.build import Clip
 from ..motion import continuous, samples_at
 from . import shown
 from .depths import depth

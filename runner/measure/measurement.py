@@ -32,8 +32,8 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.surface.points import Point, body_points, places_of
 
+from ..clip.build import Clip
 from ..clip.kinds import BODY, bolted_links
-from ..clip.load import Clip
 from ..motion import samples_at
 from . import checks
 from .checks import Check, Fixed, Hits, Stay

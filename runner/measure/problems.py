@@ -24,8 +24,8 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, body_points
 
 from ..clip import load as clips
-from ..clip.load import Clip
-from ..clip.pose_report import standing_trees
+from ..clip.build import Clip
+from ..clip.posing.pose_report import standing_trees
 from ..errors import UserError
 from ..motion import Saved, samples_at
 from .bounds import BOUNDS

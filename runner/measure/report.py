@@ -27,7 +27,7 @@ from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import places_of
 
-from ..clip.load import Clip
+from ..clip.build import Clip
 from . import shown
 from .measured import Grid, Seen, lines, side
 from .problems import plain, problems

@@ -10,7 +10,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import places_of
 
-from ..clip.load import Clip
+from ..clip.build import Clip
 
 DOWN = 0.01  # [m] up to which a foot is on the ground
 SHORTEST = 0.05  # [s] of a swing: what is up for less only bounces

@@ -15,9 +15,8 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 
-from ..clip import load as clips
-from ..clip.load import Clip
-from ..clip.own import Own, with_own
+from .. import recordings
+from ..clip.build import Clip, Own, with_own
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..scene import outside
@@ -99,7 +98,7 @@ def build(
         raw |= {"hold": [_plain(row) for row in holds]} if holds else {}
         raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
         raw |= {"keyframe": [_table(key, posed) for key in keyframes]}
-        return with_own(clips.from_text(written(raw), name=name, where=name, spec=spec), own)
+        return with_own(recordings.from_text(written(raw), name=name, where=name, spec=spec), own)
 
 
 def _figure(spec: mujoco.MjSpec, called: str) -> Figure:

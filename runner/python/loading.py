@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import motion as files
+from .. import recordings
 from ..clip import load as clips
-from ..clip.load import Clip
-from ..clip.own import Own, with_own
+from ..clip.build import Clip, Own, with_own
 from ..errors import UserError
 from ..scene import outside
 from ..scene.model_inputs import is_text, spec_of_text
@@ -44,11 +44,11 @@ def load(
             return with_own(clips.from_spec("clip", spec_of_text(source), fps, "clip"), own)
     if "\n" in source:
         with outside.allowed(allow_outside):
-            return with_own(clips.from_text(source, name="clip", where="clip", fps=fps), own)
+            return with_own(recordings.from_text(source, name="clip", where="clip", fps=fps), own)
     if files.is_motion(source):
         raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
     with outside.allowed(allow_outside):
-        return with_own(clips.load(source, fps=fps), own)
+        return with_own(recordings.load(source, fps=fps), own)
 
 
 @as_python_warnings()
@@ -80,7 +80,7 @@ def import_motion(
 
     Raises UserError, in one line, for a file that does not fit.
     """
-    from ..edit import lead_in
+    from ..clean import lead_in
     from ..exchange.imported import imported
 
     if figure is not None and not isinstance(figure, str | os.PathLike):

@@ -24,8 +24,7 @@ from .. import motion as files
 from .. import work
 from ..clip import file as clip_file
 from ..clip import load as clips
-from ..clip.load import Clip
-from ..clip.own import unknown_here
+from ..clip.build import Clip
 from ..edit import edits, thinning
 from ..errors import UserError
 from ..measure import problems
@@ -164,7 +163,9 @@ class Motion:
         if self._solved is not None:
             return self._solved.clip
         if names := self.saved.search.get("own penalties"):
-            warnings.warn(f"{self.name}: {unknown_here(names)}", stacklevel=2)
+            called = " and ".join(f"'{name}'" for name in names)
+            line = f"its search also kept {called} small, of a program's own: nobody knows it here, so give it again"
+            warnings.warn(f"{self.name}: {line}", stacklevel=2)
         return clips.answered(self.saved)
 
     @cached_property

@@ -309,7 +309,7 @@ def prepared(session: Session) -> Poser:
 
     from dynsplines.solver.figure.figure import Figure
 
-    from ..clip.load import table_of
+    from ..clip.parse import table_of
     from .posing import Poser
 
     stages, packed = session.stages, session.figure

@@ -6,7 +6,7 @@ from typing import Any
 
 from ..clip.constraints import chosen, weight_factors
 from ..clip.kinds import KINDS
-from ..clip.load import table_of
+from ..clip.parse import table_of
 from ..clip.table import ClipTable
 from ..clip.text import tables
 from .document import FILMS
@@ -38,7 +38,7 @@ def outline(text: str, where: str) -> dict[str, Any]:
 def weights(table: ClipTable, where: str) -> dict[str, float]:
     """The weights in the clip's text by term; for a clip with a recording, the factors."""
     if table.recording is not None:
-        return weight_factors(table.penalty, where)
+        return weight_factors(chosen(table.penalty, where))
     listed: dict[str, float] = {}
     for name, options in chosen(table.penalty, where).items():
         kind, given = KINDS[name], options.weight

@@ -22,7 +22,7 @@ from dynsplines.solver.posing import Goal, PointGoal, Posed, chain, entries, lim
 from dynsplines.solver.surface import Surface, static_surfaces
 from dynsplines.solver.surface.points import Point
 
-from ..clip.constraints import posing_bends
+from ..clip.constraints import chosen, posing_bends
 from ..clip.posing.feet import sole_points
 from ..clip.posing.places import Places
 from ..clip.table import PenaltyTable
@@ -55,7 +55,7 @@ class Poser:
 
     def __init__(self, figure: Figure, penalties: Sequence[PenaltyTable], whole: Array) -> None:
         self.figure = figure
-        self.bends: BendLimits | None = posing_bends(figure, penalties)
+        self.bends: BendLimits | None = posing_bends(figure, chosen(penalties, "clip"))
         self.soles: tuple[Point, ...] = sole_points(figure, np.reshape(whole, (-1, figure.width)))
         self.surfaces: tuple[Surface, ...] = static_surfaces(figure.model)
         self.data = mujoco.MjData(figure.model)

@@ -84,7 +84,7 @@ def _motion(path: Path, figure: str | None) -> Document:
 def _text_in(path: Path, saved: Saved) -> str:
     """The text of a solved clip, where its motion lies by now: if what it names is not there, the motion brings it."""
     from ..clip.file import standing_alone
-    from ..clip.load import table_of
+    from ..clip.parse import table_of
     from ..clip.text import tables, written
 
     table = table_of(saved.text, saved.name)

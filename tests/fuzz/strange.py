@@ -26,7 +26,8 @@ from rich.console import Console
 
 from dynsplines import motion, work
 from dynsplines.clip import load as clips
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
+from dynsplines.clip.parse import references, table_of
 from dynsplines.clip.starter import starter
 from dynsplines.exchange import formats
 from dynsplines.exchange.imported import imported
@@ -168,8 +169,8 @@ def _read_clip(path: Path) -> None:
     data = path.read_bytes()
     if crc32(data) % (POSED_OF if POSING.search(data) else WHOLE_OF):
         text = data.decode("utf-8", "replace")
-        clips.named(text)
-        clips.table_of(text, path.name)
+        references(text)
+        table_of(text, path.name)
         return
     clips.load(str(path))
 

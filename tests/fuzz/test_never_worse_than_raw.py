@@ -18,7 +18,7 @@ from rich.console import Console
 
 from dynsplines import work
 from dynsplines.clip import load as clips
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.solver import Frame

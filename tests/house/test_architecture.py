@@ -19,7 +19,7 @@ ONLY_IN = {
     "nlopt": {"solver/search/refinement.py"},
     "imageio": {"runner/picture/film.py"},
     "threadpoolctl": {"solver/one_thread.py"},
-    "tomllib": {"runner/clip/load.py", "runner/studio/document.py", "runner/studio/edits/tables.py"},
+    "tomllib": {"runner/clip/parse.py", "runner/studio/document.py", "runner/studio/edits/tables.py"},
     "typer": {"runner/cli.py"},
     "pygltflib": {"runner/exchange/format/gltf.py", "runner/exchange/nodes/gltf_file.py"},
     "pxr": {"runner/exchange/format/usd.py", "runner/exchange/nodes/usd_file.py"},
@@ -143,8 +143,10 @@ STRATA = {
         measure picture
         work
         exchange kept
+        clean
+        recordings
         edit
-        clean inputs
+        inputs
         batch
         python studio
         cli

@@ -12,6 +12,7 @@ import pytest
 from move import of
 
 from dynsplines.clip import load as clips
+from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables, written
 from dynsplines.edit.edits import retimed_tables
 from dynsplines.measure.measured import in_carried
@@ -23,10 +24,10 @@ G = 9.81
 @pytest.mark.parametrize("name", ["hand_on_rail", "jump_over_box"])
 def test_at_another_speed_contacts_and_flights_keep_their_place_in_the_move(name):
     move = of(name)
-    said = tables(clips.table_of(move.clip.text, move.clip.name))
+    said = tables(table_of(move.clip.text, move.clip.name))
     fast = clips.from_text(written(retimed_tables(said, 2.0)), name="fast")
     assert fast.keys[-1].time == pytest.approx(move.clip.keys[-1].time / 2)
-    table, own = clips.table_of(fast.text, "fast"), clips.table_of(move.clip.text, "own")
+    table, own = table_of(fast.text, "fast"), table_of(move.clip.text, "own")
     assert [(c.start, c.end) for c in table.contact] == [(c.start / 2, c.end / 2) for c in own.contact]
     assert fast.context.support is not None and move.clip.context.support is not None
     np.testing.assert_allclose(fast.context.support.flights, np.array(move.clip.context.support.flights) / 2)

@@ -13,7 +13,7 @@ import pytest
 
 from dynsplines import work
 from dynsplines.clip import load as clips
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.solver import Frame, Solution
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array

@@ -16,7 +16,7 @@ from variations import perturbed
 
 from dynsplines import models
 from dynsplines.clip import load as clips
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.measure.penetration import penetration
 from dynsplines.measure.report import report
 from dynsplines.solver.curve.quadrature import gauss_nodes

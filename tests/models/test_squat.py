@@ -11,7 +11,7 @@ import walkers
 from squats import Measured, measured, solved, squat
 
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.clip.posing.standing import fitted
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array

@@ -15,7 +15,7 @@ from tiny import CLIP, FIGURE, changed, names, written
 
 from dynsplines import cli, kept, work
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.measure.report import report
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.system.progress import Progress

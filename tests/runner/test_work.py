@@ -11,7 +11,7 @@ from tiny import CLIP, changed, written
 
 from dynsplines import work
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.system.progress import Progress

@@ -308,9 +308,9 @@ def test_a_writer_whose_file_is_taken_for_a_leftover_before_it_is_locked_begins_
 
 
 def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_told(tried: Tried, tmp_path: Path):
-    gone = "import dynsplines.clip.load as c; load = c.from_text\ndef f(*a, **k):\n"
+    gone = "import dynsplines.clip.load as c; load = c.from_parsed\ndef f(*a, **k):\n"
     gone += "    os.unlink('tiny.xml'); return load(*a, **k)\n"
-    assert_told(tried("solve", "tiny.toml", before=gone + "c.from_text = f\n"), "no file 'tiny.xml'")
+    assert_told(tried("solve", "tiny.toml", before=gone + "c.from_parsed = f\n"), "no file 'tiny.xml'")
     (tmp_path / "motion.npz").write_bytes((tmp_path / "motion.npz").read_bytes()[:-100])
     assert_told(tried("report", "motion.npz"), "motion.npz: not an .npz file, or cut short")
 

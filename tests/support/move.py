@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 import shipped
 
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.measure.penetration import Penetration, penetration
 from dynsplines.motion import continuous, sampled, samples_at
 from dynsplines.solver.array import Array

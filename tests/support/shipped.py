@@ -15,9 +15,8 @@ from typing import Any
 import pytest
 from rich.console import Console
 
-from dynsplines import kept, work
-from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines import kept, recordings, work
+from dynsplines.clip.build import Clip
 from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
@@ -37,7 +36,7 @@ def remove_folder() -> None:
 @cache
 def solved(name: str) -> Solved:
     """A shipped clip as `dynsplines solve` solves it."""
-    return _once(clip.load(name), Progress(Console(file=io.StringIO())), work.solve)
+    return _once(recordings.load(name), Progress(Console(file=io.StringIO())), work.solve)
 
 
 def _once(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:

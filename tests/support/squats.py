@@ -11,7 +11,7 @@ from rich.console import Console
 
 from dynsplines import work
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.motion import samples_at
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of

@@ -6,14 +6,12 @@ followed rather than its poses, so that its detail stays; if the clip says `blen
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.spline import path_of
@@ -29,9 +27,8 @@ from dynsplines.solver.surface.points import Point, placed, places_of
 
 from ... import motion
 from ...errors import UserError
-from ...scene import outside
-from ..table import ClipTable, RecordingTable
-from .keeping import WEIGHTS, Ground, problem
+from ..table import RecordingTable
+from .keeping import Ground, problem
 
 CLOSE = 0.004  # [s] between frames at least
 RATE = 120.0  # [1/s] at which a motion is taken down
@@ -41,7 +38,6 @@ MOVED = 0.02  # [m] by which a keyframe puts a point that the recording has stan
 INNER, MARGIN = 0.75, 6  # of a blend: frames beyond are fixed, so many to its end, for the spline rings on a little
 TOLERANCE = 1e-3  # relative progress of E at which a search ends: an edit begins far from what it asks for
 ROUNDING = 1e-9  # [s]
-NONE = ("hold",)  # tables that a clip with a recording cannot have
 
 
 class Moving(NamedTuple):
@@ -160,53 +156,25 @@ class Followed:
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
 
 
-class Sources(Protocol):
-    """What a clip may follow beside a motion file."""
+def followed(said: RecordingTable, figure: Figure, motion: Moving | None, where: str) -> Followed:
+    """Return the recording that a clip follows in the clip's time.
 
-    def solved(self, name: str, where: str) -> Moving:
-        """The motion of a clip that ships or of a clip file, by its name or path; where is how errors call it."""
-        ...
-
-    def cleaned(self, file: Path, where: str) -> Moving:
-        """That of another program's file, made physical on the clip's figure in its scene."""
-        ...
-
-
-def followed(table: ClipTable, figure: Figure, folder: Path | None, where: str, sources: Sources) -> Followed | None:
-    """The recording that a clip follows, if any; raises UserError for a file that is none of its figure's motions."""
-    said = table.recording
-    if said is None:
-        return None
-    for line in _unfit(table):
-        raise UserError(f"{where}: {line}")
+    Raises:
+        UserError: for a motion that is missing or of another figure, and for an interval that it does not have.
+    """
     here = f"{where}: recording"
-    taken = _read(said, folder or Path(), here, sources)
-    joints = [[link.name for link in each.links[1:]] for each in (figure, taken.figure)]
-    if joints[0] != joints[1] or taken.figure.width != figure.width:
+    if motion is None:
+        raise UserError(f"{here}: the motion of '{said.file}' is missing; load the clip with `dynsplines.load`")
+    joints = [[link.name for link in each.links[1:]] for each in (figure, motion.figure)]
+    if joints[0] != joints[1] or motion.figure.width != figure.width:
         raise UserError(f"{here}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
     try:
-        timeline = taken.timeline if said.repeat is None else repeated(taken.figure, taken.timeline, said.repeat)
+        timeline = motion.timeline if said.repeat is None else repeated(motion.figure, motion.timeline, said.repeat)
     except TimelineError as error:
         raise UserError(f"{here}: repeat: {error}") from None
-    taken = Moving(taken.figure, timeline, taken.fps)
-    time, qpos = _cut(*_taken_down(taken), said, here)
-    recorded = Recorded.of(figure, _clip_time(time, said, here), qpos, exact=True)
-    return Followed(recorded, _clip_time(timeline.times, said, here, time[0]), said, where)
-
-
-def _read(said: RecordingTable, folder: Path, here: str, sources: Sources) -> Moving:
-    """The motion in a file, or that of a clip."""
-    if said.file in models.clips():
-        return sources.solved(said.file, here)
-    file = folder / said.file
-    if not outside.is_allowed() and not outside.lies_in(file, folder):
-        raise UserError(f"{here}: '{said.file}' lies outside the clip's folder; --allow-outside lets it be read")
-    if file.suffix == ".toml":
-        return sources.solved(str(file), here)
-    if file.suffix != ".npz" or (file.is_file() and not motion.is_motion(str(file))):
-        return sources.cleaned(file, here)
-    saved = motion.load(file)
-    return Moving(saved.figure, saved.timeline, saved.fps)
+    time, qpos = _cut(*_taken_down(Moving(motion.figure, timeline, motion.fps)), said, here)
+    recorded = Recorded.of(figure, _clip_time(time, said), qpos, exact=True)
+    return Followed(recorded, _clip_time(timeline.times, said, time[0]), said, where)
 
 
 def _taken_down(saved: Moving) -> tuple[Array, Array]:
@@ -218,22 +186,6 @@ def _taken_down(saved: Moving) -> tuple[Array, Array]:
         time = np.append(time, last)
     time[-1] = last
     return time, motion.continuous(saved.figure, saved.figure.to_qpos(path.at(time)))
-
-
-def _unfit(table: ClipTable) -> Iterator[str]:
-    """A line on everything that goes with keyframes alone."""
-    for name in NONE:
-        if getattr(table, name):
-            yield f"[[{name}]] is for clips of keyframes; one that follows a recording has none"
-    if table.solve.model_fields_set - {"coordinates"}:
-        yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
-    for entry in table.penalty:
-        weight = entry.said.get("weight")
-        terms = [f"{entry.kind}.{part}" for part in weight] if isinstance(weight, dict) else []
-        unfit = [term for term in terms if term not in WEIGHTS]
-        known = [term for term in WEIGHTS if term != "near"]
-        if entry.kind not in {term.split(".")[0] for term in known} or unfit or entry.said.keys() - {"weight"}:
-            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(known)}"
 
 
 def _cut(time: Array, qpos: Array, said: RecordingTable, where: str) -> tuple[Array, Array]:
@@ -249,19 +201,14 @@ def _cut(time: Array, qpos: Array, said: RecordingTable, where: str) -> tuple[Ar
     return time[used], qpos[used]
 
 
-def _clip_time(time: Array, said: RecordingTable, where: str, begin: float | None = None) -> Array:
+def _clip_time(time: Array, said: RecordingTable, begin: float | None = None) -> Array:
     """When moments (T,) [s] of the recording, of which the part that is used begins with the first or at `begin`, come
     in the clip."""
     if said.times is None:
         first = float(time[0]) if begin is None else begin
         at = first if said.at is None else said.at
         return at + (time - first) / (said.speed or 1.0)
-    if said.at is not None or said.speed is not None:
-        raise UserError(f"{where}: give times, or at and speed, not both")
-    own, clip = np.array(said.times, float).reshape(-1, 2).T
-    if own.size < 2 or np.any(np.diff(own) <= 0) or np.any(np.diff(clip) <= 0):
-        raise UserError(f"{where}: times are pairs [of the recording, of the clip], two or more, and both rise")
-    return _warp(own, clip)(time)
+    return _warp(*np.array(said.times, float).T)(time)
 
 
 def _warp(own: Array, clip: Array) -> Callable[[Array], Array]:

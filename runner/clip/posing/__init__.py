@@ -6,4 +6,5 @@ rotation   rotations as a clip has them couplings joints that others make follow
 turns      turns that keyframes write and no motion makes
 closing    poses moved onto a model's equality constraints
 rooting    what places a root, on a free joint or on slides and hinges
+pose_report  violations of a pose: equality constraints, joint ranges, the floor, bodies in each other
 """

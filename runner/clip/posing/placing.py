@@ -36,7 +36,7 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface.points import Point
 
 from ...errors import UserError, unknown
-from ..table import ROTATION, BodyTable, KeyframeTable, SiteTable
+from ..table import BodyTable, KeyframeTable, SiteTable
 from .places import Places
 from .rooting import posed_roots, root_links
 from .rotation import quaternion_of
@@ -84,7 +84,7 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
         body = places.body(name)
         if body is None:
             raise UserError(f"{where}: {unknown('body', name, places.bodies_listed)}")
-        own = _body_goals(figure, name, body, table, f"{where}: bodies.{name}")
+        own = _body_goals(name, body, table, f"{where}: bodies.{name}")
         _check_moves(figure, own[0], f"{where}: body '{name}'")
         goals += own
         points += [
@@ -146,21 +146,14 @@ def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: st
             raise UserError(f"{where}: site '{point.point.name}' {_held(figure, body)}")
 
 
-def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, where: str) -> list[Goal]:
+def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal]:
     """Where a body's origin, or a point in its axes, is to be, and how it is to be turned: at least one of the two."""
-    given = table.model_fields_set & {"rotvec", "euler", "quat", "order", "heading"}
     goals: list[Goal] = []
-    if table.at is not None and table.position is None:
-        raise UserError(f"{where}: 'at' is a point of the body; say where it is to be by position = [x, y, z]")
     if table.position is not None:
         target = _target(table.position, where, "the position")
         goals.append(PointGoal(name, body, np.array(table.at or (0.0, 0, 0)), target))
-    if table.flat is not None and given:
-        raise UserError(f"{where}: give flat or a rotation, not both")
-    if table.flat is None and (given or not goals):
-        goals.append(BodyGoal(name, quaternion_of(table, where), body))
-    if table.flat is False:
-        raise UserError(f"{where}: flat = false says nothing; give flat = true or a rotation, {ROTATION}")
+    if table.is_rotation:
+        goals.append(BodyGoal(name, quaternion_of(table), body))
     if table.flat:
         goals.append(BodyGoal(name, index=body))
     return goals

@@ -172,7 +172,7 @@ def _set_free(qpos: Array, fixed: Mask, start: int, table: RootTable, where: str
     if "rotation" in table.model_fields_set:
         fixed[start + 3 : start + 7] = table.rotation != "free"
         if table.rotation != "free":
-            qpos[start + 3 : start + 7] = quaternion_of(table.rotation, f"{where}.rotation")
+            qpos[start + 3 : start + 7] = quaternion_of(table.rotation)
 
 
 class _Chain:
@@ -202,7 +202,7 @@ class _Chain:
         self._place(self.qpos)
         before = np.array(self.data.xpos[self.root.body])
         where = f"{self.where}.rotation"
-        target, hint = quaternion_of(table, where), angles_about(table)
+        target, hint = quaternion_of(table), angles_about(table)
         hinges = [i for i in self.turning if self.figure.links[i].kind is JointKind.HINGE]
         columns = [self.figure.links[i].qpos for i in hinges]
         rest = np.array(self.figure.model.qpos0)

@@ -38,8 +38,7 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, placed
 
-from ..contacts import ROUNDING, Contacts, contacts
-from ..holds import NEARLY, REACH, holds
+from ..contacts import NEARLY, REACH, ROUNDING, Contacts, contacts, holds
 from ..table import ContactTable, HoldTable, SolveTable
 from .feet import sole_points
 from .grounding import Grounding

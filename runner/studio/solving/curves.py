@@ -19,7 +19,7 @@ from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import arrays_of, places_of
 
-from ...clip.load import Clip
+from ...clip.build import Clip
 from ...motion import samples_at
 
 RATE = 100.0  # [1/s] of a short motion

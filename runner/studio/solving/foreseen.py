@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.solution import Solution
 
-from ...clip.load import Clip
+from ...clip.build import Clip
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,7 +11,7 @@ import numpy as np
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.posing import limb
 
-from ...clip.load import Clip
+from ...clip.build import Clip
 from ...clip.posing.places import posable_sites
 from ...exchange.drawn import drawn
 from ...exchange.skeleton import hierarchy

@@ -30,8 +30,9 @@ from dynsplines.solver.search.judgement import best as better
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
-from ...clip import load as clips
-from ...clip.load import Clip
+from ... import recordings
+from ...clip.build import Clip
+from ...clip.parse import table_of
 from ...errors import UserError, one_line
 from ...scene.outside import allowed
 from ...system.cache_folder import place as cache
@@ -176,7 +177,7 @@ class Work:
     def _loaded(self, text: str, name: str, place: str, folder: str, like: Clip | None) -> Clip:
         """The clip of a text, like the one that it was edited from; raises UserError."""
         begun = time.monotonic()
-        clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=like)
+        clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=like)
         self._took = time.monotonic() - begun if like is not None else 0.0  # with no figure to be read
         return clip
 
@@ -549,12 +550,12 @@ def _same(a: Frame, b: Frame) -> bool:
 
 
 def _but_keys(clip: Clip) -> dict[str, Any]:
-    table = clips.table_of(clip.text, clip.context.where)
+    table = table_of(clip.text, clip.context.where)
     return table.model_copy(update={"keyframe": [], "contact": []}).model_dump()
 
 
 def _moved_contacts(before: Clip, clip: Clip) -> list[float]:
     """[s] ends of contacts that one of two clips has and the other has not."""
-    tables = [clips.table_of(each.text, each.context.where).contact for each in (before, clip)]
+    tables = [table_of(each.text, each.context.where).contact for each in (before, clip)]
     rows = [row for some, others in (tables, tables[::-1]) for row in some if row not in others]
     return [time for row in rows for time in (row.start, row.end)]

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from dynsplines import inbetween, load
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip, with_keys
+from dynsplines.clip.build import Clip
+from dynsplines.clip.load import with_keys
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 

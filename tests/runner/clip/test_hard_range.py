@@ -10,7 +10,7 @@ import pytest
 
 from dynsplines import inbetween
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
 from dynsplines.measure.problems import problems
 from tests.support.biped import biped, scene

@@ -13,7 +13,7 @@ from tiny import CLIP, FIGURE, HINGE, changed, written
 
 from dynsplines import models
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
 from dynsplines.solver.penalty import (
     Bend,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.posing.places import Places, posable_sites

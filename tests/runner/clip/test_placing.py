@@ -14,7 +14,7 @@ from tiny import HINGE
 
 from dynsplines import cli, work
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
 from dynsplines.solver import quaternion as quat

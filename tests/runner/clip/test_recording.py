@@ -9,7 +9,7 @@ import pytest
 import shipped
 from command import commanded
 
-from dynsplines import Keyframe, build, motion, work
+from dynsplines import Keyframe, build, motion, recordings, work
 from dynsplines.clip import load as clips
 from dynsplines.edit.edits import measured
 from dynsplines.errors import UserError
@@ -65,7 +65,7 @@ def bodies(saved_figure, path, times: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 @pytest.mark.slow
 def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved):
-    clip = clips.from_text(REACH.format(said="blend = 0.4", time=1.75), name="reach", folder=folder)
+    clip = recordings.from_text(REACH.format(said="blend = 0.4", time=1.75), name="reach", folder=folder)
     found = path_of(inbetween(clip.problem).timeline)
     times = np.linspace(0, 2.2, 221)
     (own, turned), (true, turned_before) = (bodies(clip.figure, p, times) for p in (found, path_of(saved.timeline)))
@@ -83,7 +83,7 @@ def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved):
 
 @pytest.mark.slow
 def test_without_keyframes_the_motion_is_the_recording(folder, saved):
-    clip = clips.from_text(BARE, name="bare", folder=folder)
+    clip = recordings.from_text(BARE, name="bare", folder=folder)
     times = np.linspace(0.05, 2.15, 40)
     paths = path_of(inbetween(clip.problem).timeline), path_of(saved.timeline)
     own, true = (bodies(clip.figure, path, times)[0] for path in paths)
@@ -100,7 +100,7 @@ def test_without_keyframes_the_motion_is_the_recording(folder, saved):
     ],
 )
 def test_what_of_the_recording_comes_when_is_as_the_clip_says(folder, saved, said, first, last, middle):
-    clip = clips.from_text(f"{BARE}{said}", name="cut", folder=folder)
+    clip = recordings.from_text(f"{BARE}{said}", name="cut", folder=folder)
     assert [clip.keys[0].time, clip.keys[-1].time] == pytest.approx([first, last], abs=0.01)
     near, figure = clip.problem.penalties[0][0], clip.figure
     assert isinstance(near, Near)
@@ -132,7 +132,7 @@ def test_what_of_the_recording_comes_when_is_as_the_clip_says(folder, saved, sai
 )
 def test_what_does_not_fit_is_told(folder, text, told):
     with pytest.raises(UserError) as refused:
-        clips.from_text(text, name="clip", folder=folder)
+        recordings.from_text(text, name="clip", folder=folder)
     assert told in str(refused.value), str(refused.value)
 
 
@@ -209,7 +209,7 @@ joints.right_shoulder = {{rotvec = [0, -60, 0]}}
 
 def test_a_recording_of_another_program_is_cleaned_and_followed(folder, saved):
     formats.export(saved, "bvh", folder / "run.bvh", fps=60)
-    clip = clips.from_text(BVH.format(file="run.bvh"), name="edit", folder=folder)
+    clip = recordings.from_text(BVH.format(file="run.bvh"), name="edit", folder=folder)
     [edit] = clip.said
     assert edit.time == 0.4
     near = clip.problem.penalties[0][0]
@@ -217,18 +217,18 @@ def test_a_recording_of_another_program_is_cleaned_and_followed(folder, saved):
     at = np.array([0.3, 1.2])
     own, wanted = (saved.figure.to_qpos(path.at(at)) for path in (near.recorded.path, path_of(saved.timeline)))
     np.testing.assert_allclose(own[:, :3], wanted[:, :3], atol=0.05)
-    again = clips.from_text(BVH.format(file="run.bvh"), name="edit", folder=folder)
+    again = recordings.from_text(BVH.format(file="run.bvh"), name="edit", folder=folder)
     assert np.array_equal(again.keys[5].state, clip.keys[5].state)
     (folder / "run.xyz").write_bytes(b"")
     with pytest.raises(UserError, match="neither a motion"):
-        clips.from_text(BVH.format(file="run.xyz"), name="edit", folder=folder)
+        recordings.from_text(BVH.format(file="run.xyz"), name="edit", folder=folder)
 
 
 def test_a_keyframe_of_an_arm_leaves_the_body_as_it_was(folder, saved):
     """The recording is bent through the arm's pose: the trunk does not make up for it."""
     text = BARE + "[scene]\nstep = {x = 2.90, height = 0.35}\n[[keyframe]]\ntime = 1.0\n"
     text += "joints.right_shoulder = {rotvec = [0, -140, 0]}\n"
-    clip = clips.from_text(text, name="wave", folder=folder)
+    clip = recordings.from_text(text, name="wave", folder=folder)
     path = path_of(inbetween(clip.problem).timeline)
     times = np.array([0.85, 1.0, 1.15])
     was, now = (bodies(saved.figure, each, times) for each in (path_of(saved.timeline), path))
@@ -241,7 +241,7 @@ def test_a_keyframe_of_an_arm_leaves_the_body_as_it_was(folder, saved):
 
 @pytest.mark.parametrize("change", [[{}], {"a": 1}, [{"point": "left_toe", "from, s": 1, "to, s": 0}], 3])
 def test_stances_that_a_strangers_file_makes_up_are_refused_or_do_no_harm(folder, change):
-    clip = clips.from_text(KERB, name="kerb", folder=folder)
+    clip = recordings.from_text(KERB, name="kerb", folder=folder)
     found = work.unsolved(clip).saved(Progress(), with_report=False)
     with pytest.raises(UserError, match="stances"):
         clips.answered(replace(found, search={"stances": change}))
@@ -253,7 +253,7 @@ def test_stances_that_a_strangers_file_makes_up_are_refused_or_do_no_harm(folder
 
 def test_a_loop_that_ships_is_followed_as_often_as_the_clip_says(tmp_path):
     """To its very end, three periods on, where it began but for its way."""
-    clip = clips.from_text(KERB, name="kerb", folder=tmp_path)
+    clip = recordings.from_text(KERB, name="kerb", folder=tmp_path)
     loop = clips.load("walk_loop").keys
     period = loop[-1].time - loop[0].time
     assert clip.keys[-1].time - clip.keys[0].time == pytest.approx(3 * period, abs=1e-9)
@@ -267,7 +267,7 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_says(tmp_path):
 @pytest.mark.slow
 def test_a_walk_steps_on_to_a_kerb_and_only_keyframes_that_somebody_gave_are_told_of(tmp_path):
     """Contacts lie far from some keyframes, whose poses are found all the same; feet stay out of the kerb."""
-    clip = clips.from_text(KERB + ON_IT, name="kerb", folder=tmp_path)
+    clip = recordings.from_text(KERB + ON_IT, name="kerb", folder=tmp_path)
     solved = Solved(clip, inbetween(clip.problem), None)
     solution = solved.motion
     path, model = path_of(solution.timeline), clip.figure.model

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines import inbetween
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 

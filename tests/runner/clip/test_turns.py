@@ -10,7 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.solver.curve.spline import path_of
 
 ARM = """<mujoco><worldbody><body pos="0 0 1"><joint name="turn" axis="0 0 1"/>

@@ -16,6 +16,7 @@ from rich.console import Console
 
 from dynsplines import models, motion, work
 from dynsplines.clip import load as clip
+from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import keyframe_tables, rotation, tables, written
 from dynsplines.edit import edits
 from dynsplines.edit import files as edit_files
@@ -186,7 +187,7 @@ def test_an_edited_loop_is_still_measured_as_one(tmp_path):
             np.testing.assert_allclose(seam["travel, m"], [0.3 * count, 0, 0.1 * count], atol=1e-12)
             for name in ("state", "first derivative", "second derivative"):
                 assert seam[name] < 1e-9
-        again = clip.table_of(edited.text, "again").solve
+        again = table_of(edited.text, "again").solve
         assert (again.ends, again.travel) == ("periodic", pytest.approx((0.3 * count, 0, 0.1 * count)))
 
 
@@ -232,8 +233,8 @@ def test_motions_in_different_coordinates_are_not_joined(steps):
 def test_a_clip_written_again_says_the_same():
     for name in models.clips():
         text = models.clip_text(name)
-        said = tables(clip.table_of(text, name))
-        assert tables(clip.table_of(written(said), name)) == said
+        said = tables(table_of(text, name))
+        assert tables(table_of(written(said), name)) == said
 
 
 def test_odd_names_and_texts_survive_being_written():
@@ -247,7 +248,7 @@ def test_odd_names_and_texts_survive_being_written():
 
 @pytest.mark.slow
 def test_keyframes_of_a_motion_become_a_clip_of_the_same_keyframes(steps):
-    said = tables(clip.table_of(steps.text, "steps")) | {"keyframe": keyframe_tables(steps.figure, steps.keys)}
+    said = tables(table_of(steps.text, "steps")) | {"keyframe": keyframe_tables(steps.figure, steps.keys)}
     again = clip.from_text(written(said), name="again")
     for a, b in zip(again.keys, steps.keys, strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
@@ -341,14 +342,14 @@ def test_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_path):
     for a, b in zip(two.keys, map(mirror.key, one.keys), strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
         np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-6)
-    said = clip.table_of(two.text, "two")
+    said = table_of(two.text, "two")
     assert said.contact[0].point == "right_toe"
     assert said.contact[0].position == (0.2, -0.1, 0.0)
     assert two.context.placed[0].point.name == "left_hand"
     for geom in ("step", "box 1", "capsule 1"):
         mine, its = (found.figure.model.geom(geom) for found in (one, two))
         np.testing.assert_allclose(its.pos, mine.pos * [1, -1, 1], atol=1e-12)
-    assert tables(clip.table_of(three.text, "three")) == tables(clip.table_of(ROUND, "one"))
+    assert tables(table_of(three.text, "three")) == tables(table_of(ROUND, "one"))
 
 
 @pytest.mark.slow
@@ -358,7 +359,7 @@ def test_contacts_and_flights_are_retimed_with_the_keyframes(tmp_path):
     edit_files.run(
         [str(tmp_path / "one.toml")], edit_files.retimed(2.0, None), target, overwrite=False, progress=progress()
     )
-    said = clip.table_of(target.read_text(encoding="utf-8"), "fast")
+    said = table_of(target.read_text(encoding="utf-8"), "fast")
     assert (said.contact[0].start, said.contact[0].end) == (0.3, 0.5)
     assert said.penalty[0].said["intervals"] == [[0.1, 0.2]]
 

@@ -11,9 +11,10 @@ import shipped
 import tiny
 from rich.console import Console
 
-from dynsplines import models, motion, work
+from dynsplines import models, motion, recordings, work
 from dynsplines.clip import file as clip_file
-from dynsplines.clip import load as clips
+from dynsplines.clip.build import Clip
+from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables
 from dynsplines.edit import edits, thinning
 from dynsplines.edit import files as edit_files
@@ -36,7 +37,7 @@ def shared(monkeypatch: pytest.MonkeyPatch) -> None:
     shipped.share(monkeypatch)
 
 
-def solved(clip: clips.Clip) -> Saved:
+def solved(clip: Clip) -> Saved:
     return work.solve(clip, quiet()).saved(quiet(), with_report=False)
 
 
@@ -44,23 +45,23 @@ def solved(clip: clips.Clip) -> Saved:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """With a motion, and a clip that follows it."""
     out = tmp_path_factory.mktemp("own")
-    motion.save(solved(clips.load(str(tiny.written(out)))), out / "own.npz")
+    motion.save(solved(recordings.load(str(tiny.written(out)))), out / "own.npz")
     (out / "following.toml").write_text(FOLLOWING, encoding="utf-8")
     return out
 
 
 @pytest.fixture(scope="module")
 def followed(folder: Path) -> Saved:
-    return solved(clips.load(str(folder / "following.toml")))
+    return solved(recordings.load(str(folder / "following.toml")))
 
 
 @pytest.fixture
 def flying(tmp_path: Path) -> Saved:
-    return solved(clips.load(str(tiny.written(tmp_path, FLYING))))
+    return solved(recordings.load(str(tiny.written(tmp_path, FLYING))))
 
 
 def flights(saved: Saved) -> list[list[float]] | None:
-    said = [row for row in tables(clips.table_of(saved.text, saved.name))["penalty"] if row["kind"] == "flight"]
+    said = [row for row in tables(table_of(saved.text, saved.name))["penalty"] if row["kind"] == "flight"]
     return said[0].get("intervals")
 
 
@@ -92,7 +93,7 @@ def test_what_is_edited_of_a_motion_that_follows_a_recording_is_a_motion_of_keyf
     problems.of_motion(edited)
     for exact in (False, True):
         clip_file.write(edited, tmp_path / "part.toml", exact=exact, overwrite=True)
-        again = clips.load(str(tmp_path / "part.toml"))
+        again = recordings.load(str(tmp_path / "part.toml"))
         np.testing.assert_allclose([k.time for k in again.keys], [k.time for k in edited.keys], atol=1e-12)
     own = work.solve(again, quiet()).motion.timeline  # exact: the spline through them as it is
     np.testing.assert_allclose(
@@ -124,14 +125,14 @@ def test_a_clip_that_follows_a_recording_is_edited_as_a_motion(folder, tmp_path,
 def test_a_motion_that_follows_a_recording_is_thinned_to_a_clip_that_needs_none(followed, tmp_path, exact):
     found = thinning.thinned(followed, 0.02, 0.1)
     thinning.write(found, tmp_path / "thin.toml", exact=exact)
-    again = clips.load(str(tmp_path / "thin.toml"))
+    again = recordings.load(str(tmp_path / "thin.toml"))
     assert not again.follows
     assert len(again.keys) < len(followed.keys)
 
 
 def test_a_motion_is_saved_as_a_clip_elsewhere_without_the_recording_that_lies_in_its_own_folder(followed, tmp_path):
     clip_file.write(followed, tmp_path / "elsewhere.toml", overwrite=False)
-    again = clips.load(str(tmp_path / "elsewhere.toml"))
+    again = recordings.load(str(tmp_path / "elsewhere.toml"))
     assert not again.follows
     assert len(again.keys) == followed.timeline.times.size
 
@@ -140,11 +141,11 @@ def test_a_motion_is_saved_as_a_clip_elsewhere_without_the_recording_that_lies_i
 def test_one_that_follows_what_ships_is_saved_as_the_same_edit(tmp_path):
     saved = shipped.solved("step_on_kerb").saved(quiet(), with_report=False)
     clip_file.write(saved, tmp_path / "kerb.toml", overwrite=False)
-    again = clips.load(str(tmp_path / "kerb.toml"))
+    again = recordings.load(str(tmp_path / "kerb.toml"))
     assert again.follows
     assert [key.time for key in again.said] == [2.24, 2.86, 3.24]
     clip_file.write(saved, tmp_path / "exact.toml", exact=True, overwrite=False)
-    assert not clips.load(str(tmp_path / "exact.toml")).follows
+    assert not recordings.load(str(tmp_path / "exact.toml")).follows
 
 
 def test_flights_are_cut_and_shifted_as_contacts_are(flying):
@@ -159,7 +160,7 @@ def test_flights_are_cut_and_shifted_as_contacts_are(flying):
 
 
 def test_flights_are_left_to_the_keyframes_where_one_of_two_motions_says_none(flying, tmp_path):
-    other = solved(clips.load(str(tiny.written(tmp_path, name="other.toml"))))
+    other = solved(recordings.load(str(tiny.written(tmp_path, name="other.toml"))))
     assert flights(edits.joined(flying, other, 0.2, quiet())) is None
 
 
@@ -167,9 +168,9 @@ def test_flights_are_left_to_the_keyframes_where_one_of_two_motions_says_none(fl
 def test_a_loop_flies_as_often_as_it_is_repeated():
     text = models.clip_text("run_loop")
     assert "flight" not in text
-    last = clips.load("run_loop").keys[-1].time
+    last = recordings.load("run_loop").keys[-1].time
     said = f'[[penalty]]\nkind = "flight"\nintervals = [[{0.2 * last}, {0.3 * last}]]\n\n[[keyframe]]'
-    saved = solved(clips.from_text(text.replace("[[keyframe]]", said, 1), name="flying"))
+    saved = solved(recordings.from_text(text.replace("[[keyframe]]", said, 1), name="flying"))
     thrice = flights(edits.repeated(saved, 3))
     assert thrice is not None
     wanted = [[(0.2 + i) * last, (0.3 + i) * last] for i in range(3)]
@@ -178,7 +179,7 @@ def test_a_loop_flies_as_often_as_it_is_repeated():
 
 def test_a_cycle_that_is_said_keeps_pace():
     said = '[[penalty]]\nkind = "cycle"\nperiod = 0.3\n[[keyframe]]'
-    table = tables(clips.table_of(tiny.CLIP.replace("[[keyframe]]", said, 1), "tiny"))
+    table = tables(table_of(tiny.CLIP.replace("[[keyframe]]", said, 1), "tiny"))
     assert edits.retimed_tables(table, 2.0)["penalty"] == [{"kind": "cycle", "period": 0.15}]
 
 
@@ -186,21 +187,21 @@ def test_a_cycle_that_is_said_keeps_pace():
 def test_a_clip_that_is_written_elsewhere_finds_its_figure(tmp_path, source):
     there = tmp_path / "clips"
     there.mkdir()
-    motion.save(solved(clips.load(str(tiny.written(there)))), there / "own.npz")
+    motion.save(solved(recordings.load(str(tiny.written(there)))), there / "own.npz")
     target, _ = edit_files.run(
         [str(there / source)], edit_files.trimmed(0.1, 0.3), tmp_path / "part.toml", overwrite=False, progress=quiet()
     )
-    assert clips.load(str(target)).keys[-1].time == pytest.approx(0.3)
+    assert recordings.load(str(target)).keys[-1].time == pytest.approx(0.3)
     target, _ = edit_files.run(
         [str(there / source)] * 2, edit_files.joined(0.2), tmp_path / "both.toml", overwrite=False, progress=quiet()
     )
-    assert clips.load(str(target)).keys[-1].time == pytest.approx(1.02)
+    assert recordings.load(str(target)).keys[-1].time == pytest.approx(1.02)
 
 
 def test_what_the_second_motion_leaves_free_is_where_it_goes_when_they_are_joined(tmp_path):
     """Its root turns by 170° on the way, so the second goes on in another direction."""
     text = tiny.CLIP.replace('root.position = [0.1, 0, "free"]', 'root.position = ["free", 0.02, 1]')
-    saved = solved(clips.load(str(tiny.written(tmp_path, text))))
+    saved = solved(recordings.load(str(tiny.written(tmp_path, text))))
     both = edits.joined(saved, saved, 0.2, quiet())
     key = next(key for key in both.keys if abs(key.time - 0.81) < 1e-6)
     there = at(both, np.array([0.81]))[0]
@@ -225,13 +226,13 @@ def test_things_go_with_the_recording_that_a_clip_follows(tmp_path):
     """Where a keyframe puts one is no place of it at the others, and without any all is as recorded."""
     head, *keyframes = tiny.CLIP.replace("fps = 20", "fps = 20" + THING).split("[[keyframe]]")
     text = "[[keyframe]]".join([head, *(each + PLACED.format(x=x) for x, each in enumerate(keyframes, 1))])
-    recorded = solved(clips.load(str(tiny.written(tmp_path, text))))
+    recorded = solved(recordings.load(str(tiny.written(tmp_path, text))))
     motion.save(recorded, tmp_path / "own.npz")
     following = FOLLOWING.replace("[recording]", THING + "[recording]")
-    bare = clips.from_text(following, name="bare", folder=tmp_path)
+    bare = recordings.from_text(following, name="bare", folder=tmp_path)
     assert bare.follows
     edits_ = '[[keyframe]]\ntime = 0.1\nroot.position = ["free", "free", 1.01]\n[[keyframe]]\ntime = 0.3\n'
-    clip = clips.from_text(following + edits_ + PLACED.format(x=2.5), name="edited", folder=tmp_path)
+    clip = recordings.from_text(following + edits_ + PLACED.format(x=2.5), name="edited", folder=tmp_path)
     first, second = clip.said
     columns = clip.figure.tables.position_columns[:, 1]
     assert not first.fixed[columns].any()

@@ -12,6 +12,7 @@ from tiny import names, written
 from dynsplines import motion, work
 from dynsplines.cli import app
 from dynsplines.clip import load as clip
+from dynsplines.clip.parse import table_of
 from dynsplines.edit import edits, thin_files
 from dynsplines.edit.thinning import recorded_of, thinned
 from dynsplines.errors import UserError
@@ -121,10 +122,10 @@ def test_thinning_an_exact_clip_gives_one_that_is_searched(straight, tmp_path):
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
     run(source, target, exact=True)
-    solve = clip.table_of(target.read_text(), "step").solve
+    solve = table_of(target.read_text(), "step").solve
     assert solve is not None and (solve.variable, solve.frames, solve.evaluations) == (0, 0, 1)
     exact = work.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
-    solve = clip.table_of(thinned(exact, *BOUND).motion.text, "again").solve
+    solve = table_of(thinned(exact, *BOUND).motion.text, "again").solve
     assert solve is None or (solve.variable, solve.frames, solve.evaluations) == (None, None, None)
 
 

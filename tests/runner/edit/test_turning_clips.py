@@ -182,6 +182,6 @@ def test_a_mirrored_clip_turns_the_other_way():
     said = {"solve": {"travel": [1.0, 0.5, 0.0], "turn": 45.0}, "keyframe": [{"root": {"rotation": rotation}}]}
     mirrored = mirrored_tables(said, figure, Mirror.of(figure))
     assert mirrored["solve"] == {"travel": [1.0, -0.5, 0.0], "turn": -45.0}
-    one = quaternion_of(RotationTable.model_validate(rotation), "left")
-    two = quaternion_of(RotationTable.model_validate(mirrored["keyframe"][0]["root"]["rotation"]), "right")
+    one = quaternion_of(RotationTable.model_validate(rotation))
+    two = quaternion_of(RotationTable.model_validate(mirrored["keyframe"][0]["root"]["rotation"]))
     np.testing.assert_allclose(two, one * [1, -1, 1, -1], atol=1e-12)

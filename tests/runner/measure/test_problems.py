@@ -17,7 +17,7 @@ from rich.console import Console
 
 from dynsplines import Keyframe, build, inbetween, load_motion, motion, work
 from dynsplines.clip import load as clip
-from dynsplines.clip.load import Clip
+from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
 from dynsplines.measure import problems
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE

@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from dynsplines import models
-from dynsplines.clip.load import table_of
+from dynsplines.clip.parse import table_of
 from dynsplines.errors import UserError
 from dynsplines.studio.document import Document
 from dynsplines.studio.edits import EDITS

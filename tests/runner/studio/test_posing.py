@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from dynsplines.clip import load as clips
+from dynsplines.clip.pose import _key
+from dynsplines.clip.table import ClipTable
 from dynsplines.errors import UserError
 from dynsplines.solver.posing import entries, limb
 from dynsplines.studio.posing import Poser
@@ -124,6 +126,6 @@ def test_what_a_pose_says_is_that_pose(clip, poser):
     said = poser.said(other, home)
     assert set(said) == {"joints", "root"}
     row = {"time": 0.0, **said}
-    table = clips.ClipTable.model_validate({"figure": "human", "keyframe": [row]})
-    key = clips._key(clip.figure, table.keyframe[0], None, (), "here")
+    table = ClipTable.model_validate({"figure": "human", "keyframe": [row]})
+    key = _key(clip.figure, table.keyframe[0], None, (), "here")
     np.testing.assert_allclose(key.state[key.fixed], other[key.fixed], atol=2e-5)

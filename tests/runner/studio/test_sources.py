@@ -7,8 +7,7 @@ import tomllib
 import pytest
 import tiny
 
-from dynsplines import models, motion
-from dynsplines.clip import load as clips
+from dynsplines import models, motion, recordings
 from dynsplines.errors import UserError
 from dynsplines.studio.sources import opened
 
@@ -34,7 +33,7 @@ def test_a_model_becomes_a_clip_to_begin_with(tmp_path):
     found = opened(str(tmp_path / "tiny.xml"))
     assert found.is_dirty
     assert found.folder == tmp_path.resolve()
-    clip = clips.from_text(found.text, name="tiny", folder=found.folder)
+    clip = recordings.from_text(found.text, name="tiny", folder=found.folder)
     assert len(clip.keys) >= 2
 
 
@@ -55,7 +54,7 @@ def test_what_was_recorded_is_followed_by_a_clip_whose_keyframes_edit_it(saved, 
     assert said["recording"]["file"] == "walk.npz"
     assert said["figure"] == "walk.xml"
     assert (tmp_path / "walk.xml").read_text() == saved.mjcf
-    clip = clips.from_text(found.text, name="walk", folder=found.folder)
+    clip = recordings.from_text(found.text, name="walk", folder=found.folder)
     assert clip.keys[-1].time == pytest.approx(saved.keys[-1].time, abs=0.01)
     assert opened(str(tmp_path / "walk.npz")).text == found.text  # and once more
 
@@ -63,7 +62,7 @@ def test_what_was_recorded_is_followed_by_a_clip_whose_keyframes_edit_it(saved, 
 def test_a_solved_motion_that_lies_elsewhere_brings_its_figure(saved, tmp_path):
     motion.save(saved, tmp_path / "moved.npz")
     found = opened(str(tmp_path / "moved.npz"))
-    clip = clips.from_text(found.text, name="moved", folder=found.folder)
+    clip = recordings.from_text(found.text, name="moved", folder=found.folder)
     assert [key.time for key in clip.keys] == [key.time for key in saved.keys]
     assert (tmp_path / "moved.xml").read_text() == saved.mjcf
 
@@ -74,7 +73,7 @@ def test_a_motion_that_followed_a_recording_elsewhere_is_its_own_keyframes(saved
     text = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "gone.npz"\n'
     motion.save(replace(saved, text=text), tmp_path / "moved.npz")
     found = opened(str(tmp_path / "moved.npz"))
-    clip = clips.from_text(found.text, name="moved", folder=found.folder)
+    clip = recordings.from_text(found.text, name="moved", folder=found.folder)
     assert not clip.follows
     assert [key.time for key in clip.keys] == saved.timeline.times.tolist()
 

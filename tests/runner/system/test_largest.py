@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from dynsplines import models, motion
-from dynsplines.clip.load import check_times, load
+from dynsplines.clip.load import load
+from dynsplines.clip.parse import check_times
 from dynsplines.errors import UserError
 from dynsplines.exchange.held import held
 from dynsplines.scene import mjcf_size

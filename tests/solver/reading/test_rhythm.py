@@ -9,7 +9,7 @@ from scipy.optimize import minimize_scalar
 from scipy.stats import multivariate_normal
 from walker import FINE
 
-from dynsplines.clip.constraints import constraints
+from dynsplines.clip.constraints import chosen, constraints
 from dynsplines.clip.context import Context
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
@@ -89,7 +89,7 @@ def test_two_keyframes_tell_none_even_if_asked():
     keys = raw_timeline(FIGURE, [Frame.key(TIME[k], WALK[k]) for k in (0, 200)])
     two = Gait(FIGURE, keys, SOLES, GROUND)
     assert two.told() is two.likeliest() is two.given(1.0) is None
-    found = constraints(Context.of(FIGURE, keys, GROUND, "two"), [PenaltyTable.of("cycle", period=1.0)])
+    found = constraints(Context.of(FIGURE, keys, GROUND, "two"), chosen([PenaltyTable.of("cycle", period=1.0)], "two"))
     assert "cycle" not in {penalty.name for penalty, _ in found.penalties}
     assert (
         "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
@@ -109,7 +109,7 @@ def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
     keys = gait(WALK, 0.42).keys
 
     def periods(*entries: PenaltyTable) -> list[float]:
-        found = constraints(Context.of(FIGURE, keys, GROUND, "walk"), list(entries))
+        found = constraints(Context.of(FIGURE, keys, GROUND, "walk"), chosen(entries, "walk"))
         return [penalty.rhythm.period for penalty, _ in found.penalties if isinstance(penalty, Cycle)]
 
     assert periods() == pytest.approx([PERIOD], rel=0.05)

@@ -96,7 +96,7 @@ def test_its_curvature_is_that_of_differences(cycled, rng):
 @pytest.mark.slow
 def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_them():
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(0, TIME.size, 280)]
-    penalties = constraints(Context.of(FIGURE, gait(WALK, 0.7).keys, GROUND, "walk"), []).penalties
+    penalties = constraints(Context.of(FIGURE, gait(WALK, 0.7).keys, GROUND, "walk"), {}).penalties
     off = {}
     for some in (penalties, [(p, w) for p, w in penalties if p.name != "cycle"]):
         motion = inbetween(Problem(FIGURE, keys, some, Settings(frames=30, tolerance=1e-2)))

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from dynsplines import models, motion, work
+from dynsplines.clean import lead_in
 from dynsplines.clip import load as clip
-from dynsplines.edit import lead_in, thin_files
+from dynsplines.edit import thin_files
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.spline import path_of

@@ -1,0 +1,237 @@
+"""Last stage of loading: keyframes of a figure become a problem with soft constraints, ready to solve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.penalty import Penalty, Placed, Support
+from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.search.refinement import DENSE, copes
+from dynsplines.solver.surface import static_surfaces
+
+from ..errors import UserError
+from ..motion import Saved
+from ..scene.assets import Scene
+from .constraints import constraints, weight_factors
+from .contacts import Contacts
+from .context import Context
+from .follow.keeping import ground_of, rests_of, stances_in, stances_of
+from .follow.recording import Followed
+from .kinds import KINDS
+from .parse import Parsed, table_of
+from .posing.couplings import complaints
+from .table import ClipTable, SolveTable
+
+Own = Sequence[tuple[Penalty, float]]
+
+AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop in a period
+NEXT = 1e-6  # [s] by which a saved keyframe may differ from its time in the text
+
+
+@dataclass(frozen=True, repr=False)
+class Clip:
+    """A problem ready to solve, and its inputs for reports.
+
+    text     the TOML text (empty for MJCF and NPZ clips)
+    scene    the complete MJCF of figure and scene, with the files that it refers to
+    problem  what is to be solved: figure, keyframes, soft constraints, settings, ends
+    context  the inputs of the soft constraints: soles, knees and elbows, contacts, holds, flights, a cycle
+    notes    one line each on what is missing or doubtful
+    own      custom soft constraints, which are among the problem's; no file contains them
+    """
+
+    name: str
+    text: str
+    scene: Scene
+    fps: float
+    problem: Problem
+    context: Context
+    notes: tuple[str, ...]
+    own: tuple[tuple[Penalty, float], ...] = ()
+
+    @property
+    def figure(self) -> Figure:
+        """The figure that moves."""
+        return self.problem.figure
+
+    @property
+    def keys(self) -> tuple[Frame, ...]:
+        """The keyframes."""
+        return tuple(self.problem.keys)
+
+    @property
+    def said(self) -> tuple[Frame, ...]:
+        """The keyframes of the clip's text: without the frames of a recording that it follows."""
+        return edits_of(self.keys, table_of(self.text, self.context.where)) if self.follows else self.keys
+
+    @property
+    def follows(self) -> bool:
+        """Whether it follows a recording, so that most of its frames are not keyframes of its text."""
+        return "recording" in self.text and table_of(self.text, self.context.where).recording is not None
+
+    @property
+    def stances(self) -> list[dict[str, Any]]:
+        """The stances of a clip that follows a recording, as a file contains them; none of others."""
+        return stances_of(self.context.contacts.given) if self.follows else []
+
+    @property
+    def penalties(self) -> tuple[tuple[Penalty, float], ...]:
+        """The soft constraints with their weights."""
+        return tuple(self.problem.penalties)
+
+    @property
+    def settings(self) -> Settings:
+        """The settings of the search."""
+        return self.problem.settings
+
+    @property
+    def ends(self) -> str:
+        """ "free", "clamped" or "periodic" """
+        return self.problem.ends
+
+    @property
+    def mjcf(self) -> str:
+        """The complete MJCF text."""
+        return self.scene.mjcf
+
+    def asking(self, **changes: Any) -> Clip:
+        """Return the same clip with fields of its problem changed: penalties, settings, ends."""
+        return replace(self, problem=replace(self.problem, **changes))
+
+    def __repr__(self) -> str:
+        """ "<Clip run_and_step: 2.20 s, 12 keyframes (3 partial), 15 penalties, 39 DOF>" """
+        seconds, partial = self.keys[-1].time - self.keys[0].time, sum(not key.is_key for key in self.keys)
+        some = f" ({partial} partial)" if partial else ""
+        loop = ", loop" if self.ends == "periodic" else ""
+        return (
+            f"<Clip {self.name}: {seconds:.2f} s{loop}, {len(self.keys)} keyframes{some}, "
+            f"{len(self.penalties)} penalties, {self.figure.model.nv} DOF>"
+        )
+
+
+def build(
+    source: Parsed, scene: Scene, figure: Figure, keys: Sequence[Frame], placed: Sequence[Placed], fps: float
+) -> Clip:
+    """Return the clip of keyframes, qpos (nq,) and mask each.
+
+    placed  points whose places are left to the search
+
+    Raises:
+        UserError: for keyframes that make no timeline, and for tables that do not fit the figure.
+    """
+    table, solve = source.table, source.table.solve
+    slope = np.zeros((2, figure.width)) if solve.ends == "clamped" else None
+    turn = radians(solve.turn)
+    problem = Problem(figure, tuple(keys), (), source.settings, solve.ends, slope, solve.travel, turn)
+    _check_timeline(problem, source.where)
+    surfaces = static_surfaces(figure.model)
+    context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.hold)
+    broken = complaints(figure, problem.raw, keys)
+    found = constraints(context, source.options)
+    problem = replace(problem, penalties=found.penalties)
+    notes = (*broken, *found.notes, *_too_many(problem))
+    return Clip(source.name, source.text, scene, fps, problem, found.context, notes)
+
+
+def build_following(
+    source: Parsed,
+    scene: Scene,
+    recording: Followed,
+    edits: Sequence[Frame],
+    fps: float,
+    known: object = None,
+) -> Clip:
+    """Return a clip whose keyframes edit a recording.
+
+    known  the stances that a file contains, see `Clip.stances`; None to infer them
+
+    Raises:
+        UserError: for tables that do not fit the figure or the recording.
+    """
+    figure, where = recording.recorded.figure, source.where
+    ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
+    given = rests_of(ground, source.table.contact, recording.recorded.path.span, where)
+    rests = recording.stances(ground, edits, given) if known is None else stances_in(known, ground, where)
+    problem, factors = recording.problem(ground, edits, rests), weight_factors(source.options)
+    problem = replace(problem, penalties=tuple((p, w * factors.get(p.name, 1.0)) for p, w in problem.penalties))
+    _check_timeline(problem, where)
+    bends = () if ground.bends is None else ground.bends.joints
+    support = next((penalty for penalty, _ in problem.penalties if isinstance(penalty, Support)), None)
+    contacts = Contacts(rests=rests, given=rests)
+    context = Context(figure, problem.raw, ground.surfaces, where, ground.points, bends, contacts, support=support)
+    return Clip(source.name, source.text, scene, fps, problem, context, ())
+
+
+def _check_timeline(problem: Problem, where: str) -> None:
+    try:
+        _ = problem.raw
+    except (TimelineError, ValueError) as error:
+        raise UserError(f"{where}: {error}") from None
+
+
+def edits_of(keys: Sequence[Frame], table: ClipTable) -> tuple[Frame, ...]:
+    """Return the keys at times of a clip's keyframe tables."""
+    given = [row.time for row in table.keyframe]
+    return tuple(key for key in keys if np.isclose(key.time, given, rtol=0, atol=NEXT).any())
+
+
+def solve_of(saved: Saved, solve: SolveTable) -> SolveTable:
+    """Return a [solve] table with the ends of a saved motion."""
+    update = {"ends": saved.timeline.ends, **dict.fromkeys(AROUND), **around(saved)}
+    return solve.model_copy(update=update)
+
+
+def around(saved: Saved) -> dict[str, Any]:
+    """Return the keys of [solve] for the displacement of a saved loop: travel [m] and, if it turns, turn [degrees]."""
+    roots = saved.figure.tables.position_columns
+    if saved.timeline.ends != "periodic" or not roots.size:
+        return {}
+    seam = Seam.of(saved.figure, saved.timeline)
+    turn = {"turn": float(np.degrees(seam.headings[0]))} if seam.headings[0] else {}
+    return {"travel": seam.travel[roots[:, 0]].tolist(), **turn}
+
+
+def radians(degrees: float | None) -> float | None:
+    """Return an angle in radians; None for None."""
+    return None if degrees is None else float(np.radians(degrees))
+
+
+def with_own(clip: Clip, own: Own) -> Clip:
+    """Return the clip with custom soft constraints, each with its weight, after those that it has.
+
+    Raises:
+        UserError: for an entry that is no soft constraint with a weight, and for a name that exists already.
+    """
+    taken = {penalty.name for penalty, _ in clip.penalties} | {k.term(part) for k in KINDS.values() for part in k.parts}
+    where = f"{clip.name}: own"
+    for entry in own:
+        if not (isinstance(entry, tuple) and len(entry) == 2 and isinstance(entry[0], Penalty)):
+            raise UserError(f"{where}: every entry is (penalty, weight), a soft constraint and a number, not {entry!r}")
+        penalty, weight = entry
+        if isinstance(weight, bool) or not isinstance(weight, int | float) or not 0 <= weight < np.inf:
+            raise UserError(f"{where}: the weight of '{penalty.name}' is a number from 0 on, not {weight!r}")
+        if penalty.name in taken:
+            raise UserError(f"{where}: a soft constraint called '{penalty.name}' is there already; call it otherwise")
+        taken.add(penalty.name)
+    more = tuple((penalty, float(weight)) for penalty, weight in own if weight > 0)
+    return replace(clip, own=(*clip.own, *more), problem=replace(clip.problem, penalties=(*clip.penalties, *more)))
+
+
+def _too_many(problem: Problem) -> Iterator[str]:
+    """A line on an optimiser that does nothing with so many unknowns."""
+    settings = problem.settings
+    times = np.array([key.time for key in problem.keys])
+    about = settings.beginning(times, in_windows=False).size * problem.figure.width
+    if isinstance(settings.optimiser, str) and not copes(settings.optimiser, about):
+        most = DENSE[settings.optimiser.lower()]
+        yield (
+            f"optimiser '{settings.optimiser}' is dense: with some {about} unknowns, over {most}, "
+            "all steps are Gauss-Newton's and nothing refines them"
+        )

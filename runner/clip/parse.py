@@ -1,0 +1,268 @@
+"""First stage of loading: the text of a clip becomes checked tables, before its figure is read."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from itertools import pairwise
+from pathlib import Path
+from typing import TypeVar
+
+from pydantic import ValidationError
+
+from dynsplines import models
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.problem import FEW, Settings
+from dynsplines.solver.refine.subdivision import CRITERIA
+from dynsplines.solver.search.descent import check_method
+
+from ..errors import UserError, unknown
+from .constraints import chosen, replaced
+from .follow.keeping import WEIGHTS
+from .kinds import Options
+from .table import ClipTable, SolveTable, Table
+from .table_errors import describe
+from .text import written
+
+Tables = TypeVar("Tables", bound=Table)
+
+LONGEST_PANEL = 0.05  # [s] of Gauss's rule
+POINTS = 3  # of Gauss's rule in a panel: exact for fifth powers of time
+TOLERANCE = 1e-3  # relative progress of E at which a search ends
+FRAME_SECONDS = 0.1  # [s] a variable frame at least in the budget of a clip with long segments
+SHORTEST = 0.001  # [s] between neighbouring keyframes
+UNEVEN = 10_000  # largest ratio of adjacent distances between keyframes: the spline overshoots by as much
+LONGEST = 600.0  # [s] from the first keyframe to the last
+
+
+@dataclass(frozen=True, eq=False)
+class Parsed:
+    """A clip's text and its tables, checked as far as that is possible without its figure.
+
+    text      empty for a clip that has none: keyframes of an MJCF file or of arrays
+    where     the name of the clip in errors
+    folder    start of relative paths
+    options   of the kinds of soft constraint that are listed, by kind
+    settings  of the search
+    """
+
+    name: str
+    text: str
+    where: str
+    table: ClipTable
+    options: Mapping[str, Options]
+    settings: Settings
+    folder: Path | None = None
+
+    @classmethod
+    def of(cls, text: str, name: str, where: str, folder: Path | None = None) -> Parsed:
+        """Return a text with its tables, of a saved motion too; without a text those of a clip that specifies nothing.
+
+        Raises:
+            UserError: for a text that does not fit the tables.
+        """
+        table = table_of(text, where) if text else ClipTable(figure="")
+        settings = settings_of(table.solve, [row.time for row in table.keyframe], where)
+        return cls(name, text, where, table, chosen(table.penalty, where), settings, folder)
+
+    def with_solve(self, solve: SolveTable, times: Sequence[float]) -> Parsed:
+        """Return the clip with another [solve] table, for keyframes at times (K,) [s]."""
+        table = self.table.model_copy(update={"solve": solve})
+        return replace(self, table=table, settings=settings_of(solve, times, self.where))
+
+
+def parse(text: str, name: str, where: str, folder: Path | None = None) -> Parsed:
+    """Return a clip's text with its tables.
+
+    Raises:
+        UserError: for tables that fit no figure.
+    """
+    source = Parsed.of(text, name, where, folder)
+    follows = source.table.recording is not None
+    check_times([row.time for row in source.table.keyframe], where, fewest=0 if follows else 2)
+    for line in _misplaced(source.table) if follows else ():
+        raise UserError(f"{where}: {line}")
+    return source
+
+
+def read(source: str) -> Parsed | Path:
+    """Return a shipped clip or a TOML file, parsed, or the path of an MJCF file.
+
+    Raises:
+        UserError: for a name of neither, and for a file that cannot be read.
+    """
+    if source in models.clips():
+        return parse(models.clip_text(source), source, f"{source}.toml")
+    path = Path(source)
+    if path.is_dir():
+        raise UserError(f"'{source}' is a folder, not a clip")
+    if not path.is_file():
+        if path.suffix:
+            raise UserError(f"no file '{source}'; clips that ship: {', '.join(models.clips()) or 'none'}")
+        raise UserError(unknown("clip", source, models.clips()))
+    if path.suffix.lower() == ".xml":
+        return path
+    if path.suffix.lower() != ".toml":
+        raise UserError(f"'{source}': a clip is a .toml file, an MJCF .xml with keyframes, or a shipped name")
+    try:
+        text = _text_of(path)
+    except OSError as error:
+        raise UserError(f"{source}: cannot be read: {error.strerror}") from None
+    return parse(text, path.stem, path.name, path.parent)
+
+
+def _text_of(file: Path) -> str:
+    try:
+        return file.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise UserError(f"{file}: not UTF-8 text (byte {error.start + 1})") from None
+
+
+@lru_cache(maxsize=4)
+def table_of(text: str, where: str) -> ClipTable:
+    """Return the tables of a clip's TOML text, the same ones for the same text: do not change them.
+
+    Raises:
+        UserError: for a text that does not fit the tables.
+    """
+    return _tables(text, where, ClipTable)
+
+
+def file_of(source: Path, kind: type[Tables]) -> Tables:
+    """Return the tables of another TOML file: scene and contacts of a recording, a bone map.
+
+    Raises:
+        UserError: for a file that does not fit the tables.
+    """
+    return _tables(_text_of(source), source.name, kind)
+
+
+def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
+    try:
+        raw = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise UserError(f"{where}: not valid TOML: {error}") from None
+    except RecursionError:
+        raise UserError(f"{where}: not valid TOML: nested too deeply") from None
+    except ValueError:  # what Python calls too many digits for an integer
+        raise UserError(f"{where}: not valid TOML: a number of thousands of digits") from None
+    if kind is ClipTable and not raw:
+        raise UserError(f"{where}: the clip is empty; it needs a figure and two [[keyframe]] tables")
+    if kind is ClipTable and raw.get("keyframe", []) == [] and "recording" not in raw:
+        raise UserError(f"{where}: no keyframes; a clip needs at least two [[keyframe]] tables")
+    try:
+        return kind.model_validate(raw)
+    except ValidationError as error:
+        raise UserError(f"{where}: {describe(error, raw, root=kind)}") from None
+
+
+def renewed(text: str) -> str:
+    """Return a clip's text with the kinds of penalty that older versions had replaced by those that exist now."""
+    try:
+        raw = tomllib.loads(text)
+        rows = raw.get("penalty", [])
+        now = replaced(rows)
+    except (ValueError, TypeError, RecursionError):  # a damaged text is reported where it is read
+        return text
+    return text if now is rows else written(raw | {"penalty": now})
+
+
+def references(text: str) -> tuple[str | None, str | None]:
+    """Return the figure and the recording that a clip's TOML text names; None for each that it lacks."""
+    try:
+        raw = tomllib.loads(text)
+    except (ValueError, RecursionError):
+        return None, None
+    figure, recording = raw.get("figure"), raw.get("recording")
+    file = recording.get("file") if isinstance(recording, dict) else None
+    return figure if isinstance(figure, str) else None, file if isinstance(file, str) else None
+
+
+def _misplaced(table: ClipTable) -> Iterator[str]:
+    """A line on everything that only a clip without a recording can have."""
+    if table.hold:
+        yield "[[hold]] is for clips of keyframes; one that follows a recording has none"
+    if table.solve.model_fields_set - {"coordinates"}:
+        yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
+    for entry in table.penalty:
+        weight = entry.said.get("weight")
+        terms = [f"{entry.kind}.{part}" for part in weight] if isinstance(weight, dict) else []
+        unfit = [term for term in terms if term not in WEIGHTS]
+        known = [term for term in WEIGHTS if term != "near"]
+        if entry.kind not in {term.split(".")[0] for term in known} or unfit or entry.said.keys() - {"weight"}:
+            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(known)}"
+
+
+def called(number: int, time: float) -> str:
+    """Return the name of a keyframe in errors, by its number from 1 on and its time [s]."""
+    return f"keyframe {number} (t = {time:g} s)"
+
+
+def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
+    """Check that the times (K,) [s] of keyframes rise by steps that are neither too short nor too uneven.
+
+    Raises:
+        UserError: where they do not, and for fewer than `fewest` or more seconds than a report covers.
+    """
+    if len(times) < fewest:
+        raise UserError(f"{where}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
+    for i, (a, b) in enumerate(pairwise(times), 1):
+        if not b > a:
+            raise UserError(f"{where}: {called(i + 1, b)} is not after {called(i, a)}; times must rise")
+        if b - a < SHORTEST:
+            raise UserError(f"{where}: {called(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
+    for i, (a, b, c) in enumerate(zip(times, times[1:], times[2:], strict=False), 1):
+        short, long = sorted((b - a, c - b))
+        if long > UNEVEN * short * (1 + 1e-9):
+            raise UserError(
+                f"{where}: keyframes {i}, {i + 1} and {i + 2} are {b - a:g} s and {c - b:g} s apart, which is over "
+                f"{UNEVEN:,} : 1; put keyframes in between, the nearer to the short one the closer"
+            )
+    if len(times) > 1 and times[-1] - times[0] > LONGEST:
+        raise UserError(
+            f"{where}: from the first to the last keyframe are {times[-1] - times[0]:g} s, over {LONGEST:g} s"
+        )
+
+
+def settings_of(solve: SolveTable, times: Sequence[float], where: str) -> Settings:
+    """Return the settings of the search for keyframes at times (K,) [s].
+
+    The default budget of variable frames is three a segment, or one a tenth of a second if that is more.
+
+    Raises:
+        UserError: for an unknown criterion or optimiser, or too many samples.
+    """
+    try:
+        return _settings(solve, times)
+    except ValueError as error:
+        raise UserError(f"{where}: {error}") from None
+
+
+def _settings(solve: SolveTable, times: Sequence[float]) -> Settings:
+    if solve.quadrature == "gauss" and (solve.samples or 0) > 64:
+        raise ValueError(f"solve: samples must be at most 64 a panel with quadrature = 'gauss', not {solve.samples}")
+    if solve.criterion is not None and solve.criterion not in CRITERIA:
+        raise ValueError(f"solve: {unknown('criterion', solve.criterion, CRITERIA)}")
+    if solve.optimiser is not None:
+        check_method(solve.optimiser)
+    segments, default = max(len(times) - 1, 1), Settings()
+    budget = max(3 * segments, round((times[-1] - times[0]) / FRAME_SECONDS)) if times else None
+    begin = solve.variable
+    if begin is None and solve.frames is not None:
+        begin = min(FEW, solve.frames // segments)
+    if solve.quadrature == "uniform":
+        quadrature = Quadrature("uniform", solve.samples or 100)
+    else:
+        quadrature = Quadrature("gauss", solve.samples or POINTS, LONGEST_PANEL)
+    return Settings(
+        variable=begin,
+        frames=budget if solve.frames is None else solve.frames,
+        criterion=default.criterion if solve.criterion is None else solve.criterion,
+        threshold=default.threshold if solve.threshold is None else solve.threshold,
+        optimiser=default.optimiser if solve.optimiser is None else solve.optimiser,
+        max_evaluations=solve.evaluations or default.max_evaluations,
+        tolerance=solve.tolerance or TOLERANCE,
+        quadrature=quadrature,
+    )

@@ -1,0 +1,165 @@
+"""Second stage of loading: keyframe tables become keyframes of a figure, posed where they leave joints free."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
+from dynsplines.solver.penalty import Placed
+from dynsplines.solver.posing import entries
+from dynsplines.solver.surface import static_surfaces
+from dynsplines.solver.surface.points import Point
+
+from ..errors import UserError, unknown
+from .constraints import listed_flights, posing_bends
+from .obstacles import lying
+from .parse import Parsed, called
+from .posing.couplings import follow
+from .posing.feet import sole_points
+from .posing.places import Places
+from .posing.placing import Wanted, check_search, wanted, with_pose
+from .posing.rooting import set_roots
+from .posing.rotation import quaternion_of
+from .posing.standing import Stander
+from .table import ROTATION, KeyframeTable, RotationTable
+
+
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """The keyframes of a clip, qpos (nq,) and mask each.
+
+    placed  points whose places are left to the search
+    missed  a line on each place that no pose was found for; there the keyframe is as near as possible
+    """
+
+    keys: list[Frame]
+    placed: tuple[Placed, ...]
+    missed: list[str]
+
+
+def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None) -> Posed:
+    """Return the keyframes of a clip.
+
+    base  returns qpos (nq,) at a time [s] for the unspecified degrees of freedom of keyframes that edit a recording
+
+    Raises:
+        UserError: for tables that do not fit the figure.
+    """
+    where, rows = source.where, lying(source.table)
+    places = [f"{where}: {called(number, row.time)}" for number, row in enumerate(rows, start=1)]
+    wants = _wanted(figure, rows, places)
+    loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
+    keys: list[Frame] = []
+    for row, here, free in zip(rows, places, loose, strict=True):
+        if row.others == "hold" and not keys:
+            raise UserError(f"{here}: others = 'hold' has no keyframe before it to hold")
+        keys.append(_based(_key(figure, row, keys[-1] if keys else None, free, here), base))
+    stander, missed = stander_of(source, figure), list[str]()
+    if any(want.goals for want in wants):
+        for k, (row, want, here) in enumerate(zip(rows, wants, places, strict=True)):
+            held = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # holds what is solved by now
+            keys[k] = _based(held, base)
+            if want.goals:
+                among, own = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
+                keys[k], lines = with_pose(figure, among, own, want.goals, stander, here)
+                missed += [f"{called(k + 1, row.time)}: {line}" for line in lines]
+                keys[k] = _based(keys[k], base)
+    for key, want, here in zip(keys, wants, places, strict=True):
+        if want.placed:
+            check_search(figure, key, want.placed, here)
+    placed = tuple(point for want in wants for point in want.placed)
+    return Posed(keys if base is not None else stander.stood(keys, placed), placed, missed)
+
+
+def stander_of(source: Parsed, figure: Figure) -> Stander:
+    """Return what poses the feet of a clip's partial keyframes."""
+    table, options = source.table, source.options
+    return Stander(
+        figure,
+        static_surfaces(figure.model),
+        table.contact,
+        posing_bends(figure, options),
+        table.solve,
+        source.where,
+        held=table.hold,
+        aloft=listed_flights(options),
+    )
+
+
+def _based(key: Frame, base: Callable[[float], Array] | None) -> Frame:
+    """A keyframe with its unspecified degrees of freedom as in what it edits."""
+    if base is None:
+        return key
+    return Frame(key.time, np.where(key.fixed, key.state, base(key.time)), key.fixed, ~key.fixed)
+
+
+def _later(key: Frame, base: Callable[[float], Array], by: int) -> Frame:
+    """A keyframe, or what it edits a second later or earlier."""
+    return key if not by else Frame.key(key.time + by, base(key.time))
+
+
+def _wanted(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]) -> list[Wanted]:
+    """The places in each keyframe; feet are inferred from the keyframes that fix every joint."""
+    places = Places(figure)
+    if any(row.sites or row.bodies for row in rows):
+        keys: list[Frame] = []
+        for row, here in zip(rows, where, strict=True):
+            keys.append(_key(figure, row, keys[-1] if keys else None, (), here))
+        places = Places(figure, soles_of(figure, keys))
+    return [wanted(places, row, here) for row, here in zip(rows, where, strict=True)]
+
+
+def soles_of(figure: Figure, keys: Sequence[Frame]) -> tuple[Point, ...]:
+    """Return the sole points of a figure that stands in its whole keyframes, of qpos (nq,)."""
+    whole = [key.state for key in keys if key.is_key]
+    return sole_points(figure, np.reshape(whole, (-1, figure.width)))
+
+
+def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], where: str) -> Frame:
+    """The qpos and mask of a keyframe; unspecified degrees of freedom are free, at rest, or as in the keyframe before.
+
+    loose  links whose joints are free whatever `others` is
+    """
+    qpos = np.array(figure.model.qpos0)
+    fixed = np.full(figure.width, row.others == "rest" or row.model_key is not None)
+    if row.model_key is not None:
+        qpos = figure.to_qpos(figure.to_state(figure.model.key(row.model_key).qpos))  # unit quaternions
+    if row.others == "hold" and before is not None:
+        qpos, fixed = np.array(before.state), np.array(before.fixed)
+    for i in loose:
+        fixed[entries(figure, i)] = False
+    named = {link.name: link for link in figure.links[1:]}
+    for name, value in row.joints.items():
+        if name not in named:
+            raise UserError(f"{where}: {unknown('joint', name, named)}")
+        if value == "free":
+            fixed[quaternion_columns(named[name]) or named[name].qpos] = False
+        else:
+            _set_joint(qpos, fixed, named[name], value, f"{where}: joints.{name}")
+    set_roots(figure, qpos, fixed, row, where, None if before is None else before.state)
+    follow(figure, qpos, fixed, lambda name: name in row.joints)
+    return Frame.key(row.time, qpos, fixed)
+
+
+def _set_joint(qpos: Array, fixed: Mask, link: Link, value: RotationTable | float, where: str) -> None:
+    columns = quaternion_columns(link)
+    if columns is None:
+        if isinstance(value, RotationTable):
+            unit = "degrees" if link.kind is JointKind.HINGE else "metres"
+            raise UserError(f"{where}: a {link.kind.name.lower()} joint takes a number ({unit}), not a rotation")
+        qpos[link.qpos] = np.radians(value) if link.kind is JointKind.HINGE else value
+        fixed[link.qpos] = True
+        return
+    if link.kind is JointKind.FREE:
+        raise UserError(f"{where}: a free joint is placed by root.position and root.rotation, or by roots.{link.name}")
+    if not isinstance(value, RotationTable):
+        raise UserError(f"{where}: a ball joint takes a rotation, {ROTATION}, not a number")
+    if value.heading is not None:
+        raise UserError(f"{where}: a heading is of the root, of bodies and of obstacles; a joint turns in its parent")
+    qpos[columns] = quaternion_of(value)
+    fixed[columns] = True

@@ -1,0 +1,131 @@
+"""Clips with the recording that they follow: a clip among these is solved, a file of another program is cleaned.
+
+That comes before loading, which reads and builds but does not search.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+import mujoco
+
+from dynsplines import models
+
+from . import motion
+from .clip import load as clips
+from .clip.build import Clip
+from .clip.follow.recording import Moving
+from .clip.parse import Parsed, parse, read
+from .errors import UserError
+from .scene import outside
+
+
+def load(
+    source: str,
+    *,
+    model: str | None = None,
+    keys: str | None = None,
+    figure_file: str | None = None,
+    fps: float | None = None,
+    unmet: list[str] | None = None,
+) -> Clip:
+    """Return a clip as `clip.load.load` does, after the motion that it follows, if any.
+
+    Raises:
+        UserError: also for a recording that cannot be read, and for a clip that follows itself.
+    """
+    file = None if model is not None or keys is not None else read(source)
+    if not isinstance(file, Parsed):
+        return clips.load(source, model=model, keys=keys, fps=fps)
+    return _loaded(file, (), figure_file=figure_file, fps=fps, unmet=unmet)
+
+
+def from_text(
+    text: str,
+    *,
+    name: str,
+    where: str | None = None,
+    folder: Path | None = None,
+    fps: float | None = None,
+    spec: mujoco.MjSpec | None = None,
+    like: Clip | None = None,
+) -> Clip:
+    """Return the clip of a TOML text, see `clip.load.from_parsed`, after the motion that it follows, if any.
+
+    where   the name of the clip in errors
+    folder  start of relative paths
+    """
+    return _loaded(parse(text, name, where or f"{name}.toml", folder), (), fps=fps, spec=spec, like=like)
+
+
+def _loaded(
+    source: Parsed,
+    following: tuple[str, ...],
+    *,
+    figure_file: str | None = None,
+    fps: float | None = None,
+    spec: mujoco.MjSpec | None = None,
+    unmet: list[str] | None = None,
+    like: Clip | None = None,
+) -> Clip:
+    recording = recorded(source, figure_file, following)
+    return clips.from_parsed(
+        source, figure_file=figure_file, fps=fps, spec=spec, unmet=unmet, like=like, recording=recording
+    )
+
+
+def recorded(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> Moving | None:
+    """Return the motion that a clip follows; None without a recording.
+
+    figure_file  where the figure is now, if not where the clip has it
+    following    the clips that lead to this one, each of which follows the next
+
+    Raises:
+        UserError: for a recording that cannot be read, and for a clip that follows itself.
+    """
+    if source.table.recording is None:
+        return None
+    name, folder, where = source.table.recording.file, source.folder or Path(), f"{source.where}: recording"
+    if name in models.clips():
+        return _solved(name, name, where, following)
+    file = folder / name
+    if not outside.is_allowed() and not outside.lies_in(file, folder):
+        raise UserError(f"{where}: '{name}' lies outside the clip's folder; --allow-outside lets it be read")
+    if file.suffix == ".toml":
+        return _solved(str(file), str(file.resolve()), where, following)
+    if file.suffix == ".npz" and not (file.is_file() and not motion.is_motion(str(file))):
+        saved = motion.load(file)
+        return Moving(saved.figure, saved.timeline, saved.fps)
+    figure = figure_file or source.table.figure
+    if figure_file is None and figure not in models.figures() and source.folder is not None:
+        figure = str(source.folder / figure)
+    from .clean import running  # only here: it reads many formats
+
+    try:
+        return running.moving(file, figure, source.table.scene)
+    except UserError as error:
+        raise UserError(f"{where}: {error}") from None
+
+
+def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) -> Moving:
+    """The motion of a clip that ships or of a clip's file."""
+    if identity in following:
+        raise UserError(f"{where}: '{source}' follows itself")
+    try:
+        return _shipped(source) if source in models.clips() else _solution(source, (*following, identity))
+    except UserError as error:
+        raise UserError(f"{where}: {error}") from None
+
+
+@lru_cache(maxsize=4)
+def _shipped(name: str) -> Moving:
+    return _solution(name, (name,))
+
+
+def _solution(source: str, following: tuple[str, ...]) -> Moving:
+    from dynsplines.solver.inbetween import inbetween  # only here: most clips follow no other
+
+    file = read(source)
+    clip = _loaded(file, following) if isinstance(file, Parsed) else clips.load(source)
+    return Moving(clip.figure, inbetween(clip.problem).timeline, clip.fps)
