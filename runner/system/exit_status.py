@@ -66,7 +66,7 @@ def _ending(error: BaseException) -> tuple[int, str]:
         return 2, "not enough memory for this, or to load what it needs"
     if isinstance(error, RuntimeError) and "can't start new thread" in str(error):
         return 2, "the system allows no more threads, or no more memory"
-    return INTERNAL, one_line(f"a mistake of dynsplines, not of yours: {_place(error)}; please report it, with {HOW}")
+    return INTERNAL, one_line(f"internal error: {_place(error)}; please report it, with {HOW}")
 
 
 def _place(error: BaseException) -> str:
@@ -88,7 +88,7 @@ def _is_nowhere() -> bool:
 
 
 def _is_interrupt(error: BaseException | None) -> bool:
-    """Whether Ctrl-C is behind it: pressed while an extension module is imported it comes out as an ImportError."""
+    """Whether Ctrl-C caused the error; during the import of an extension module it causes an ImportError."""
     while error is not None and not isinstance(error, KeyboardInterrupt):
         error = error.__cause__ or error.__context__
     return error is not None

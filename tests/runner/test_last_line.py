@@ -56,7 +56,7 @@ def test_a_mistake_of_the_program_is_one_line_that_asks_for_a_report(ended: Ende
     code, line = ended("new", "tiny.xml", "-o", "a.toml")
     assert code == 4
     assert re.fullmatch(
-        r"dynsplines: a mistake of dynsplines, not of yours: ZeroDivisionError: by\\nnought \(test_last_line.py:\d+\); "
+        r"dynsplines: internal error: ZeroDivisionError: by\\nnought \(test_last_line.py:\d+\); "
         r"please report it, with what the same command prints as `dynsplines --debug ...`",
         line,
     )

@@ -122,7 +122,7 @@ class Work:
         except UserError as error:
             self._tell("refused", revision=message.get("revision"), words=one_line(error))
         except Exception as error:  # a mistake of ours: the page tells it and goes on
-            words = f"a mistake of dynsplines, not of yours: {type(error).__name__}: {one_line(error)}"
+            words = f"internal error: {type(error).__name__}: {one_line(error)}"
             self._tell("refused", revision=message.get("revision"), words=words)
         except KeyboardInterrupt:  # it came in the last steps of a search, behind what heeds one
             self._is_searching, self._is_cut = False, True
