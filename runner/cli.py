@@ -93,8 +93,9 @@ app = typer.Typer(
 )
 
 
-def _flag(name: str, help: str, **more: Any) -> Any:
-    return typer.Option(name, help=help, **more)
+def _flag(*words: str, **more: Any) -> Any:
+    """An option without a value: its names, the last word is its help."""
+    return typer.Option(*words[:-1], help=words[-1], **more)
 
 
 def _value(metavar: str, help: str, default: str | bool = True, *names: str, **more: Any) -> Any:
@@ -139,8 +140,9 @@ def _size(text: str) -> tuple[int, int]:
     return width, height
 
 
-def _quantity(kind: str, flag: str) -> Callable[[str], float]:
-    return lambda text: getattr(quantity, kind)(text, flag)
+def _quantity(kind: str, help: str, *names: str) -> Any:
+    """An option of a length or a speed with its unit."""
+    return _value(kind.upper(), help, "none", *names, parser=lambda text: getattr(quantity, kind)(text, names[0]))
 
 
 Only = StrEnum("Only", ["before", "after", "keys"])
@@ -160,7 +162,7 @@ Clip = Annotated[str, typer.Argument(metavar="CLIP", help="Name of a shipped cli
 Recording = Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion, or a file that `import` reads")]
 Overwrite = Annotated[bool, _flag("--overwrite", "Overwrite an existing output file")]
 Strict = Annotated[bool, _flag("--strict", "Exit with code 3 if there are violations")]
-Fresh = Annotated[bool, _flag("--fresh", "Solve again, even if the clip has not changed")]
+NoCache = Annotated[bool, _flag("--no-cache", "--fresh", "Solve again, even if the clip has not changed")]
 Outside = Annotated[bool, _flag("--allow-outside", "Let a model read files outside its folder", callback=_prepare)]
 AsJson = Annotated[bool, _flag("--json", "Print JSON")]
 SkipRest = Annotated[bool, _flag("--skip-rest", "Leave out the T-pose before the motion")]
@@ -173,18 +175,9 @@ Scale = Annotated[float | None, _number("METRES", "Unit of length of the file, 0
 Scene = Annotated[Path | None, _value("FILE", "TOML file with the [scene] of the recording", "a flat floor")]
 Within = Annotated[
     float | None,
-    _value("LENGTH", "Bound on how far limbs are moved, as 3cm", "none", parser=_quantity("length", "--within")),
+    _quantity("length", "Bound on how far limbs are moved, as 3cm", "--max-displacement", "--within"),
 ]
-Speed = Annotated[
-    float | None,
-    _value(
-        "SPEED",
-        "Bound on joints, as 20rad/s or 1200deg/s",
-        "none",
-        "--speed-limit",
-        parser=_quantity("speed", "--speed-limit"),
-    ),
-]
+Speed = Annotated[float | None, _quantity("speed", "Bound on joints, as 20rad/s or 1200deg/s", "--speed-limit")]
 Contacts = Annotated[Path | None, _value("FILE", "TOML file with [[contact]] tables", "inferred")]
 WriteMap = Annotated[bool, _flag("--write-map", "Write the bone map that is used to --map")]
 Model = Annotated[str | None, _value("MODEL", "Figure of --keys, shipped or MJCF", "the clip's")]
@@ -263,7 +256,7 @@ def solve(
     repeat: Repeat = None,
     strict: Strict = False,
     as_json: AsJson = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     model: Model = None,
     keys: Keys = None,
     allow_outside: Outside = False,
@@ -301,7 +294,7 @@ def render(
     ] = None,
     repeat: Repeat = None,
     strict: Strict = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     model: Model = None,
     keys: Keys = None,
     allow_outside: Outside = False,
@@ -389,7 +382,7 @@ def mirror(
     source: Source,
     output: Edited = None,
     overwrite: OverSource = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
     """Exchange left and right of a motion or a clip."""
@@ -403,7 +396,7 @@ def retime(
     speed: Annotated[float | None, _number("FACTOR", "Factor of the speed", -math.inf, math.inf, "none")] = None,
     duration: Annotated[float | None, _seconds("New duration", "none")] = None,
     overwrite: OverSource = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
     """Play a motion or a clip faster or slower."""
@@ -417,7 +410,7 @@ def trim(
     first: Annotated[float | None, _seconds("Start of the interval", "the start", "--from")] = None,
     last: Annotated[float | None, _seconds("End of the interval", "the end", "--to")] = None,
     overwrite: OverSource = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
     """Cut a motion to an interval of time, unchanged inside it."""
@@ -431,7 +424,7 @@ def join(
     output: Edited = None,
     transition: Annotated[float, _seconds("Duration of the transition")] = 0.4,
     overwrite: OverSource = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
     """Append one motion to another, with a transition.
@@ -452,7 +445,7 @@ def thin(
     kind: Format = None,
     fps: Fps = None,
     overwrite: Overwrite = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
     """Reduce a motion to the fewest keyframes within a bound.
@@ -468,7 +461,7 @@ def report(
     source: Source = "",
     strict: Strict = False,
     as_json: AsJson = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     model: Model = None,
     keys: Keys = None,
     allow_outside: Outside = False,
@@ -491,7 +484,7 @@ def report(
 def plot(
     source: Source = "",
     output: Annotated[Path | None, _output("CLIP.png")] = None,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     model: Model = None,
     keys: Keys = None,
     allow_outside: Outside = False,
@@ -519,7 +512,7 @@ def export(
     simulate: Annotated[bool, _flag("--simulate", "Of mjcf: add actuators; implied by -o X.simulate.xml")] = False,
     repeat: Repeat = None,
     overwrite: Overwrite = False,
-    fresh: Fresh = False,
+    fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
     """Write a motion in the format of another program."""

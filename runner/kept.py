@@ -66,7 +66,7 @@ def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
             write(found, file)
         return found
     work.tell_notes(clip, progress)
-    progress.say(f"solved before: {work.course(found.motion) or 'nothing to search'}; --fresh solves it again")
+    progress.say(f"solved before: {work.course(found.motion) or 'nothing to search'}; --no-cache solves it again")
     return found
 
 

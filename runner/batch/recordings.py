@@ -38,7 +38,7 @@ def asked(
     """What the options of the command mean; None for clips. Raises UserError for those that do not go together."""
     if clean and onto is not None:
         raise UserError("--clean and --retarget: give one of them; what is brought on to a figure is cleaned there")
-    more = {"--figure": figure, "--map": map_file, "--from": kind, "--scene": scene, "--within": within}
+    more = {"--figure": figure, "--map": map_file, "--from": kind, "--scene": scene, "--max-displacement": within}
     given = [name for name, value in more.items() if value is not None]
     if not clean and onto is None:
         if given:
@@ -55,7 +55,7 @@ def asked(
     for word, place in (("--scene", scene), ("--map", map_file)):
         if place is not None and not place.is_file():
             raise UserError(f"{word}: no file '{place}'")
-    bound = None if within is None else length(within, "--within")
+    bound = None if within is None else length(within, "--max-displacement")
     of_scene, of_map = (None if place is None else str(place) for place in (scene, map_file))
     return Cleaning(model, of_scene, of_map, kind, bound, onto is not None)
 

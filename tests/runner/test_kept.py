@@ -274,12 +274,13 @@ def test_commands_say_that_they_solved_it_before(tmp_path, cache, counted, monke
     monkeypatch.setenv("MUJOCO_GL", "disable")
     written(tmp_path)
     said = []
-    for words in (["solve"], ["solve", "-o", "again.npz"], ["solve", "--fresh"], ["export", "-o", "t.csv"], ["plot"]):
+    again = ["solve", "-o", "again.npz"]
+    for words in (["solve"], again, ["solve", "--no-cache"], ["export", "-o", "t.csv"], ["plot"]):
         monkeypatch.setattr(sys, "argv", ["dynsplines", words[0], "tiny.toml", *words[1:]])
         with pytest.raises(SystemExit) as ended:
             cli.main()
         assert not ended.value.code
-        said.append("--fresh solves it again" in capsys.readouterr().err)
+        said.append("--no-cache solves it again" in capsys.readouterr().err)
     assert said == [False, True, False, True, True]
     assert counted == ["tiny", "tiny"]
     with np.load("tiny.npz") as one, np.load("again.npz") as two:

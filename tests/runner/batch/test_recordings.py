@@ -109,7 +109,7 @@ def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
     ("words", "line"),
     [
         (("--clean", "--retarget", "human"), "--clean and --retarget: give one of them"),
-        (("--figure", "human", "--within", "2cm"), "--figure and --within: of recordings; give --clean"),
+        (("--figure", "human", "--within", "2cm"), "--figure and --max-displacement: of recordings; give --clean"),
         (
             ("--retarget", "human", "--figure", "human"),
             "--figure human: the figure is the one to --retarget to",
@@ -119,7 +119,7 @@ def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
         (("--retarget", "humann"), "did you mean 'human'"),
         (("--clean", "--scene", "absent.toml"), "--scene: no file 'absent.toml'"),
         (("--clean", "--report"), "--report is for clips; a recording is measured before and after as it is"),
-        (("--clean", "--within", "-1cm"), "--within"),
+        (("--clean", "--max-displacement", "-1cm"), "--max-displacement"),
     ],
 )
 def test_what_does_not_go_together_is_told(
