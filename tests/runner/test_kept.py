@@ -10,10 +10,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command import commanded
 from rich.console import Console
 from tiny import CLIP, FIGURE, changed, names, written
 
-from dynsplines import cli, kept, work
+from dynsplines import kept, work
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.measure.report import report
@@ -273,16 +274,13 @@ def test_commands_say_that_they_solved_it_before(tmp_path, cache, counted, monke
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("MUJOCO_GL", "disable")
     written(tmp_path)
-    said = []
-    again = ["solve", "-o", "again.npz"]
-    for words in (["solve"], again, ["solve", "--no-cache"], ["export", "-o", "t.csv"], ["plot"]):
-        monkeypatch.setattr(sys, "argv", ["dynsplines", words[0], "tiny.toml", *words[1:]])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        assert not ended.value.code
-        said.append("--no-cache solves it again" in capsys.readouterr().err)
-    assert said == [False, True, False, True, True]
-    assert counted == ["tiny", "tiny"]
+    run, again = commanded(monkeypatch, capsys), ["solve", "-o", "again.npz"]
+    commands = ["solve"], again, ["solve", "--no-cache"], ["solve", "--fresh"], ["export", "-o", "t.csv"], ["plot"]
+    ended = [run(words[0], "tiny.toml", *words[1:]) for words in commands]
+    assert not any(done.code for done in ended)
+    noted = ["--no-cache solves it again" in done.err for done in ended]
+    assert noted == [False, True, False, False, True, True]
+    assert counted == ["tiny", "tiny", "tiny"]
     with np.load("tiny.npz") as one, np.load("again.npz") as two:
         for name in ("qpos", "qvel", "raw_qpos", "key_qpos", "frame_state", "trace"):
             np.testing.assert_array_equal(one[name], two[name])

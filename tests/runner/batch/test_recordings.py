@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import io
 import shutil
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 import shipped
+from command import commanded, refusal
 from rich.console import Console
 
 pytest.importorskip("distributed")
 
-from dynsplines import UserError, cli, load_motion
+from dynsplines import UserError, load_motion
 from dynsplines.batch import recordings
 from dynsplines.batch.bounded import Bounds
 from dynsplines.batch.dispatch import Tally, run
@@ -127,10 +127,4 @@ def test_what_does_not_go_together_is_told(
 ) -> None:
     monkeypatch.chdir(folder)
     monkeypatch.setenv("MUJOCO_GL", "disable")
-    monkeypatch.setattr(sys, "argv", ["dynsplines", "batch", "walk.bvh", *words])
-    with pytest.raises(SystemExit) as ended:
-        cli.main()
-    assert ended.value.code == 2
-    said = capsys.readouterr().err.splitlines()
-    assert len(said) == 1
-    assert line in said[0]
+    assert line in refusal(commanded(monkeypatch, capsys)("batch", "walk.bvh", *words))
