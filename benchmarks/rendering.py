@@ -48,7 +48,7 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
 
         def ours() -> None:
             some = itertools.islice(show.images(saved, look, graphics), images)
-            film.write(Path(folder) / "ours.mp4", some, float(FPS), count=images)
+            film.write(Path(folder) / "ours.mp4", some, float(FPS))
 
         def bare() -> None:
             _bare(saved, look, images, Path(folder) / "bare.mp4")

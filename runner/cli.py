@@ -290,7 +290,7 @@ def render(
     slow: Annotated[float, _number("FACTOR", "Factor of slow motion", 0.01, 1000)] = 1.0,
     at: Annotated[float | None, _seconds("Draw one picture, at this time", "all")] = None,
     workers: Annotated[
-        int | None, _number("N", "Processes that draw", 1, 60, "1; for rays one per core", kind=int)
+        int | None, _number("N", "Processes that draw", 1, 60, "1; without OpenGL one per core", kind=int)
     ] = None,
     repeat: Repeat = None,
     strict: Strict = False,

@@ -31,7 +31,7 @@ if TYPE_CHECKING:  # stills need no video library
     from av.video.stream import VideoStream
 
 Picture = NDArray[np.uint8]
-Writer = Callable[[Path, Iterator[Picture], float, int | None], None]
+Writer = Callable[[Path, Iterator[Picture], float], None]
 Item = TypeVar("Item")
 
 MOST_WAITING = 2  # images drawn and not yet encoded
@@ -66,12 +66,11 @@ def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
     _check_size(target, width, height)
 
 
-def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float, *, count: int | None = None) -> None:
+def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float) -> None:
     """Write the images to a file of the kind its ending names: .mp4, .webm, .gif, or .png for a contact sheet.
 
     images  each (H, W, 3), all of one size
     fps     images a second
-    count   how many images there are, if known: a contact sheet is then spaced exactly
 
     Whatever goes wrong, a file that was there before stays as it was, and nothing is left beside it.
     """
@@ -86,7 +85,7 @@ def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float, *
     target = Path(path)
     checked = _checked(target, chain([first], source), first.shape)
     with Replacement(target) as partial:
-        _WRITERS[target.suffix.lower()](partial, checked, fps, count)
+        _WRITERS[target.suffix.lower()](partial, checked, fps)
 
 
 def _check_size(target: Path, width: int, height: int) -> None:
@@ -112,7 +111,7 @@ def _checked(target: Path, images: Iterable[Picture], shape: tuple[int, ...]) ->
         yield np.ascontiguousarray(image)
 
 
-def _write_mp4(path: Path, images: Iterator[Picture], fps: float, count: int | None) -> None:
+def _write_mp4(path: Path, images: Iterator[Picture], fps: float) -> None:
     """H.264; the index stands at the front of the file, so a browser starts before it has all of it.
 
     Without x264's macroblock tree: at widths such as 848 or 960 pixels its assembly reads memory that nobody wrote, and
@@ -122,7 +121,7 @@ def _write_mp4(path: Path, images: Iterator[Picture], fps: float, count: int | N
     _encode(path, images, fps, "libx264", codec, {"movflags": "+faststart"})
 
 
-def _write_webm(path: Path, images: Iterator[Picture], fps: float, count: int | None) -> None:
+def _write_webm(path: Path, images: Iterator[Picture], fps: float) -> None:
     """VP9 of constant quality."""
     codec = {"crf": "24", "b:v": "0", "deadline": "good", "cpu-used": "4", "row-mt": "0"}
     _encode(path, images, fps, "libvpx-vp9", codec, {})
@@ -180,7 +179,7 @@ def _in_a_thread(work: Callable[[Item], None], items: Iterable[Item]) -> None:
             done.result()
 
 
-def _write_gif(path: Path, images: Iterator[Picture], fps: float, count: int | None) -> None:
+def _write_gif(path: Path, images: Iterator[Picture], fps: float) -> None:
     """A GIF with the one palette that suits the whole clip: still parts stay still, and the file stays small.
 
     The palette is known only at the end, so the images wait in a lossless file, not in memory.
@@ -256,40 +255,17 @@ def _drain(graph: av.filter.Graph, stream: VideoStream, container: OutputContain
         container.mux(stream.encode(picture))
 
 
-def _write_sheet(path: Path, images: Iterator[Picture], fps: float, count: int | None) -> None:
-    """A contact sheet of up to twelve images, evenly spaced in time; a single image is written as it is."""
+def _write_sheet(path: Path, images: Iterator[Picture], fps: float) -> None:
+    """A contact sheet; a single image is written as it is."""
     first = next(images)
     second = next(images, None)
-    if second is None:
-        sheet = first
-    else:
-        tiles = (_tile(image) for image in _picks(chain([first, second], images), count))
-        sheet = _grid(list(tiles))
+    sheet = first if second is None else _grid([_tile(image) for image in chain([first, second], images)])
     iio.imwrite(path, sheet, extension=".png")
 
 
 def sheet_picks(count: int) -> list[int]:
-    """Which of so many images a contact sheet shows: up to twelve, evenly spaced, first and last among them."""
+    """Which of so many images a contact sheet is to show: up to twelve, evenly spaced, first and last among them."""
     return np.linspace(0, count - 1, min(count, SHEET_PICTURES)).round().astype(int).tolist()
-
-
-def _picks(images: Iterator[Picture], count: int | None) -> Iterator[Picture]:
-    """The images that a contact sheet shows."""
-    if count is not None:
-        wanted = set(sheet_picks(count))
-        yield from (image for index, image in enumerate(images) if index in wanted)
-        return
-    kept: list[Picture] = []
-    step, last = 1, None
-    for index, image in enumerate(images):
-        last = image if index % step else None
-        if index % step == 0:
-            kept.append(_tile(image))
-        if len(kept) > 4 * SHEET_PICTURES:
-            kept, step = kept[::2], 2 * step
-    kept += [_tile(last)] if last is not None else []
-    chosen = np.linspace(0, len(kept) - 1, min(len(kept), SHEET_PICTURES)).round().astype(int)
-    yield from (kept[index] for index in chosen)
 
 
 def _tile(image: Picture) -> Picture:

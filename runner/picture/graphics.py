@@ -23,7 +23,6 @@ from typing import Literal
 
 from ..errors import UserError
 from ..system.cache_folder import place
-from ..system.output import Replacement
 
 Kind = Literal["egl", "osmesa", "display", "software"]
 
@@ -202,49 +201,34 @@ def _opens(*names: str) -> bool:
 @functools.cache
 def _draws(backend: str) -> bool:
     """Whether it drew a short while ago, or else does now."""
-    memory = _Memory.of(backend)
-    if memory is not None and memory.holds():
-        return True
+    mark = _mark(backend)
+    if mark is not None:
+        with suppress(OSError):
+            if 0 <= time.time() - mark.stat().st_mtime < REMEMBERED:
+                return True
     drawn = _tried(backend)
-    if drawn and memory is not None:
-        memory.keep()
+    if drawn and mark is not None:
+        with suppress(OSError):
+            mark.parent.mkdir(parents=True, exist_ok=True)
+            for older in mark.parent.glob(f"{mark.stem}.*"):
+                older.unlink()
+            mark.touch()
     return drawn
 
 
-@dataclass(frozen=True)
-class _Memory:
-    """That a backend drew: a file, and what is to stand in it."""
-
-    file: Path
-    said: str
-
-    @classmethod
-    def of(cls, backend: str) -> _Memory | None:
-        """None where nothing is to be kept, or nobody can say whether the machine was started since."""
-        folder = place()
-        try:
-            boot = BOOT.read_text()
-        except OSError:
-            return None
-        words = ("GL", "DISPLAY", "MESA", "GALLIUM", "NVIDIA", "CUDA", "LD_")
-        settings = sorted(item for item in os.environ.items() if any(word in item[0] for word in words))
-        packages = [_version(name) for name in ("mujoco", "PyOpenGL", "glfw")]
-        whole = repr((boot, platform.node(), sys.executable, packages, settings))
-        said = hashlib.blake2b(whole.encode("utf-8", "surrogateescape"), digest_size=20).hexdigest()
-        return None if folder is None else cls(folder / f"draws-{backend or 'default'}", said)
-
-    def holds(self) -> bool:
-        try:
-            is_young = 0 <= time.time() - self.file.stat().st_mtime < REMEMBERED
-            return is_young and self.file.read_text(encoding="ascii") == self.said
-        except (OSError, ValueError):
-            return False
-
-    def keep(self) -> None:
-        with suppress(OSError, UserError):
-            self.file.parent.mkdir(parents=True, exist_ok=True)
-            with Replacement(self.file) as temporary:
-                temporary.write_text(self.said, encoding="ascii")
+def _mark(backend: str) -> Path | None:
+    """The file that is there once a backend drew, named for all that this depends on; None where nothing is kept."""
+    folder = place()
+    try:
+        boot = BOOT.read_text()
+    except OSError:
+        return None
+    words = ("GL", "DISPLAY", "MESA", "GALLIUM", "NVIDIA", "CUDA", "LD_")
+    settings = sorted(item for item in os.environ.items() if any(word in item[0] for word in words))
+    packages = [_version(name) for name in ("mujoco", "PyOpenGL", "glfw")]
+    whole = repr((boot, platform.node(), sys.executable, packages, settings))
+    name = hashlib.blake2b(whole.encode("utf-8", "surrogateescape"), digest_size=20).hexdigest()
+    return None if folder is None else folder / f"draws-{backend or 'default'}.{name}"
 
 
 def _version(package: str) -> str:

@@ -30,7 +30,7 @@ def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int 
             look = show.for_tiles(look, film.SHEET_TILE, graphics)
         drawn = show.images(saved, look, graphics, still_keys=still, workers=workers, picks=picks)
         with contextlib.closing(drawn) as images:
-            film.write(target, progress.over(images, "rendering", count), look.fps, count=count)
+            film.write(target, progress.over(images, "rendering", count), look.fps)
     except ValueError as error:
         raise UserError(str(error)) from None
     except OSError as error:

@@ -255,7 +255,7 @@ class Motion:
         slow     how many times slower than life
         ghosts   in a .png: keyframes darkest, variable frames lighter, in-betweens lightest
         at       one image, at this time [s]
-        workers  processes that draw; more than one, or rays, need a script's main part behind
+        workers  processes that draw; more than one need a script's main part behind
                  `if __name__ == "__main__":`
         """
         from ..picture.graphics import choose

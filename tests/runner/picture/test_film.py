@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from dynsplines.picture.film import MOST_WAITING, FilmError, _in_a_thread, check_target, write
+from dynsplines.picture.film import MOST_WAITING, FilmError, _in_a_thread, check_target, sheet_picks, write
 
 RED = (200, 60, 40)
 M_PERTURB = -6  # as glibc's malloc.h has it
@@ -114,15 +114,11 @@ def test_a_gif_faster_than_browsers_play_leaves_images_out(tmp_path: Path):
     assert pictures[3].time == pytest.approx(0.1, abs=0.011)
 
 
-@pytest.mark.parametrize("count", [None, 100])
-def test_a_contact_sheet_has_twelve_pictures_from_first_to_last(tmp_path: Path, count: int | None):
-    steps = (np.full((10, 16, 3), index, np.uint8) for index in range(100))
-    write(tmp_path / "a.png", steps, 30, count=count)
-    sheet = iio.imread(tmp_path / "a.png")[..., 0]
-    shown = [int(value) for value in np.unique(sheet) if value < 100]
-    assert len(shown) == 12
-    assert (shown[0], shown[-1]) == (0, 99)
-    assert max(np.diff(shown)) - min(np.diff(shown)) <= 5
+def test_a_contact_sheet_is_of_twelve_pictures_from_first_to_last():
+    picks = sheet_picks(100)
+    assert len(picks) == 12 and (picks[0], picks[-1]) == (0, 99)
+    assert max(np.diff(picks)) - min(np.diff(picks)) <= 1
+    assert sheet_picks(3) == [0, 1, 2]
 
 
 def test_a_contact_sheet_of_few_images_shows_them_all(tmp_path: Path):
@@ -153,7 +149,7 @@ def test_a_broken_off_clip_leaves_what_was_there(tmp_path: Path, ending: str, er
     assert [entry.name for entry in tmp_path.iterdir()] == [target.name]
 
 
-@pytest.mark.parametrize("ending", ENDINGS)
+@pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
 def test_images_stream_through(tmp_path: Path, ending: str):
     alive: list[int] = []
 
@@ -173,7 +169,7 @@ def test_images_stream_through(tmp_path: Path, ending: str):
             del image
             peak = max(peak, len(alive))
 
-    write(tmp_path / f"a{ending}", watched(), 30, count=40)
+    write(tmp_path / f"a{ending}", watched(), 30)
     assert peak < 20
 
 
@@ -242,8 +238,8 @@ def test_an_image_may_be_drawn_over_once_the_next_one_is_asked_for(tmp_path: Pat
             canvas[:] = image
             yield canvas
 
-    write(tmp_path / f"a{ending}", images(40), 30, count=40)
-    write(tmp_path / f"b{ending}", one_canvas(), 30, count=40)
+    write(tmp_path / f"a{ending}", images(40), 30)
+    write(tmp_path / f"b{ending}", one_canvas(), 30)
     assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
 
 

@@ -142,7 +142,7 @@ def test_what_drew_is_remembered_until_something_that_it_depends_on_is_another(m
     monkeypatch.setenv("LIBGL_ALWAYS_SOFTWARE", "1")
     assert draws("egl")
     assert tries == ["egl", "osmesa", "egl"]
-    (file,) = tmp_path.glob("draws-egl")
+    (file,) = tmp_path.glob("draws-egl*")
     long_ago = file.stat().st_mtime - 2 * graphics.REMEMBERED
     os.utime(file, (long_ago, long_ago))
     assert draws("egl")
