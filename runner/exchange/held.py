@@ -88,8 +88,10 @@ class Held:
         array = array / length
         return np.roll(array, 1, -1) if scalar_last else array
 
-    def rate(self, name: str) -> float:
-        """Samples a second, a number or an array of one."""
+    def rate(self, name: str, fps: float | None = None) -> float:
+        """Samples a second, a number or an array of one; fps, if specified, for a file without it."""
+        if fps is not None and name not in self:
+            return fps
         array = self._array(name, 1)
         if array.dtype.kind not in "fiu" or array.size != 1 or not 0.01 <= float(array.reshape(())) <= 100_000:
             raise UserError(f"{self.where}: '{name}' is not a number of samples a second from 0.01 to 100000")

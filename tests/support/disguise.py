@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from dynsplines.exchange import euler
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
+from dynsplines.exchange.skeleton.hinged import angles
 from dynsplines.exchange.take import Take
 from dynsplines.solver import quaternion as quat
 
@@ -78,5 +78,5 @@ def disguised(
         if places:
             root = larger / unit * theirs(take.bodies.position[:, body])
             columns.append(root if i == 0 else np.tile(offset, (len(root), 1)))
-        columns.append(np.degrees(euler.angles(quat.normalised(turned(local)), order)))
+        columns.append(np.degrees(angles(turned(local)[:, None], order.lower())[:, 0]))
     return Skeleton(tuple(joints), 1 / take.fps, np.concatenate(columns, axis=1))

@@ -16,10 +16,10 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from .. import euler
 from ..skeleton import bvh_file, captured_figure, hierarchy, retarget
 from ..skeleton.bvh_file import Joint, Skeleton, written
 from ..skeleton.captured import Captured
+from ..skeleton.hinged import angles
 from ..take import Recording, Take
 
 CENTIMETRES = 100.0  # a metre
@@ -97,7 +97,7 @@ def skeleton(take: Take) -> Skeleton:
             )
         )
         columns += [CENTIMETRES * moved] if moves else []
-        columns.append(np.degrees(euler.angles(quat.normalised(relative), order)))
+        columns.append(np.degrees(angles(relative[:, None], order.lower())[:, 0]))
     return Skeleton(tuple(joints), 1 / take.fps, np.concatenate(columns, axis=1))
 
 

@@ -66,7 +66,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """Root and hinges in the figure's order, verified by the bodies where the file has them."""
     model = needs_figure(model, path)
     motion = _motion(plain_pickle.load(path))
-    rate = motion.rate("fps") if "fps" in motion or fps is None else fps
+    rate = motion.rate("fps", fps)
     position = motion.numbers("root_pos", "samples", 3)
     if "root_rot" not in motion and "pose_aa" in motion:
         rotation = _root_turned(motion)

@@ -108,7 +108,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     rotation = Held(path, {"qpos (the root's quaternion)": qpos[:, root + 3 : root + 7]})
     turned = rotation.quaternions("qpos (the root's quaternion)", "samples", 4)
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
-    rate = found.rate("frequency") if "frequency" in found or fps is None else fps
+    rate = found.rate("frequency", fps)
     readings: dict[tuple[str, ...], layouts.Reading] = {
         (): partial(configurations, model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
     }
@@ -140,6 +140,6 @@ def _before_1_0(found: Held, model: mujoco.MjModel, path: Path, fps: float | Non
         _declared(found, path)
     if "frequency" not in found and fps is None:
         raise UserError(f"{path}: a file of LocoMuJoCo before 1.0 has no rate; {unsaid.RATE}")
-    rate = found.rate("frequency") if "frequency" in found else float(fps or 0)
+    rate = found.rate("frequency", fps)
     qpos = np.stack([found.numbers(BEFORE + name, "samples") for name in joints], axis=1)
     return Recording(times(len(qpos), rate), qpos, fps=rate)

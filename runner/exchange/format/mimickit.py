@@ -129,7 +129,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     figure = needs_figure(model, path)
     root, joints = parts(figure)
     found = plain_pickle.load(path)
-    rate = found.rate("fps") if "fps" in found or fps is None else fps
+    rate = found.rate("fps", fps)
     frames = found.numbers("frames", "T", "numbers")
     width = 6 + sum(part.width for part in joints)
     if frames.shape[1] != width:

@@ -66,7 +66,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """Root and hinges, verified by the bodies; by name where the file has names, else in the figure's order."""
     model = needs_figure(model, path)
     found = held(path)
-    rate = found.rate("fps") if "fps" in found or fps is None else fps
+    rate = found.rate("fps", fps)
     joints = found.numbers("joint_pos", "samples", "joints")
     position = found.numbers("body_pos_w", "samples", "bodies", 3)
     rotation = found.quaternions("body_quat_w", "samples", "bodies", 4)

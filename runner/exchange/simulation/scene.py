@@ -24,7 +24,7 @@ that turn off forces of the figure itself (`FIGURE_FLAGS`): the feed-forward con
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from xml.etree import ElementTree
 
@@ -42,6 +42,7 @@ from ...scene.compose import quietly
 from ...scene.framing import size_of
 from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..forces import Forces
+from ..skeleton.roles import unique
 from ..take import Take
 
 FREQUENCY = 8.0  # [Hz] at which a limb held by its actuators would swing: several times what people do
@@ -144,7 +145,7 @@ def drives(take: Take) -> list[Drive]:
         kv = _rounded(kp * DAMPING)
         for axis in range(3) if kind == BALL else (None,):
             name = joints[joint] if axis is None else f"{joints[joint]}_{'xyz'[axis]}"
-            out.append(Drive(_unique(name, [drive.name for drive in out]), joint, axis, kp, kv))
+            out.append(Drive(unique([name], [drive.name for drive in out])[0], joint, axis, kp, kv))
     return out
 
 
@@ -152,16 +153,7 @@ def joint_names(model: mujoco.MjModel) -> list[str]:
     """The joints' names, which those without get here."""
     out = [model.joint(joint).name for joint in range(model.njnt)]
     for joint, name in enumerate(out):
-        out[joint] = name or _unique(f"joint{joint}", out)
-    return out
-
-
-def _unique(name: str, taken: Iterable[str]) -> str:
-    """A name, with a number appended if it is in use."""
-    used, number, out = set(taken), 1, name
-    while out in used:
-        number += 1
-        out = f"{name}_{number}"
+        out[joint] = name or unique([f"joint{joint}"], out)[0]
     return out
 
 
@@ -304,7 +296,7 @@ def _add_actuators(root: ElementTree.Element, names: list[str], actuators: list[
     if defaults is None:
         defaults = ElementTree.Element("default")
         root.insert(0, defaults)
-    called = _unique(CLASS, [element.get("class", "") for element in root.iter("default")])
+    called = unique([CLASS], [element.get("class", "") for element in root.iter("default")])[0]
     ElementTree.SubElement(ElementTree.SubElement(defaults, "default", {"class": called}), "position", UNSET)
     section = ElementTree.SubElement(root, "actuator")
     for drive in actuators:
@@ -406,7 +398,7 @@ def _exclude(spec: mujoco.MjSpec, first: int, second: int) -> None:
     """Two bodies, by number, do not collide."""
     bodies = list(spec.bodies)
     for body in (first, second):
-        bodies[body].name = bodies[body].name or _unique(f"body{body}", [spec_body.name for spec_body in bodies])
+        bodies[body].name = bodies[body].name or unique([f"body{body}"], [spec_body.name for spec_body in bodies])[0]
     spec.add_exclude(bodyname1=bodies[first].name, bodyname2=bodies[second].name)
 
 

@@ -11,7 +11,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from .captured import Captured
-from .roles import lineage
+from .roles import lineage, unique
 
 DENSITY = 1000.0  # [kg/m³]
 LEAST = 1e-3  # [m]: a shorter bone gets a ball
@@ -21,7 +21,7 @@ THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.
              "pelvis": (0.5, 0.05, 0.1), "chest": (0.4, 0.04, 0.1), "neck": (0.5, 0.03, 0.055),
              "head": (0.5, 0.05, 0.09)}  # fmt: skip
 SIDES = ("left", "right")
-WORLD = "world"
+WORLD = "world"  # a body of MuJoCo
 COLOURS = {"left": "0.17 0.45 0.56 1", "right": "0.93 0.55 0.22 1", "": "0.45 0.5 0.56 1"}
 
 
@@ -36,7 +36,7 @@ def figure(captured: Captured) -> tuple[str, Array]:
     ET.SubElement(default, "geom", type="capsule", contype="0", conaffinity="0", density=f"{DENSITY:g}")
     ET.SubElement(default, "site", group="4", size="0.012")
     bodies: list[ET.Element] = []
-    names = _names(captured.names)
+    names = unique(("_".join(name.replace("/", "_").split()) for name in captured.names), [WORLD])
     by_joint = {joint: role for role, joint in captured.roles.items()}
     for i, parent in enumerate(captured.parents):
         place = captured.offset[i] if parent >= 0 else np.array([0.0, 0.0, -lowest])
@@ -67,24 +67,6 @@ def _depth_first(captured: Captured, joint: int = 0) -> list[int]:
     return [joint, *(below for child in captured.children(joint) for below in _depth_first(captured, child))]
 
 
-def _names(found: Iterable[str]) -> list[str]:
-    """Names that MJCF takes, no two alike; `world` is MuJoCo's own."""
-    taken: set[str] = {WORLD}
-    out: list[str] = []
-    for name in found:
-        out.append(_free("_".join(name.replace("/", "_").split()), taken))
-    return out
-
-
-def _free(name: str, taken: set[str]) -> str:
-    """A name, or with a number where it is taken, which it is from then on."""
-    unique, count = name, 2
-    while unique in taken:
-        unique, count = f"{name}_{count}", count + 1
-    taken.add(unique)
-    return unique
-
-
 def _side(captured: Captured, joint: int, by_joint: dict[int, str]) -> str:
     """Of the limb that a joint is of."""
     for i in lineage(joint, captured.parents):
@@ -109,7 +91,8 @@ def _bones(
         if length > LEAST:
             radius = min(float(np.clip(share * length, least, most)), 0.45 * length + least)
             count += 1
-            called = _free(name, taken) if count > 1 else name
+            called = unique([name], taken)[0] if count > 1 else name
+            taken.add(called)
             line = _row([*start, *tip])
             ET.SubElement(body, "geom", name=called, size=f"{radius:.4g}", fromto=line, rgba=colour)
     if not count:

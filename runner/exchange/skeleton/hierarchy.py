@@ -11,6 +11,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ..take import Bodies
+from .roles import unique
 
 # A figure of ours looks along x and has y to its left and z up; one of animators looks along z, has x to its left, y up
 Y_UP = np.array([0.5, -0.5, -0.5, -0.5])  # wxyz: turns our x to z, y to x, z to y
@@ -18,15 +19,7 @@ Y_UP = np.array([0.5, -0.5, -0.5, -0.5])  # wxyz: turns our x to z, y to x, z to
 
 def names(model: mujoco.MjModel) -> list[str]:
     """A name for every body, no two alike; the world's first."""
-    found = ["world", *(model.body(body).name or f"body{body}" for body in range(1, model.nbody))]
-    taken: set[str] = set()
-    for i, name in enumerate(found):
-        unique, count = name, 2
-        while unique in taken:
-            unique, count = f"{name}_{count}", count + 1
-        taken.add(unique)
-        found[i] = unique
-    return found
+    return unique(["world", *(model.body(body).name or f"body{body}" for body in range(1, model.nbody))])
 
 
 def local(model: mujoco.MjModel, bodies: Bodies) -> tuple[Array, Array]:

@@ -49,7 +49,7 @@ def angles(rotation: Array, order: str = ORDER) -> Array:
     """Angles (T, n, 3) [rad] in the order given, continuous in time, of quaternions (T, n, 4) of any length > 0."""
     i, j, k = ("xyz".index(letter) for letter in order)
     sign = parity(order)
-    matrix = matrices(rotation)
+    matrix = quat.matrices(rotation)
     first = np.arctan2(-sign * matrix[..., j, k], matrix[..., k, k])
     free = np.hypot(matrix[..., j, k], matrix[..., k, k]) < LOCKED
     out = np.zeros((*rotation.shape[:-1], 3))
@@ -80,11 +80,6 @@ def _near(angle: Array, other: Array) -> Array:
 def parity(order: str) -> float:
     """+1 for xyz, yzx and zxy, -1 for the others."""
     return 1.0 if order in "xyzxy" else -1.0
-
-
-def matrices(rotation: Array) -> Array:
-    """(..., 3, 3): the rotations of quaternions (..., 4)."""
-    return np.stack([quat.rotated(rotation, axis) for axis in np.eye(3)], -1)
 
 
 def rotation_of(angle: Array, order: str = ORDER) -> Array:

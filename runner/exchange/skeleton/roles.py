@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from ...errors import UserError, unknown
 
@@ -247,14 +247,15 @@ def _fits(found: dict[str, int], side: str, role: str, word: str, same: list[int
     return True
 
 
-def unique(names: list[str]) -> list[str]:
-    """Names without doubles."""
-    out: list[str] = []
+def unique(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
+    """Names without duplicates, and with none of those taken: later ones are numbered."""
+    used, out = set(taken), []
     for name in names:
-        count, unique = 2, name
-        while unique in out:
-            unique, count = f"{name}_{count}", count + 1
-        out.append(unique)
+        count, each = 2, name
+        while each in used:
+            each, count = f"{name}_{count}", count + 1
+        used.add(each)
+        out.append(each)
     return out
 
 
