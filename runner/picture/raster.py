@@ -15,7 +15,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from ..scene.mujoco_versions import Lamp, drawn_lamp
-from ..scene.triangles import MESHES, piece_of, triangles
+from ..scene.triangles import MESHES, Triangles, joined, piece_of, triangles
 from .depth_buffer import Eye, Faces
 from .lights import Light
 from .shading import SHARPEST, Pattern, Sky, texture_tint
@@ -148,6 +148,10 @@ class Raster:
     def _shape_of(self, geom: int) -> Surface:
         """A geom of the model in its frame."""
         found = triangles(self._model, piece_of(self._model, geom), FAR)
+        if self._model.geom_type[geom] == _KINDS.mjGEOM_HFIELD:
+            field = self._model.geom_dataid[geom]
+            depth = float(self._model.hfield_size[field][3])
+            found = joined([found, _sides(found.points.reshape(-1, int(self._model.hfield_ncol[field]), 3), depth)])
         faces, count = found.faces.astype(int), len(found.points)
         ends = faces[:, [0, 0]].ravel(), faces[:, 1:].ravel()
         patches = connected_components(coo_array((np.ones(len(ends[0])), ends), (count, count)), directed=False)[1]
@@ -213,3 +217,15 @@ class Raster:
         depth = np.where(looks.is_still[hits.geom], np.maximum(hits.distance - HAZE_START, 0), 0)
         clear = np.exp(-depth.astype(np.float32) / np.float32(HAZE_LENGTH))[:, None]
         return self._sky.haze + clear * (full - self._sky.haze)
+
+
+def _sides(grid: Array, depth: float) -> Triangles:
+    """The sides of a height field, of its points (rows, columns, 3) down to a depth [m] below its zero."""
+    rim = np.concatenate([grid[0], grid[1:, -1], grid[-1, -2::-1], grid[-2:0:-1, 0]])  # counterclockwise from above
+    after, down = np.roll(rim, -1, axis=0), [1.0, 1.0, 0.0]
+    low, low_after = rim * down - [0, 0, depth], after * down - [0, 0, depth]
+    normals = np.cross(after * down - rim * down, [0.0, 0, 1])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    faces = 4 * np.arange(len(rim))[:, None, None] + [[0, 1, 2], [0, 2, 3]]
+    points = np.stack([low, low_after, after, rim], axis=1).reshape(-1, 3)
+    return Triangles(points, np.repeat(normals, 4, axis=0), faces.reshape(-1, 3).astype(np.uint32))
