@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 
@@ -46,6 +46,7 @@ NEEDED = (
     "key_fixed", "frame_time", "frame_state", "frame_fixed", "end_slope", "raw_frame_time", "raw_frame_state",
     "raw_frame_fixed", "raw_end_slope", "mjcf", "clip", "trace", "report", "name", "coordinates", "ends",
 )  # fmt: skip
+Arrays = dict[str, np.ndarray]  # by the names in a file
 TEXTS = ("mjcf", "clip", "trace", "report", "name", "coordinates", "ends")
 
 
@@ -57,6 +58,21 @@ class Sampled:
     qpos: Array
     qvel: Array
     qacc: Array
+
+
+# of a search: its evaluations, its time [s], why it ended by name and in words, the stances and penalties that it had
+Search = TypedDict(
+    "Search",
+    {
+        "evaluations": int,
+        "seconds": float,
+        "stop": str,
+        "stopped because": str,
+        "stances": Sequence[Mapping[str, object]],
+        "own penalties": list[str],
+    },
+    total=False,
+)
 
 
 @dataclass(frozen=True)
@@ -77,7 +93,7 @@ class Saved:
     raw: Timeline
     trace: list[Any]
     report: dict[str, Any]
-    search: dict[str, Any] = field(default_factory=dict)
+    search: Search = field(default_factory=Search)
 
     @property
     def mjcf(self) -> str:
@@ -167,9 +183,9 @@ def save(saved: Saved, target: Path) -> None:
         write_arrays(temporary, arrays)
 
 
-def _timeless(told: dict[str, Any]) -> dict[str, Any]:
-    """Without how long a search took: the same command writes the same bytes."""
-    return {name: value for name, value in told.items() if name != "seconds"}
+def _timeless(entries: Mapping[str, object]) -> dict[str, object]:
+    """Return the entries without the time of a search: the same command writes the same bytes."""
+    return {name: value for name, value in entries.items() if name != "seconds"}
 
 
 def write_arrays(target: Path, arrays: Mapping[str, Any]) -> None:
@@ -185,7 +201,7 @@ def write_arrays(target: Path, arrays: Mapping[str, Any]) -> None:
         np.savez_compressed(stream, **plain)
 
 
-def asset_arrays(scene: Scene) -> dict[str, Any]:
+def asset_arrays(scene: Scene) -> Arrays:
     """The files that a scene refers to, as arrays by name."""
     if not scene.assets:
         return {}
@@ -193,7 +209,7 @@ def asset_arrays(scene: Scene) -> dict[str, Any]:
     return {"asset_names": np.array(list(scene.assets)), **files}
 
 
-def assets_in(data: Mapping[str, Any]) -> dict[str, bytes]:
+def assets_in(data: Mapping[str, np.ndarray]) -> dict[str, bytes]:
     """The files by name; raises ValueError."""
     names = data.get("asset_names", np.array([], str))
     if names.ndim != 1 or names.dtype.kind != "U":
@@ -231,7 +247,7 @@ def load(source: Path) -> Saved:
     return saved
 
 
-def read_arrays(source: Path) -> dict[str, Any]:
+def read_arrays(source: Path) -> Arrays:
     """The arrays of an .npz by name; raises UserError if it is missing, damaged, or holds pickled objects."""
     if not source.is_file():
         raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
@@ -255,7 +271,7 @@ def read_arrays(source: Path) -> dict[str, Any]:
     return data
 
 
-def _check(saved: Saved, data: dict[str, Any]) -> None:
+def _check(saved: Saved, data: Arrays) -> None:
     """Raises ValueError if a motion's parts contradict each other: a file from elsewhere, or changed by hand."""
     model, times, keys = saved.figure.model, data["time"].size, data["key_time"].size
     shapes = {"time": (times,), "key_time": (keys,)}
@@ -278,7 +294,7 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
         raise ValueError("trace, report and search are not a list and two tables")
 
 
-def _check_arrays(data: dict[str, Any], shapes: Mapping[str, tuple[int, ...]]) -> None:
+def _check_arrays(data: Arrays, shapes: Mapping[str, tuple[int, ...]]) -> None:
     """Raises ValueError for arrays of other shapes, and for entries that are not finite or too large."""
     for name, shape in shapes.items():
         if data[name].shape != shape:
@@ -290,7 +306,7 @@ def _check_arrays(data: dict[str, Any], shapes: Mapping[str, tuple[int, ...]]) -
             raise ValueError(f"'{name}' holds an entry that is too large")
 
 
-def _restored(data: dict[str, Any]) -> Saved:
+def _restored(data: Arrays) -> Saved:
     scene = Scene.received(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
     posed = data.get("key_posed", np.zeros_like(data["key_fixed"]))

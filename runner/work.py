@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.search.descent import WIDEST
@@ -18,7 +17,7 @@ from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.build import Clip
 from .measure.problems import Flaw, problems
-from .motion import Saved
+from .motion import Saved, Search
 from .system import largest
 from .system.progress import Progress
 
@@ -55,19 +54,20 @@ class Solved:
         return problems(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
 
     @property
-    def search(self) -> dict[str, Any]:
-        """What nobody can measure of the search later; empty where there was none."""
+    def search(self) -> Search:
+        """The entries of a search that cannot be measured later; empty without a search."""
         motion = self.motion
         if motion.timeline is motion.raw and motion.stop is Stop.CONVERGED:
             return {}
-        return {
-            "evaluations": motion.evaluations,
-            **({} if self.seconds is None else {"seconds": self.seconds}),
-            "stop": motion.stop.name,
-            "stopped because": motion.stop.value,
-            **({"stances": stances} if (stances := self.clip.stances) else {}),
-            **({"own penalties": [penalty.name for penalty, _ in self.clip.own]} if self.clip.own else {}),
-        }
+        search: Search = {"evaluations": motion.evaluations}
+        if self.seconds is not None:
+            search["seconds"] = self.seconds
+        search |= {"stop": motion.stop.name, "stopped because": motion.stop.value}
+        if stances := self.clip.stances:
+            search["stances"] = stances
+        if self.clip.own:
+            search["own penalties"] = [penalty.name for penalty, _ in self.clip.own]
+        return search
 
     def saved(self, progress: Progress, with_report: bool = True) -> Saved:
         """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
