@@ -5,11 +5,10 @@ overlaps     moving bodies in each other, by MuJoCo's collision detection
 measurement  the amounts of all checks along a motion, measured once
 problems     violations, worst first
 bounds       tolerances of violations
-report       a motion before and after, on a 1 kHz grid: *between* the samples that the optimiser saw
-measured     quantities of a report, a record each: name, computation, lines on a screen
-shown        lines of a report on a screen
+report       a motion before and after
+quantities   what a report has of one side, of violations and *between* the samples that the optimiser saw
+formatting   lines of a report on a screen
 summary      a solve in few words: how it went, and its violations
-penetration  depth of a motion's geoms in the scene, by MuJoCo's geometry (`mj_geomDistance`)
 depths       depths of a figure's points in surfaces, many points at many times: cheap, for they are spheres
 exactness    how exactly a motion goes through its keyframes
 swings       how high feet are taken off the ground

@@ -45,12 +45,21 @@ SAME_DEPTH = 0.002  # [m] by which a sole point may be less deep than another po
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity: its kind of bound, its name, and a sentence with {} for the amount."""
+    """One quantity: its kind of bound, its name, and a sentence with {} for the amount.
+
+    other  the surface or body that it is in
+    """
 
     kind: str
     name: str
     text: str
     bound: float
+    other: str = ""
+
+    @property
+    def unit(self) -> str:
+        """Of the amount."""
+        return BOUNDS[self.kind].unit
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +92,7 @@ class Hits:
 class Check:
     """Rows of which the worst of a group is reported.
 
+    name      of the check
     hits      the amounts in samples; those below the bounds serve the report
     row       a row by its number
     bounds    (n,) above which an amount is a violation
@@ -93,6 +103,7 @@ class Check:
     is_once   whether the keyframes that cause it are one violation per group, not one each
     """
 
+    name: str
     hits: Callable[[Samples], Hits]
     row: Callable[[int], Row]
     bounds: Array
@@ -105,6 +116,7 @@ class Check:
     @classmethod
     def each(
         cls,
+        name: str,
         rows: Sequence[Row],
         hits: Callable[[Samples], Hits],
         fixed: Mask | None = None,
@@ -116,7 +128,7 @@ class Check:
             return np.zeros(row.size, bool) if fixed is None else fixed[row, key]
 
         bounds = np.array([row.bound for row in rows])
-        return cls(hits, rows.__getitem__, bounds, np.arange(len(rows)) if groups is None else groups, is_fixed)
+        return cls(name, hits, rows.__getitem__, bounds, np.arange(len(rows)) if groups is None else groups, is_fixed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,15 +152,15 @@ class Fixed:
         return np.array([np.atleast_2d(self.states[:, column].T).all(axis=0) for column in columns])
 
 
-def row_of(kind: str, name: str, text: str, bound: float | None = None) -> Row:
+def row_of(kind: str, name: str, text: str, bound: float | None = None, other: str = "") -> Row:
     """A row with the bound of its kind."""
-    return Row(kind, name, text, BOUNDS[kind].most if bound is None else bound)
+    return Row(kind, name, text, BOUNDS[kind].most if bound is None else bound, other)
 
 
-def bends(limits: BendLimits, fixed: Fixed) -> Check:
-    """Knees and elbows bent backward, sideways or twisted."""
+def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
+    """Knees and elbows bent backward, sideways or twisted; bound: None for those of the kinds."""
     rows = [
-        row_of(kind, joint.name, f"{joint.name} {text}")
+        row_of(kind, joint.name, f"{joint.name} {text}", bound)
         for kind, text in (
             ("backward", "is bent {} backward"),
             ("sideways", "bends {} farther sideways than it may"),
@@ -162,7 +174,7 @@ def bends(limits: BendLimits, fixed: Fixed) -> Check:
         beyond = [limits.least - flexion, np.abs(sideways) - limits.sideways, np.abs(twist) - limits.twist]
         return Hits.of(np.degrees(np.concatenate(beyond)), -np.inf)
 
-    return Check.each(rows, hits, np.tile(fixed.joints([joint.link for joint in limits.joints]), (3, 1)))
+    return Check.each("bend", rows, hits, np.tile(fixed.joints([joint.link for joint in limits.joints]), (3, 1)))
 
 
 def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Mask | None = None) -> Check:
@@ -177,7 +189,7 @@ def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Ma
         found = Hits.of(limits.beyond(samples))
         return replace(found, amount=np.where(slides[found.row], found.amount, np.degrees(found.amount)))
 
-    return Check.each(rows, hits, fixed)
+    return Check.each(kinds[0], rows, hits, fixed)
 
 
 def speeds(figure: Figure, limit: Speed) -> Check:
@@ -192,7 +204,7 @@ def speeds(figure: Figure, limit: Speed) -> Check:
             strict=True,
         )
     ]
-    return Check.each(rows, lambda samples: Hits.of(np.degrees(limit.speeds(samples)) - most[:, None]))
+    return Check.each("speed", rows, lambda samples: Hits.of(np.degrees(limit.speeds(samples)) - most[:, None]))
 
 
 def coupled(fixed: Fixed) -> Check | None:
@@ -213,7 +225,7 @@ def coupled(fixed: Fixed) -> Check | None:
 
     is_fixed = fixed.states.T
     both = [is_fixed[joint.follower] & (is_fixed[joint.driver] if joint.driver >= 0 else True) for joint in joints]
-    return Check.each(rows, hits, np.array(both))
+    return Check.each("coupled", rows, hits, np.array(both))
 
 
 def torn(fixed: Fixed) -> Check | None:
@@ -225,7 +237,7 @@ def torn(fixed: Fixed) -> Check | None:
     rows = [row_of("torn", pair.name, f"the loop of {pair.name} is torn by {{}}") for pair in pairs]
     both = fixed.places[[pair.one.link for pair in pairs]] & fixed.places[[pair.two.link for pair in pairs]]
     _, groups = np.unique([pair.name for pair in pairs], return_inverse=True)
-    return Check.each(rows, lambda samples: Hits.of(np.linalg.norm(loops.apart(samples), axis=0)), both, groups)
+    return Check.each("torn", rows, lambda samples: Hits.of(np.linalg.norm(loops.apart(samples), axis=0)), both, groups)
 
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:
@@ -236,7 +248,7 @@ def whips(figure: Figure, raw_peak: float) -> Check | None:
     bound = max(BOUNDS["whip"].most, WHIP_SHARE * raw_peak)
     names = [figure.links[i].name for i in links]
     rows = [row_of("whip", name, f"{name} whips: {{}}, the raw spline needs {raw_peak:.0f}", bound) for name in names]
-    return Check.each(rows, lambda samples: Hits.of(turns(samples)[links]))
+    return Check.each("whip", rows, lambda samples: Hits.of(turns(samples)[links]))
 
 
 def turning(figure: Figure) -> list[int]:
@@ -255,7 +267,7 @@ def lengths(figure: Figure) -> Check | None:
     names = [figure.links[i].name for i in figure.tables.quaternion_links]
     text = "the quaternion of {} is {{}} off length 1 and turns fast"
     rows = [row_of("length", name, text.format(name)) for name in names]
-    return Check.each(rows, lambda samples: Hits.of(np.abs(np.sqrt(samples.q_dots[0]) - 1))) if rows else None
+    return Check.each("length", rows, lambda samples: Hits.of(np.abs(np.sqrt(samples.q_dots[0]) - 1))) if rows else None
 
 
 def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, fixed: Fixed) -> Check:
@@ -274,7 +286,7 @@ def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, 
         during = np.array([(samples.t >= rest.first) & (samples.t <= rest.last) for rest in rests])
         return Hits.of(np.where(during & (height < FAR), height, 0.0))
 
-    return Check.each(rows, hits, fixed.places[[point.link for point in points]], groups)
+    return Check.each("hover", rows, hits, fixed.places[[point.link for point in points]], groups)
 
 
 @dataclass(frozen=True, eq=False)
@@ -313,7 +325,7 @@ def moved(stays: Sequence[Stay], groups: Index, fixed: Fixed) -> Check:
         return Hits.joined(parts)
 
     rows = [row_of(stay.kind, stay.stance.point.name, stay.text) for stay in stays]
-    return Check.each(rows, hits, fixed.places[[stay.stance.point.link for stay in stays]], groups)
+    return Check.each("moved", rows, hits, fixed.places[[stay.stance.point.link for stay in stays]], groups)
 
 
 def slips(holds: Sequence[Hold], starts: Sequence[Array], fixed: Fixed) -> Check:
@@ -328,7 +340,9 @@ def slips(holds: Sequence[Hold], starts: Sequence[Array], fixed: Fixed) -> Check
             out[i] = during * np.linalg.norm(slipped(samples, hold) - start[:, None], axis=0)
         return Hits.of(out)
 
-    return Check.each(rows, hits, np.array([fixed.places[hold.point.link] & fixed.places[hold.link] for hold in holds]))
+    return Check.each(
+        "hold", rows, hits, np.array([fixed.places[hold.point.link] & fixed.places[hold.link] for hold in holds])
+    )
 
 
 def misses(points: Sequence[Placed]) -> Check:
@@ -340,7 +354,7 @@ def misses(points: Sequence[Placed]) -> Check:
         which, at = placement.pairs(samples)
         return Hits(which, at, np.linalg.norm(placement.away(samples)[1], axis=0))
 
-    return Check.each(rows, hits)
+    return Check.each("placement", rows, hits)
 
 
 def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
@@ -349,22 +363,17 @@ def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fi
     parts  points and the surfaces to keep them out of;  soles  the names of points to be named rather than others
     feet   (L,) the link that stands for a foot or limb
     """
-    pairs = [
-        (point, surface.name, part.carrier) for part in parts for surface in part.surfaces for point in part.points
-    ]
+    pairs = [(point, surface.name) for part in parts for surface in part.surfaces for point in part.points]
     numbers: dict[tuple[int, str], int] = {}
-    groups = [numbers.setdefault((int(feet[point.link]), name), len(numbers)) for point, name, _ in pairs]
-    links, carriers = (
-        np.array(column, np.intp) for column in ([p.link for p, _, _ in pairs], [c for _, _, c in pairs])
-    )
-
+    groups = [numbers.setdefault((int(feet[point.link]), name), len(numbers)) for point, name in pairs]
+    links = np.array([point.link for point, _ in pairs], np.intp)
     bunched = [bunches(part.points) for part in parts]
 
     def hits(samples: Samples) -> Hits:
         found, first = [], 0
         for part, limbs in zip(parts, bunched, strict=True):
             for surface in part.surfaces:
-                for bunch, at, deep in depths(limbs, surface, samples, part.carrier):
+                for bunch, at, deep in depths(limbs, surface, samples):
                     row, sample = np.nonzero(deep > 0)
                     if row.size:
                         found.append(Hits(first + bunch.which[row], at[sample], deep[row, sample]))
@@ -372,41 +381,47 @@ def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fi
         return Hits.joined(found)
 
     def row(index: int) -> Row:
-        point, surface, _ = pairs[index]
-        place = f"the {surface}" if surface.isalpha() and surface.islower() else f"'{surface}'"
-        return row_of("penetration", point.name, f"{point.name} is {{}} in {place}")
+        point, surface = pairs[index]
+        return row_of("penetration", point.name, f"{point.name} is {{}} in {_quoted(surface)}", other=surface)
 
     def is_fixed(row: Index, key: Index) -> Mask:
-        return fixed.places[links[row], key] & fixed.places[carriers[row], key]
+        return fixed.places[links[row], key]
 
-    named = np.array([point.name in soles for point, _, _ in pairs], bool)
+    named = np.array([point.name in soles for point, _ in pairs], bool)
     bounds = np.full(len(pairs), BOUNDS["penetration"].most)
-    return Check(hits, row, bounds, np.array(groups, np.intp), is_fixed, named)
+    return Check("penetration", hits, row, bounds, np.array(groups, np.intp), is_fixed, named)
 
 
 def tangled(carried: Sequence[int], fixed: Fixed) -> Check:
-    """Moving bodies in each other: a row each pair of links, a group each pair of limbs; of carried ones see `sunk`."""
+    """Moving bodies in each other: a row each pair of links, a group each pair of limbs. What is carried is solid."""
     figure, count = fixed.figure, len(fixed.figure.links)
-    overlaps = Overlaps.of(figure)
-    is_carried = np.isin(np.arange(count), carried)
+    overlaps, limbs, is_carried = Overlaps.of(figure), _limbs(figure), np.isin(np.arange(count), carried)
+    is_solid = is_carried[:, None] != is_carried
+    bounds = np.where(is_solid, BOUNDS["penetration"].most, BOUNDS["self"].most).ravel()
+    groups = (np.minimum(limbs[:, None], limbs) * count + np.maximum(limbs[:, None], limbs)).ravel()
 
     def hits(samples: Samples) -> Hits:
         met = overlaps.met(samples)
-        both = np.flatnonzero(is_carried[met.links[0]] == is_carried[met.links[1]])
-        return Hits(met.links[0, both] * count + met.links[1, both], met.at[both], met.depth[both])
+        return Hits(met.links[0] * count + met.links[1], met.at, met.depth)
 
     def row(index: int) -> Row:
-        one, two = divmod(index, count)
-        names = [figure.model.body(figure.links[i].body).name or figure.links[i].name for i in (one, two)]
-        deeper = "deeper " if overlaps.at_rest[one, two] else ""
-        return row_of("self", names[0], f"{names[0]} and {names[1]} are {{}} {deeper}in each other")
+        links = divmod(index, count)
+        one, two = (figure.model.body(figure.links[i].body).name or figure.links[i].name for i in links)
+        if is_solid[links]:
+            one, two = (two, one) if is_carried[links[0]] else (one, two)
+            return row_of("penetration", one, f"{one} is {{}} in {_quoted(two)}", other=two)
+        deeper = "deeper " if overlaps.at_rest[links] else ""
+        return row_of("self", one, f"{one} and {two} are {{}} {deeper}in each other", other=two)
 
     def is_fixed(row: Index, key: Index) -> Mask:
         return fixed.places[row // count, key] & fixed.places[row % count, key]
 
-    limbs, bounds = _limbs(figure), np.full(count * count, BOUNDS["self"].most)
-    groups = (np.minimum(limbs[:, None], limbs) * count + np.maximum(limbs[:, None], limbs)).ravel()
-    return Check(hits, row, bounds, groups, is_fixed, stride=SELF_STRIDE, is_once=True)
+    return Check("self", hits, row, bounds, groups, is_fixed, stride=SELF_STRIDE, is_once=True)
+
+
+def _quoted(name: str) -> str:
+    """A surface in a sentence."""
+    return f"the {name}" if name.isalpha() and name.islower() else f"'{name}'"
 
 
 def _limbs(figure: Figure) -> Index:

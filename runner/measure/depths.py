@@ -48,33 +48,19 @@ def _bunches(points: Sequence[Point]) -> Iterator[Bunch]:
         yield Bunch(link, which, places, radii, middle, reach)
 
 
-def depths(
-    found: Sequence[Bunch], surface: Surface, samples: Samples, carrier: int = 0
-) -> Iterator[tuple[Bunch, Index, Array]]:
-    """Of the bunches near a surface: at which samples (k,), and how deep their points are there, (p, k) [m].
-
-    carrier  the link in whose axes the surface is; 0: the world
-    """
+def depths(found: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterator[tuple[Bunch, Index, Array]]:
+    """Of the bunches near a surface: at which samples (k,), and how deep their points are there, (p, k) [m]."""
     if not found:
         return
     links = np.array([bunch.link for bunch in found], np.intp)
     around, _ = samples.links.points(links, np.array([bunch.middle for bunch in found]).T)
-    around = _seen_from(samples, carrier, np.arange(samples.count), around)
     near = surface.near(around, np.array([[bunch.reach] for bunch in found]))
     for bunch, close in zip(found, near, strict=True):
         at = np.flatnonzero(close)
         if at.size:
             x, rotation = samples.links.poses(bunch.link * samples.count + at)
             centres = np.einsum("ijk,jp->ipk", rotation, bunch.places) + x[:, None]
-            yield bunch, at, depth(surface, _seen_from(samples, carrier, at, centres), bunch.radii)
-
-
-def _seen_from(samples: Samples, carrier: int, at: Index, points: Array) -> Array:
-    """Points (3, p, k) of the world at some samples (k,) in a link's axes."""
-    if not carrier:
-        return points
-    x, rotation = samples.links.poses(carrier * samples.count + at)
-    return np.einsum("ijk,ipk->jpk", rotation, points - x[:, None])
+            yield bunch, at, depth(surface, centres, bunch.radii)
 
 
 def depth(surface: Surface, centres: Array, radii: Array) -> Array:

@@ -36,7 +36,7 @@ from ..clip.build import Clip
 from ..clip.kinds import BODY, bolted_links
 from ..motion import samples_at
 from . import checks
-from .checks import Check, Fixed, Hits, Stay
+from .checks import Check, Fixed, Hits, Row, Stay
 
 RATE = 240.0  # [1/s]: a foot at 4 m/s moves 17 mm from one sample to the next
 RUN = 1000  # samples at once, whose arrays do not fill the memory
@@ -83,6 +83,29 @@ class Measurement:
         amounts = tuple((check, Hits.joined(hits)) for check, hits in zip(every, parts, strict=True))
         return cls(clip, timeline, time, key_at, amounts, stays)
 
+    def largest(self, name: str) -> dict[int, tuple[float, float]]:
+        """The largest amount of every row of the checks of a name that has one, and its time [s]."""
+        out = {}
+        for check, hits in self.checks:
+            if check.name == name:
+                order = np.lexsort((-hits.at, hits.amount, hits.row))
+                last = order[np.append(hits.row[order][1:] != hits.row[order][:-1], True)[: order.size]]
+                amounts, times = hits.amount[last].tolist(), self.time[hits.at[last]].tolist()
+                out |= dict(zip(hits.row[last].tolist(), zip(amounts, times, strict=True), strict=True))
+        return out
+
+    def worst(self, name: str) -> list[tuple[Row, float, float]]:
+        """The rows of the check of a name with their largest amounts and their times [s], worst first.
+
+        The first row with nothing where none has any; no rows without such a check.
+        """
+        check = next((check for check, _ in self.checks if check.name == name and check.bounds.size), None)
+        if check is None:
+            return []
+        largest = self.largest(name) or {0: (0.0, float(self.time[0]))}
+        order = sorted(largest, key=lambda row: -largest[row][0])
+        return [(check.row(row), *largest[row]) for row in order]
+
     @property
     def numbers(self) -> Index:
         """(K,) the numbers of the keyframes as you specified them, from 1."""
@@ -119,7 +142,8 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
             yield checks.moved([stay for stay, _ in rows], np.array([group for _, group in rows]), fixed)
     if context.holds:
         yield checks.slips(context.holds, [begun(figure, timeline, hold) for hold in context.holds], fixed)
-    yield checks.sunk(_kept_out(clip, parts), frozenset(point.name for point in context.points), feet, fixed)
+    soles = frozenset(point.name for point in context.points)
+    yield checks.sunk(_kept_out(clip, parts), soles, feet, fixed)
     rests = [rest for part in parts if isinstance(part, Resting) for rest in part.rests]
     if rests and context.surfaces:
         yield checks.hovering(rests, context.surfaces, _groups(rests, feet), fixed)
@@ -141,11 +165,15 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
         checks.tangled(context.carried, fixed),
     )
     yield from (check for check in optional if check is not None)
-    for part in parts:
-        if isinstance(part, BendLimits) and part.joints:
-            yield checks.bends(part, fixed)
-        if isinstance(part, Speed):
-            yield checks.speeds(figure, part)
+    if context.bends:
+        limited = any(isinstance(part, BendLimits) for part in parts)
+        yield checks.bends(bend_limits(clip), fixed, None if limited else np.inf)
+    yield from (checks.speeds(figure, part) for part in parts if isinstance(part, Speed))
+
+
+def bend_limits(clip: Clip) -> BendLimits:
+    """The limits of the clip's knees and elbows, defaults where it has none."""
+    return next((part for part in _parts(clip) if isinstance(part, BendLimits)), BendLimits(clip.context.bends))
 
 
 def _parts(clip: Clip) -> Iterator[Penalty]:
@@ -165,7 +193,7 @@ def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
         for surface in clip.context.surfaces:
             links = bolted.get(surface.name, frozenset())
             contacts.append(Contact(tuple(point for point in body if point.link not in links), (surface,)))
-    return tuple(part for part in contacts if part.points and part.surfaces)
+    return tuple(part for part in contacts if part.points and part.surfaces and not part.carrier)
 
 
 def _feet(figure: Figure, points: Sequence[Point]) -> Index:
@@ -206,15 +234,15 @@ def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
             for stance in _pieces(rest, known, spots[:, k]):
                 text = f"contact {stance.point.name} moves {{}} while it should rest"
                 yield Stay("contact", stance, text, rolling), group
-    inferred = [stance for stance in _inferred(clip, timeline) if not any(_same(stance, rest) for rest in rests)]
-    for stance, group in zip(inferred, _groups(inferred, feet).tolist(), strict=True):
+    free = [stance for stance in inferred(clip, timeline) if not any(_same(stance, rest) for rest in rests)]
+    for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
         yield (
             Stay("stance", stance, f"{stance.point.name} moves {{}} between keyframes that put it in one place"),
             group,
         )
 
 
-def _inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
+def inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
     """Stances of soles inferred from keyframes, partial ones as the motion fills them."""
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]

@@ -1,13 +1,12 @@
 """What a motion is like, before and after, on a 1 kHz grid: *between* the samples that the optimiser saw.
 
-Everything here is a plain dict, so that it goes into JSON, into the motion file and on to the screen alike. What is
-measured is listed in `measured`.
+Everything here is a plain dict, so that it goes into JSON, into the motion file and on to the screen alike.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -28,10 +27,9 @@ from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import places_of
 
 from ..clip.build import Clip
-from . import shown
-from .measured import Grid, Seen, lines, side
-from .problems import plain, problems
-from .shown import Line
+from .formatting import rows
+from .problems import plain, violations
+from .quantities import Side
 
 LOCAL_EVALUATIONS = 25  # that tell what a segment has left to gain
 LOCAL_TOLERANCE = 1e-4  # of a segment's E; what is left is known to a tenth, in a quarter of the time that 1e-7 takes
@@ -48,22 +46,20 @@ def report(
     segments and nothing left to gain, and is measured once for both sides. What follows a recording has frames where
     its detail is: they are no keyframes, and there are no segments between them.
     """
-    before, searched = Grid.of(clip, motion.raw), not motion.is_raw
-    after = Grid.of(clip, motion.timeline) if searched else before
-    first = side(Seen(clip, motion.objective, motion.raw, before))
-    sides = {
-        "before": first,
-        "after": side(Seen(clip, motion.objective, motion.timeline, after)) if searched else dict(first),
-    }
+    searched = not motion.is_raw
+    before = Side.of(clip, motion.objective, motion.raw, motion.raw)
+    after = Side.of(clip, motion.objective, motion.timeline, motion.raw) if searched else before
+    first = before.quantities()
+    sides = {"before": first, "after": after.quantities() if searched else dict(first)}
     drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
     sides["after"][DRIFT] = {
         "largest": float(drift.max()),
-        "away from trouble": float(drift[_far_from_trouble(clip, before)].max(initial=0.0)),
+        "away from trouble": float(drift[_far_from_trouble(clip, before.samples)].max(initial=0.0)),
     }
     return {
-        "problems": plain(problems(clip, motion.timeline, motion.raw, motion.stop)),
+        "problems": plain(violations(after.measurement, motion.stop)),
         "clip": clip.name,
-        "duration, s": float(before.time[-1] - before.time[0]),
+        "duration, s": float(np.ptp(before.samples.t)),
         "left to gain": _left_to_gain(motion) if searched else {},
         "keyframes": len(clip.said),
         "partial keyframes": sum(not key.is_key for key in clip.said),
@@ -98,19 +94,19 @@ def _centre_of_mass(samples: Samples) -> Array:
     return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), 1e-12)
 
 
-def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Mask:
+def _far_from_trouble(clip: Clip, before: Samples, margin: float = 0.25) -> Mask:
     """Times at least `margin` [s] away from any at which the raw motion is in a box."""
     boxes = [surface for surface in clip.context.surfaces if isinstance(surface, Box)]
-    inside = np.zeros(before.time.size, bool)
+    inside = np.zeros(before.t.size, bool)
     if boxes and clip.context.points:
-        centres, _, _ = places_of(clip.context.points, before.samples)
+        centres, _, _ = places_of(clip.context.points, before)
         for box in boxes:
             inside |= (box.inside(centres) > 0).any(axis=0)
-    bad = before.time[inside]
+    bad = before.t[inside]
     if not bad.size:
-        return np.ones(before.time.size, bool)
-    after = np.searchsorted(bad, before.time)
-    gaps = np.abs([before.time - bad[np.maximum(after - 1, 0)], before.time - bad[np.minimum(after, bad.size - 1)]])
+        return np.ones(before.t.size, bool)
+    after = np.searchsorted(bad, before.t)
+    gaps = np.abs([before.t - bad[np.maximum(after - 1, 0)], before.t - bad[np.minimum(after, bad.size - 1)]])
     return gaps.min(axis=0) > margin
 
 
@@ -167,8 +163,8 @@ def tables(data: dict[str, Any]) -> Group:
     )
     searched = bool(data["left to gain"])
     sides = ("before", "after") if searched else ("recording",)
-    main = Table("measure", *sides, title="on a 1 kHz grid", title_justify="left")
-    for name, one, two in (*lines(before, after), *_drift(after)):
+    main = Table("measure", *sides, title_justify="left")
+    for name, one, two in rows(before, after):
         main.add_row(name, *((one, two) if searched else (two,)))
     segments = Table("segment, s", "EL before", "EL after", "δ", "δ · EL", "left", "variable", title="segments")
     for row in data["segments"]:
@@ -198,8 +194,3 @@ def _cycle_words(data: dict[str, Any]) -> str:
         return ""
     feet = f", low feet slide at {cycle['slip']:.0%} of the travel" if "slip" in cycle else ""
     return f"; a cycle of {cycle['period, s']:.2f} s, {cycle['trust']:.1f} times as sure as the raw spline{feet}"
-
-
-def _drift(after: dict[str, Any]) -> Iterator[Line]:
-    if after.get(DRIFT):
-        yield from shown.drift(after[DRIFT])

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from carried import in_carried
 from move import of
 
 from dynsplines.clip import load as clips
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables, written
 from dynsplines.edit.edits import retimed_tables
-from dynsplines.measure.measured import in_carried
 
 pytestmark = pytest.mark.slow
 G = 9.81

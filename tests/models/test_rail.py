@@ -10,6 +10,7 @@ import pytest
 from curvature_of import assert_gradients
 from figures import LEG
 from ground import FLOOR, some_points
+from paper.penetration import penetration
 from penalty_slope import penalty_slope
 from rail import OBSTACLES, WITHOUT, written
 from random_samples import random_samples
@@ -17,7 +18,6 @@ from rich.console import Console
 
 from dynsplines import work
 from dynsplines.clip import load as clip
-from dynsplines.measure.penetration import penetration
 from dynsplines.motion import sampled
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 import pytest
 from move import Move, of
+from paper.penetration import penetration
 from variations import perturbed
 
 from dynsplines import models
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
-from dynsplines.measure.penetration import penetration
 from dynsplines.measure.report import report
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import path_of

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 from move import Move, of
+from paper.penetration import self_penetration
 
 from dynsplines import models
-from dynsplines.measure.penetration import self_penetration
 from dynsplines.measure.problems import problems
 from dynsplines.motion import sampled
 from dynsplines.solver.array import Array

@@ -132,7 +132,7 @@ def test_report_of_a_motion_does_not_solve(run, motion_file, solving_forbidden):
     done = run("report", motion_file)
     assert done.code == 0
     assert {line.split()[0] for line in done.err.splitlines()} <= {"measuring"}
-    assert "deepest penetration" in done.out
+    assert "penetration: deepest" in done.out
     strict = json.loads(run("report", motion_file, "--json").out, parse_constant=lambda name: pytest.fail(name))
     assert strict["keyframes"] == 3
 
@@ -804,7 +804,7 @@ def test_a_travelling_loop_is_solved_repeated_and_rendered(run, tmp_path):
         assert len(three["time"]) == int(3 * 0.41 * 20) + 1
         np.testing.assert_allclose(three["qpos"][:9], one["qpos"], atol=1e-9)
         assert len(three["key_time"]) == 7
-    assert "seam of the loop" in run("report", "loop.npz").out
+    assert "seam: state" in run("report", "loop.npz").out
     for source in ("loop.toml", "loop.npz"):
         assert run("render", source, *SMALL, "--fps", 5, "--repeat", 2, "-o", "twice.gif").code == 0
         with Image.open(tmp_path / "twice.gif") as film:

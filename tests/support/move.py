@@ -8,9 +8,9 @@ from functools import cache, cached_property
 import mujoco
 import numpy as np
 import shipped
+from paper.penetration import Penetration, penetration
 
 from dynsplines.clip.build import Clip
-from dynsplines.measure.penetration import Penetration, penetration
 from dynsplines.motion import continuous, sampled, samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of

@@ -9,10 +9,10 @@ import mujoco
 import numpy as np
 
 from dynsplines.clip import load as clips
-from dynsplines.measure.penetration import moving_geoms, solid_geoms
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.surface.touch import movers, solids
 
 TOUCH = 0.005
 REACH = 0.05
@@ -23,12 +23,12 @@ def nearest(model: mujoco.MjModel, qpos: Array) -> float:
     data = mujoco.MjData(model)
     data.qpos[:] = qpos
     mujoco.mj_kinematics(model, data)
-    least, movers = REACH, np.array(moving_geoms(model))
-    for solid in solid_geoms(model):
-        away = np.maximum(np.abs(data.geom_xpos[movers] - data.geom_xpos[solid]) - model.geom_size[solid], 0)
+    least, moving = REACH, np.array(movers(model))
+    for solid in solids(model):
+        away = np.maximum(np.abs(data.geom_xpos[moving] - data.geom_xpos[solid]) - model.geom_size[solid], 0)
         if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
             away = away[:, 2:]
-        for geom in movers[np.linalg.norm(away, axis=1) < model.geom_rbound[movers] + REACH].tolist():
+        for geom in moving[np.linalg.norm(away, axis=1) < model.geom_rbound[moving] + REACH].tolist():
             least = min(least, mujoco.mj_geomDistance(model, data, geom, solid, REACH, None))
     return least
 

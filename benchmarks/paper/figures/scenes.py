@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from dynsplines.measure.penetration import Penetration, penetration
 from dynsplines.motion import Saved, continuous, key_configurations
 from dynsplines.picture.camera import ANGLES, View, still
 from dynsplines.picture.ghost import Ghost
@@ -17,6 +16,7 @@ from dynsplines.picture.stage import Stage
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
+from paper.penetration import Penetration, penetration
 
 from .captioned import Picture
 

@@ -34,10 +34,9 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure import wrench
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.surface.touch import bolted, is_scenery
+from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
 
 from ...clip import load as clip
-from ...measure.penetration import moving_geoms, solid_geoms
 from ...scene.compose import quietly
 from ...scene.framing import size_of
 from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
@@ -311,20 +310,20 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
     """Lets the figure and what is solid around it meet; notes on what of the model that changes."""
     geoms, notes = geoms_by_number(spec), []
     base = _bases(model)
-    movers = list(moving_geoms(model))
-    solids = [i for i in solid_geoms(model) if int(model.geom_bodyid[i]) not in base]
-    figure = [i for i in movers if not is_scenery(model)[i]]
+    moving = movers(model)
+    still = [i for i in solids(model) if int(model.geom_bodyid[i]) not in base]
+    figure = [i for i in moving if not is_scenery(model)[i]]
     if not any(geoms[i].contype or geoms[i].conaffinity for i in figure):
         for i in figure:
             geoms[i].contype, geoms[i].conaffinity = ALL, 0
             geoms[i].solref[:2] = SOFTNESS
     types, affinities = ALL, ALL
-    for i in movers:
+    for i in moving:
         types, affinities = types | geoms[i].contype, affinities | geoms[i].conaffinity
-    for i in solids:
+    for i in still:
         geoms[i].contype, geoms[i].conaffinity = affinities, types
         geoms[i].solref[:2] = SOFTNESS
-    slippery = [i for i in solids if geoms[i].condim < SLIDING or geoms[i].friction[0] < GRIP]
+    slippery = [i for i in still if geoms[i].condim < SLIDING or geoms[i].friction[0] < GRIP]
     for i in slippery:
         geoms[i].condim, geoms[i].friction[0] = max(geoms[i].condim, SLIDING), max(geoms[i].friction[0], GRIP)
     if slippery:

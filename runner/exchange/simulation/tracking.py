@@ -15,9 +15,9 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.surface.touch import movers, solids
 
 from ...clip import load as clip
-from ...measure.penetration import moving_geoms, solid_geoms
 from ...scene.compose import quietly
 from ..forces import Forces
 from ..take import Take
@@ -177,16 +177,14 @@ def _depths(simulation: Simulation, take: Take, deepest: float = DEEP) -> list[s
 def _aloft(simulation: Simulation, take: Take) -> list[str]:
     """How far above the ground a figure with a free root begins."""
     model, data = simulation.model, mujoco.MjData(simulation.model)
-    root, solids = take.figure.root, solid_geoms(take.model)
-    if root is None or not root.is_free or not solids:
+    root, still = take.figure.root, solids(take.model)
+    if root is None or not root.is_free or not still:
         return []
     data.qpos = take.qpos[0]
     mujoco.mj_kinematics(model, data)
-    figure_geoms = [
-        geom for geom in moving_geoms(take.model) if model.body_rootid[model.geom_bodyid[geom]] == root.body
-    ]
+    figure_geoms = [geom for geom in movers(take.model) if model.body_rootid[model.geom_bodyid[geom]] == root.body]
     gap = min(
-        (mujoco.mj_geomDistance(model, data, geom, solid, FAR, None) for geom in figure_geoms for solid in solids),
+        (mujoco.mj_geomDistance(model, data, geom, solid, FAR, None) for geom in figure_geoms for solid in still),
         default=0.0,
     )
     return [f"it begins {100 * gap:.2g} cm above the ground"] if GAP < gap < FAR else []

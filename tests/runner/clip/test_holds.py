@@ -7,6 +7,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
+from carried import in_carried
 from rich.console import Console
 
 from dynsplines import work
@@ -16,8 +17,8 @@ from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables, written
 from dynsplines.edit.edits import retimed_tables, trimmed
 from dynsplines.errors import UserError
-from dynsplines.measure.measured import hold_rows, in_carried
 from dynsplines.measure.problems import problems
+from dynsplines.measure.quantities import Side
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.inbetween import inbetween
@@ -186,12 +187,15 @@ def test_the_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate(
 @pytest.mark.slow
 def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_it_carries(solved):
     clip, motion = solved
-    (left, right), (raw, _) = (hold_rows(clip, timeline, 500) for timeline in (motion.timeline, motion.raw))
+    timelines = motion.timeline, motion.raw
+    sides = [Side.of(clip, motion.objective, timeline, motion.raw).quantities() for timeline in timelines]
+    (left, right), (raw, _) = (side["holds"] for side in sides)
     assert (left["hand"], right["hand"], left["body"]) == ("left_hand", "right_hand", "crate")
     assert left["moved, m"] <= 0.003 < raw["moved, m"]
     time = np.linspace(0.0, 2.1, 60)
     found = in_carried(clip, time, motion.at(time))
     assert found["deepest"] <= 0.03 and "crate" in found["where"]
+    assert sides[0]["in what is carried, m"]["deepest"] == pytest.approx(found["deepest"], abs=0.003)
     assert in_carried(clips.from_text(lift(hands=()), name="none"), time, motion.at(time)) == {}
 
 

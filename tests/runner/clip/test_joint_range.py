@@ -75,7 +75,7 @@ def test_a_motion_that_overshoots_a_range_is_kept_within_and_the_report_says_so(
         beyond[weight] = data["after"]["beyond joint range"]
         out = io.StringIO()
         Console(file=out, width=160).print(tables(data))
-        assert "farthest beyond a joint's range" in out.getvalue()
+        assert "beyond joint range: joint / at / most" in out.getvalue()
     assert beyond[0]["most"] > 0.6
     assert beyond[10]["most"] < 0.1
     assert (beyond[0]["joint"], beyond[0]["unit"]) == ("swing", "degrees")

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 import shipped
 from command import commanded
+from paper.penetration import penetration
 
 from dynsplines import Keyframe, build, motion, recordings, work
 from dynsplines.clip import load as clips
 from dynsplines.edit.edits import measured
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.measure.penetration import penetration
 from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween

@@ -13,6 +13,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
+from paper.penetration import penetration
 from rich.console import Console
 
 from dynsplines import Keyframe, build, inbetween, load_motion, motion, work
@@ -21,7 +22,6 @@ from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
 from dynsplines.measure import problems
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE
-from dynsplines.measure.penetration import penetration
 from dynsplines.measure.problems import Flaw
 from dynsplines.motion import sampled
 from dynsplines.solver import quaternion as quat

@@ -15,7 +15,7 @@ from tiny import FIGURE, written
 
 from dynsplines import work
 from dynsplines.clip import load as clip
-from dynsplines.measure.measured import Grid
+from dynsplines.measure.quantities import Side
 from dynsplines.measure.report import _far_from_trouble, report, tables
 from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of
@@ -128,7 +128,9 @@ def test_clearance_over_the_edge_of_a_step_is_the_height_above_it(tmp_path):
 def test_unit_deviation_is_that_of_the_path_itself(solved: Solved):
     data = report(solved.clip, solved.motion, 0.0)
     for name, timeline in (("before", solved.motion.raw), ("after", solved.motion.timeline)):
-        length = np.linalg.norm(Grid.of(solved.clip, timeline, 1000.0).samples.q, axis=0)
+        length = np.linalg.norm(
+            Side.of(solved.clip, solved.motion.objective, timeline, solved.motion.raw).samples.q, axis=0
+        )
         found = data[name]["unit deviation"]
         assert found["largest"] == pytest.approx(np.abs(length - 1).max())
         assert found["shortest"] == pytest.approx(length.min())
@@ -235,10 +237,10 @@ def test_times_near_a_step_that_was_hit_count_as_trouble(tmp_path):
     solved = unsolved(tmp_path, [(0, 0, 0, 0.2), (3, 3, 0, 0.2)], head)
     drift = side(solved)["centre of mass off before, m"]
     assert drift == {"largest": 0.0, "away from trouble": 0.0}
-    grid = Grid.of(solved.clip, solved.motion.raw)
-    far = grid.time[_far_from_trouble(solved.clip, grid)]
+    samples = Side.of(solved.clip, solved.motion.objective, solved.motion.raw, solved.motion.raw).samples
+    far = samples.t[_far_from_trouble(solved.clip, samples)]
     inside = (0.95, 1.45)  # the toe goes in at x = 1, the heel comes out at x = 1.4
-    np.testing.assert_array_equal(far, grid.time[(grid.time < inside[0] - 0.25) | (grid.time > inside[1] + 0.25)])
+    np.testing.assert_array_equal(far, samples.t[(samples.t < inside[0] - 0.25) | (samples.t > inside[1] + 0.25)])
 
 
 def test_the_report_is_strict_json(solved: Solved):
@@ -250,7 +252,13 @@ def test_the_screen_shows_both_sides(solved: Solved):
     out = io.StringIO()
     Console(file=out, width=160).print(tables(report(solved.clip, solved.motion, 0.5)))
     shown = out.getvalue()
-    for words in ("3 keyframes (1 partial)", "deepest penetration", "keyframe error", "left_knee", "0.20 - 0.41"):
+    for words in (
+        "3 keyframes (1 partial)",
+        "penetration: deepest / where",
+        "keyframe error",
+        "left_knee",
+        "0.20 - 0.41",
+    ):
         assert words in shown
     assert "nan" not in shown
 

@@ -43,20 +43,10 @@ class Penetration:
         return f"{self.names[i]} in {self.into[i]} at {self.time[i]:.3f} s"
 
 
-def moving_geoms(model: mujoco.MjModel) -> list[int]:
-    """Geoms of bodies that move, those that count as solid."""
-    return touch.movers(model)
-
-
-def solid_geoms(model: mujoco.MjModel) -> list[int]:
-    """Static geoms: the surfaces."""
-    return touch.solids(model)
-
-
 def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
     """The deepest penetration of every moving geom in every static one along qpos (T, nq), but for what is bolted."""
     data = mujoco.MjData(model)
-    movers, solids = np.array(moving_geoms(model), int), solid_geoms(model)
+    movers, solids = np.array(touch.movers(model), int), touch.solids(model)
     depth, when = np.zeros(movers.size), np.full(movers.size, time[0])
     into = [""] * movers.size
     over_time = np.zeros(time.size)
@@ -92,23 +82,6 @@ def self_penetration(model: mujoco.MjModel, pairs: Index, time: Array, qpos: Arr
             if depth > deepest:
                 deepest, where = depth, f"{geom_name(model, first)} in {geom_name(model, last)} at {t:.3f} s"
     return deepest, where
-
-
-def lowest(model: mujoco.MjModel, qpos: Array, body: int, reach: float = 1.0) -> Array:
-    """(T,) signed distance [m] of a body's nearest geom to the nearest surface, at most `reach`."""
-    data = mujoco.MjData(model)
-    own, solids = [g for g in moving_geoms(model) if model.geom_bodyid[g] == body], solid_geoms(model)
-    out = np.full(len(qpos), reach)
-    for i, q in enumerate(qpos):
-        data.qpos[:] = q
-        mujoco.mj_kinematics(model, data)
-        for solid in solids:
-            gap = _gap(model, data, solid, data.geom_xpos[own]) - model.geom_rbound[own]
-            for k in np.argsort(gap):
-                if gap[k] >= out[i]:
-                    break
-                out[i] = min(out[i], mujoco.mj_geomDistance(model, data, own[int(k)], solid, reach, None))
-    return out
 
 
 def _gap(model: mujoco.MjModel, data: mujoco.MjData, solid: int, points: Array) -> Array:

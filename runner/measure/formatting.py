@@ -1,0 +1,74 @@
+"""Lines of a report on a screen: of every quantity what it is, its value before and after.
+
+Names have their units: "penetration, m" is shown in millimetres, and so is all that it contains.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from .swings import words as swing_words
+
+Line = tuple[str, str, str]  # what it is, before, after
+HIDDEN = ("geoms", "unit")  # too many for a screen; shown with what has it
+FEW = 4  # numbers of one quantity in one line
+SPAN = ("from, s", "to, s")
+
+
+def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
+    """The lines of two sides; `before` may lack what a report of an older version has not."""
+    for name, value in after.items():
+        yield from _rows(name, before.get(name), value)
+
+
+def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
+    label, unit = _label_and_unit(name, unit)
+    if isinstance(after, list) and label.startswith("swings"):
+        yield label, swing_words(before or []), swing_words(after)
+    elif isinstance(after, list) and after and isinstance(after[0], dict):
+        for one, two in zip(before or [], after, strict=False):
+            texts = " on ".join(value for value in two.values() if isinstance(value, str))
+            place = f"{label}: {texts} {two['from, s']:.2f} - {two['to, s']:.2f} s"
+            numbers = {key: value for key, value in two.items() if not isinstance(value, str) and key not in SPAN}
+            yield from _rows(place, one, numbers, unit)
+    elif isinstance(after, dict):
+        unit, before = after.get("unit", unit), before or {}
+        single = [key for key, value in after.items() if not isinstance(value, dict | list) and key not in HIDDEN]
+        if len(single) > FEW:
+            for key in single:
+                yield from _rows(f"{label}: {key}", before.get(key), after[key], unit)
+        elif single:
+            one, two = (" / ".join(_value(key, side.get(key), unit) for key in single) for side in (before, after))
+            yield f"{label}: {' / '.join(_label_and_unit(key, unit)[0] for key in single)}", one, two
+        for key in (key for key in after if key not in single and key not in HIDDEN):
+            yield from _rows(f"{label}, {key}", before.get(key), after[key], unit)
+    else:
+        yield label, _value(name, before, unit), _value(name, after, unit)
+
+
+def _label_and_unit(name: str, unit: str) -> tuple[str, str]:
+    """A name without its unit, and the unit, that of what contains it if it has none."""
+    label, comma, own = name.rpartition(", ")
+    return (label, own) if comma and own in UNITS else (name, unit)
+
+
+UNITS = {
+    "m": lambda value: f"{1000 * value:.1f} mm",
+    "degrees": lambda value: f"{value:.1f}°",
+    "s": lambda value: f"{value:.2f} s",
+    "m/s": lambda value: f"{value:.3f} m/s",
+    "rad/s²": lambda value: f"{value:.0f} rad/s²",
+    "N m": lambda value: f"{value:.0f} N m",
+    "N": lambda value: f"{value:.0f} N",
+}
+
+
+def _value(name: str, value: Any, unit: str) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, str | bool):
+        return str(value)
+    if isinstance(value, list):
+        return ", ".join(_value(name, each, unit) for each in value)
+    return UNITS.get(_label_and_unit(name, unit)[1], lambda number: f"{number:.4g}")(value)

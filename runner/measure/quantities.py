@@ -1,0 +1,316 @@
+"""Quantities of a motion: by name, with their units, what a report has of one side.
+
+What violations are about comes from the same measurement as they do; the rest is measured on a grid of 1 kHz.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import Rolling, within
+from dynsplines.solver.surface import Box
+from dynsplines.solver.surface.heights import heights
+from dynsplines.solver.surface.points import body_points, places_of
+from dynsplines.solver.surface.touch import counts_all, movers
+
+from ..clip.build import Clip
+from ..motion import samples_at
+from .checks import Row
+from .exactness import keyframe_error
+from .measurement import Measurement, bend_limits, inferred
+from .swings import swings
+
+RATE = 1000.0  # [1/s], between the samples that the optimiser saw
+RESTING = 0.01  # [m] from a surface, up to which a point that moves skates
+LEAST_STANCE = 0.05  # [s] shorter ones are two neighbouring samples of a recording
+HIGHEST = 1.0  # [m] above which a foot's height is not told apart
+STIFF = 1e-7  # softness of what supports: what is left then is what cannot be supplied
+
+
+@dataclass(frozen=True, eq=False)
+class Side:
+    """One side of a report: a clip's timeline, its violations and E, and its motion on the fine grid."""
+
+    clip: Clip
+    objective: Objective
+    timeline: Timeline
+    measurement: Measurement
+
+    @classmethod
+    def of(cls, clip: Clip, objective: Objective, timeline: Timeline, raw: Timeline) -> Side:
+        """Measure a timeline; `raw` is the spline through the clip's keyframes."""
+        return cls(clip, objective, timeline, Measurement.of(clip, timeline, raw))
+
+    @cached_property
+    def samples(self) -> Samples:
+        """The motion on the fine grid."""
+        first, last = float(self.timeline.times[0]), float(self.timeline.times[-1])
+        time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
+        return samples_at(self.clip.figure, path_of(self.timeline), time)
+
+    @cached_property
+    def terms(self) -> dict[str, float]:
+        """Every term's part of E."""
+        values = self.objective.integrals(path_of(self.timeline))
+        return {t.penalty.name: float(t.factor * v) for t, v in zip(self.objective.terms, values, strict=True)}
+
+    def quantities(self) -> dict[str, Any]:
+        """All quantities by name; those that the clip has nothing of are left out or empty."""
+        clip, samples, timeline, worst = self.clip, self.samples, self.timeline, self.measurement.worst
+        every = {
+            "objective": sum(self.terms.values()),
+            "terms": self.terms,
+            "penetration, m": _penetration(clip, worst("penetration")),
+            "self-penetration, m": _deepest([entry for entry in worst("self") if entry[0].kind == "self"]),
+            "bends, degrees": _bends(clip, worst("bend")),
+            "beyond joint range": _most(worst("range"), "joint"),
+            "equality constraints": _equalities(worst("coupled"), worst("torn")),
+            "skate": _skate(clip, samples),
+            "stances": _stances(clip, timeline),
+            "swings": swings(clip, samples),
+            "contacts": _contacts(clip, timeline),
+            "holds": _holds(clip, self.measurement),
+            "in what is carried, m": _in_carried(clip, worst("self")),
+            "off their places, m": {f"{row.name} at {time:g} s": away for row, away, time in worst("placement")},
+            "edge clearance, m": _edge_clearance(clip, samples),
+            "unit deviation": _unit_deviation(samples),
+            "keyframe error": keyframe_error(clip, timeline),
+            "seam": _seam(clip, timeline),
+            "angular acceleration, rad/s²": _peak(worst("whip")),
+            "torque, N m": _torque(samples),
+            "support": _support(clip, samples),
+        }
+        return {name: value for name, value in every.items() if value is not None}
+
+
+Worst = Sequence[tuple[Row, float, float]]  # rows with their largest amounts and the times [s], worst first
+
+
+def _deepest(worst: Worst) -> dict[str, Any]:
+    if not worst or worst[0][1] <= 0:
+        return {"deepest": 0.0, "where": "nothing"}
+    row, depth, time = worst[0]
+    return {"deepest": depth, "where": f"{row.name} in {row.other} at {time:.3f} s"}
+
+
+def _in_carried(clip: Clip, worst: Worst) -> dict[str, Any]:
+    return _deepest([entry for entry in worst if entry[0].kind == "penetration"]) if clip.context.holds else {}
+
+
+def _penetration(clip: Clip, worst: Worst) -> dict[str, Any]:
+    model = clip.figure.model
+    names, depths = {geom_name(model, geom) for geom in movers(model)}, dict[str, float]()
+    for row, depth, _ in worst:
+        depths.setdefault(row.name, depth)
+    return {
+        **_deepest([entry for entry in worst if entry[0].name in names]),
+        "geoms": {name: depth for name, depth in depths.items() if name in names},
+        "points": {point.name: depths.get(point.name, 0.0) for point in clip.context.points if clip.context.surfaces},
+        "all geoms count": counts_all(model),
+    }
+
+
+def _bends(clip: Clip, worst: Worst) -> dict[str, dict[str, float]]:
+    """The largest angles of knees and elbows, backward and either way."""
+    limits = bend_limits(clip)
+    within = {"backward": -limits.least, "sideways": limits.sideways, "twist": limits.twist}
+    angles = {(row.name, row.kind): float(np.degrees(within[row.kind])) + beyond for row, beyond, _ in worst}
+    return {bend.name: {kind: max(0.0, angles[bend.name, kind]) for kind in within} for bend in limits.joints}
+
+
+def _most(worst: Worst, what: str) -> dict[str, Any]:
+    """The row that is farthest beyond its bound, in degrees or m."""
+    if not worst:
+        return {}
+    row, most, time = worst[0]
+    return {what: row.name, "at, s": time, "most": most, "unit": row.unit}
+
+
+def _equalities(joints: Worst, loops: Worst) -> dict[str, Any]:
+    """How far joints are off what they follow, and ends of closed loops apart."""
+    found = {"coupled": _most(joints, "joint")} if joints else {}
+    return found | ({"closed": {"loop": loops[0][0].name, "most, m": loops[0][1]}} if loops else {})
+
+
+def _holds(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
+    """How far every hold's site moves on the body from where it was when the hold began."""
+    largest, out = measurement.largest("hold"), []
+    for i, hold in enumerate(clip.context.holds):
+        moved, time = largest.get(i, (0.0, hold.first))
+        row = {"hand": hold.point.name, "body": hold.body, "from, s": hold.first, "to, s": hold.last}
+        out.append(row | {"moved, m": moved, "at, s": time})
+    return out
+
+
+def _peak(worst: Worst) -> dict[str, Any]:
+    """The largest angular acceleration of a link relative to its parent."""
+    if not worst:
+        return {"peak": 0.0, "joint": "", "at, s": 0.0}
+    row, peak, time = worst[0]
+    return {"peak": peak, "joint": row.name, "at, s": time}
+
+
+def _heights(clip: Clip, samples: Samples) -> Array:
+    """(n, T) height of the contact points over the surface below them [m]."""
+    centres, _, _ = places_of(clip.context.points, samples)
+    return np.min([surface.height(centres) for surface in clip.context.surfaces], axis=0)
+
+
+def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
+    """Horizontal path of each contact point while within 1 cm of its surface, and its mean speed there."""
+    if not clip.context.points or not clip.context.surfaces:
+        return {}
+    centres, _, _ = places_of(clip.context.points, samples)
+    low = np.abs(_heights(clip, samples)) < RESTING
+    steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
+    together = low[:, 1:] & low[:, :-1]
+    pace = np.diff(samples.t)
+    out = {}
+    for i, point in enumerate(clip.context.points):
+        length, rest = float(steps[i, together[i]].sum()), float(pace[together[i]].sum())
+        out[point.name] = {"path, m": length, "speed, m/s": length / rest if rest > 0 else 0.0, "rest, s": rest}
+    return out
+
+
+def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
+    """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, and its slide."""
+    found = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > LEAST_STANCE]
+    groups: dict[tuple[float, float, int], list[Any]] = {}
+    for stance in found:
+        groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)
+    out = []
+    for (first, last, link), group in groups.items():
+        time = np.linspace(first, last, max(2, round((last - first) * RATE)))
+        samples = samples_at(clip.figure, path_of(timeline), time)
+        foot = tuple(point for point in body_points(clip.figure) if point.link == link)
+        radii = np.array([point.radius for point in foot])
+        height, _ = heights(clip.context.surfaces, places_of(foot, samples)[0], radii)
+        centres, _, _ = places_of(tuple(stance.point for stance in group), samples)
+        slide = max(
+            float(np.linalg.norm((centres[:, i] - stance.place(time))[:2], axis=0).max())
+            for i, stance in enumerate(group)
+        )
+        names = " and ".join(stance.point.name for stance in group)
+        lift = min(float(height.min(axis=0).max()), HIGHEST)
+        out.append({"points": names, "from, s": first, "to, s": last, "lift, m": lift, "slide, m": slide})
+    return out
+
+
+def _contacts(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
+    """Every contact that the clip gives: how far its point gets from where it is in the middle of it, and its path."""
+    out = []
+    for rest in clip.context.contacts.given:
+        time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
+        samples = samples_at(clip.figure, path_of(timeline), time)
+        centres, _, _ = places_of((rest.point,), samples)
+        turned = samples.links.Q[:, rest.point.link]
+        track = centres[:, 0] - Rolling.of(rest, turned[:, time.size // 2]).way(turned)
+        moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
+        path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
+        speed = path / (rest.last - rest.first)
+        told = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
+        out.append(told | {"moved, m": moved, "path, m": path, "speed, m/s": speed})
+    return out
+
+
+def _edge_clearance(clip: Clip, samples: Samples) -> dict[str, float]:
+    """Height of a foot's lowest contact point over a box's top when the foot's middle crosses the box's front edge."""
+    out: dict[str, float] = {}
+    for box in (surface for surface in clip.context.surfaces if isinstance(surface, Box)):
+        edge = box.centre[0] - np.abs(box.axes[0]) @ box.half
+        top = box.centre[2] + np.abs(box.axes[2]) @ box.half
+        for link in sorted({point.link for point in clip.context.points}):
+            points = tuple(point for point in clip.context.points if point.link == link)
+            centres, _, _ = places_of(points, samples)
+            middle = centres[0].mean(axis=0)
+            for i in np.flatnonzero((middle[:-1] < edge) & (middle[1:] >= edge)):
+                name = f"{clip.figure.links[link].name} over {box.name} at {samples.t[i]:.2f} s"
+                out[name] = float(centres[2, :, i].min() - top)
+    return out
+
+
+def _unit_deviation(samples: Samples) -> dict[str, float]:
+    length = np.linalg.norm(samples.q, axis=0)
+    if not length.size:
+        return {"shortest": 1.0, "longest": 1.0, "largest": 0.0}
+    return {
+        "shortest": float(length.min()),
+        "longest": float(length.max()),
+        "largest": float(np.abs(length - 1).max()),
+    }
+
+
+def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any] | None:
+    """How far a loop's root travels and turns in a period, and by how far y, y', y'' at its end are off; None where
+    there is no loop."""
+    if timeline.ends != "periodic":
+        return None
+    seam = Seam.of(clip.figure, timeline)
+    roots = clip.figure.tables.position_columns
+    position, velocity, acceleration = map(float, seam.apart(path_of(timeline)))
+    mismatch = {"state": position, "first derivative": velocity, "second derivative": acceleration}
+    travel = seam.travel[roots[:, 0]].tolist() if roots.size else []
+    turn = {"turn, degrees": float(np.degrees(seam.headings[0]))} if seam.turns else {}
+    return {"travel, m": travel, **turn, **mismatch}
+
+
+def _torque(samples: Samples) -> dict[str, Any]:
+    """Joint torques by inverse dynamics, and the wrench that the ground would have to supply at the roots.
+
+    root mean square  over time, of the norm of the torques of all balls and hinges together
+    """
+    figure = samples.figure
+    forces = generalised_forces(samples)
+    roots = [link.dof for link in figure.links[1:] if link.kind is JointKind.FREE]
+    sizes = {JointKind.BALL: 3, JointKind.HINGE: 1}
+    turning = [link.dof + k for link in figure.links[1:] for k in range(sizes.get(link.kind, 0))]
+    joints = np.linalg.norm(forces[:, turning], axis=1)
+    peaks = {
+        link.name: float(np.linalg.norm(forces[:, link.dof : link.dof + sizes[link.kind]], axis=1).max())
+        for link in figure.links[1:]
+        if link.kind in sizes
+    }
+    strongest = max(peaks, key=lambda name: peaks[name], default="")
+    root = [np.linalg.norm(forces[:, dof : dof + 3], axis=1).max() for dof in roots]
+    return {
+        "root mean square": float(np.sqrt(np.mean(joints**2))),
+        "peak of one joint": peaks.get(strongest, 0.0),
+        "joint": strongest,
+        "peak root force": float(max(root, default=0.0)),
+    }
+
+
+def _support(clip: Clip, samples: Samples) -> dict[str, float]:
+    """What moves the figure from outside although nothing can push: in flight, and beyond what its footings supply."""
+    if clip.context.support is None or not clip.context.support.tells:
+        return {}
+    # stiff, so that what is left is what cannot be supplied, and not what would cost force
+    carried = replace(clip.context.support, softness=STIFF)
+    rest = carried.rest(samples)[:, carried.known(samples.t)]
+    force = np.linalg.norm(rest[:3], axis=0)
+    out = {"root mean square": float(np.sqrt(np.mean(force**2)))}
+    out["moment, root mean square"] = float(np.sqrt(np.mean(np.sum(rest[3:] ** 2, axis=0))))
+    aloft = within(carried.flights, samples.t)
+    if aloft.any():
+        wrench = RootWrench(samples, carried.root)
+        up = -clip.figure.gravity / max(float(np.linalg.norm(clip.figure.gravity)), 1e-12)
+        lifted = np.maximum(up @ wrench.force[:, aloft], 0)
+        out["off free fall, g"] = float(np.mean(np.linalg.norm(wrench.force[:, aloft], axis=0)) / carried.unit)
+        out["upward force in flight, N"] = float(np.mean(lifted))
+        out["largest upward force in flight, N"] = float(lifted.max())
+    return out
