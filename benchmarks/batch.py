@@ -77,7 +77,7 @@ def killed(clips: Path, out: Path, count: int) -> dict[str, int]:
         workers: set[int] = set()
         for child in psutil.Process(program.pid).children(recursive=True):
             with suppress(psutil.Error):
-                workers |= {child.pid} if "dynsplines.batch.child" in " ".join(child.cmdline()) else set()
+                workers |= {child.pid} if Path(child.cwd()).name.startswith("dynsplines-scratch") else set()
         os.kill(min(workers), signal.SIGKILL)
         _until(lambda: len(done()) >= count // 2)
     finally:
@@ -106,7 +106,7 @@ def killed(clips: Path, out: Path, count: int) -> dict[str, int]:
 
 def measure(effort: Effort) -> Section:
     section = Section("Batches of small clips of the human", ("what", "clips", "seconds", "clips a second", "× one"))
-    if peer("distributed") is None:
+    if peer("psutil") is None:
         section.add("skipped: not installed (pip install '.[batch]')", "–", "–", "–", "–")
         return section
     count = effort.count(200, 12)

@@ -202,7 +202,7 @@ def solvers(driver: int) -> list[int]:
     with suppress(psutil.Error):
         for child in psutil.Process(driver).children(recursive=True):
             with suppress(psutil.Error):
-                found += [child.pid] if "dynsplines.batch.child" in " ".join(child.cmdline()) else []
+                found += [child.pid] if Path(child.cwd()).name.startswith("dynsplines-scratch") else []
     return found
 
 
@@ -245,7 +245,7 @@ def disk(folder: Path, megabytes: int) -> Iterator[Path]:
 
 def measure(effort: Effort) -> Section:
     section = Section("A batch that is not let alone", ("what", "count"))
-    if peer("distributed") is None:
+    if peer("psutil") is None:
         section.add("skipped: not installed (pip install '.[batch]')", "–")
         return section
     count = effort.count(2000, 60)

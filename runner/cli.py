@@ -642,11 +642,11 @@ def batch(
     cleaning = recordings.asked(
         clean=clean_all, onto=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, within=within
     )
+    options = batches.Options(
+        listed, workers, scheduler, to, fps, batches.Limits(limit_time, limit_memory), measure, retry_failed, cleaning
+    )
     with terminal.Progress() as progress:
-        tally = batches.run(
-            clips or [], output, progress, listed=listed, workers=workers, scheduler=scheduler, to=to, fps=fps,
-            seconds=limit_time, megabytes=limit_memory, report=measure, retry_failed=retry_failed, cleaning=cleaning,
-        )  # fmt: skip
+        tally = batches.run(clips or [], output, progress, options)
         if cleaning is not None:
             recordings.tell(tally, progress)
         for line in [*([] if cleaning is not None else tally.problems), *tally.failures()]:

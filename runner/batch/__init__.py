@@ -1,16 +1,14 @@
-"""Thousands of clips, on the processes of this machine or on a Dask cluster elsewhere.
+"""Thousands of clips, solved by processes of this machine or at the workers of a Dask cluster.
 
-inputs.py     what is named on the command line becomes clips, and a clip the files that go to a worker
-manifest.py   what became of every clip, in a file that survives whatever ends the program
-lock.py       one program at a time in a folder
-solving.py    the work itself: files of a clip in, the file of its motion out
-child.py      the process that does it, warm from clip to clip
-bounded.py    the other end of that process: it is ended when it takes too long or too much
-crew.py       such processes at every Dask worker
-cluster.py    the Dask workers, here or elsewhere
-plan.py       what a command asks for, and what of it is left to do
-recordings.py  a batch of recordings: what is asked of it, and what it came to
-dispatch.py   the verb: few clips under way at a time, each done once
+inputs      the clips that a command names, and the files that each needs
+task        a clip as it is sent to a worker, the options and limits of the batch, and the outcome
+manifest    the state of every clip, in a file that survives the end of the program
+solving     the work on a clip: its files in, the files of its motion out
+worker      processes that do it, one clip after another, within limits
+workers     those of this machine, as an executor
+cluster     those at the workers of a Dask cluster
+recordings  batches of recordings: their options and their summary
+dispatch    every clip is solved once, few at a time
 """
 
 from __future__ import annotations
@@ -19,60 +17,27 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import UserError
-from ..system.workers import cores
+from .task import Limits, Options
 
 if TYPE_CHECKING:
     from ..system.progress import Progress
     from .dispatch import Tally
-    from .task import Cleaning
 
-NEEDS = ("distributed", "dask", "psutil")
-MOST_WORKERS = 1000  # more would only be a slip of the keyboard
-MOST_SECONDS = 1e6  # [s] a clip, eleven days
-LEAST_MEGABYTES, MOST_MEGABYTES = 256, 10**7  # [MB] a worker
+__all__ = ["Limits", "Options", "run"]
+PACKAGES = ("psutil", "distributed", "dask")
 
 
-def run(
-    words: list[str],
-    folder: Path,
-    progress: Progress,
-    *,
-    listed: str | None = None,
-    workers: int | None = None,
-    scheduler: str | None = None,
-    to: str = "npz",
-    fps: float | None = None,
-    seconds: float = 3600.0,
-    megabytes: float | None = None,
-    report: bool = False,
-    retry_failed: bool = False,
-    cleaning: Cleaning | None = None,
-) -> Tally:
-    """Solves every clip that the words name into a folder; plan.Options says what the rest means.
-
-    seconds, megabytes  that a clip may take. Raises UserError for what cannot be meant, or if Dask is not there.
-    """
-    if workers is not None and scheduler is not None:
-        raise UserError("--workers are of this machine and --scheduler is elsewhere; give one of them")
-    if workers is not None and not 1 <= workers <= MOST_WORKERS:
-        raise UserError(f"--workers {workers}: give a number of processes, 1 to {MOST_WORKERS}")
-    if not 0.1 <= seconds <= MOST_SECONDS:
-        raise UserError(f"--limit-time {seconds:g}: give seconds, 0.1 to {MOST_SECONDS:g}")
-    if megabytes is not None and not LEAST_MEGABYTES <= megabytes <= MOST_MEGABYTES:
-        raise UserError(
-            f"--limit-memory {megabytes:g}: give MB, {LEAST_MEGABYTES} to {MOST_MEGABYTES}; an idle process has 200"
-        )
-    if report and cleaning is not None:
-        raise UserError("--report is for clips; a recording is measured before and after as it is")
-    if fps is not None and not 0.01 <= fps <= 100_000:
-        raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
+def run(words: list[str], folder: Path, progress: Progress, options: Options) -> Tally:
+    """Solve every clip that the words name into a folder; raises UserError if a package is missing."""
     try:
         from . import dispatch
+
+        if options.scheduler is not None:
+            from . import cluster  # noqa: F401
     except ModuleNotFoundError as error:
-        if error.name not in NEEDS:
+        if error.name not in PACKAGES:
             raise
         raise UserError(
             f"dynsplines batch needs '{error.name}'; install it: pip install 'dynamic-splines[batch]'"
         ) from None
-    options = dispatch.Options(listed, workers or cores(), scheduler, to, fps, report, retry_failed, cleaning)
-    return dispatch.run(words, folder, options, dispatch.Bounds(seconds, megabytes), progress)
+    return dispatch.run(words, folder, options, progress)

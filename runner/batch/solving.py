@@ -1,4 +1,4 @@
-"""The work itself, by a process that may be anywhere: the files of a clip in, the file of its motion out."""
+"""The work on one clip, in a worker process: its files in, the files of its motion out."""
 
 from __future__ import annotations
 
@@ -9,97 +9,83 @@ from typing import TYPE_CHECKING
 
 from ..errors import UserError
 from ..system import mujoco_warnings
-from .task import NPZ, Cleaning, Product, Task, program
+from .task import NPZ, Cleaning, Outcome, Task, program
 
 if TYPE_CHECKING:
     from ..motion import Saved
 
-RESULT = ".result"  # how the output is called while it is made: no figure's file is called so
 
+def solved(task: Task, folder: Path) -> Outcome:
+    """Return the files of the motion, and its violations; MuJoCo's warnings are among the notes.
 
-def prepared() -> None:
-    """Imports what the work takes, which is off the clock."""
-    from .. import motion, work  # noqa: F401
-
-
-def solved(task: Task, folder: Path) -> Product:
-    """The file of the motion, and what is wrong with it; MuJoCo's warnings are among its notes.
-
-    folder  an empty one. Raises UserError for a clip that is wrong.
+    folder  an empty one for the clip's files. Raises UserError for an invalid clip.
     """
-    warned: list[str] = []
-    with mujoco_warnings.reported_to(warned.append):
-        product = _solved(task, folder)
-    return replace(product, notes=(*product.notes, *warned))
-
-
-def _solved(task: Task, folder: Path) -> Product:
-    from rich.console import Console
-
-    from .. import recordings, work
-    from ..measure.problems import plain
-    from ..scene import outside
-    from ..system.progress import Progress
-
     if task.program != program():
         raise UserError(f"the worker has dynamic-splines {program()}, not {task.program}; install the same")
     for name, data in task.files.files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
-    if task.cleaning is not None:
-        return _cleaned(task, task.cleaning, folder)
-    source, figure = task.files.clip, task.files.figure
+    from ..scene import outside
+
+    warned: list[str] = []
+    with mujoco_warnings.reported_to(warned.append), outside.allowed(task.allow_outside):
+        outcome = _cleaned(task, folder) if task.options.cleaning else _solved(task, folder)
+    return replace(outcome, notes=(*outcome.notes, *warned))
+
+
+def _solved(task: Task, folder: Path) -> Outcome:
+    from rich.console import Console
+
+    from .. import recordings, work
+    from ..measure.problems import plain
+    from ..system.progress import Progress
+
+    source, figure = task.files.clip, task.files.others.get("figure")
     where = str(folder / source) if Path(source).suffix else source
-    with outside.allowed(task.allow_outside):
-        problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.fps)
-    with Path(os.devnull).open("w") as nowhere:
-        progress = Progress(Console(file=nowhere))
-        result = work.solve(problem, progress)
-        saved = result.saved(progress, with_report=task.report)
-    return replace(_written(saved, task, folder, task.fps), problems=tuple(plain(result.problems)))
+    problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.options.fps)
+    progress = Progress(Console(quiet=True))
+    result = work.solve(problem, progress)
+    saved = result.saved(progress, with_report=task.options.report)
+    return replace(_written(saved, task, folder, task.options.fps), problems=tuple(plain(result.problems)))
 
 
-def _cleaned(task: Task, cleaning: Cleaning, folder: Path) -> Product:
-    """The file of a recording's clean motion, what is wrong with it, and what was measured before and after."""
+def _cleaned(task: Task, folder: Path) -> Outcome:
     from rich.console import Console
 
     from ..clean import running
     from ..clean.comparing import Comparison
-    from ..scene import outside
     from ..system.progress import Progress
 
-    there = {word: folder / place for word, place in task.files.others.items()}
-    figure = str(there["figure"]) if "figure" in there else cleaning.figure
+    cleaning = task.options.cleaning or Cleaning()
+    others = {word: folder / path for word, path in task.files.others.items()}
     source = running.Source(
         folder / task.files.clip,
-        figure,
+        str(others["figure"]) if "figure" in others else cleaning.figure,
         cleaning.kind,
-        task.fps,
-        scene=there.get("scene"),
-        map=there.get("map"),
+        task.options.fps,
+        scene=others.get("scene"),
+        map=others.get("map"),
         apart=cleaning.apart,
     )
-    with Path(os.devnull).open("w") as nowhere, outside.allowed(task.allow_outside):
-        result, saved = running.made(source, cleaning.within, Progress(Console(file=nowhere)))
-    found = Comparison(result)
-    return replace(_written(saved, task, folder, None), problems=tuple(found.problems), figures=found.figures)
+    result, saved = running.made(source, cleaning.within, Progress(Console(quiet=True)))
+    comparison = Comparison(result)
+    outcome = _written(saved, task, folder, None)
+    return replace(outcome, problems=tuple(comparison.problems), figures=comparison.figures)
 
 
-def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> Product:
-    """A motion as a file of the kind that is asked for, with what lies beside it."""
+def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outcome:
+    """Write a motion in the requested format, and read back all files."""
     from .. import motion
     from ..exchange import formats
 
-    made = folder / ".made"
+    made = folder / ".made"  # a folder that no clip's file is in
     made.mkdir()
-    target = made / f"{RESULT}{'.npz' if task.to == NPZ else formats.writer(task.to).ending}"
+    target = made / task.output
     notes: list[str] = []
-    if task.to == NPZ:
+    if task.options.to == NPZ:
         motion.save(saved, target)
     else:
-        formats.export(saved, task.to, target, fps=fps, tell=notes.append)
-    others = [path for path in sorted(made.iterdir()) if path != target]
-    beside = {path.name.removeprefix(RESULT): path.read_bytes() for path in others}
-    said = tuple(note for note in notes if note not in {f"wrote {path}" for path in others})
-    return Product(target.read_bytes(), beside=beside, notes=said)
+        formats.export(saved, task.options.to, target, fps=fps, tell=notes.append)
+    files = {path.name: path.read_bytes() for path in [target, *sorted(made.iterdir())]}
+    return Outcome(files=files, notes=tuple(note for note in notes if not note.startswith(f"wrote {made}{os.sep}")))

@@ -1,4 +1,4 @@
-"""A clip as it goes to a worker: its files and what is to be made of them. Imports nothing that takes long."""
+"""A clip as it is sent to a worker, the options and limits of the batch, and the outcome."""
 
 from __future__ import annotations
 
@@ -7,42 +7,57 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import metadata
-from typing import Any
+from typing import Annotated, Any
+
+from pydantic import AfterValidator
+
+from ..errors import UserError
+from ..exchange import formats
 
 NPZ = "npz"
 
 
 @dataclass(frozen=True)
 class Files:
-    """A clip's files by their path below a folder that holds them all.
+    """A clip and the files that it needs, by their paths in a common folder.
 
-    clip    which of them is the clip; a name without an ending is one that ships
-    figure  which of them is the figure, where the clip says it by a path that is good only here
-    others  which of them is what else was asked for with a recording: "figure", "scene", "map"
+    clip    the path of the clip; a name without a suffix is that of a shipped clip
+    others  the paths of files that replace those of the clip or of the command: "figure", "scene", "map"
     """
 
     clip: str
     files: Mapping[str, bytes]
-    figure: str | None = None
     others: Mapping[str, str] = field(default_factory=dict)
 
-    def digest(self, *also: object) -> str:
-        """Changes whenever the motion could."""
-        seen = hashlib.sha256(repr((self.clip, self.figure, *sorted(self.others.items()), *also)).encode())
+    def digest(self, *options: object) -> str:
+        """Return a hash of the files and the options that the motion depends on."""
+        digest = hashlib.sha256(repr((self.clip, *sorted(self.others.items()), *options)).encode())
         for name, data in sorted(self.files.items()):
-            seen.update(f"\n{name}\n{len(data)}\n".encode())
-            seen.update(data)
-        return seen.hexdigest()[:32]
+            digest.update(f"\n{name}\n{len(data)}\n".encode())
+            digest.update(data)
+        return digest.hexdigest()[:32]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits of one clip: [s] of wall-clock time, and [MB] of resident memory; an idle process has about 220.
+
+    megabytes  None: an equal share of the memory of the machine or the Dask worker
+    """
+
+    seconds: float = 3600.0
+    megabytes: float | None = None
 
 
 @dataclass(frozen=True)
 class Cleaning:
-    """What is to be done to recordings, which are then no clips.
+    """Options of a batch of recordings.
 
-    figure  the one that they are for, a shipped one's name or MJCF; scene, map: TOML files, as `clean` takes them
-    kind    their format, where the ending does not tell it
-    within  [m] how far hands, feet and pelvis may move
-    apart   limbs are kept out of each other: they are brought on to another figure
+    figure      name of a shipped figure, or path of an MJCF file
+    scene, map  paths of TOML files, as of the command `clean`
+    kind        format, where the suffix does not specify it
+    within      [m] largest displacement of hands, feet and pelvis
+    apart       separate the limbs too, for another figure
     """
 
     figure: str | None = None
@@ -54,45 +69,102 @@ class Cleaning:
 
 
 @dataclass(frozen=True)
-class Task:
-    """A clip to be solved, or a recording to be cleaned.
+class Options:
+    """The options of a batch; raises UserError for invalid ones.
 
-    to       the kind of file to make, "npz" or one of the formats
-    fps      samples a second; None: the clip's
-    report   measure the motion at length, too
-    program  the version of this program that asks
-    allow_outside  let a model read files outside its folder: those that came along with it
-    cleaning  what is to be done to a recording; None for a clip
+    listed        a file with more clips, one a line
+    workers       processes of this machine; None: one a core
+    scheduler     address of a Dask cluster to use instead
+    to, fps       format, and samples per second if not those of the clip
+    report        measure every motion in full
+    retry_failed  solve clips again that have failed and not changed
+    cleaning      options for recordings; None for clips
     """
 
-    files: Files
+    listed: str | None = None
+    workers: int | None = None
+    scheduler: str | None = None
     to: str = NPZ
     fps: float | None = None
+    limits: Limits = Limits()
     report: bool = False
-    program: str = ""
-    allow_outside: bool = False
+    retry_failed: bool = False
     cleaning: Cleaning | None = None
+
+    def __post_init__(self) -> None:
+        if self.workers is not None and self.scheduler is not None:
+            raise UserError("--workers are of this machine and --scheduler is elsewhere; give one of them")
+        if self.report and self.cleaning is not None:
+            raise UserError("--report is for clips; a recording is measured before and after as it is")
+        assert self.suffix
+
+    @property
+    def suffix(self) -> str:
+        """The suffix of the output; raises UserError for an unknown format."""
+        return ".npz" if self.to == NPZ else formats.writer(self.to).ending
+
+    def digest(self, files: Files) -> str:
+        """Return a hash of everything that the output of a clip depends on."""
+        return files.digest(program(), self.to, self.fps, self.report, self.cleaning)
 
 
 @dataclass(frozen=True)
-class Product:
-    """What comes back: the bytes of the output, and what is wrong with the motion, worst first, as plain tables.
+class Task:
+    """A clip to solve, or a recording to clean.
 
-    beside   what is to lie beside the output: by an ending that goes on its name, or by a name in its folder
-    notes    what the format could not hold, a line each
-    figures  of a recording: what was measured, before and after, by what it says and its unit
+    output         name of the file to write
+    allow_outside  allow models to refer to files outside their folder, which are in `files`
+    program        version of this program at the sender
     """
 
-    data: bytes
-    problems: tuple[dict[str, Any], ...] = ()
+    files: Files
+    output: str
+    options: Options = Options()
+    allow_outside: bool = False
+    program: str = field(default_factory=lambda: program())
+
+
+def _violation(table: dict[str, Any]) -> dict[str, Any]:
+    """A violation as a table; raises ValueError where a batch cannot print and compare it."""
+    numbers = [table.get(name) for name in ("amount", "bound")]
+    if not isinstance(table.get("text"), str) or not all(isinstance(x, int | float) and x > 0 for x in numbers):
+        raise ValueError(f"'problems' has {table!r}")
+    return table
+
+
+@dataclass(frozen=True)
+class Result:
+    """What is known of the motion of a clip, or why there is none.
+
+    seconds   of the last attempt
+    worker    address of the Dask worker
+    cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker ended)
+    bound     the limit of a failure by time [s] or memory [MB]
+    problems  violations, worst first, as tables
+    notes     what the output's format cannot store, and warnings
+    figures   of a recording: values before and after cleaning, by quantity and unit
+    """
+
+    cause: str = ""
+    error: str = ""
+    bound: float | None = None
+    seconds: float = 0.0
+    worker: str = ""
+    problems: tuple[Annotated[dict[str, Any], AfterValidator(_violation)], ...] = ()
     figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    beside: Mapping[str, bytes] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Outcome(Result):
+    """A result, and the files of the motion by name: the output first, then those that belong to it, such as meshes."""
+
+    files: Mapping[str, bytes] = field(default_factory=dict)
 
 
 @cache
 def program() -> str:
-    """The version of this program."""
+    """Return the version of this program."""
     try:
         return metadata.version("dynamic-splines")
     except metadata.PackageNotFoundError:

@@ -23,11 +23,15 @@ ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
 
 @dataclass
 class Model:
-    """A model's folder, the folders in it that it gives for its files, and the files that it names."""
+    """A model: its folder, those that it specifies for its files, the names of the files, and paths that were read.
+
+    texts  the model's file, the text that it includes, and the files of its flexible bodies
+    """
 
     folder: Path
     folders: set[str] = field(default_factory=lambda: {""})
     files: set[str] = field(default_factory=set)
+    texts: set[Path] = field(default_factory=set)
 
 
 def is_there(path: Path) -> bool:
@@ -42,8 +46,28 @@ def models_in(path: Path) -> list[Model]:
     return found
 
 
+def paths_read(path: Path) -> list[Path]:
+    """Return the paths of all files that a model reads, from every folder where MuJoCo may look for them.
+
+    Raises UserError for a file that exists outside the model's folder alone, unless that is allowed.
+    """
+    found = {path}
+    for model in models_in(path):
+        found |= model.texts
+        folders = [*(model.folder / folder for folder in model.folders), *(text.parent for text in model.texts)]
+        for file in sorted(model.files):
+            names = {file, Path(file).name}
+            places = {folder / name for folder in folders for name in names if is_there(folder / name)}
+            inside = {place for place in places if outside.is_allowed() or outside.lies_in(place, path.parent)}
+            for place in sorted(places) if not inside else ():
+                outside.check(place, path.parent, file)
+            found |= inside
+    return sorted({Path(os.path.normpath(place)) for place in found})
+
+
 def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path]) -> None:
     """Through a model's text and all text that it includes; `own` gets the files, `found` the models."""
+    own.texts.add(path)
     for tag, said in list(elements(path.read_bytes().decode("utf-8-sig", errors="replace"))):
         own.folders |= {said[name].replace("\\", "/") for name in FOLDERS if tag == "compiler" and name in said}
         named = [value.replace("\\", "/") for key, value in said.items() if key.startswith("file") and value]
@@ -55,6 +79,8 @@ def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path
             there = [place for place in places if is_there(place)] or places[:1]
             for place in there:
                 outside.check(place, home, file)
+            if tag == "flexcomp" and is_there(there[0]):
+                own.texts.add(there[0])
             if tag == "flexcomp" or there[0] in seen or not is_there(there[0]):
                 continue
             seen.add(there[0])

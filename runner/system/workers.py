@@ -1,8 +1,7 @@
-"""Items worked on by several processes at once, the results in order.
+"""Worker processes, each of which opens a tool and applies it to one item after another.
 
-Every process opens its own tool, such as a stage to take pictures on, and keeps it. Few items are under way at a time,
-so a long film is never in memory. However the loop over the results ends, no process is left: they do not listen to
-Ctrl-C themselves but are told to stop, and a process whose parent is gone goes too.
+However a program ends, no worker is left: they ignore Ctrl-C, end with their connection, and a thread in each of them
+ends it with its parent, even in the middle of an item.
 """
 
 from __future__ import annotations
@@ -12,18 +11,16 @@ import os
 import pickle
 import signal
 import sys
+import threading
 import traceback
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
-from functools import partial
 from multiprocessing.connection import Connection, wait
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+from pathlib import Path
+from typing import IO, Any, Generic, TypeVar
 
 from ..errors import UserError
 from . import mujoco_warnings
-
-if TYPE_CHECKING:
-    Line = Connection[Any, Any]
 
 Tool = TypeVar("Tool")
 Item = TypeVar("Item")
@@ -37,17 +34,17 @@ AHEAD = 2  # results for each process that may wait for an earlier one
 
 
 def cores() -> int:
-    """Cores this process may use."""
+    """Return the number of cores that this process may use."""
     return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
 
 
 def in_order(
     opened: Opened[Tool], work: Work[Tool, Item, Result], items: Iterable[Item], workers: int = 1
 ) -> Generator[Result, None, None]:
-    """work(tool, item) for every item, in order, by this process or by `workers` others; an error of theirs is ours.
+    """Yield work(tool, item) for every item, in order, computed by this process or by `workers` others.
 
-    opened  gives the tool; it, `work` and the items must be picklable if there are several workers, and the program
-            must be importable without running (`if __name__ == "__main__"`)
+    Few results are ahead of the one that is yielded, so that a long film is never in memory. Raises the errors of the
+    work, and UserError if a process ends. For several workers see `Worker`.
     """
     if workers > 1:
         yield from _by_several(opened, work, items, workers)
@@ -58,96 +55,128 @@ def in_order(
 
 
 def _by_several(
-    opened: Opened[Tool], work: Work[Tool, Item, Result], items: Iterable[Item], workers: int
+    opened: Opened[Tool], work: Work[Tool, Item, Result], items: Iterable[Item], count: int
 ) -> Generator[Result, None, None]:
     left = enumerate(items)
     results: dict[int, Result] = {}
     shown = 0
-    crew: list[_Worker[Result]] = []
+    idle: list[Worker[Tool, Item, Result]] = []
+    busy: dict[Any, tuple[int, Worker[Tool, Item, Result]]] = {}
     try:
-        with ctrl_c_blocked():
-            for _ in range(workers):
-                crew.append(_Worker(opened, work))
+        for _ in range(count):
+            idle.append(Worker(opened, work))
         while True:
-            for worker in crew:
-                if worker.number is None and len(results) < AHEAD * workers:
-                    worker.give(*next(left, (None, None)))
-            busy = {worker.line: worker for worker in crew if worker.number is not None}
+            while idle and len(results) < AHEAD * count and (following := next(left, None)) is not None:
+                number, item = following
+                worker = idle.pop(0)
+                busy[worker.line] = number, worker
+                worker.give(item)
             if not busy and not results:
                 return
             for line in wait(list(busy), 0 if shown in results else None) if busy else ():
-                number, result = busy[cast("Line", line)].result()
-                results[number] = result
+                number, worker = busy[line]
+                results[number] = worker.result()
+                del busy[line]
+                idle.append(worker)
             if shown in results:
                 yield results.pop(shown)
                 shown += 1
+    except WorkerEnded as error:
+        raise UserError(f"a worker process {error}; --workers 1 does without") from None
     finally:
-        for worker in crew:
+        for worker in idle:
             worker.line.close()
-        for worker in crew:
+        for worker in idle:
+            worker.stop(GRACE_SECONDS)  # it closes its tool
+        for _, worker in busy.values():
             worker.stop()
 
 
-class _Worker(Generic[Result]):
-    """A process and the line to it. It works on the item of this number, or on none."""
+class WorkerEnded(Exception):
+    """A worker process has ended; the text is how."""
 
-    def __init__(self, opened: Callable[[], object], work: Callable[..., Result]) -> None:
+
+class Worker(Generic[Tool, Item, Result]):
+    """A process with a tool, and the connection to it.
+
+    opened  opens the tool, before the first item
+    work    (tool, item) -> result
+    idle    [s] without an item, after which the process ends; None: never
+    errors  a temporary file for its standard error, closed with it
+
+    Tool, work and items must be picklable, and the program importable without running (`if __name__ == "__main__"`).
+    Raises UserError if there can be no more processes.
+    """
+
+    def __init__(
+        self,
+        opened: Opened[Tool],
+        work: Work[Tool, Item, Result],
+        idle: float | None = None,
+        errors: IO[bytes] | None = None,
+    ) -> None:
         spawn = multiprocessing.get_context("spawn")
         self.line, theirs = spawn.Pipe()
-        self.number: int | None = None
-        self._process = spawn.Process(target=_serve, args=(theirs, opened, work), daemon=True)
+        args = (theirs, opened, work, idle, None if errors is None else errors.name)
+        self.process = spawn.Process(target=_serve, args=args, daemon=True)
+        self._errors = errors
         try:
-            self._process.start()
+            with ctrl_c_blocked():
+                self.process.start()
         except OSError as error:
             why = error.strerror or error
             raise UserError(f"a worker process cannot be started: {why}; --workers 1 does without") from None
-        theirs.close()
+        finally:
+            theirs.close()
 
-    def give(self, number: int | None, item: object) -> None:
-        """One at a time: a process that is sending a result does not listen."""
-        self.number = number
-        if number is not None:
-            with suppress(OSError):  # `result` tells what became of it
-                self.line.send(item)
+    def give(self, item: Item) -> None:
+        """Send an item, one at a time: a process that sends a result does not receive."""
+        with suppress(OSError):  # `result` reports what became of the process
+            self.line.send(item)
 
-    def result(self) -> tuple[int, Result]:
+    def result(self) -> Result:
+        """Return the result of the item; raises the error of the work, and WorkerEnded."""
         try:
             error, result, notes = self.line.recv()
         except (EOFError, OSError):
-            raise self._lost() from None
+            raise WorkerEnded(self._ending()) from None
         for note in notes:
             mujoco_warnings.pass_on(note)
         if error is not None:
             raise error
-        number, self.number = cast(int, self.number), None
-        return number, result
+        return result
 
-    def stop(self) -> None:
-        """Its line is closed: it ends by itself if it has nothing to do."""
-        if self.number is None:
-            self._process.join(GRACE_SECONDS)
-        self._process.terminate()
-        self._process.join()
+    def stop(self, patience: float = 0.0) -> None:
+        """End the process, by force after so many seconds."""
+        self.line.close()
+        if patience:
+            self.process.join(patience)
+        self.process.kill()
+        self.process.join()
+        if self._errors is not None:
+            self._errors.close()
 
-    def _lost(self) -> UserError:
-        self._process.join(GRACE_SECONDS)
-        code = self._process.exitcode or 0
-        how = f"ended with code {code}"
-        if code < 0:
+    def _ending(self) -> str:
+        """Return how the process ended, with the last line of its standard error."""
+        self.process.join(GRACE_SECONDS)
+        code = self.process.exitcode
+        text = "did not answer" if code is None else f"ended with code {code}"
+        if code is not None and code < 0:
             memory = "; too little memory?" if -code == 9 else ""
-            how = f"was ended by signal {-code} ({signal.strsignal(-code) or 'unknown'}{memory})"
-        return UserError(f"a worker process {how}; --workers 1 does without")
+            text = f"was ended by signal {-code} ({signal.strsignal(-code) or 'unknown'}{memory})"
+        lines = self._errors.read()[-4000:].decode(errors="replace").splitlines() if self._errors else []
+        return next((f"{text}: {line.strip()}" for line in reversed(lines) if line.strip()), text)
 
 
 @contextmanager
 def ctrl_c_blocked() -> Iterator[None]:
-    """Ctrl-C waits for the end of the block; processes started in it never get one. (Windows knows no such thing.)"""
+    """Ctrl-C waits for the end of the block, and never reaches a process that starts in it; not on Windows."""
     if sys.platform == "win32":
         yield
         return
     from multiprocessing import resource_tracker
 
-    resource_tracker.ensure_running()  # it would let Ctrl-C through again if it were started in the block
+    resource_tracker.ensure_running()  # started in the block, it would unblock Ctrl-C
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -155,25 +184,43 @@ def ctrl_c_blocked() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _serve(line: Line, opened: Callable[[], AbstractContextManager[Tool]], work: Callable[[Tool, Any], object]) -> None:
-    """The life of a worker process: items in, results and notes out, until the line is closed."""
+def _serve(
+    line: Connection[Any, Any],
+    opened: Opened[Tool],
+    work: Work[Tool, Any, object],
+    idle: float | None,
+    errors: str | None,
+) -> None:
+    """Receive items and send results with their notes, until the connection closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    if errors is not None:
+        with Path(errors).open("wb") as stream:
+            os.dup2(stream.fileno(), 2)
     notes: list[str] = []
     with mujoco_warnings.reported_to(notes.append), ExitStack() as stack, suppress(EOFError, OSError):
-        do: Callable[[Any], object] | None = None
-        while True:
+        tools: list[Tool] = []
+        while line.poll(idle):
             item = line.recv()
             try:
-                do = do or partial(work, stack.enter_context(opened()))
-                answer = (None, do(item), notes)
+                if not tools:
+                    tools.append(stack.enter_context(opened()))
+                answer = (None, work(tools[0], item), notes)
             except Exception as error:
                 answer = (_portable(error), None, notes)
             line.send(answer)
             notes.clear()
 
 
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    wait([parent.sentinel])
+    os._exit(1)
+
+
 def _portable(error: Exception) -> Exception:
-    """The error, or its words if it does not survive the way to another process."""
+    """The error, or its text if it cannot be sent to another process."""
     try:
         error.add_note(f"In a worker process:\n{traceback.format_exc()}")
         return pickle.loads(pickle.dumps(error))

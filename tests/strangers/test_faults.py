@@ -153,12 +153,12 @@ def test_a_manifest_on_a_full_disk_is_told_and_goes_on_later(tmp_path: Path):
     from dynsplines.errors import UserError
 
     manifest = Manifest.of(tmp_path)
-    manifest.record([Entry("a", "a.toml")])
+    manifest.record([Entry(clip="a", source="a.toml")])
     full = pytest.raises(UserError, match=r"cannot write '.*manifest.jsonl': ")
     with largest_file(manifest.path.stat().st_size + 20), full:
-        manifest.record([Entry("b", "b.toml")])
+        manifest.record([Entry(clip="b", source="b.toml")])
     assert set(Manifest.of(tmp_path).entries) == {"a"}
-    manifest.record([Entry("c", "c.toml")])
+    manifest.record([Entry(clip="c", source="c.toml")])
     assert set(Manifest.of(tmp_path).entries) == {"a", "c"}
 
 

@@ -21,7 +21,6 @@ import dynsplines
 from dynsplines import cli, motion, work
 from dynsplines.batch import inputs, solving
 from dynsplines.batch.inputs import Source
-from dynsplines.batch.lock import Lock
 from dynsplines.batch.manifest import Entry, Manifest, check_below, digest_of
 from dynsplines.batch.task import Task
 from dynsplines.clip import load as clip
@@ -31,6 +30,7 @@ from dynsplines.motion import Saved
 from dynsplines.scene import outside
 from dynsplines.scene.assets import Scene
 from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.system.lock import locked
 from dynsplines.system.progress import Progress
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="links are another matter there")
@@ -276,8 +276,8 @@ def test_a_batch_that_may_read_outside_solves_elsewhere_too(tmp_path: Path):
     with outside.allowed():
         files = inputs.files_of(Source(path, PurePosixPath("it")), {})
     (tmp_path / "there").mkdir()
-    done = solving.solved(Task(files, program=solving.program(), allow_outside=True), tmp_path / "there")
-    (tmp_path / "it.npz").write_bytes(done.data)
+    done = solving.solved(Task(files, "it.npz", allow_outside=True), tmp_path / "there")
+    (tmp_path / "it.npz").write_bytes(done.files["it.npz"])
     assert motion.load(tmp_path / "it.npz").scene.assets == {"secret.stl": stl(0.3)}
 
 
@@ -315,7 +315,7 @@ def test_models_that_are_attached_bring_their_meshes_from_below(tmp_path: Path):
 @pytest.mark.parametrize("name", ["../prey", "/prey", "sub/../../prey", "a\\..\\..\\prey"])
 @pytest.mark.parametrize("key", ["clip", "output"])
 def test_a_manifest_leads_nowhere_but_into_its_folder(tmp_path: Path, key: str, name: str):
-    entry = Entry("walk", "../walk.toml", "done", output="walk.npz", size=1)
+    entry = Entry(clip="walk", source="../walk.toml", state="done", output="walk.npz", size=1)
     line = json.dumps({**json.loads(entry.line()), key: name})
     (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}\n', encoding="utf-8")
     with pytest.raises(UserError, match=r"line 2 is not what became of a clip \('.*prey' is no path in this folder\)"):
@@ -336,7 +336,7 @@ def test_a_link_in_a_batchs_folder_leads_no_output_out_of_it(tmp_path: Path):
     check_below(out, "walk/run.npz")
     with pytest.raises(UserError, match="leads out of the folder"):
         Manifest.of(out)
-    with pytest.raises(UserError, match=r"cannot write '.*manifest\.lock'"), Lock(out):
+    with pytest.raises(UserError, match=r"cannot write '.*manifest\.lock'"), locked(out):
         pass
     assert prey.read_bytes() == b"before"
 
@@ -345,7 +345,9 @@ def test_bytes_that_changed_inside_an_output_are_noticed(tmp_path: Path, saved: 
     path = tmp_path / "walk.npz"
     motion.save(saved, path)
     data = path.read_bytes()
-    entry = Entry("walk", "walk.toml", "done", output=path.name, size=len(data), sha256=digest_of(data))
+    entry = Entry(
+        clip="walk", source="walk.toml", state="done", output=path.name, size=len(data), sha256=digest_of(data)
+    )
     assert entry.holds(tmp_path)
     middle = len(data) // 2
     path.write_bytes(data[: middle - 100] + bytes(200) + data[middle + 100 :])

@@ -5,31 +5,32 @@ from __future__ import annotations
 import os
 import signal
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from dynsplines.batch.task import Product, Task
+from dynsplines.batch.task import Outcome, Task
 from dynsplines.errors import UserError
 
 
-def ready() -> None:
-    """Nothing to prepare."""
+def output(data: bytes) -> Outcome:
+    return Outcome(files={"output": data})
 
 
-def lasts(seconds: float, folder: Path) -> Product:
+def lasts(seconds: float, folder: Path) -> Outcome:
     time.sleep(seconds)
-    return Product(str(os.getpid()).encode())
+    return output(str(os.getpid()).encode())
 
 
-def hangs(_: object, folder: Path) -> Product:
+def hangs(_: object, folder: Path) -> Outcome:
     """Deaf to everything but the kernel."""
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
     while True:
         np.linalg.norm(np.ones(100))
 
 
-def grows(_: object, folder: Path) -> Product:
+def grows(_: object, folder: Path) -> Outcome:
     """Takes memory little by little, and uses it."""
     taken = []
     while True:
@@ -37,47 +38,57 @@ def grows(_: object, folder: Path) -> Product:
         time.sleep(0.005)
 
 
-def grabs(_: object, folder: Path) -> Product:
+def fills(_: object, folder: Path) -> Outcome:
+    """Takes 4 GB at once, and uses it."""
+    return output(np.ones(2**29).tobytes())
+
+
+def grabs(_: object, folder: Path) -> Outcome:
     """Asks for far too much at once."""
-    return Product(np.zeros(2**36).tobytes())
+    return output(np.zeros(2**36).tobytes())
 
 
 PINNED = []
 
 
-def pins(_: object, folder: Path) -> Product:
+def pins(_: object, folder: Path) -> Outcome:
     """Takes 200 MB in small pieces and keeps the last of them, above all that is free again."""
     taken = [np.ones(12_000) for _ in range(2000)]
     PINNED.append(taken[-1])
-    return Product(b"")
+    return Outcome()
 
 
-def dies(number: int, folder: Path) -> Product:
+def dies(number: int, folder: Path) -> Outcome:
     os.kill(os.getpid(), number)
-    return Product(b"")
+    return Outcome()
 
 
-def leaves(code: int, folder: Path) -> Product:
+def leaves(code: int, folder: Path) -> Outcome:
     os._exit(code)
 
 
-def complains(words: str, folder: Path) -> Product:
+def complains(words: str, folder: Path) -> Outcome:
     raise UserError(words)
 
 
-def stumbles(_: object, folder: Path) -> Product:
+def stumbles(_: object, folder: Path) -> Outcome:
     raise ZeroDivisionError("of nothing")
 
 
-def litters(_: object, folder: Path) -> Product:
+def litters(_: object, folder: Path) -> Outcome:
     """What lies in its folder, and then one thing more."""
     found = " ".join(sorted(path.name for path in folder.iterdir()))
     (folder / "litter").write_text("here")
-    return Product(found.encode())
+    return output(found.encode())
 
 
-def told(task: Task, folder: Path) -> Product:
+def told(task: Task, folder: Path) -> Outcome:
     """As the clip's text says: "DEED VALUE"."""
+    outcome = done(task, folder)
+    return replace(outcome, files=dict.fromkeys([task.output], outcome.files["output"]))
+
+
+def done(task: Task, folder: Path) -> Outcome:
     deed, _, value = task.files.files[task.files.clip].decode().partition(" ")
     match deed:
         case "hang":
@@ -91,8 +102,8 @@ def told(task: Task, folder: Path) -> Product:
             if not mark.exists():
                 mark.write_text("was here")
                 return dies(signal.SIGKILL, folder)
-            return Product(b"at last")
+            return output(b"at last")
         case "complain":
             return complains(value, folder)
         case _:
-            return Product(f"{deed} {value}".encode())
+            return output(f"{deed} {value}".encode())

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
-import json
 import os
 import shutil
 import signal
@@ -22,10 +20,9 @@ pytest.importorskip("distributed")
 
 import psutil
 import pytest
-from distributed.comm.core import connect
 
 from dynsplines import motion
-from dynsplines.batch.manifest import Entry, Manifest
+from dynsplines.batch.manifest import ENTRY, Entry, Manifest
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and signals")
 
@@ -101,7 +98,7 @@ def journal(folder: Path) -> list[Entry]:
     if not path.exists():
         return []
     lines = path.read_bytes().split(b"\n")[1:-1]
-    return [Entry.of(json.loads(line)) for line in lines]
+    return [ENTRY.validate_json(line) for line in lines]
 
 
 def done(folder: Path) -> int:
@@ -109,12 +106,12 @@ def done(folder: Path) -> int:
 
 
 def solvers(driver: int) -> list[int]:
-    """The processes for clips."""
+    """The processes for clips, which are in a temporary folder."""
     found = set()
     for number in descendants(driver):
         with suppress(psutil.Error):
-            process = psutil.Process(number)
-            found |= {number} if "dynsplines.batch.child" in " ".join(process.cmdline()) else set()
+            folder = Path(psutil.Process(number).cwd()).name
+            found |= {number} if folder.startswith(("dynsplines-scratch", "worker-")) else set()
     return sorted(found)
 
 
@@ -183,14 +180,11 @@ def test_nobody_else_on_the_machine_can_reach_a_batch_and_it_leaves_nothing_wher
     (tmp_path / "clips").mkdir()
     (tmp_path / "clips/a.toml").write_text("hang", encoding="utf-8")
     process = start("batch", "clips", "-o", "out", "--workers", 2, program=INJECTED)
-    until(lambda: [e.worker for e in journal(tmp_path / "out") if e.state == "running"], "a clip under way")
+    until(lambda: "running" in {entry.state for entry in journal(tmp_path / "out")}, "a clip under way")
     until(lambda: solvers(process.pid), "the process that solves it")
     found = [psutil.Process(each) for each in [process.pid, *solvers(process.pid)]]
     listening = [each.laddr for one in found for each in one.net_connections() if each.status == psutil.CONN_LISTEN]
     assert listening == []
-    worker = next(entry.worker for entry in journal(tmp_path / "out") if entry.state == "running")
-    with pytest.raises(ValueError, match="inproc address"):
-        asyncio.run(connect(worker, timeout=1))
     os.killpg(process.pid, signal.SIGINT)
     asked = time.monotonic()
     process.communicate(timeout=PATIENCE)
@@ -222,7 +216,7 @@ def test_clips_that_fail_in_every_way_stop_nothing_and_are_told(tmp_path: Path, 
     ]
     failures = said.splitlines()[-5:-1]
     assert failures[0] == "failed: b_hangs: it took longer than 1.5 s"
-    assert failures[1].startswith("failed: c_grabs: it took more memory than 500 MB")
+    assert failures[1].startswith("failed: c_grabs: it took more memory than there is")
     assert failures[2].startswith("failed: d_dies: its process was ended by signal 9")
     assert failures[3] == "failed: e_wrong: of its keyframes"
     found = Manifest.of(tmp_path / "out").entries

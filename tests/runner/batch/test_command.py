@@ -52,13 +52,16 @@ def test_no_clips_are_refused(refused: Refused):
     assert refused() == "no clips; give names, .toml or .xml files, folders, patterns, or --list FILE"
 
 
-def test_where_dask_is_missing_it_says_how_to_install_it(refused: Refused, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setitem(sys.modules, "distributed", None)
-    for name in ("dispatch", "cluster", "crew"):
+@pytest.mark.parametrize(("package", "words"), [("psutil", ()), ("distributed", ("--scheduler", "tcp://127.0.0.1:9"))])
+def test_a_missing_package_is_named_with_how_to_install_it(
+    refused: Refused, package: str, words: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setitem(sys.modules, package, None)
+    for name in ("dispatch", "cluster", "worker", "workers"):
         monkeypatch.delitem(sys.modules, f"dynsplines.batch.{name}", raising=False)
         monkeypatch.delattr(dynsplines.batch, name, raising=False)
-    line = "dynsplines batch needs 'distributed'; install it: pip install 'dynamic-splines[batch]'"
-    assert refused("tiny.toml") == line
+    line = f"dynsplines batch needs '{package}'; install it: pip install 'dynamic-splines[batch]'"
+    assert refused("tiny.toml", *words) == line
 
 
 def test_a_scheduler_that_is_not_there_is_told(refused: Refused, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

@@ -12,7 +12,7 @@ from tiny import CLIP, changed, written
 
 from dynsplines.batch import solving
 from dynsplines.batch.inputs import Source, files_of, named_apart, sources
-from dynsplines.batch.task import Task
+from dynsplines.batch.task import Options, Task
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.motion import load
@@ -106,10 +106,10 @@ def test_a_clip_takes_its_figure_along(tmp_path: Path):
     files = files_of(Source(path, PurePosixPath("tiny")), figures)
     assert files.clip == "clips/tiny.toml"
     assert sorted(files.files) == ["clips/tiny.toml", "figures/tiny.xml"]
-    assert files.figure is None
+    assert not files.others
     path.write_text(changed('"tiny.xml"', f'"{(tmp_path / "figures/tiny.xml").as_posix()}"'), encoding="utf-8")
     files = files_of(Source(path, PurePosixPath("tiny")), figures)
-    assert files.figure == "figures/tiny.xml"
+    assert files.others == {"figure": "figures/tiny.xml"}
 
 
 def test_a_model_takes_along_what_it_includes_and_refers_to(tmp_path: Path):
@@ -156,8 +156,8 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
     problem = clip.load(str(path))
     figure.unlink()
     path.unlink()
-    product = solving.solved(Task(files, program=solving.program()), there)
-    (tmp_path / "result.npz").write_bytes(product.data)
+    product = solving.solved(Task(files, "tiny.npz"), there)
+    (tmp_path / "result.npz").write_bytes(product.files["tiny.npz"])
     assert [problem["name"] for problem in product.problems] == ["root", "left_knee"]
     saved = load(tmp_path / "result.npz")
     assert saved.name == "tiny"
@@ -168,7 +168,9 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
 
 def test_a_worker_with_another_version_says_so(tmp_path: Path):
     with pytest.raises(UserError, match=r"the worker has dynamic-splines .*, not 0\.0\.7"):
-        solving.solved(Task(files_of(Source(None, PurePosixPath("stairs")), {}), program="0.0.7"), tmp_path)
+        solving.solved(
+            Task(files_of(Source(None, PurePosixPath("stairs")), {}), "stairs.npz", program="0.0.7"), tmp_path
+        )
 
 
 def test_a_link_is_called_after_the_link(tmp_path: Path):
@@ -185,8 +187,8 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
     there.mkdir()
     written(tmp_path)
     path = tmp_path / "tiny.toml"
-    product = solving.solved(Task(files_of(Source(path, PurePosixPath("tiny")), {}), program=solving.program()), there)
-    (tmp_path / "own.npz").write_bytes(product.data)
+    product = solving.solved(Task(files_of(Source(path, PurePosixPath("tiny")), {}), "tiny.npz"), there)
+    (tmp_path / "own.npz").write_bytes(product.files["tiny.npz"])
     (tmp_path / "through.toml").write_text(FOLLOWING.format("tiny.toml"), encoding="utf-8")
     clip_file, digests = tmp_path / "following.toml", []
     for recording, along in {"own.npz": ["own.npz"], "through.toml": ["through.toml", "tiny.toml"]}.items():
@@ -195,8 +197,8 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
         assert sorted(files.files) == sorted(["following.toml", "tiny.xml", *along])
         elsewhere = tmp_path / f"elsewhere {recording}"
         elsewhere.mkdir()
-        made = solving.solved(Task(files, program=solving.program()), elsewhere)
-        (tmp_path / "made.npz").write_bytes(made.data)
+        made = solving.solved(Task(files, "made.npz"), elsewhere)
+        (tmp_path / "made.npz").write_bytes(made.files["made.npz"])
         assert load(tmp_path / "made.npz").keys[-1].time == pytest.approx(0.41)
         digests.append(files.digest())
     path.write_text(changed("[0.3, 0, 1]", "[0.31, 0, 1]"), encoding="utf-8")
@@ -218,8 +220,8 @@ def test_what_a_format_writes_beside_its_file_comes_back_with_what_it_could_not_
     there = tmp_path / "there"
     there.mkdir()
     files = files_of(Source(written(tmp_path), PurePosixPath("tiny")), {})
-    made = solving.solved(Task(files, to="mjlab", program=solving.program()), there)
-    assert list(made.beside) == [".mjlab.hinges.xml"]
-    model = mujoco.MjModel.from_xml_string(made.beside[".mjlab.hinges.xml"].decode())
+    made = solving.solved(Task(files, "tiny.mjlab.npz", Options(to="mjlab")), there)
+    assert list(made.files) == ["tiny.mjlab.npz", "tiny.mjlab.hinges.xml"]
+    model = mujoco.MjModel.from_xml_string(made.files["tiny.mjlab.hinges.xml"].decode())
     assert model.nq == 7 + 3
     assert not any(note.startswith("wrote") for note in made.notes)

@@ -14,15 +14,24 @@ from pathlib import Path
 
 import pytest
 
-from dynsplines.batch.lock import Lock
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
 from dynsplines.errors import UserError
+from dynsplines.system.lock import locked
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX locks")
 
-WALK = Entry("walk", "../clips/walk.toml", "running", "abc", attempts=1)
+WALK = Entry(clip="walk", source="../clips/walk.toml", state="running", input="abc", attempts=1)
 DONE = replace(WALK, state="done", seconds=0.5, output="walk.npz", size=12)
-RUN = Entry("sub/run", "../clips/sub/run.toml", "failed", "def", 2, cause="time", bound=3.0, error="too 'long'")
+RUN = Entry(
+    clip="sub/run",
+    source="../clips/sub/run.toml",
+    state="failed",
+    input="def",
+    attempts=2,
+    cause="time",
+    bound=3.0,
+    error="too 'long'",
+)
 
 
 def lines(folder: Path) -> list[dict[str, object]]:
@@ -83,34 +92,37 @@ def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):
 
 
 def test_a_second_program_is_refused_and_told_who_is_at_work(tmp_path: Path):
-    with Lock(tmp_path):
+    with locked(tmp_path):
         who = f"by process {os.getpid()} on {socket.gethostname()} since"
-        with pytest.raises(UserError, match=who), Lock(tmp_path):
+        with pytest.raises(UserError, match=who), locked(tmp_path):
             pass
-        with pytest.raises(UserError, match="wait for it, or end it"), Lock(tmp_path):
+        with pytest.raises(UserError, match="wait for it, or end it"), locked(tmp_path):
             pass
-    with Lock(tmp_path):
+    with locked(tmp_path):
         pass
     assert list(tmp_path.iterdir()) == []
 
 
 def test_the_lock_of_a_killed_program_is_taken_over(tmp_path: Path):
     code = (
-        "import os, signal, sys; from pathlib import Path; from dynsplines.batch.lock import Lock\n"
-        "with Lock(Path(sys.argv[1])): os.kill(os.getpid(), signal.SIGKILL)"
+        "import os, signal, sys; from pathlib import Path; from dynsplines.system.lock import locked\n"
+        "with locked(Path(sys.argv[1])): os.kill(os.getpid(), signal.SIGKILL)"
     )
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     ended = subprocess.run([sys.executable, "-c", code, tmp_path], env=environment, check=False)
     assert ended.returncode == -signal.SIGKILL
     assert json.loads((tmp_path / "manifest.lock").read_text(encoding="utf-8"))["host"] == socket.gethostname()
-    with Lock(tmp_path):
+    with locked(tmp_path):
         assert json.loads((tmp_path / "manifest.lock").read_text(encoding="utf-8"))["pid"] == os.getpid()
 
 
 def test_the_lock_of_another_host_is_believed(tmp_path: Path):
     (tmp_path / "manifest.lock").write_text('{"pid": 7, "host": "elsewhere", "since": "noon"}', encoding="utf-8")
-    with pytest.raises(UserError, match="process 7 on elsewhere since noon; if that has ended, remove"), Lock(tmp_path):
+    with (
+        pytest.raises(UserError, match="process 7 on elsewhere since noon; if that has ended, remove"),
+        locked(tmp_path),
+    ):
         pass
     (tmp_path / "manifest.lock").unlink()
-    with Lock(tmp_path):
+    with locked(tmp_path):
         pass

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,13 +13,12 @@ from tiny import CLIP, FIGURE, changed, written
 
 pytest.importorskip("psutil")
 
-from dynsplines.batch.bounded import Bounds
+from dynsplines.batch.dispatch import Batch
 from dynsplines.batch.inputs import sources
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
-from dynsplines.batch.plan import Options, Plan, planned
+from dynsplines.batch.solving import solved
+from dynsplines.batch.task import Limits, Options
 from dynsplines.system.progress import Progress
-
-Planned = Callable[..., Plan]
 
 
 @pytest.fixture
@@ -32,14 +30,14 @@ def manifest(tmp_path: Path) -> Manifest:
     return Manifest.of(tmp_path / "out")
 
 
-def left(manifest: Manifest, options: Options = Options(), bounds: Bounds = Bounds()) -> list[str]:  # noqa: B008
+def left(manifest: Manifest, options: Options = Options()) -> list[str]:  # noqa: B008
     """The clips that a command has left to do, by a program that starts anew."""
     manifest = Manifest.of(manifest.path.parent)
     folder = manifest.path.parent.parent
     found = sources([str(folder / "tiny.toml"), str(folder / "other.toml")])
-    plan = planned(found, manifest, options, bounds, Progress(Console(file=io.StringIO())))
-    assert [clip.name for clip in plan.all] == ["tiny", "other"]
-    return [clip.name for clip in plan.left]
+    batch = Batch(manifest, options, Progress(Console(file=io.StringIO())), solved)
+    assert batch.plan(found) == ["tiny", "other"]
+    return [name for name, _ in batch.waiting]
 
 
 def end(manifest: Manifest, name: str, **changes: Any) -> Entry:
@@ -115,23 +113,23 @@ def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(manifest: Manif
 
 
 @pytest.mark.parametrize(
-    ("cause", "bound", "options", "bounds", "again"),
+    ("cause", "bound", "options", "again"),
     [
-        ("error", None, Options(), Bounds(), False),
-        ("error", None, Options(retry_failed=True), Bounds(), True),
-        ("lost", None, Options(), Bounds(), True),
-        ("time", 3.0, Options(), Bounds(3.0), False),
-        ("time", 3.0, Options(), Bounds(5.0), True),
-        ("memory", 500.0, Options(), Bounds(3.0, 500.0), False),
-        ("memory", 500.0, Options(), Bounds(3.0), False),
-        ("memory", 500.0, Options(), Bounds(3.0, 700.0), True),
+        ("error", None, Options(), False),
+        ("error", None, Options(retry_failed=True), True),
+        ("lost", None, Options(), True),
+        ("time", 3.0, Options(limits=Limits(3.0)), False),
+        ("time", 3.0, Options(limits=Limits(5.0)), True),
+        ("memory", 500.0, Options(limits=Limits(3.0, 500.0)), False),
+        ("memory", 500.0, Options(limits=Limits(3.0)), False),
+        ("memory", 500.0, Options(limits=Limits(3.0, 700.0)), True),
     ],
 )
-def test_what_failed_is_done_again_if_it_may_go_better(manifest: Manifest, cause, bound, options, bounds, again: bool):
+def test_what_failed_is_done_again_if_it_may_go_better(manifest: Manifest, cause, bound, options, again: bool):
     left(manifest)
     finish(manifest, "other")
     end(manifest, "tiny", state="failed", attempts=1, cause=cause, bound=bound, error="it did not work")
-    assert left(manifest, options, bounds) == (["tiny"] if again else [])
+    assert left(manifest, options) == (["tiny"] if again else [])
     entry = Manifest.of(manifest.path.parent).entries["tiny"]
     assert (entry.state, entry.error) == (("queued", "") if again else ("failed", "it did not work"))
 
@@ -142,6 +140,7 @@ def test_a_clip_that_cannot_be_read_waits_for_its_turn(manifest: Manifest, monke
 
     monkeypatch.setattr(Path, "read_bytes", gone)
     found = sources([str(manifest.path.parent.parent / "tiny.toml")])
-    plan = planned(found, manifest, Options(), Bounds(), Progress(Console(file=io.StringIO())))
-    assert [clip.name for clip in plan.left] == ["tiny"]
+    batch = Batch(manifest, Options(), Progress(Console(file=io.StringIO())), solved)
+    batch.plan(found)
+    assert [name for name, _ in batch.waiting] == ["tiny"]
     assert manifest.entries["tiny"].input == ""

@@ -16,12 +16,10 @@ pytest.importorskip("distributed")
 
 from dynsplines import UserError, load_motion
 from dynsplines.batch import recordings
-from dynsplines.batch.bounded import Bounds
 from dynsplines.batch.dispatch import Tally, run
 from dynsplines.batch.inputs import files_of, sources
 from dynsplines.batch.manifest import Entry, Manifest
-from dynsplines.batch.plan import Options
-from dynsplines.batch.task import Cleaning
+from dynsplines.batch.task import Cleaning, Options
 from dynsplines.exchange import formats
 from dynsplines.system.progress import Progress
 
@@ -74,7 +72,7 @@ def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(folder: Path, t
     shutil.copytree(folder, tmp_path / "in")
     options = Options(workers=1, cleaning=Cleaning("human"))
     into = tmp_path / "in" / "out"  # below what is read, which it is no part of
-    tally = run([str(tmp_path / "in")], into, options, Bounds(), quiet())
+    tally = run([str(tmp_path / "in")], into, options, quiet())
     assert (tally.solved, [entry.clip for entry in tally.failed]) == (2, ["torn"])
     entries = Manifest.of(into).entries
     for name in ("walk", "more/turn"):
@@ -83,21 +81,20 @@ def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(folder: Path, t
         before, after = figures["deepest in anything [mm]"]
         assert np.isfinite(before)
         assert after <= 2
-    again = run([str(tmp_path / "in")], into, options, Bounds(), quiet())
+    again = run([str(tmp_path / "in")], into, options, quiet())
     assert (again.solved, len(again.good), len(again.failed)) == (0, 2, 1)
     assert again.good[0].figures == entries[again.good[0].clip].figures
 
 
 def entry(name: str, slip: float, problem: float | None = None) -> Entry:
     found = () if problem is None else ({"text": f"slip: {problem} mm", "amount": problem, "bound": 5.0},)
-    return Entry(name, f"{name}.bvh", "done", problems=found, figures={"slip [mm]": (40.0, slip)})
+    return Entry(clip=name, source=f"{name}.bvh", state="done", problems=found, figures={"slip [mm]": (40.0, slip)})
 
 
 def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
     good = tuple(entry(f"r{i}", float(i), 5.0 + i if i > 2 else None) for i in range(15))
-    wrong = tuple(sorted((one for one in good if one.problems), key=lambda one: -one.problems[0]["amount"]))
     out = io.StringIO()
-    recordings.tell(Tally(15, 0, (), wrong, good), Progress(Console(file=out, width=100)))
+    recordings.tell(Tally(good, 15), Progress(Console(file=out, width=100)))
     lines = out.getvalue().splitlines()
     assert lines[0].split() == ["15", "recordings", "median", "before", "after", "worst", "before", "after"]
     assert lines[1].split() == ["slip", "[mm]", "40", "7", "40", "14"]

@@ -1,0 +1,76 @@
+"""One program at a time in a folder: a lock that ends with the process that holds it."""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..errors import UserError
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
+
+NAME = "manifest.lock"
+
+
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Hold the lock of a folder; its file contains the process, the host and the time.
+
+    The lock of a process that was killed is taken over. The file of another host is trusted, since not every network
+    disk shares locks. Raises UserError if the folder is locked.
+    """
+    if fcntl is None:
+        raise UserError("batches need a system with POSIX locks, such as Linux or macOS")
+    path = folder / NAME
+    while (handle := _taken(path)) is None:
+        pass
+    owner = {"pid": os.getpid(), "host": socket.gethostname(), "since": time.strftime("%Y-%m-%d %H:%M:%S")}
+    os.ftruncate(handle, 0)
+    os.pwrite(handle, json.dumps(owner).encode(), 0)
+    try:
+        yield
+    finally:
+        path.unlink(missing_ok=True)
+        os.close(handle)
+
+
+def _taken(path: Path) -> int | None:
+    """Return the handle of the locked file; None if its last owner removed it meanwhile."""
+    assert fcntl is not None
+    try:
+        handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o644)
+    except OSError as error:
+        raise UserError(f"cannot write '{path}': {error.strerror}") from None
+    try:
+        owner = _owner(handle)
+        who = f"process {owner.get('pid', '?')} on {owner.get('host', '?')} since {owner.get('since', '?')}"
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise UserError(f"'{path.parent}' is being worked on by {who}; wait for it, or end it") from None
+        if owner.get("host", socket.gethostname()) != socket.gethostname():
+            raise UserError(f"'{path.parent}' was being worked on by {who}; if that has ended, remove '{path}'")
+        if path.exists() and os.path.samestat(path.stat(), os.fstat(handle)):
+            return handle
+    except BaseException:
+        os.close(handle)
+        raise
+    os.close(handle)
+    return None
+
+
+def _owner(handle: int) -> dict[str, object]:
+    """Return the content of a lock file; nothing before its owner has written it."""
+    try:
+        owner = json.loads(os.pread(handle, 10_000, 0))
+    except ValueError:
+        return {}
+    return owner if isinstance(owner, dict) else {}
