@@ -67,26 +67,14 @@ def test_mjlab_holds_what_mujoco_makes_of_the_motion(human, tmp_path):
     np.testing.assert_allclose(file["body_lin_vel_w"], truth["velocity"][:, rows, 3:], atol=1e-7)
     assert list(file["joint_names"]) == [model.joint(i).name for i in range(1, model.njnt)]
     qpos = np.concatenate([file["body_pos_w"][:, 0], file["body_quat_w"][:, 0], file["joint_pos"]], axis=1)
-    np.testing.assert_allclose(wild.poses(model, qpos)["xpos"][:, rows], truth["xpos"][:, rows], atol=1e-9)
+    again = wild.poses(model, qpos, np.concatenate([before.qvel[:, :6], file["joint_vel"]], axis=1))
+    for name, tolerance in (("xpos", 1e-9), ("velocity", 1e-7)):
+        np.testing.assert_allclose(again[name][:, rows], truth[name][:, rows], atol=tolerance)
     assert notes == [f"wrote {target.with_suffix('.hinges.xml')}"]
 
 
 @pytest.mark.slow
-def test_mjlab_velocities_are_the_differences_of_positions(human, tmp_path):
-    file = np.load(exported(human, "mjlab", tmp_path, fps=2000.0)[0])
-    across = (file["body_pos_w"][2:] - file["body_pos_w"][:-2]) * 1000
-    np.testing.assert_allclose(across, file["body_lin_vel_w"][1:-1], atol=2e-3)
-    np.testing.assert_allclose(
-        (file["joint_pos"][2:] - file["joint_pos"][:-2]) * 1000, file["joint_vel"][1:-1], atol=0.05
-    )
-    pairs = (file["body_quat_w"][part].reshape(-1, 4) for part in (np.s_[2:], np.s_[:-2]))
-    later, earlier = (Rotation.from_quat(q, scalar_first=True) for q in pairs)
-    spin = (later * earlier.inv()).as_rotvec().reshape(across.shape) * 1000
-    np.testing.assert_allclose(spin, file["body_ang_vel_w"][1:-1], atol=5e-3)
-
-
-@pytest.mark.slow
-def test_mjlab_comes_back_and_so_do_files_without_names_or_in_another_order(human, robot, robot_file, tmp_path):
+def test_mjlab_comes_back_and_so_do_files_without_names_or_in_another_order(human, robot, tmp_path):
     target, _ = exported(human, "mjlab", tmp_path)
     came_back(human, target)
     entries = dict(np.load(target))
@@ -99,11 +87,10 @@ def test_mjlab_comes_back_and_so_do_files_without_names_or_in_another_order(huma
     came_back(human, tmp_path / "mixed.npz")
     target, _ = exported(robot, "mjlab", tmp_path)
     assert list(np.load(target)["joint_names"]) == JOINTS
-    came_back(robot, target, str(robot_file))
 
 
 @pytest.mark.slow
-def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, robot, robot_file, tmp_path):
+def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, tmp_path):
     target, notes = exported(human, "mjlab-csv", tmp_path)
     table, model, before = np.loadtxt(target, delimiter=","), hinge_model(target), wild.samples(human)
     assert any("50 samples a second" in note for note in notes)
@@ -113,13 +100,12 @@ def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, robot, robo
     truth = wild.poses(human.figure.model, before.qpos)
     np.testing.assert_allclose(wild.poses(model, qpos)["xpos"], truth["xpos"], atol=1e-9)
     came_back(human, target, fps=wild.FPS)
-    came_back(robot, exported(robot, "mjlab-csv", tmp_path)[0], str(robot_file), fps=wild.FPS)
     with pytest.raises(UserError, match="the format tells none; say the rate: --fps, or fps= in Python"):
         imported(target, figure="human")
 
 
 @pytest.mark.slow
-def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(human, robot, robot_file, tmp_path):
+def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(human, tmp_path):
     target, _ = exported(human, "gmr", tmp_path)
     with target.open("rb") as stream:
         held = pickle.load(stream)
@@ -135,8 +121,6 @@ def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(human, rob
     rows = [model.body(name).id for name in held["link_body_list"]]
     np.testing.assert_allclose(wild.poses(model, qpos)["xpos"][:, rows], held["local_body_pos"], atol=1e-9)
     came_back(human, target)
-    target, _ = exported(robot, "gmr", tmp_path)
-    came_back(robot, target, str(robot_file))
     assert b"numpy._core" not in target.read_bytes()  # numpy before 2 has no such module
 
 
@@ -275,12 +259,12 @@ def _written(folder, content, name):
 
 
 @pytest.mark.slow
-def test_what_is_in_a_file_tells_its_format_where_the_ending_does_not(human, tmp_path):
+def test_what_is_in_a_file_tells_its_format_where_the_ending_does_not(human, robot, tmp_path):
     for kind in ("mjlab", "locomujoco", "npz", "gmr", "mimickit", "deepmimic", "mjcf"):
-        target, _ = exported(human, kind, tmp_path)
+        saved = human if kind == "deepmimic" else robot
+        target, _ = exported(saved, kind, tmp_path)
         plain = target.rename(tmp_path / f"plain_{kind}{target.suffix}")
-        came = imported(plain, figure="human")
-        assert came.name == f"plain_{kind}" and len(came.keys) > 10
+        assert formats.recording(plain, model=saved.figure.model).qpos.shape == wild.samples(saved).qpos.shape
     motion.save(human, tmp_path / "ours.npz")
     assert len(imported(tmp_path / "ours.npz").keys) == len(wild.samples(human).time)
     np.savez(tmp_path / "other.npz", a=1)

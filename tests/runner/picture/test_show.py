@@ -143,10 +143,9 @@ def test_the_camera_follows_the_root_and_knows_the_figures_height(saved):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("more", [{"only": "keys"}, {"ghosts": True, "camera": "side"}])
-def test_more_workers_draw_the_same_images(saved, monkeypatch, more):
+def test_more_workers_draw_the_same_images(saved, monkeypatch):
     monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
-    one, two = (list(images(saved, look(**more), SOFTWARE, workers=workers)) for workers in (1, 2))
+    one, two = (list(images(saved, look(ghosts=True, camera="side"), SOFTWARE, workers=workers)) for workers in (1, 2))
     np.testing.assert_array_equal(one, two)
 
 
