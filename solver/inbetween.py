@@ -28,11 +28,11 @@ from .refine.cut import Cut
 from .refine.limits import limited
 from .refine.subdivision import CRITERIA, midpoints, split
 from .refine.windows import Assembly, is_long, windows
-from .search.astray import is_astray, is_dear, is_far, is_violent
 from .search.descent import Descent, optimiser_of
-from .search.judgement import best
 from .search.minimum import Optimiser, Stop
 from .search.refinement import NONE
+from .search.restart import cost_increased, is_poor_minimum, is_pose_outlier, violation_dominates
+from .search.selection import select_best
 from .solution import Improvement, Solution
 
 NEGLIGIBLE = 1e-3  # of E at the start: what is left of it counts as so much at least where thresholds are shares
@@ -135,7 +135,7 @@ class _Loop:
     def better_than(self, raw: Timeline, found: Timeline) -> Timeline:
         """What was found, unless the raw timeline is better; that is out of the question where E has fallen far."""
         is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
-        return found if is_clear else best(self.objective, [found, raw])
+        return found if is_clear else select_best(self.objective, [found, raw])
 
     def over(self, raw: Timeline) -> Timeline:
         """The best timeline found through the keyframes of a raw one, long clips window by window."""
@@ -207,9 +207,9 @@ class _Loop:
             if self.stop is Stop.ASKED:
                 break
             if self._is_settled(ends[-1].timeline, values):
-                is_last_word = len(values) > 1 or not is_dear(self.objective, self.last)
+                is_last_word = len(values) > 1 or not cost_increased(self.objective, self.last)
                 waiting = [] if is_last_word else waiting[-1:]
-        found = best(self.objective, [end.timeline for end in reversed(ends)])
+        found = select_best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is found)
         self.stop = Stop.ASKED if self.stop is Stop.ASKED else end.stop
         return found
@@ -220,7 +220,7 @@ class _Loop:
         starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
         if self.settings.max_evaluations == 1:
             return starts[:1]
-        if is_far(self.objective, timeline):
+        if is_pose_outlier(self.objective, timeline):
             starts.reverse()
         return [
             *starts,
@@ -230,10 +230,10 @@ class _Loop:
 
     def _is_settled(self, timeline: Timeline, values: Sequence[float]) -> bool:
         """Whether the last search, of those that ended at these E, makes further ones unnecessary."""
-        if not is_astray(self.objective, timeline, self.last):
+        if not is_poor_minimum(self.objective, timeline, self.last):
             return True
         same_valley = max(values) <= ALIKE * min(values)
-        return len(values) == 2 and same_valley and not is_violent(self.objective, self.last)
+        return len(values) == 2 and same_valley and not violation_dominates(self.objective, self.last)
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[_End]:
         """Rounds until no segment deserves another frame, or their budget is spent; how each of them ended.

@@ -13,7 +13,7 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Penalty, Placed, Support
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.search.refinement import DENSE, copes
+from dynsplines.solver.search.refinement import DENSE, is_practical
 from dynsplines.solver.surface import static_surfaces
 
 from ..errors import UserError
@@ -229,7 +229,7 @@ def _too_many(problem: Problem) -> Iterator[str]:
     settings = problem.settings
     times = np.array([key.time for key in problem.keys])
     about = settings.beginning(times, in_windows=False).size * problem.figure.width
-    if isinstance(settings.optimiser, str) and not copes(settings.optimiser, about):
+    if isinstance(settings.optimiser, str) and not is_practical(settings.optimiser, about):
         most = DENSE[settings.optimiser.lower()]
         yield (
             f"optimiser '{settings.optimiser}' is dense: with some {about} unknowns, over {most}, "

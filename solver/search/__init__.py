@@ -1,11 +1,11 @@
-"""The search: variable frames moved to the nearest minimum of the objective.
+"""Minimisation of the objective over the variable frames of a timeline.
 
-descent      steps 3 and 4 of the paper's figure 5 on one timeline
-minimum      what a minimisation is: how it is asked for, what comes out, why it ended
+descent      minimisation on one timeline (steps 3 and 4 of the paper's figure 5)
+minimum      the optimiser's interface: arguments, result, stop reasons
 newton       Gauss-Newton steps with Levenberg's damping, each a banded solve
 quadratic    the model that a step minimises: E to second order, one-sided residuals kept one-sided
-refinement   the last stage by NLopt, in variables in which that model is a sphere; the only file that knows NLopt
-matrix_free  the same for figures of so many joints that Newton's matrices would fill the memory
-astray       whether a search ended in a heap
-judgement    which of several timelines of one clip is best
+refinement   the final stage by NLopt, in variables whitened by that model; the only file that imports NLopt
+matrix_free  the alternative for figures of so many joints that Newton's matrices would not fit in memory
+restart      criteria for restarting a search that ended in a poor local minimum
+selection    the timeline of least E among several of one clip
 """

@@ -11,21 +11,33 @@ from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, 
 from .newton import GaussNewton
 from .refinement import LBFGS, METHODS, NONE, algorithm, refine
 
-WIDEST = 150  # columns of the state for which a step of Newton's is worth its matrices, squares of these
-FINE = 1e-7  # relative progress at which a timeline is at its minimum, unless told
+WIDEST = 150  # columns of the state up to which Newton steps are used; their blocks have the square of it as size
+FINE = 1e-7  # default relative progress at which a timeline is at its minimum
 
 
 def check_method(method: str | Optimiser) -> None:
-    """Raises ValueError for a name that is no method."""
+    """Check the name of a method.
+
+    Raises:
+        ValueError: The name is not in METHODS and not an NLopt algorithm.
+    """
     if isinstance(method, str) and method.lower() not in METHODS:
         if method.lower() == "newton":
-            raise ValueError(f"optimiser 'newton' is called '{NONE}' now: Gauss-Newton steps alone")
+            raise ValueError(f"optimiser 'newton' was renamed '{NONE}': Gauss-Newton steps alone; use that name")
         algorithm(method)
 
 
 def optimiser_of(method: str | Optimiser, width: int, final: float) -> Optimiser:
-    """The optimiser that a name means for states of so many columns, whose last rounds have the tolerance `final`; one
-    of a program's own is itself."""
+    """Return the optimiser for a method.
+
+    Args:
+        method: A name from METHODS or of NLopt; or an optimiser, which is returned unchanged.
+        width: The number of columns of the state, N.
+        final: The tolerance of the last rounds.
+
+    Raises:
+        ValueError: The method is unknown.
+    """
     check_method(method)
     if not isinstance(method, str):
         return method
@@ -49,17 +61,28 @@ class Descent:
         tolerance: float = TOLERANCE,
         improved: Improved | None = None,
     ) -> Minimum:
-        """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
-        found = optimiser_of(optimiser, self.problem.timeline.width, tolerance)
-        return found(self.problem, max_evaluations=max_evaluations, tolerance=tolerance, improved=improved)
+        """Minimise E; the result's x is in the unknowns of the timeline, (n,).
+
+        Args:
+            optimiser: A method by name, or an optimiser.
+            max_evaluations: The evaluation budget.
+            tolerance: Relative progress at which the search ends.
+            improved: Called with (evaluation, Evaluation, x) whenever E falls.
+        """
+        minimise = optimiser_of(optimiser, self.problem.timeline.width, tolerance)
+        return minimise(self.problem, max_evaluations=max_evaluations, tolerance=tolerance, improved=improved)
 
 
 def optimised(
     objective: Objective, timeline: Timeline, *, max_evaluations: int = MOST_EVALUATIONS, tolerance: float = FINE
 ) -> Timeline:
-    """The timeline with its variable frames at the nearest minimum of E. Ctrl-C goes on to the caller."""
+    """Return the timeline with its variable frames at the nearest minimum of E.
+
+    Raises:
+        KeyboardInterrupt: The search was interrupted.
+    """
     descent = Descent(objective, timeline)
-    found = descent.run(max_evaluations=max_evaluations, tolerance=tolerance)
-    if found.stop is Stop.ASKED:
+    minimum = descent.run(max_evaluations=max_evaluations, tolerance=tolerance)
+    if minimum.stop is Stop.ASKED:
         raise KeyboardInterrupt
-    return timeline.with_rows(descent.problem.unknowns.rows(found.x))
+    return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))

@@ -1,7 +1,8 @@
-"""Minimisation of E for figures of so many joints that the matrices of Newton's steps would fill the memory.
+"""Minimisation of E for figures of so many joints that Newton's matrices would not fit in memory.
 
-Their blocks grow with the square of the joints. Here nothing does: NLopt's limited-memory BFGS searches in variables
-that the flat acceleration energy of each column of the state whitens, a banded factor a column.
+The blocks of those matrices grow with the square of the number of joints. Here memory is linear in it: NLopt's
+limited-memory BFGS searches in variables whitened by the flat acceleration energy, with one banded Cholesky factor per
+column of the state.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from .quadratic import STIFF, Layout
 from .refinement import minimise
 
 METHOD = "lbfgs"
-SMALL = 1e-4  # of the step that would bring E to nought: along the gradient, to see how E curves
-MEND = 4  # times the tolerance: a start over that lowers E by less is the last
+SMALL = 1e-4  # relative to the step along the gradient that would bring E to zero: a probe of E's curvature
+RESTART_GAIN = 4  # times the tolerance: a restart that lowers E by less is the last
 
 
 def matrix_free(
@@ -30,63 +31,66 @@ def matrix_free(
     tolerance: float,
     improved: Improved | None = None,
 ) -> Minimum:
-    """As `GaussNewton`, in memory that is linear in the number of joints."""
+    """Minimise E like `GaussNewton`, in memory that is linear in the number of joints; see `Optimiser`."""
     search = Search(problem, max_evaluations, FIRST_DAMPING, improved)
     try:
-        stop = search.begun() or _run(search, tolerance)
+        stop = search.start() or _run(search, tolerance)
     except (KeyboardInterrupt, StopSearch):
         stop = Stop.ASKED
     return search.minimum(stop)
 
 
 def _run(search: Search, tolerance: float) -> Stop:
-    """Searches on from the best point, with a metric of a new size, until that gains little."""
+    """Restart from the best point, with a newly scaled metric, until a restart gains little."""
     metric = FlatMetric(search.layout)
     while search.count < search.budget:
-        if search.is_negligible(_promised(search, metric), tolerance):
+        if search.is_negligible(_predicted_reduction(search, metric), tolerance):
             return Stop.CONVERGED
         if search.count >= search.budget:
             break
         before, around = search.value, search.x
 
         def fun(z: Array, around: Array = around) -> tuple[float, Array]:
-            found = search.evaluated(around + metric.to_x(z))
-            return found.value, metric.gradient(found.gradient)
+            result = search.evaluate(around + metric.to_x(z))
+            return result.value, metric.gradient(result.gradient)
 
-        found = minimise(
+        result = minimise(
             fun,
             np.zeros(metric.size),
             method=METHOD,
             max_evaluations=search.budget - search.count,
             tolerance=tolerance,
         )
-        if found.stop is Stop.ASKED:
+        if result.stop is Stop.ASKED:
             raise StopSearch
-        if search.is_negligible(before - search.value, MEND * tolerance):
+        if search.is_negligible(before - search.value, RESTART_GAIN * tolerance):
             return Stop.CONVERGED
     return Stop.BUDGET
 
 
-def _promised(search: Search, metric: FlatMetric) -> float:
-    """How far E would fall along its gradient, by how that changes on a small part of the way; sets the unit."""
+def _predicted_reduction(search: Search, metric: FlatMetric) -> float:
+    """Return the reduction of E that a probe along its gradient predicts, and set the metric's unit."""
     x, value, gradient = search.x, search.value, search.gradient
     metric.unit = 1.0
     direction = metric.gradient(gradient)
-    steep = float(direction @ direction)
-    if steep <= 0 or value <= 0:
+    squared_slope = float(direction @ direction)
+    if squared_slope <= 0 or value <= 0:
         return 0.0
-    step = SMALL * value / steep
-    there = search.evaluated(x - metric.to_x(step * direction))
-    curvature = float(direction @ (direction - metric.gradient(there.gradient))) / (step * steep)
-    metric.unit = steep / value  # the first step of a search brings E half-way to nought, by the metric
-    return 0.5 * steep / curvature if np.isfinite(curvature) and curvature > 0 else value
+    step = SMALL * value / squared_slope
+    trial = search.evaluate(x - metric.to_x(step * direction))
+    curvature = float(direction @ (direction - metric.gradient(trial.gradient))) / (step * squared_slope)
+    metric.unit = squared_slope / value  # by the metric, the first step of a search halves E
+    return 0.5 * squared_slope / curvature if np.isfinite(curvature) and curvature > 0 else value
 
 
 class FlatMetric:
-    """The change of variables x = x₀ + P z with P Pᵀ = A⁻¹ / unit: A the flat energy, what is fixed held by springs.
+    """The change of variables x = x₀ + P z with P Pᵀ = A⁻¹ / unit.
 
-    factors  (N, M + 2, K + 1) Cholesky's factor of every column of the state
-    unit     A's size beside E's curvature
+    A is the flat acceleration energy, with springs on fixed degrees of freedom.
+
+    Attributes:
+        factors: The banded Cholesky factor of each column of the state, (N, M + 2, K + 1).
+        unit: The size of A relative to E's curvature.
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -103,21 +107,21 @@ class FlatMetric:
 
     @property
     def size(self) -> int:
-        """How many entries z has."""
+        """The number of entries of z."""
         return self.layout.count * self.layout.width
 
     def to_x(self, z: Array) -> Array:
-        """P z, (n,)."""
+        """Return P z (n,) for z (size,)."""
         shape = (self.layout.width, self.layout.count)
         steps = np.empty(shape)
-        for column, own in enumerate(z.reshape(shape)):
-            steps[column] = banded.other_half_solved(self.factors[column], own[:, None])[:, 0]
+        for column, entries in enumerate(z.reshape(shape)):
+            steps[column] = banded.other_half_solved(self.factors[column], entries[:, None])[:, 0]
         return self.layout.to_x(steps.T[self.layout.rank] / sqrt(self.unit))
 
     def gradient(self, g: Array) -> Array:
-        """Pᵀ g, of z's length."""
+        """Return Pᵀ g (size,) for g (n,)."""
         pulled = self.layout.from_x(g)[self.layout.order].T / sqrt(self.unit)
         out = np.empty(pulled.shape)
-        for column, own in enumerate(pulled):
-            out[column] = banded.half_solved(self.factors[column], own[:, None])[:, 0]
+        for column, entries in enumerate(pulled):
+            out[column] = banded.half_solved(self.factors[column], entries[:, None])[:, 0]
         return out.ravel()

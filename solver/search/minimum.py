@@ -1,4 +1,4 @@
-"""What a minimisation is: how it is asked for, what comes out, why it ended."""
+"""The optimiser's interface: the protocol of an optimiser, its result, and the reasons for which it stops."""
 
 from __future__ import annotations
 
@@ -12,22 +12,29 @@ from ..objective import Discretised, Evaluation
 
 Improved = Callable[[int, Evaluation, Array], None]
 
-TOLERANCE = 1e-6  # of a search, unless told: relative progress at which it ends
-MOST_EVALUATIONS = 300  # of a search, unless told
+TOLERANCE = 1e-6  # default relative progress at which a search ends
+MOST_EVALUATIONS = 300  # default evaluations of a search
 
 
 class Stop(Enum):
     """Why a minimisation ended, and what the caller can do about it."""
 
     CONVERGED = "progress per evaluation fell below the tolerance"
-    BUDGET = "the evaluation budget is spent; raise max_evaluations (in a clip, solve.evaluations) to go on"
-    ASKED = "stopped as asked; the best path so far is kept"
+    BUDGET = "the evaluation budget is spent; raise max_evaluations (in a clip, solve.evaluations) to continue"
+    ASKED = "interrupted; the best path so far is kept"
     STUCK = "the optimiser found no further descent; the best path so far is kept"
 
 
 @dataclass(frozen=True)
 class Minimum:
-    """The best point seen: x (n,), its value, how many evaluations it took and why the search ended."""
+    """The result of a minimisation.
+
+    Attributes:
+        x: The best point evaluated, (n,).
+        value: E at x.
+        evaluations: The number of evaluations.
+        stop: Why the minimisation ended.
+    """
 
     x: Array
     value: float
@@ -40,7 +47,7 @@ class StopSearch(Exception):
 
 
 class Optimiser(Protocol):
-    """A way to lower E over the unknowns of one timeline: any function that is called like this."""
+    """A function that lowers E over the unknowns of one timeline."""
 
     def __call__(
         self,
@@ -50,11 +57,13 @@ class Optimiser(Protocol):
         tolerance: float,
         improved: Improved | None,
     ) -> Minimum:
-        """The best point. What it learns in a round for the next it keeps itself.
+        """Return the best point. State that serves the next round is kept by the optimiser itself.
 
-        problem    E and its gradient, problem(x) -> Evaluation, from problem.unknowns.start
-        tolerance  relative progress at which it ends
-        improved   to be called with (evaluation, Evaluation, x) whenever E falls below all before; it may raise
-                   StopSearch, which like KeyboardInterrupt is to end the search with Stop.ASKED
+        Args:
+            problem: E and its gradient, problem(x) -> Evaluation; the search starts at problem.unknowns.start, (n,).
+            max_evaluations: The evaluation budget.
+            tolerance: Relative progress at which the search ends.
+            improved: Called with (evaluation, Evaluation, x) whenever E falls below all earlier values. It may raise
+                StopSearch, which like KeyboardInterrupt must end the search with Stop.ASKED.
         """
         ...

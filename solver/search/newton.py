@@ -1,8 +1,8 @@
 """Minimisation of E by Gauss-Newton steps with Levenberg's damping: few evaluations, each step a banded solve.
 
-The damping is lowered where the model foretold E's decrease well, raised where it did not, after D. W. Marquardt,
-"An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963; here it weighs the flat acceleration
-energy of the step, so that a damped step is a smooth one.
+The damping falls where the model predicted the reduction of E well and rises where it did not (D. W. Marquardt, "An
+algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963). It multiplies the flat acceleration
+energy of the step, so that a damped step is smooth.
 """
 
 from __future__ import annotations
@@ -18,22 +18,24 @@ from .minimum import TOLERANCE, Improved, Minimum, Stop, StopSearch
 from .quadratic import Layout, Model, Proposal
 
 Refine = Callable[["Search", Array, float], None]
-MOST_STEPS = 100  # evaluations, unless told
-FIRST_DAMPING = 1.0  # E's own curvature in y'' is one
-LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e9  # between Newton's step and hardly any
-WELL, BADLY = 0.7, 0.25  # of the decrease that a step promised: damp less from here, more below
-LOWER, RAISE, REJECT = 0.2, 3.0, 8.0  # times the damping after a good step, a bad one, one that raised E
-NEGLIGIBLE = 1e-3  # of the first E: less than that counts as so much
-# the decrease that is left, of the last promise: least share by its trend, and by what the model missed
-SUDDEN, SURE, UNSEEN = 0.1, 0.02, 2.0
+MAX_STEPS = 100  # default evaluations
+FIRST_DAMPING = 1.0  # in units of E's curvature in y''
+MIN_DAMPING, MAX_DAMPING = 1e-6, 1e9  # from a full Newton step to a negligible one
+GOOD_RATIO, POOR_RATIO = 0.7, 0.25  # gain ratio above which the damping falls, and below which it rises
+# factors of the damping after a step of good or poor gain ratio, and after one that raised E
+DAMPING_DECREASE, DAMPING_INCREASE, REJECTION_INCREASE = 0.2, 3.0, 8.0
+NEGLIGIBLE = 1e-3  # of the first E: thresholds that are shares of E use at least this much
+# remaining reduction relative to the last predicted one: bounds of the predictions' trend and of the model's error
+MIN_TREND, MIN_MODEL_ERROR, MODEL_ERROR = 0.1, 0.02, 2.0
 
 
 class GaussNewton:
-    """The optimiser: Gauss-Newton steps into the valley, and a stage that refines what they find.
+    """The optimiser: Gauss-Newton steps, followed by a stage that refines their minimum.
 
-    refine   that stage, refine(search, factor, tolerance) with Cholesky's factor of the last model, or None
-    final    tolerance of the searches that it follows, the last rounds
-    damping  of the next step; it is kept from round to round
+    Attributes:
+        refine: The final stage, refine(search, factor, tolerance) with the Cholesky factor of the last model; or None.
+        final: The tolerance of the last rounds; the final stage runs only in searches of at most this tolerance.
+        damping: The damping of the next step, carried over from round to round.
     """
 
     def __init__(self, refine: Refine | None = None, final: float = TOLERANCE, damping: float = FIRST_DAMPING) -> None:
@@ -43,20 +45,24 @@ class GaussNewton:
         self,
         problem: Discretised,
         *,
-        max_evaluations: int = MOST_STEPS,
+        max_evaluations: int = MAX_STEPS,
         tolerance: float = TOLERANCE,
         improved: Improved | None = None,
     ) -> Minimum:
-        """The Minimum of E over a timeline's unknowns from where it is.
-
-        tolerance  stop when the next step promises less than this share of E, or of a thousandth of the first E
-        improved   called with (evaluation, Evaluation, x) whenever E falls; may raise StopSearch to end the search
+        """Minimise E over a timeline's unknowns, starting at its present state.
 
         KeyboardInterrupt ends the search like StopSearch.
+
+        Args:
+            problem: E and its gradient.
+            max_evaluations: The evaluation budget.
+            tolerance: Stop when the predicted reduction of the next step is less than this share of E, or of a
+                thousandth of the first E.
+            improved: Called with (evaluation, Evaluation, x) whenever E falls; may raise StopSearch to end the search.
         """
         search = Search(problem, max_evaluations, self.damping, improved)
         try:
-            stop = search.begun() or _run(search, tolerance)
+            stop = search.start() or _run(search, tolerance)
             if self.refine is not None and search.factor is not None and tolerance <= self.final:
                 self.refine(search, search.factor, tolerance)
         except (KeyboardInterrupt, StopSearch):
@@ -66,28 +72,33 @@ class GaussNewton:
 
 
 def _run(search: Search, tolerance: float) -> Stop:
-    last = np.inf
+    previous = np.inf
     while search.count < search.budget:
         model, before = search.model(), search.value
-        proposal, stop = search.stepped(model, tolerance)
+        proposal, stop = search.step(model, tolerance)
         if stop is not None:
             return stop
-        kept, promised = (before - search.value) / proposal.promised, proposal.promised
-        # a step of Newton's kind leaves the square of what its model did not see; and promises go on falling
-        unseen = float(np.clip(UNSEEN * (1 - kept) ** 2, SURE, 1.0))
-        left = promised * min(unseen, float(np.clip(promised / last, SUDDEN, 1.0)))
-        if kept > WELL and search.is_negligible(left, tolerance):
+        gain_ratio, predicted = (before - search.value) / proposal.predicted_reduction, proposal.predicted_reduction
+        # the error of a Newton step is quadratic in the model's error; predicted reductions fall from step to step
+        model_error = float(np.clip(MODEL_ERROR * (1 - gain_ratio) ** 2, MIN_MODEL_ERROR, 1.0))
+        remaining = predicted * min(model_error, float(np.clip(predicted / previous, MIN_TREND, 1.0)))
+        if gain_ratio > GOOD_RATIO and search.is_negligible(remaining, tolerance):
             return Stop.CONVERGED
-        last = promised
-        search.learn(kept)
+        previous = predicted
+        search.update_damping(gain_ratio)
     return Stop.BUDGET
 
 
 class Search:
-    """The best point so far, and the way from there.
+    """The state of a search.
 
-    x, value, gradient  (n,), E and dE/dx (n,) of the best point
-    factor  Cholesky's, of the last model
+    Attributes:
+        x: The best point so far, (n,).
+        value: E there.
+        gradient: dE/dx there, (n,).
+        count: The number of evaluations so far.
+        scale: The curvature of E in y'' from the first model, the unit of the damping.
+        factor: The Cholesky factor of the last model.
     """
 
     def __init__(self, problem: Discretised, budget: int, damping: float, improved: Callable | None) -> None:
@@ -95,7 +106,7 @@ class Search:
         self.x, self.value, self.count = problem.unknowns.start, np.inf, 0
         self.gradient = np.zeros(0)
         self.first = np.inf
-        self.unit: float | None = None
+        self.scale: float | None = None
         self.factor: Array | None = None
 
     @cached_property
@@ -103,62 +114,63 @@ class Search:
         return Layout(self.problem)
 
     def minimum(self, stop: Stop) -> Minimum:
+        """Return the best point so far as a result."""
         return Minimum(self.x, self.value, self.count, stop)
 
-    def begun(self) -> Stop | None:
-        """Evaluates E where the timeline is; a Stop if there is nothing to search."""
-        self.evaluated(self.x)
+    def start(self) -> Stop | None:
+        """Evaluate E at the start; return a Stop if there is nothing to minimise."""
+        self.evaluate(self.x)
         self.first = self.value
         if not np.isfinite(self.value):
             return Stop.STUCK
         return Stop.CONVERGED if self.x.size == 0 else None
 
-    def evaluated(self, x: Array) -> Evaluation:
-        """E at x, which is the best point from now on if E is lower there."""
+    def evaluate(self, x: Array) -> Evaluation:
+        """Return E at x (n,), which becomes the best point if E is lower there."""
         self.count += 1
-        found = self.problem(x)
-        if np.isfinite(found.value) and np.all(np.isfinite(found.gradient)) and found.value < self.value:
-            self.x, self.value, self.gradient = x, found.value, found.gradient
+        evaluation = self.problem(x)
+        if np.isfinite(evaluation.value) and np.all(np.isfinite(evaluation.gradient)) and evaluation.value < self.value:
+            self.x, self.value, self.gradient = x, evaluation.value, evaluation.gradient
             if self.improved is not None:
-                self.improved(self.count, found, x)
-        return found
+                self.improved(self.count, evaluation, x)
+        return evaluation
 
     def is_negligible(self, decrease: float, tolerance: float) -> bool:
-        """Whether a decrease is less than a share of E, or of a thousandth of the first E."""
+        """Return whether a decrease is less than a share of E, or of a thousandth of the first E."""
         size = min(max(self.value, NEGLIGIBLE * self.first), self.problem.objective.heavy)
         return decrease <= tolerance * size
 
     def model(self) -> Model:
-        """Of E at the best point."""
-        model = Model(self.layout, self.x, self.gradient, self.unit)
-        self.unit = model.scale
+        """Return the model of E at the best point."""
+        model = Model(self.layout, self.x, self.gradient, self.scale)
+        self.scale = model.scale
         return model
 
-    def stepped(self, model: Model, tolerance: float) -> tuple[Proposal, Stop | None]:
-        """The model's step that was taken, damped until E falls; or one not worth it, and why the search ends."""
+    def step(self, model: Model, tolerance: float) -> tuple[Proposal, Stop | None]:
+        """Take the model's step, damped until E falls. Return it, and a Stop if the search ends instead."""
         while True:
-            proposal = model.minimised(self.damping * model.scale)
+            proposal = model.minimise(self.damping * model.scale)
             self.factor = proposal.factor
             if proposal.factor is None:  # no curvature, no step
-                self.damping *= REJECT
-                if self.damping > MOST_DAMPING:
+                self.damping *= REJECTION_INCREASE
+                if self.damping > MAX_DAMPING:
                     return proposal, Stop.STUCK
                 continue
-            if self.is_negligible(proposal.promised, tolerance):
+            if self.is_negligible(proposal.predicted_reduction, tolerance):
                 return proposal, Stop.CONVERGED
             x = self.x + proposal.step
-            self.evaluated(x)
+            self.evaluate(x)
             if self.x is x:
                 return proposal, None
-            self.damping *= REJECT
-            if self.damping > MOST_DAMPING:
+            self.damping *= REJECTION_INCREASE
+            if self.damping > MAX_DAMPING:
                 return proposal, Stop.STUCK
             if self.count >= self.budget:
                 return proposal, Stop.BUDGET
 
-    def learn(self, kept: float) -> None:
-        """Adapts the damping to the share of the promised decrease that came about."""
-        if kept > WELL:
-            self.damping = max(self.damping * LOWER, LEAST_DAMPING)
-        elif kept < BADLY:
-            self.damping *= RAISE
+    def update_damping(self, gain_ratio: float) -> None:
+        """Adapt the damping to the gain ratio, actual by predicted reduction."""
+        if gain_ratio > GOOD_RATIO:
+            self.damping = max(self.damping * DAMPING_DECREASE, MIN_DAMPING)
+        elif gain_ratio < POOR_RATIO:
+            self.damping *= DAMPING_INCREASE

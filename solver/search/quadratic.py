@@ -2,16 +2,17 @@
 
     m(δ) = gᵀδ + ½ δᵀ(H + λF)δ + Σ_p c_p max(0, d_p + r_pᵀδ)²
 
-δ moves the B-splines' coefficients: a sample sees 4 of them, so all matrices are banded and cost and memory are linear
-in the length of the clip. H is the Gauss-Newton curvature, F the flat acceleration energy that damps the step, d_p how
-far a point is in the floor (below zero: over it). What is fixed, keyframes and a loop's seam, is held by springs, stiff
-beside everything else; they shape the step, the keyframes themselves are no unknowns and stay exact.
+δ is a step of the B-spline coefficients. A sample depends on 4 of them, so all matrices are banded, and time and memory
+are linear in the length of the clip. H is the Gauss-Newton curvature, F the flat acceleration energy that damps the
+step, and d_p a one-sided residual such as the depth of a point in the floor (negative above it). Fixed degrees of
+freedom, of keyframes and of a loop's seam, are held by springs that are stiff relative to H. The springs only shape the
+step: keyframes are not unknowns and stay exact.
 
-H of smooth terms is summed over a few nodes a span; that of terms that begin, end or peak anywhere over E's own
-samples, or it would promise what E does not keep.
+H of smooth terms is summed over a few nodes per span. H of terms that begin, end or peak within a span is summed over
+the samples of E; otherwise the model would predict reductions that E does not have.
 
-m is convex and piecewise quadratic: Newton steps on the residuals that count at present, with a line search, end at
-its minimum after a few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
+m is convex and piecewise quadratic. Newton steps on the active residuals, with a line search, reach its minimum after a
+few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
 """
 
 from __future__ import annotations
@@ -35,27 +36,31 @@ from ..objective import Discretised, Seen, Term
 from ..penalty.curvature import Curvature
 from ..penalty.one_sided import OneSided
 
-POINTS = 2  # a span: smooth terms' curvature is no E
-SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # least, and by columns: their blocks stay in cache
-STIFF = 1e6  # times the median curvature: what is held moves by a millionth
-FAINT = 1e-9  # of the median curvature, so that Cholesky's factor exists
-SHARE_OF_POSITION = 0.3  # of the flat metric, beside acceleration
-MOST_CHANGES = 15  # of which one-sided residuals count
-SETTLED = 0.05  # of the model's decrease: a change that gains less is the last
+POINTS = 2  # nodes per span: the curvature of smooth terms needs fewer than E
+SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # least number, and entries by columns: their blocks stay in cache
+STIFF = 1e6  # stiffness of springs relative to the median curvature: fixed entries move by a millionth
+FAINT = 1e-9  # regularizer relative to the median curvature, so that the Cholesky factor exists
+SHARE_OF_POSITION = 0.3  # of the flat metric, relative to acceleration
+MOST_CHANGES = 15  # of the set of active one-sided residuals
+SETTLED = 0.05  # of the model's reduction: a change of the active set that gains less is the last
 ENTRIES_AT_ONCE = 2_000_000  # of rows over four coefficients, 16 MB
-LOCAL = DEGREE + 1  # B-splines that a sample sees
-LEAST = 1e-12  # median of a curvature, where that is nought
-SHORTEST = 1e-3  # of a step to the minimum of one piece: one that must be shorter yet leads nowhere
+LOCAL = DEGREE + 1  # B-splines that are nonzero at a sample
+LEAST = 1e-12  # median of a curvature, where that is zero
+SHORTEST = 1e-3  # of the step to the minimum of one quadratic piece, at which the line search gives up
 
 Picked = Index | slice
 
 
 class Layout:
-    """Where everything stands in the banded matrices of one timeline: coefficients (M + 2) by columns (N).
+    """The layout of the banded matrices of one timeline: coefficients (M + 2) by columns of the state (N).
 
-    A loop's coefficients are taken alternately from both ends, so that its seam is in the band too.
+    A loop's coefficients are ordered alternately from both ends, so that its seam is within the band. A matrix is
+    stored as blocks (M + 2, N, K + 1, N): [j, c, k, r] is its entry at row (j + k, r) and column (j, c), lower half.
 
-    sided  indices of the terms that have one-sided residuals, as far as is known
+    Attributes:
+        order: The coefficients in the order of the matrices, (M + 2,); `rank` is its inverse.
+        place: The unknowns as indices into the flattened states and slopes, (n,).
+        sided: Indices of the terms with one-sided residuals; of all terms before the first model.
     """
 
     def __init__(self, problem: Discretised) -> None:
@@ -83,219 +88,223 @@ class Layout:
 
     @cached_property
     def springs(self) -> Array:
-        """The springs' matrix on what is fixed, of about unit size."""
+        """The matrix of the springs on fixed degrees of freedom, of about unit size."""
         return self._springs()
 
     def springs_by_column(self) -> Array:
-        """(M + 2, K + 1, N): the springs that hold entries of single columns, those of ties and seams left out."""
+        """Return the springs on entries of single columns, without those of ties and seams, (M + 2, K + 1, N)."""
         free = np.zeros((self.count, self.width))
         free.reshape(-1)[self.place] = 1.0
-        room = np.zeros((self.count, self.blocks + 1, self.width))
+        matrix = np.zeros((self.count, self.blocks + 1, self.width))
         first, weights = self.problem.spline.rows_by_coefficients()
-        column, apart, values = self._column_springs(first, weights, 1 - free)
-        np.add.at(room, (column, apart), values)
-        return room
+        column, offset, values = self._column_springs(first, weights, 1 - free)
+        np.add.at(matrix, (column, offset), values)
+        return matrix
 
     def empty(self) -> Array:
-        """Room for a matrix's blocks: (M + 2, N, K + 1, N), [j, c, k, r] its entry at row (j + k, r), column (j, c)."""
+        """Return the blocks of a zero matrix, (M + 2, N, K + 1, N)."""
         return np.zeros((self.count, self.width, self.blocks + 1, self.width))
 
-    def diagonal(self, room: Array) -> Array:
-        """(M + 2, K + 1, N): the entries of a matrix's blocks that join a column with itself, to be added to."""
-        return np.einsum("jckc->jkc", room)
+    def diagonal(self, matrix: Array) -> Array:
+        """Return a writable view (M + 2, K + 1, N) of the entries that couple a column of the state with itself."""
+        return np.einsum("jckc->jkc", matrix)
 
     def _pairs(self, first: int, count: int) -> list[Pair]:
-        """Where the B-splines of spans first ... first + count − 1 stand by pairs in the lower half."""
+        """Return the positions in the lower half of all pairs of B-splines of `count` spans from `first` on."""
         if not self.is_loop:
             return [
                 Pair(slice(None), b, slice(b, LOCAL), slice(first + b, first + b + count), slice(0, LOCAL - b))
                 for b in range(LOCAL)
             ]
-        found, spans = [], np.arange(first, first + count)
+        pairs, spans = [], np.arange(first, first + count)
         for a, b in np.ndindex(LOCAL, LOCAL):
             row, column = self.rank[spans + a][:, None], self.rank[spans + b][:, None]
-            some = np.flatnonzero(row >= column)
-            found.append(Pair(some, b, slice(a, a + 1), column[some], (row - column)[some]))
-        return found
+            lower = np.flatnonzero(row >= column)
+            pairs.append(Pair(lower, b, slice(a, a + 1), column[lower], (row - column)[lower]))
+        return pairs
 
-    def add_blocks(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
-        """Adds what a curvature has as blocks; its samples are the nodes of neighbouring spans."""
+    def add_blocks(self, matrix: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
+        """Add the part of a curvature that is stored as blocks; its samples are the nodes of neighbouring spans."""
         if compiled.kernel is not None:
             for columns, squares in curvature.squares():
-                compiled.call("add_blocks", room, self.rank, piece.first, piece.values, columns, squares, self.width)
+                compiled.call("add_blocks", matrix, self.rank, piece.first, piece.values, columns, squares, self.width)
             return
         for columns, blocks in curvature.blocks(piece.values, POINTS):
             local = blocks.transpose(0, 2, 4, 1, 3, 5)
-            for part, seen in _seen_blocks(room, columns, local):
-                for spot in pairs:
-                    seen[spot.j, spot.k] += part[spot.spans, spot.b, spot.a]
+            for part, target in _seen_blocks(matrix, columns, local):
+                for pair in pairs:
+                    target[pair.j, pair.k] += part[pair.spans, pair.b, pair.a]
 
-    def add_rows(self, room: Array, *parts: tuple[Curvature, Piece]) -> None:
-        """Adds what curvatures, each at any samples, have as rows."""
-        by_kernel, found = compiled.kernel is not None, []
+    def add_rows(self, matrix: Array, *parts: tuple[Curvature, Piece]) -> None:
+        """Add the parts of curvatures that are stored as rows, each at any samples."""
+        use_kernel, span_rows = compiled.kernel is not None, []
         for curvature, piece in parts:
-            if by_kernel:
+            if use_kernel:
                 for at, rows in curvature.rows_by_y():
-                    self.add_rows_by_y(room, piece, at, rows)
-            others = curvature.rows(piece.values, without_y=by_kernel)
-            found += [(piece.first[at], rows) for at, rows in others]
-        if not found:
+                    self.add_rows_by_y(matrix, piece, at, rows)
+            rest = curvature.rows(piece.values, without_y=use_kernel)
+            span_rows += [(piece.first[at], rows) for at, rows in rest]
+        if not span_rows:
             return
-        spans = np.concatenate([own for own, _ in found])
+        spans = np.concatenate([part_spans for part_spans, _ in span_rows])
         order = np.argsort(spans, kind="stable")
         place, rows, begin = np.empty_like(order), np.empty((order.size, LOCAL * self.width)), 0
         place[order] = np.arange(order.size)
-        for own, part in found:
-            rows[place[begin : begin + own.size]] = part
-            begin += own.size
-        self.add_squared(room, spans[order], rows)
+        for part_spans, part in span_rows:
+            rows[place[begin : begin + part_spans.size]] = part
+            begin += part_spans.size
+        self.add_squared(matrix, spans[order], rows)
 
-    def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
-        """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
+    def add_squared(self, matrix: Array, spans: Index, rows: Array) -> None:
+        """Add Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
         edges = np.flatnonzero(np.diff(spans)) + 1
         for first, last in zip(np.append(0, edges), np.append(edges, spans.size), strict=True):
             if first < last:
-                self.add_square(room, int(spans[first]), rows[first:last])
+                self.add_square(matrix, int(spans[first]), rows[first:last])
 
-    def add_rows_by_y(self, room: Array, seen: Piece | Sampling, at: Index, rows: Array, sign: float = 1.0) -> None:
-        """Adds Σ rowᵀrow of rows (P, N) by y at samples (P,), rising, or takes it off."""
-        bases = seen.values[:, 0]
+    def add_rows_by_y(
+        self, matrix: Array, sampling: Piece | Sampling, at: Index, rows: Array, sign: float = 1.0
+    ) -> None:
+        """Add sign · Σ rowᵀrow of rows (P, N) with respect to y at samples (P,), rising."""
+        bases = sampling.values[:, 0]
         if compiled.kernel is not None:
-            compiled.call("add_squares", room, self.rank, seen.first, bases, at, rows, np.full(at.size, sign))
+            compiled.call("add_squares", matrix, self.rank, sampling.first, bases, at, rows, np.full(at.size, sign))
             return
-        spans, width = seen.first[at], LOCAL * self.width
-        few = max(1, ENTRIES_AT_ONCE // width)  # over four coefficients all take four times the memory
+        spans, width = sampling.first[at], LOCAL * self.width
+        at_once = max(1, ENTRIES_AT_ONCE // width)  # over four coefficients, rows take four times the memory
         edges = [0, *(np.flatnonzero(np.diff(spans)) + 1).tolist(), at.size]
         for begin, end in pairwise(edges):
-            for first in range(begin, end, few):
-                run = slice(first, min(first + few, end))
+            for first in range(begin, end, at_once):
+                run = slice(first, min(first + at_once, end))
                 wide = (bases[at[run], :, None] * rows[run, None, :]).reshape(-1, width)
-                self.add_square(room, int(spans[begin]), wide, sign)
+                self.add_square(matrix, int(spans[begin]), wide, sign)
 
-    def add_square(self, room: Array, span: int, rows: Array, sign: float = 1.0) -> None:
-        """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of one span, or takes it off."""
+    def add_square(self, matrix: Array, span: int, rows: Array, sign: float = 1.0) -> None:
+        """Add sign · Σ rowᵀrow of rows (P, 4 N) over the coefficients of one span."""
         width, upper = self.width, banded.squared(rows, sign)
         if self.is_loop:
-            self._add_folded(room, span, upper + np.triu(upper, 1).T)
+            self._add_folded(matrix, span, upper + np.triu(upper, 1).T)
             return
         for b in range(LOCAL):
             slab = upper[b * width : (b + 1) * width, b * width :]
-            room[span + b, :, : LOCAL - b] += slab.reshape(width, LOCAL - b, width)
+            matrix[span + b, :, : LOCAL - b] += slab.reshape(width, LOCAL - b, width)
 
-    def _add_folded(self, room: Array, span: int, local: Array) -> None:
-        """Adds a symmetric matrix (4 N, 4 N) over the coefficients of one span of a loop."""
+    def _add_folded(self, matrix: Array, span: int, local: Array) -> None:
+        """Add a symmetric matrix (4 N, 4 N) over the coefficients of one span of a loop."""
         blocks = local.reshape(LOCAL, self.width, LOCAL, self.width)
         for a in range(LOCAL):
             for b in range(LOCAL):
                 row, column = self.rank[span + a], self.rank[span + b]
                 if row >= column:
-                    room[column, :, row - column] += blocks[b, :, a]
+                    matrix[column, :, row - column] += blocks[b, :, a]
 
-    def factor(self, room: Array) -> Array | None:
-        """The banded Cholesky factor of a matrix's blocks, or None if it is not positive."""
+    def factor(self, matrix: Array) -> Array | None:
+        """Return the banded Cholesky factor of a matrix, or None if it is not positive definite."""
         size = self.blocks * self.width
-        flat = room.reshape(self.count, self.width, -1)
+        flat = matrix.reshape(self.count, self.width, -1)
         strides = (flat.strides[0], flat.strides[1] + flat.strides[2], flat.strides[2])
         band = np.lib.stride_tricks.as_strided(flat, (self.count, self.width, size), strides)
         return banded.factored(np.array(band).reshape(-1, size))
 
-    def solved(self, factor: Array, right: Array) -> Array:
-        """H⁻¹ v for v (M + 2, N)."""
+    def solve(self, factor: Array, right: Array) -> Array:
+        """Return H⁻¹ v for v (M + 2, N)."""
         solution = banded.solved(factor, right[self.order].reshape(-1, 1))
         return solution.reshape(self.count, self.width)[self.rank]
 
-    def coloured(self, factor: Array, z: Array) -> Array:
-        """L⁻ᵀ z (M + 2, N) for z flat, in the matrices' order."""
+    def unwhiten(self, factor: Array, z: Array) -> Array:
+        """Return L⁻ᵀ z (M + 2, N) for flat z in the order of the matrices."""
         return banded.other_half_solved(factor, z.reshape(-1, 1)).reshape(self.count, self.width)[self.rank]
 
-    def whitened(self, factor: Array, gradient: Array) -> Array:
-        """L⁻¹ v, flat, in the matrices' order, for v (M + 2, N)."""
+    def whiten(self, factor: Array, gradient: Array) -> Array:
+        """Return L⁻¹ v, flat in the order of the matrices, for v (M + 2, N)."""
         return banded.half_solved(factor, gradient[self.order].reshape(-1, 1)).ravel()
 
     def to_x(self, coefficients: Array) -> Array:
-        """The step in the unknowns (n,) that a step of the coefficients (M + 2, N) means."""
+        """Return the step of the unknowns (n,) for a step of the coefficients (M + 2, N)."""
         return self.problem.spline.states_and_slopes(coefficients).reshape(-1)[self.place]
 
     def from_x(self, gradient: Array) -> Array:
-        """A gradient with respect to the unknowns (n,) as one with respect to coefficients, (M + 2, N)."""
+        """Return the gradient with respect to the coefficients (M + 2, N) for one with respect to the unknowns (n,)."""
         rows = np.zeros(self.count * self.width)
         rows[self.place] = gradient
         return self.problem.spline.states_and_slopes_transposed(rows.reshape(self.count, self.width))
 
     def _springs(self) -> Array:
         spline, unknowns = self.problem.spline, self.problem.unknowns
-        room = self.empty()
+        matrix = self.empty()
         free = np.zeros((self.count, self.width))
         free.reshape(-1)[self.place] = 1.0
         first, weights = spline.rows_by_coefficients()
-        held = np.asarray(free.min(axis=1) == 0)
+        is_held = np.asarray(free.min(axis=1) == 0)
         if self.is_loop:
-            held[-3:] = False
+            is_held[-3:] = False
             for order in range(3):
-                self._tie_seam(room, spline, order)
+                self._tie_seam(matrix, spline, order)
         if spline.ends == "held":
-            held[[1, -4]] = False
-            self._hold_curvature(room, spline)
+            is_held[[1, -4]] = False
+            self._hold_curvature(matrix, spline)
         if unknowns.ties is not None:
-            tied = held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
+            tied = is_held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
             for i in np.flatnonzero(tied):
-                own: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy does not say what a slice is
-                moves = own[:, np.unique(own.indices)].toarray()
-                each = np.tile(weights[i][:, None], self.width)
-                self._hold(room, first[i] + np.arange(DEGREE), each, np.eye(self.width) - moves @ np.linalg.pinv(moves))
-            held &= ~tied
-        self._hold_columns(room, first[held], weights[held], 1 - free[held])
-        return room
+                block: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy has no type for a slice
+                moves = block[:, np.unique(block.indices)].toarray()
+                wide = np.tile(weights[i][:, None], self.width)
+                self._hold(
+                    matrix, first[i] + np.arange(DEGREE), wide, np.eye(self.width) - moves @ np.linalg.pinv(moves)
+                )
+            is_held &= ~tied
+        self._hold_columns(matrix, first[is_held], weights[is_held], 1 - free[is_held])
+        return matrix
 
-    def _hold_columns(self, room: Array, first: Index, weights: Array, hold: Array) -> None:
-        """For each of some rows, springs on the columns of hold (R, N) of the sum of 3 coefficients, weights (R, 3)."""
-        column, apart, values = self._column_springs(first, weights, hold)
+    def _hold_columns(self, matrix: Array, first: Index, weights: Array, hold: Array) -> None:
+        """Add springs on sums of 3 coefficients from `first` (R,) on, weights (R, 3), in the columns of hold (R, N)."""
+        column, offset, values = self._column_springs(first, weights, hold)
         index = np.arange(self.width)
-        place = (column[:, None], index, apart[:, None], index)
-        flat = np.ravel_multi_index(np.broadcast_arrays(*place), room.shape)
-        np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
+        place = (column[:, None], index, offset[:, None], index)
+        flat = np.ravel_multi_index(np.broadcast_arrays(*place), matrix.shape)
+        np.add.at(matrix.reshape(-1), flat.ravel(), values.ravel())
 
     def _column_springs(self, first: Index, weights: Array, hold: Array) -> tuple[Index, Index, Array]:
-        """Of such springs: the matrix's columns (S,), how far below each (S,), and their entries (S, N)."""
+        """Return the entries (S, N) of such springs, their columns (S,) and distances below the diagonal (S,)."""
         weights = weights / np.sqrt(np.sum(weights**2, axis=1, keepdims=True))
         rank = self.rank[first[:, None] + np.arange(DEGREE)]
-        apart = rank[:, :, None] - rank[:, None, :]
-        row, a, b = np.nonzero(apart >= 0)
-        return rank[row, b], apart[row, a, b], (weights[row, a] * weights[row, b])[:, None] * hold[row]
+        offset = rank[:, :, None] - rank[:, None, :]
+        row, a, b = np.nonzero(offset >= 0)
+        return rank[row, b], offset[row, a, b], (weights[row, a] * weights[row, b])[:, None] * hold[row]
 
-    def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
-        """y, y' or y'' of a step at the end equal to that at the start, as it comes back after a period.
+    def _tie_seam(self, matrix: Array, spline: Spline, order: int) -> None:
+        """Tie y, y' or y'' of a step at the end to that at the start, mapped by the seam after one period.
 
-        A loop's shift is constant: no step has any.
+        A loop's shift is constant, so a step has none.
         """
         start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
-        back, still = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
-        parts = [(j, -w * back) for j, w in zip(start.indices.tolist(), start.data.tolist(), strict=True)]
-        parts += [(j, w * still) for j, w in zip(end.indices.tolist(), end.data.tolist(), strict=True)]
+        returned, identity = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
+        parts = [(j, -w * returned) for j, w in zip(start.indices.tolist(), start.data.tolist(), strict=True)]
+        parts += [(j, w * identity) for j, w in zip(end.indices.tolist(), end.data.tolist(), strict=True)]
         size = float(start.data @ start.data + end.data @ end.data)
         for (ja, a), (jb, b) in product(parts, parts):
             row, column = self.rank[ja], self.rank[jb]
             if row >= column:
-                room[column, :, row - column, :] += b.T @ a / size
+                matrix[column, :, row - column, :] += b.T @ a / size
 
-    def _hold_curvature(self, room: Array, spline: Spline) -> None:
-        """No step of y'' at either end."""
+    def _hold_curvature(self, matrix: Array, spline: Spline) -> None:
+        """Hold y'' at both ends."""
         for end in spline.times[[0, -1]]:
-            seen = spline.basis([end], 2)
-            weights = np.tile(np.asarray(seen.data, float)[:, None], self.width)
-            self._hold(room, np.asarray(seen.indices, np.intp), weights, np.eye(self.width))
+            basis = spline.basis([end], 2)
+            weights = np.tile(np.asarray(basis.data, float)[:, None], self.width)
+            self._hold(matrix, np.asarray(basis.indices, np.intp), weights, np.eye(self.width))
 
-    def _hold(self, room: Array, coefficients: Index, weights: Array, hold: Array) -> None:
-        """A spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""
+    def _hold(self, matrix: Array, coefficients: Index, weights: Array, hold: Array) -> None:
+        """Add a spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""
         weights = weights / np.sqrt(np.sum(weights**2) / self.width)
         for ja, wa in zip(coefficients, weights, strict=True):
             for jb, wb in zip(coefficients, weights, strict=True):
                 row, column = self.rank[ja], self.rank[jb]
                 if row >= column:
-                    room[column, :, row - column, :] += wb[:, None] * hold * wa
+                    matrix[column, :, row - column, :] += wb[:, None] * hold * wa
 
     def _flat(self, bases: Array) -> Array:
-        """(M + 2, K + 1): ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, for each column the same."""
+        """Return ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, the same for every column, (M + 2, K + 1)."""
         timeline = self.problem.timeline
         keys = max(len(timeline.frames) - timeline.variable_count, 2)
         spacing = (timeline.times[-1] - timeline.times[0]) / keys
@@ -304,13 +313,13 @@ class Layout:
         density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
         local = (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
         flat = np.zeros((self.count, self.blocks + 1))
-        for spot in self._pairs(0, len(local)):
-            flat[spot.j, spot.k] += local[spot.spans, spot.b, spot.a]
+        for pair in self._pairs(0, len(local)):
+            flat[pair.j, pair.k] += local[pair.spans, pair.b, pair.a]
         return flat
 
 
 class Pair(NamedTuple):
-    """Where B-spline b of some spans stands with B-splines a in a matrix's blocks: at [j, k], shape (spans, a)."""
+    """Positions [j, k] in a matrix's blocks of B-spline b with B-splines a of some spans, shape (spans, a)."""
 
     spans: Picked
     b: int
@@ -319,24 +328,29 @@ class Pair(NamedTuple):
     k: Picked
 
 
-def _seen_blocks(room: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
-    """Where blocks (..., n, k, k) of the columns (n, k), which rise, stand in a matrix: parts of them with the entries
-    (M + 2, K + 1, ...) to be added to. All at once if the columns are one run, else by pairs of runs."""
+def _seen_blocks(matrix: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
+    """Yield parts of blocks (..., n, k, k) with views (M + 2, K + 1, ...) of the matrix entries to add them to.
+
+    The columns (n, k) rise. All blocks are one part if the columns are one run, otherwise one per pair of runs.
+    """
     if np.all(np.diff(columns.ravel()) == 1):
-        some = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
-        seen = room[:, some, :, some]
-        yield blocks, np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
+        whole = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
+        target = matrix[:, whole, :, whole]
+        yield (
+            blocks,
+            np.einsum("jnxkny->jknxy", target.reshape(len(matrix), *columns.shape, matrix.shape[2], *columns.shape)),
+        )
         return
-    for i, own in enumerate(columns):
-        edges = [0, *(np.flatnonzero(np.diff(own) != 1) + 1).tolist(), own.size]
+    for i, row in enumerate(columns):
+        edges = [0, *(np.flatnonzero(np.diff(row) != 1) + 1).tolist(), row.size]
         runs = [slice(a, b) for a, b in pairwise(edges)]
         for x, y in product(runs, runs):
-            rows, cols = (slice(int(own[run.start]), int(own[run.stop - 1]) + 1) for run in (x, y))
-            yield blocks[..., i, x, y], room[:, rows, :, cols].swapaxes(1, 2)
+            rows, cols = (slice(int(row[run.start]), int(row[run.stop - 1]) + 1) for run in (x, y))
+            yield blocks[..., i, x, y], matrix[:, rows, :, cols].swapaxes(1, 2)
 
 
 def middle(values: Array) -> float:
-    """The median."""
+    """Return the median."""
     half = values.size // 2
     parted = values.flatten()
     parted.partition((half - 1, half))
@@ -347,7 +361,10 @@ def middle(values: Array) -> float:
 class OneSidedTerms:
     """The one-sided residuals of all terms: each adds weight max(0, value + row · δy)², δy the step at its sample.
 
-    sides   of all terms, one after the other;  weight  (P,)
+    Attributes:
+        sides: The residuals of all terms, concatenated.
+        weight: Their weights in E, (P,).
+        sampling: The samples of E.
     """
 
     sides: OneSided
@@ -355,16 +372,17 @@ class OneSidedTerms:
     sampling: Sampling
 
     @classmethod
-    def of(cls, layout: Layout, every: Sequence[Seen]) -> OneSidedTerms | None:
-        problem, parts, sided = layout.problem, list[tuple[float, OneSided]](), set[int]()
+    def of(cls, layout: Layout, evaluated: Sequence[Seen]) -> OneSidedTerms | None:
+        """Collect the one-sided residuals of evaluated samples; None if there are none."""
+        problem, parts, indices = layout.problem, list[tuple[float, OneSided]](), set[int]()
         terms = problem.objective.terms
-        for seen in every:
+        for samples_run in evaluated:
             for k in layout.sided:
-                sides = terms[k].penalty.sides(seen.samples, seen.blocks[k])
+                sides = terms[k].penalty.sides(samples_run.samples, samples_run.blocks[k])
                 if sides is not None:
-                    sided.add(k)
-                    parts.append((terms[k].factor, sides.shifted(seen.piece.which.start)))
-        layout.sided = sorted(sided)
+                    indices.add(k)
+                    parts.append((terms[k].factor, sides.shifted(samples_run.piece.which.start)))
+        layout.sided = sorted(indices)
         parts = [(factor, sides) for factor, sides in parts if sides.at.size]
         if not parts:
             return None
@@ -374,27 +392,32 @@ class OneSidedTerms:
 
     @property
     def value(self) -> Array:
-        """(P,)"""
+        """The residuals, (P,); positive ones are active."""
         return self.sides.value
 
-    def changed(self, step: Array) -> Array:
-        """(P,): how the residuals change with a step (M + 2, N) of the coefficients."""
-        moved = self.sampling.bases[0] @ step
-        return np.concatenate([rows.moved(moved) for rows in self.sides.gradients])
+    def change(self, step: Array) -> Array:
+        """Return the change (P,) of the residuals for a step (M + 2, N) of the coefficients."""
+        change = self.sampling.bases[0] @ step
+        return np.concatenate([rows.moved(change) for rows in self.sides.gradients])
 
     def pulled_back(self, forces: Array) -> Array:
-        """(M + 2, N): the gradient of forces · residuals, forces (P,)."""
+        """Return the gradient (M + 2, N) of forces · residuals, forces (P,)."""
         count = self.sampling.t.size
         pulled = [rows.pulled_back(forces[run], count) for run, rows in self.sides.parts()]
         return self.sampling.bases[0].T @ np.add.reduce(pulled)
 
-    def squares(self, some: Mask, factor: Array) -> tuple[Index, Array]:
-        """Samples (A,), rising, and rows (A, N) by y with the Σ rowᵀrow of some (P,) residuals, each times a factor."""
+    def squares(self, active: Mask, factor: Array) -> tuple[Index, Array]:
+        """Return samples (A,), rising, and rows (A, N) with the Σ rowᵀrow of the selected residuals.
+
+        Args:
+            active: Which residuals are selected, (P,).
+            factor: Multiplies each residual's row, (P,).
+        """
         parts = []
         for run, rows in self.sides.parts():
-            own = np.flatnonzero(some[run])
-            if own.size:
-                parts.append(rows.squared(own, factor[run][own]))
+            chosen = np.flatnonzero(active[run])
+            if chosen.size:
+                parts.append(rows.squared(chosen, factor[run][chosen]))
         at, rows = np.concatenate([at for at, _ in parts]), np.concatenate([rows for _, rows in parts])
         if np.any(at[1:] < at[:-1]):
             order = np.argsort(at, kind="stable")
@@ -403,120 +426,135 @@ class OneSidedTerms:
 
 
 class Proposal(NamedTuple):
-    """The minimum of m: the step (n,) of the unknowns to it, how far m falls, and Cholesky's factor of its curvature.
+    """The minimum of the model m.
 
-    The factor is None where the curvature has none.
+    Attributes:
+        step: The step of the unknowns to it, (n,).
+        predicted_reduction: The reduction of m.
+        factor: The Cholesky factor of the curvature; None if it is not positive definite.
     """
 
     step: Array
-    promised: float
+    predicted_reduction: float
     factor: Array | None
 
 
 class Model:
-    """m(δ) at one path.
+    """The model m(δ) at one path.
 
-    scale  the size of E's curvature in y'', a unit for the damping λ
+    Attributes:
+        curvature: The matrix of H and the springs, in blocks.
+        scale: The size of E's curvature in y'', the unit of the damping λ.
+        sided: The one-sided residuals; None without any.
+        gradient: The gradient of the two-sided part with respect to the coefficients, (M + 2, N).
     """
 
     def __init__(self, layout: Layout, x: Array, gradient: Array, scale: float | None = None) -> None:
-        """x (n,) with dE/dx (n,) there; scale where it is known."""
+        """Build the model.
+
+        Args:
+            layout: The layout of the matrices.
+            x: The unknowns, (n,).
+            gradient: dE/dx there, (n,).
+            scale: The unit of the damping; None: from this model.
+        """
         self.layout = layout
-        every = layout.problem.seen(x)
-        self.held = layout.springs.copy()
-        self.scale = self._add_smooth(layout.problem.path(x), every, scale)
-        self.sided = OneSidedTerms.of(layout, every)
+        evaluated = layout.problem.seen(x)
+        self.curvature = layout.springs.copy()
+        self.scale = self._add_smooth(layout.problem.path(x), evaluated, scale)
+        self.sided = OneSidedTerms.of(layout, evaluated)
         self.gradient = layout.from_x(gradient)
         if self.sided is not None:
             pull = 2 * self.sided.weight * np.maximum(self.sided.value, 0)
             self.gradient -= self.sided.pulled_back(pull)
 
-    def _add_smooth(self, path: Path, every: Sequence[Seen], scale: float | None) -> float:
-        """Adds the curvature of the two-sided residuals; its median density in y'', unless it is known."""
+    def _add_smooth(self, path: Path, evaluated: Sequence[Seen], scale: float | None) -> float:
+        """Add the curvature of the two-sided residuals; return its median density in y'', or `scale` if given."""
         layout, problem = self.layout, self.layout.problem
-        room, sizes, rows = layout.empty(), [], []
+        matrix, sizes, rows = layout.empty(), [], []
         terms = problem.objective.terms
         sharp = [k for k, term in enumerate(terms) if term.penalty.normalization.is_sharp]
         smooth = [term for k, term in enumerate(terms) if k not in sharp]
 
-        def curved(piece: Piece, some: Sequence[Term], weights: Array) -> Curvature:
+        def curvature_at(piece: Piece, chosen: Sequence[Term], weights: Array) -> Curvature:
             samples = Samples(problem.objective.figure, *piece.samples(path.coefficients), t=piece.t)
             curvature = Curvature(samples)
-            for term in some:
+            for term in chosen:
                 term.penalty.curvature(samples, curvature, term.factor * weights)
             return curvature
 
-        for seen in every:
-            curvature = Curvature(seen.samples)
+        for run in evaluated:
+            curvature = Curvature(run.samples)
             for k in sharp:
-                weights = terms[k].factor * problem.weights[seen.piece.which]
-                terms[k].penalty.curvature(seen.samples, curvature, weights, seen.blocks[k])
-            rows.append((curvature, seen.piece))
+                weights = terms[k].factor * problem.weights[run.piece.which]
+                terms[k].penalty.curvature(run.samples, curvature, weights, run.blocks[k])
+            rows.append((curvature, run.piece))
         for piece, pairs in layout.pieces:
             weights = layout.weights[piece.which]
-            few = curved(piece, smooth, weights)
-            rows.append((few, piece))
-            layout.add_blocks(room, few, piece, pairs)
+            smooth_curvature = curvature_at(piece, smooth, weights)
+            rows.append((smooth_curvature, piece))
+            layout.add_blocks(matrix, smooth_curvature, piece, pairs)
             if scale is None:
-                sizes.append(few.acceleration() / weights[:, None])
-        layout.add_rows(room, *rows)
+                sizes.append(smooth_curvature.acceleration() / weights[:, None])
+        layout.add_rows(matrix, *rows)
         for term, sampling in problem.instants:
-            layout.add_rows(room, (curved(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
-        diagonal = layout.diagonal(room)[:, 0]
+            layout.add_rows(matrix, (curvature_at(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
+        diagonal = layout.diagonal(matrix)[:, 0]
         size = max(middle(diagonal), LEAST)
         diagonal += FAINT * size
-        self.held *= STIFF * size
-        self.held += room
+        self.curvature *= STIFF * size
+        self.curvature += matrix
         return max(middle(np.concatenate(sizes)), LEAST) if scale is None else scale
 
-    def minimised(self, damping: float) -> Proposal:
-        """The minimum of m with λ = damping."""
+    def minimise(self, damping: float) -> Proposal:
+        """Return the minimum of m with λ = damping."""
         layout, sided = self.layout, self.sided
-        held = self.held.copy()
-        diagonal = layout.diagonal(held)
+        curvature = self.curvature.copy()
+        diagonal = layout.diagonal(curvature)
         diagonal += damping * layout.flat[:, :, None]
         if sided is None:
-            factor = layout.factor(held)
+            factor = layout.factor(curvature)
             if factor is None:
                 return Proposal(np.zeros(layout.place.size), 0.0, None)
-            step = -layout.solved(factor, self.gradient)
+            step = -layout.solve(factor, self.gradient)
             return Proposal(layout.to_x(step), -0.5 * float(np.sum(step * self.gradient)), factor)
-        return self._one_sided(held, sided)
+        return self._one_sided(curvature, sided)
 
-    def _one_sided(self, held: Array, sided: OneSidedTerms) -> Proposal:
-        """Newton on the residuals that count, changing them until they settle."""
+    def _one_sided(self, curvature: Array, sided: OneSidedTerms) -> Proposal:
+        """Newton steps on the active residuals, until the active set changes no more."""
         layout, last = self.layout, None
-        step, pull = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
-        over, root = sided.value, np.sqrt(2 * sided.weight)
-        worth = first = float(sided.weight @ np.maximum(over, 0) ** 2)
-        counted = np.zeros(over.size, bool)  # which residuals `held` has in it
+        step, force_step = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
+        residual, weight_root = sided.value, np.sqrt(2 * sided.weight)
+        value = first_value = float(sided.weight @ np.maximum(residual, 0) ** 2)
+        included = np.zeros(residual.size, bool)  # residuals whose rows are in `curvature`
         for _ in range(MOST_CHANGES):
-            active = over > 0
-            for sign, some in ((1.0, active & ~counted), (-1.0, counted & ~active)):
-                if some.any():
-                    layout.add_rows_by_y(held, sided.sampling, *sided.squares(some, root), sign)
-            counted = active
-            factor = layout.factor(held)
+            active = residual > 0
+            for sign, changed in ((1.0, active & ~included), (-1.0, included & ~active)):
+                if changed.any():
+                    layout.add_rows_by_y(curvature, sided.sampling, *sided.squares(changed, weight_root), sign)
+            included = active
+            factor = layout.factor(curvature)
             if factor is None:
                 break
             last = factor
             push = 2 * sided.weight * active
-            target = -layout.solved(factor, self.gradient + sided.pulled_back(push * sided.value))
-            over_target = sided.value + sided.changed(target)
-            pull_target = -self.gradient - sided.pulled_back(push * over_target)
-            share, previous = 1.0, worth
+            target = -layout.solve(factor, self.gradient + sided.pulled_back(push * sided.value))
+            residual_target = sided.value + sided.change(target)
+            force_target = -self.gradient - sided.pulled_back(push * residual_target)
+            share, previous = 1.0, value
             while True:
-                at = step + share * (target - step)
-                there = over + share * (over_target - over)
-                force = pull + share * (pull_target - pull)
-                worth = float(np.sum((self.gradient + 0.5 * force) * at) + sided.weight @ np.maximum(there, 0) ** 2)
-                if worth <= previous or share < SHORTEST:
+                trial = step + share * (target - step)
+                trial_residual = residual + share * (residual_target - residual)
+                force = force_step + share * (force_target - force_step)
+                one_sided = sided.weight @ np.maximum(trial_residual, 0) ** 2
+                value = float(np.sum((self.gradient + 0.5 * force) * trial) + one_sided)
+                if value <= previous or share < SHORTEST:
                     break
                 share /= 2
-            if worth > previous:
-                worth = previous
+            if value > previous:
+                value = previous
                 break
-            step, over, pull = at, there, force
-            if previous - worth <= SETTLED * (first - worth):
+            step, residual, force_step = trial, trial_residual, force
+            if previous - value <= SETTLED * (first_value - value):
                 break
-        return Proposal(layout.to_x(step), first - worth, last)
+        return Proposal(layout.to_x(step), first_value - value, last)

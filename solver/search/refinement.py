@@ -1,9 +1,9 @@
-"""NLopt: the last stage of a search, and the only file that knows NLopt.
+"""The final stage of a search, by NLopt; the only file that imports NLopt.
 
-Gauss-Newton steps find the valley; NLopt sees E alone and lowers it where their model errs. It searches in variables z,
-x = x₀ + P z, in which that model is a sphere: P Pᵀ = c H⁻¹, H the model's curvature with what counts of its one-sided
-residuals, c the size of E. So a quasi-Newton method begins with the right metric. The stage ends when its
-evaluations gain less than the tolerance.
+Gauss-Newton steps approach the minimum; NLopt then uses E and its gradient alone and so lowers E where their model is
+inaccurate. It searches in whitened variables z, x = x₀ + P z with P Pᵀ = c H⁻¹, where H is the model's curvature,
+active one-sided residuals included, and c the size of E. A quasi-Newton method thus starts with the right metric. The
+stage ends when its evaluations gain less than the tolerance.
 """
 
 from __future__ import annotations
@@ -21,51 +21,68 @@ from .newton import Search
 LBFGS, NONE = "lbfgs", "none"
 METHODS = (LBFGS, "slsqp", "ccsaq", "tnewton", "var2", NONE)
 LONG_NAMES = {"tnewton": "TNEWTON_PRECOND_RESTART"}
-DENSE = {"slsqp": 300}  # unknowns up to which an iteration takes a fifth of a second; 1200 take 15 s
-# NLopt's general failure is a class of its own in 2.11 and no RuntimeError
+DENSE = {"slsqp": 300}  # unknowns up to which an iteration takes at most 0.2 s; with 1200 it takes 15 s
+# NLopt 2.11 raises its own class for a general failure, which is not a RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
-INFINITELY_BAD = 1e300  # E where it is no number: NLopt cannot do with infinity
-NEGLIGIBLE = 1e-3  # of the first value: a step that changes less ends a search
-PATIENCE = 3  # evaluations: a line search takes some that gain nothing
-STILL = 1e-12  # of x: a step that moves it by less ends one, too
+NOT_FINITE = 1e300  # E where it is not finite: NLopt does not accept infinity
+NEGLIGIBLE = 1e-3  # of the first value: the absolute tolerance, in units of the relative one
+PATIENCE = 3  # evaluations over which progress is averaged: a line search has some without any
+XTOL = 1e-12  # relative change of x below which a search ends
 
 
 def algorithm(method: str) -> int:
-    """NLopt's number of a method by our name or NLopt's, with or without LD_. Raises ValueError for any other."""
+    """Return NLopt's number of a method.
+
+    Args:
+        method: A name from METHODS or of NLopt, with or without LD_.
+
+    Raises:
+        ValueError: There is no such method.
+    """
     name = LONG_NAMES.get(method.lower(), method.upper()).removeprefix("LD_")
     number = getattr(nlopt, f"LD_{name}", None)
     if number is None:
-        raise ValueError(f"no optimiser '{method}'; there are: {', '.join(METHODS)} (or any LD_ name of NLopt)")
+        raise ValueError(f"no optimiser '{method}'; use one of: {', '.join(METHODS)} (or any LD_ name of NLopt)")
     return int(number)
 
 
-def copes(method: str, size: int) -> bool:
-    """Whether a method does anything with so many unknowns while one waits; it hears no Ctrl-C meanwhile."""
+def is_practical(method: str, size: int) -> bool:
+    """Return whether an iteration of a method takes at most a fraction of a second with `size` unknowns.
+
+    Ctrl-C takes effect only between iterations.
+    """
     return size <= DENSE.get(method.lower(), size)
 
 
 def refine(search: Search, factor: Array, tolerance: float, method: str = LBFGS) -> None:
-    """Lowers E from the best point of a search on, in variables whitened by Cholesky's factor of its last model.
+    """Lower E from the best point of a search, in variables whitened by the Cholesky factor of its last model.
 
-    tolerance  share of E: where PATIENCE evaluations gain less each, they are the last
+    Args:
+        search: The search, which is updated.
+        factor: The banded Cholesky factor of its last model.
+        tolerance: Stop when PATIENCE evaluations gain less than this share of E each.
+        method: The algorithm, see `algorithm`.
+
+    Raises:
+        StopSearch: The search was interrupted.
     """
-    layout, around, known, unit = search.layout, search.x, search.gradient, sqrt(search.value or 1.0)
-    values, is_enough, room = [search.value] * PATIENCE, False, search.budget - search.count
+    layout, around, gradient, unit = search.layout, search.x, search.gradient, sqrt(search.value or 1.0)
+    values, is_converged, remaining = [search.value] * PATIENCE, False, search.budget - search.count
 
     def fun(z: Array) -> tuple[float, Array]:
-        nonlocal is_enough
+        nonlocal is_converged
         if not z.any():
-            return values[0], unit * layout.whitened(factor, layout.from_x(known))
-        found = search.evaluated(around + layout.to_x(layout.coloured(factor, unit * z)))
+            return values[0], unit * layout.whiten(factor, layout.from_x(gradient))
+        result = search.evaluate(around + layout.to_x(layout.unwhiten(factor, unit * z)))
         values.append(search.value)
-        is_enough = search.is_negligible((values[-1 - PATIENCE] - values[-1]) / PATIENCE, tolerance)
-        if is_enough:
+        is_converged = search.is_negligible((values[-1 - PATIENCE] - values[-1]) / PATIENCE, tolerance)
+        if is_converged:
             raise StopSearch
-        return found.value, unit * layout.whitened(factor, layout.from_x(found.gradient))
+        return result.value, unit * layout.whiten(factor, layout.from_x(result.gradient))
 
-    if room > 0 and copes(method, search.x.size):
-        found = minimise(fun, np.zeros(layout.count * layout.width), method=method, max_evaluations=room + 1)
-        if found.stop is Stop.ASKED and not is_enough:
+    if remaining > 0 and is_practical(method, search.x.size):
+        result = minimise(fun, np.zeros(layout.count * layout.width), method=method, max_evaluations=remaining + 1)
+        if result.stop is Stop.ASKED and not is_converged:
             raise StopSearch
 
 
@@ -77,42 +94,49 @@ def minimise(
     max_evaluations: int = MOST_EVALUATIONS,
     tolerance: float = TOLERANCE,
 ) -> Minimum:
-    """The best x (n,) of fun(x) -> (value, gradient) that was seen, whatever ends the search: a spent budget, a failed
-    line search, StopSearch or Ctrl-C inside fun.
+    """Minimise a function with NLopt and return the best point evaluated, for whatever reason the search ends.
 
-    tolerance  stop when the value changes by less than this share of itself in a step, or by less than a thousandth of
-               this share of its first value
+    Args:
+        fun: fun(x) -> (value, gradient (n,)); may raise StopSearch or KeyboardInterrupt to end the search.
+        x0: The start, (n,).
+        method: The algorithm, see `algorithm`.
+        max_evaluations: The evaluation budget.
+        tolerance: Stop when a step changes the value by less than this share of itself, or by less than a thousandth
+            of this share of its first value.
+
+    Raises:
+        ValueError: The method is unknown, or NLopt cannot create it.
     """
-    seen = _Seen(fun, np.array(x0, float), max_evaluations)
+    recorder = _Recorder(fun, np.array(x0, float), max_evaluations)
     try:
-        search = nlopt.opt(algorithm(method), max(seen.x.size, 1))
+        search = nlopt.opt(algorithm(method), max(recorder.x.size, 1))
     except (ValueError, nlopt.invalid_argument) as error:
         raise ValueError(f"NLopt cannot make the optimiser '{method}': {error}") from error
-    if not seen.x.size:
-        seen.evaluate(seen.x)
-        return Minimum(seen.x, float(seen.value), seen.count, Stop.CONVERGED)
-    seen.halt = search.force_stop
-    search.set_min_objective(seen.objective)
+    if not recorder.x.size:
+        recorder.evaluate(recorder.x)
+        return Minimum(recorder.x, float(recorder.value), recorder.count, Stop.CONVERGED)
+    recorder.halt = search.force_stop
+    search.set_min_objective(recorder.objective)
     search.set_ftol_rel(tolerance)
     search.set_ftol_abs(NEGLIGIBLE * tolerance)
-    search.set_xtol_rel(STILL)
+    search.set_xtol_rel(XTOL)
     search.set_maxeval(max_evaluations)
     try:
-        search.optimize(seen.x.copy())
+        search.optimize(recorder.x.copy())
         stop = Stop.BUDGET if search.last_optimize_result() == nlopt.MAXEVAL_REACHED else Stop.CONVERGED
     except (KeyboardInterrupt, nlopt.ForcedStop):
         stop = Stop.ASKED
     except FAILURES:
         stop = Stop.STUCK
     finally:
-        seen.halt = lambda: None  # else the two hold each other, past the garbage collector's sight
-    if seen.failure is not None:
-        raise seen.failure
-    return Minimum(seen.x, float(seen.value), seen.count, seen.forced or stop)
+        recorder.halt = lambda: None  # breaks a reference cycle that the garbage collector cannot see
+    if recorder.failure is not None:
+        raise recorder.failure
+    return Minimum(recorder.x, float(recorder.value), recorder.count, recorder.forced or stop)
 
 
-class _Seen:
-    """The objective as NLopt calls it, with the best point kept beside it."""
+class _Recorder:
+    """The objective as NLopt calls it, with the best point so far."""
 
     def __init__(self, fun: Callable, x0: Array, budget: int) -> None:
         self.fun, self.x, self.value, self.budget, self.count = fun, x0.copy(), np.inf, budget, 0
@@ -122,13 +146,16 @@ class _Seen:
         self.unit = 0.0  # the first value, by which NLopt's objective is divided
 
     def objective(self, x: Array, gradient: Array) -> float:
-        """What NLopt calls. Never raises: some of its line searches call again with the exception still pending."""
+        """Return the scaled value for NLopt and write its gradient to `gradient` (n,).
+
+        Never raises: some of NLopt's line searches call again with the exception still pending.
+        """
         try:
             if self.count >= self.budget:
                 self.forced = Stop.BUDGET
             if self.forced is None and self.failure is None:
                 value, slope = self.evaluate(np.array(x))
-                self.unit = self.unit or (abs(value) if 0 < abs(value) < INFINITELY_BAD else 1.0)
+                self.unit = self.unit or (abs(value) if 0 < abs(value) < NOT_FINITE else 1.0)
                 if gradient.size:
                     gradient[:] = slope / self.unit
                 return value / self.unit
@@ -138,13 +165,13 @@ class _Seen:
             self.failure = error
         self.halt()
         gradient[:] = 0
-        return INFINITELY_BAD
+        return NOT_FINITE
 
     def evaluate(self, x: Array) -> tuple[float, Array]:
         self.count += 1
         value, slope = self.fun(x)
         if not (np.isfinite(value) and np.all(np.isfinite(slope))):
-            return INFINITELY_BAD, np.zeros_like(x)
+            return NOT_FINITE, np.zeros_like(x)
         if value < self.value:
             self.value, self.x = value, x
         return value, slope

@@ -26,8 +26,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.search.judgement import common_grid
 from dynsplines.solver.search.refinement import METHODS
+from dynsplines.solver.search.selection import common_grid
 from dynsplines.system.progress import Progress
 
 CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")

@@ -20,7 +20,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.objective import SMALL_SHARE
 from dynsplines.solver.penalty import SelfContact
 from dynsplines.solver.reading.stride import Gait
-from dynsplines.solver.search.astray import is_astray
+from dynsplines.solver.search.restart import is_poor_minimum
 from dynsplines.solver.surface.points import places_of
 
 pytestmark = pytest.mark.slow
@@ -218,7 +218,7 @@ def test_nothing_is_wrong_with_a_clip_that_ships_but_what_is_known(name):
 @pytest.mark.parametrize("name", models.clips())
 def test_no_clip_that_ships_ends_in_a_heap_or_begins_with_a_jerk(name):
     motion = of(name).motion
-    assert not is_astray(motion.objective, motion.timeline, motion.trace[-1][3])
+    assert not is_poor_minimum(motion.objective, motion.timeline, motion.trace[-1][3])
     raw = path_of(motion.raw)
     length, spacing = np.ptp(raw.span), np.ptp(raw.span) / (raw.spline.times.size - 1)
     for term, whole in zip(motion.objective.terms, motion.objective.integrals(raw), strict=True):

@@ -26,13 +26,13 @@ def test_a_model_by_the_kernel_is_numpys(name, monkeypatch):
     for kernel in (compiled.kernel, None):
         monkeypatch.setattr(compiled, "kernel", kernel)
         models.append(Model(Layout(discretised), x, gradient))
-        steps.append(models[-1].minimised(models[-1].scale))
-    lower = models[1].layout.factor(models[1].held)
+        steps.append(models[-1].minimise(models[-1].scale))
+    lower = models[1].layout.factor(models[1].curvature)
     assert lower is not None
     np.testing.assert_allclose(
-        models[0].layout.factor(models[0].held), lower, rtol=1e-6, atol=1e-9 * np.abs(lower).max()
+        models[0].layout.factor(models[0].curvature), lower, rtol=1e-6, atol=1e-9 * np.abs(lower).max()
     )
-    np.testing.assert_allclose(steps[0].promised, steps[1].promised, rtol=1e-6)
+    np.testing.assert_allclose(steps[0].predicted_reduction, steps[1].predicted_reduction, rtol=1e-6)
     np.testing.assert_allclose(steps[0].step, steps[1].step, rtol=0, atol=1e-5 * np.abs(steps[1].step).max())
 
 

@@ -297,14 +297,16 @@ def test_the_clock_does_not_matter(rng):
         assert np.degrees(quat.angle_between(path, paths[0])).max() < 0.1
 
 
-@pytest.mark.parametrize(("is_dear", "is_astray", "rounds"), [(False, False, 1), (True, False, 2), (False, True, 4)])
+@pytest.mark.parametrize(
+    ("cost_increased", "is_poor_minimum", "rounds"), [(False, False, 1), (True, False, 2), (False, True, 4)]
+)
 def test_what_came_out_dear_is_searched_once_more_and_what_went_astray_from_everywhere(
-    monkeypatch, is_dear, is_astray, rounds
+    monkeypatch, cost_increased, is_poor_minimum, rounds
 ):
     module, begun = import_module("dynsplines.solver.inbetween"), []
-    monkeypatch.setattr(module, "is_dear", lambda *told: is_dear)
-    monkeypatch.setattr(module, "is_astray", lambda *told: is_astray)
-    monkeypatch.setattr(module, "is_violent", lambda *told: True)
+    monkeypatch.setattr(module, "cost_increased", lambda *told: cost_increased)
+    monkeypatch.setattr(module, "is_poor_minimum", lambda *told: is_poor_minimum)
+    monkeypatch.setattr(module, "violation_dominates", lambda *told: True)
     run = _Loop.run
     monkeypatch.setattr(_Loop, "run", lambda loop, begin, *told: begun.append(begin) or run(loop, begin, *told))
     settings = Settings(variable=1, frames=4, max_evaluations=3)

@@ -91,7 +91,7 @@ def assert_dense(
     model = Model(Layout(problem), x, gradient)
     hessian = dense_hessian(problem, names, x) + share * model.scale * flat_energy(problem)
     expected = -np.linalg.solve(hessian, gradient)
-    step, promised, _ = model.minimised(share * model.scale)
+    step, promised, _ = model.minimise(share * model.scale)
     assert np.linalg.norm(expected) > 0.01
     assert np.linalg.norm(step - expected) < rtol * np.linalg.norm(expected)
     np.testing.assert_allclose(promised, -0.5 * gradient @ expected, rtol=rtol)

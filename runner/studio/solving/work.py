@@ -25,9 +25,9 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.inbetween import inbetween, resumed
 from dynsplines.solver.one_thread import one_thread
 from dynsplines.solver.refine.carried import carried
-from dynsplines.solver.search.astray import is_astray
-from dynsplines.solver.search.judgement import best as better
 from dynsplines.solver.search.minimum import Stop, StopSearch
+from dynsplines.solver.search.restart import is_poor_minimum
+from dynsplines.solver.search.selection import select_best
 from dynsplines.solver.solution import Improvement, Solution
 
 from ... import recordings
@@ -434,7 +434,7 @@ class Work:
                 reason = f"E came to {value:.3g}, where it was {before[0]:.3g} before"
             elif wrong > before[1]:
                 reason = f"more is wrong than before, {wrong} instead of {before[1]}"
-            elif is_astray(clip.problem.objective, found.timeline, parts):
+            elif is_poor_minimum(clip.problem.objective, found.timeline, parts):
                 reason = "what constraints cost exceeds what the motion does"
         if reason is None:
             self._before = value, wrong
@@ -458,7 +458,7 @@ class Work:
             return
         self._is_near = False
         objective = clip.problem.objective
-        if better(objective, [now.timeline, found.timeline]) is found.timeline:
+        if select_best(objective, [now.timeline, found.timeline]) is found.timeline:
             self._take(found)
             value = found.trace[-1][2]
             self._tell("note", words=f"begun anew, the search found a better path: E {value:.3g}")

@@ -105,13 +105,13 @@ def test_a_model_made_of_few_spans_at_once_is_the_same(rng, ends, monkeypatch):
     figure = figure_of(TINY)
     problem, x = smooth_problem(tiny_clip(rng, ends, "world"), figure, rng)
     gradient, spans = problem(x).gradient, problem.spline.times.size - 1
-    step, promised, _ = Model(Layout(problem), x, gradient).minimised(0.1)
+    step, promised, _ = Model(Layout(problem), x, gradient).minimise(0.1)
     monkeypatch.setattr("dynsplines.solver.search.quadratic.SPAN_ENTRIES", 0)
     for at_once in (1, 2, 4, spans - 1, spans, spans + 1):
         monkeypatch.setattr("dynsplines.solver.search.quadratic.SPANS_AT_ONCE", at_once)
         layout = Layout(problem)
         assert len(layout.pieces) == -(-spans // at_once)
-        again, promised_again, _ = Model(layout, x, gradient).minimised(0.1)
+        again, promised_again, _ = Model(layout, x, gradient).minimise(0.1)
         np.testing.assert_allclose(again, step, rtol=1e-7, atol=1e-9)
         np.testing.assert_allclose(promised_again, promised, rtol=1e-9)
 
@@ -126,7 +126,7 @@ def test_the_step_in_the_unknowns_is_the_transpose_of_their_gradients_and_leaves
     layout, x = Layout(problem), problem.unknowns.start
     c, g = rng.normal(size=(layout.count, layout.width)), rng.normal(size=x.size)
     np.testing.assert_allclose(np.sum(layout.from_x(g) * c), g @ layout.to_x(c), rtol=1e-10)
-    step, _, _ = Model(layout, x, problem(x).gradient).minimised(1.0)
+    step, _, _ = Model(layout, x, problem(x).gradient).minimise(1.0)
     assert step.shape == x.shape
     assert np.linalg.norm(step) > 0
     before, after = (problem.path(at).at(TIMES) for at in (x, x + step))
@@ -142,7 +142,7 @@ def test_damping_adds_the_flat_energy_of_the_step(rng, ends):
     hessian, model = dense_hessian(problem, SMOOTH, x), Model(Layout(problem), x, gradient)
     lengths, promises = [], []
     for damping in np.array([0.0, 0.01, 0.1, 1, 10]) * model.scale:
-        step, promised, _ = model.minimised(damping)
+        step, promised, _ = model.minimise(damping)
         expected = -np.linalg.solve(hessian + damping * flat, gradient)
         assert np.linalg.norm(step - expected) < 1e-3 * np.linalg.norm(expected)
         np.testing.assert_allclose(promised, -0.5 * gradient @ expected, rtol=1e-3)
@@ -158,7 +158,7 @@ def test_what_no_penalty_feels_does_not_move_the_step_out_of_bounds(rng):
     problem = discretised(tiny_clip(rng, "free", "world"), figure, [CovariantAcceleration(), RootAcceleration()])
     x = problem.unknowns.start
     before, gradient = problem(x).value, problem(x).gradient
-    step, promised, _ = Model(Layout(problem), x, gradient).minimised(1e-3)
+    step, promised, _ = Model(Layout(problem), x, gradient).minimise(1e-3)
     assert np.all(np.isfinite(step))
     assert promised > 0
     assert gradient @ step < 0
@@ -169,8 +169,8 @@ def test_a_model_that_has_no_minimum_promises_nothing(rng):
     figure = figure_of(TINY)
     problem, x = smooth_problem(tiny_clip(rng, "free", "world"), figure, rng)
     model = Model(Layout(problem), x, problem(x).gradient)
-    model.held *= -1
-    step, promised, _ = model.minimised(0.0)
+    model.curvature *= -1
+    step, promised, _ = model.minimise(0.0)
     assert step.shape == x.shape
     assert not step.any()
     assert promised == 0
@@ -245,7 +245,7 @@ def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends,
     assert np.count_nonzero((after > 0) != (dense.value > 0)) > 0  # what counts changes within the step
     monkeypatch.setattr("dynsplines.solver.search.quadratic.SETTLED", 1e-14)
     model = Model(Layout(problem), x, problem(x).gradient)
-    step, promised, _ = model.minimised(0.0)
+    step, promised, _ = model.minimise(0.0)
     np.testing.assert_allclose(dense(step)[0], least, rtol=0, atol=1e-4 * (before - least))
     np.testing.assert_allclose(promised, before - least, rtol=1e-3)
     assert np.linalg.norm(step - best) < 0.01 * np.linalg.norm(best)
@@ -257,7 +257,7 @@ def test_its_first_change_goes_to_the_minimum_of_the_piece_it_begins_on(rng, kin
     problem, x = one_sided_problem(rng, "free", kind)
     dense = Dense(problem, x)
     monkeypatch.setattr("dynsplines.solver.search.quadratic.MOST_CHANGES", 1)
-    step, _, _ = Model(Layout(problem), x, problem(x).gradient).minimised(0.0)
+    step, _, _ = Model(Layout(problem), x, problem(x).gradient).minimise(0.0)
     assert dense(step)[0] < dense(np.zeros(x.size))[0]
     counts = dense.value > 0
     pull = dense.rows.T @ (2 * dense.weight * counts * (dense.value + dense.rows @ step))
@@ -273,7 +273,7 @@ def test_so_it_does_where_whole_newton_steps_would_raise_the_model(seed, monkeyp
     dense = Dense(problem, x)
     before, (_, least) = dense(np.zeros(x.size))[0], dense.minimum()
     monkeypatch.setattr("dynsplines.solver.search.quadratic.SETTLED", 1e-14)
-    step, promised, _ = Model(Layout(problem), x, problem(x).gradient).minimised(0.0)
+    step, promised, _ = Model(Layout(problem), x, problem(x).gradient).minimise(0.0)
     np.testing.assert_allclose(dense(step)[0], least, rtol=0, atol=1e-4 * (before - least))
     np.testing.assert_allclose(promised, before - least, rtol=1e-3)
 
@@ -284,10 +284,10 @@ def test_it_settles_when_little_is_left_to_gain(rng, ends, kind):
     problem, x = one_sided_problem(rng, ends, kind)
     dense, model = Dense(problem, x), Model(Layout(problem), x, problem(x).gradient)
     before, (_, least) = dense(np.zeros(x.size))[0], dense.minimum()
-    step, promised, _ = model.minimised(0.0)
+    step, promised, _ = model.minimise(0.0)
     assert before - dense(step)[0] > 0.9 * (before - least)
     np.testing.assert_allclose(promised, before - dense(step)[0], rtol=1e-3)
-    promises = [model.minimised(damping * model.scale)[1] for damping in (0.0, 0.1, 10.0)]
+    promises = [model.minimise(damping * model.scale)[1] for damping in (0.0, 0.1, 10.0)]
     assert promises[0] > promises[1] > promises[2] > 0
 
 
@@ -304,9 +304,9 @@ def test_near_misses_keep_a_step_from_falling_through_the_floor():
     x = problem.unknowns.start
     t = np.linspace(1, 2, 50)
     assert problem.path(x).at(t)[:, 2].min() > 0.1
-    step, _, _ = Model(Layout(problem), x, problem(x).gradient).minimised(0.0)
+    step, _, _ = Model(Layout(problem), x, problem(x).gradient).minimise(0.0)
     free = Objective.of(figure, terms[:2]).on(problem.timeline)
-    through, _, _ = Model(Layout(free), x, free(x).gradient).minimised(0.0)
+    through, _, _ = Model(Layout(free), x, free(x).gradient).minimise(0.0)
     assert problem.path(x + through).at(t)[:, 2].min() < 0.09
     assert problem.path(x + step).at(t)[:, 2].min() > 0.097
 

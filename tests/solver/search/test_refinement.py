@@ -131,11 +131,11 @@ def test_the_change_of_variables_is_linear_and_its_transpose_that(figure, rng, e
     problem = discretised(figure, rng, ends)
     layout, start = Layout(problem), problem.unknowns.start
     model = Model(layout, start, problem(start).gradient)
-    factor = model.minimised(0.1 * model.scale).factor
+    factor = model.minimise(0.1 * model.scale).factor
     assert factor is not None
     z, g = rng.normal(size=layout.count * layout.width), rng.normal(size=start.size)
-    step = layout.to_x(layout.coloured(factor, z))
-    np.testing.assert_allclose(g @ step, layout.whitened(factor, layout.from_x(g)) @ z, rtol=1e-9)
+    step = layout.to_x(layout.unwhiten(factor, z))
+    np.testing.assert_allclose(g @ step, layout.whiten(factor, layout.from_x(g)) @ z, rtol=1e-9)
 
 
 @pytest.mark.parametrize("variable", [1, 4])
@@ -144,10 +144,10 @@ def test_in_these_variables_the_flat_acceleration_energy_is_a_sphere(variable):
     problem = slider(np.array([0.0, 0.3, 1.0, 2.5]), variable)
     layout, start = Layout(problem), problem.unknowns.start
     base = problem(start).gradient
-    factor = Model(layout, start, base).minimised(0.0).factor
+    factor = Model(layout, start, base).minimise(0.0).factor
     assert factor is not None
     hessian = np.array([problem(start + e).gradient - base for e in np.eye(start.size)])
-    to_z = np.array([layout.whitened(factor, layout.from_x(e)) for e in np.eye(start.size)])
+    to_z = np.array([layout.whiten(factor, layout.from_x(e)) for e in np.eye(start.size)])
     # the entries of z that move nothing have the eigenvalue 0
     after = np.linalg.eigvalsh(to_z.T @ hessian @ to_z)[-start.size :]
     np.testing.assert_allclose(after, 1.0, rtol=1e-3)

@@ -161,7 +161,7 @@ def test_the_step_is_the_dense_gauss_newton_step_in_the_unknowns(rng, ends, coor
     hessian = dense_hessian(plain, SMOOTH, x) + rows.T @ rows
     gradient = problem(x).gradient
     expected = -np.linalg.solve(hessian, gradient)
-    step, promised, _ = Model(Layout(problem), x, gradient).minimised(0.0)
+    step, promised, _ = Model(Layout(problem), x, gradient).minimise(0.0)
     assert np.linalg.norm(step - expected) < 1e-4 * np.linalg.norm(expected)
     assert promised == pytest.approx(-0.5 * gradient @ expected, rel=1e-4)
     assert np.linalg.norm(rows @ step) > 0.1 * np.linalg.norm(away(x))

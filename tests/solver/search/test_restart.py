@@ -22,20 +22,20 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, Near, Penalty, RootAcceleration, UnitMagnitude
 from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search.astray import (
-    DEAR,
-    FAR,
-    LONG,
-    LOOKS,
-    farthest,
-    is_astray,
-    is_dear,
-    is_far,
-    is_violent,
-    longest,
-)
-from dynsplines.solver.search.judgement import best, common_grid
 from dynsplines.solver.search.minimum import Stop, StopSearch
+from dynsplines.solver.search.restart import (
+    COST_RATIO,
+    MAX_DEVIATION,
+    MAX_QUATERNION_LENGTH,
+    SAMPLES_PER_SEGMENT,
+    cost_increased,
+    is_poor_minimum,
+    is_pose_outlier,
+    largest_deviation,
+    longest_quaternion,
+    violation_dominates,
+)
+from dynsplines.solver.search.selection import common_grid, select_best
 from dynsplines.solver.surface import Plane, Sphere
 from dynsplines.solver.surface.points import Point
 
@@ -65,9 +65,9 @@ def swinging(seed: int) -> list[Frame]:
 def first_search(keys: list[Frame], monkeypatch: pytest.MonkeyPatch) -> Solution:
     """What comes out if nobody begins again."""
     with monkeypatch.context() as patch:
-        patch.setattr(VERB, "is_astray", lambda *_: False)
-        patch.setattr(VERB, "is_dear", lambda *_: False)
-        patch.setattr(VERB, "is_far", lambda *_: False)
+        patch.setattr(VERB, "is_poor_minimum", lambda *_: False)
+        patch.setattr(VERB, "cost_increased", lambda *_: False)
+        patch.setattr(VERB, "is_pose_outlier", lambda *_: False)
         return inbetween(Problem(LIMB, keys, TERMS))
 
 
@@ -105,12 +105,12 @@ def test_how_far_a_joint_is_off_the_straight_way_is_what_mujoco_says(coordinates
     rows = np.array(timeline.rows)
     rows[[1, 3, 5]] += 0.3 * rng.normal(size=(3, figure.width))
     timeline, times = timeline.with_rows(rows), np.array([key.time for key in keys])
-    share = (np.arange(LOOKS) + 0.5) / LOOKS
+    share = (np.arange(SAMPLES_PER_SEGMENT) + 0.5) / SAMPLES_PER_SEGMENT
     t = (times[:-1, None] + share * np.diff(times)[:, None]).ravel()
     ways = by_scipy(figure, times, figure.to_qpos(timeline.states[::2]), t)
     apart = places(figure, figure.to_qpos(path_of(timeline).at(t))) - places(figure, ways)
     size = np.linalg.norm(places(figure, figure.model.qpos0[None]), axis=2).max()
-    found = farthest(figure, timeline)
+    found = largest_deviation(figure, timeline)
     np.testing.assert_allclose(found, np.linalg.norm(apart, axis=2).max() / size, rtol=1e-9)
     assert found > 0.1
 
@@ -125,26 +125,26 @@ def test_what_follows_a_recording_is_far_when_it_is_far_from_that():
         name: Objective.of(figure, [(Near(Recorded.of(figure, times, path_of(t).at(times), exact=True)), 1.0)])
         for name, t in (("still", raw), ("round", round_it))
     }
-    assert is_far(near["still"], round_it)
-    assert not is_far(near["still"], raw)
-    assert is_far(near["round"], raw)
-    assert not is_far(near["round"], round_it)
+    assert is_pose_outlier(near["still"], round_it)
+    assert not is_pose_outlier(near["still"], raw)
+    assert is_pose_outlier(near["round"], raw)
+    assert not is_pose_outlier(near["round"], round_it)
 
 
 def test_a_limb_turned_round_is_far_and_a_figure_that_is_carried_off_is_not():
     figure = hinged()
     keys = [Frame.key(t, [0.0, 0.0]) for t in (0, 1)]
     raw = evenly(raw_timeline(figure, keys), 1)
-    assert farthest(figure, raw) == 0
+    assert largest_deviation(figure, raw) == 0
     rows = np.array(raw.rows)
     rows[1, 0] = np.pi
-    assert farthest(figure, raw.with_rows(rows)) > 2 * FAR
+    assert largest_deviation(figure, raw.with_rows(rows)) > 2 * MAX_DEVIATION
     carried = evenly(raw_timeline(LIMB, [Frame.key(t, LIMB.model.qpos0) for t in (0, 1)]), 1)
     rows = np.array(carried.rows)
     rows[1, :3] += 50.0
-    assert farthest(LIMB, carried.with_rows(rows)) < 1e-12
+    assert largest_deviation(LIMB, carried.with_rows(rows)) < 1e-12
     alone = raw_timeline(figure, [Frame.variable(0.0, np.zeros(2)), keys[1]])
-    assert farthest(figure, alone) == 0
+    assert largest_deviation(figure, alone) == 0
 
 
 def test_a_figure_of_a_single_joint_has_no_limb_that_could_be_far():
@@ -152,17 +152,17 @@ def test_a_figure_of_a_single_joint_has_no_limb_that_could_be_far():
     raw = evenly(raw_timeline(figure, [Frame.key(t, [1.0, 0, 0, 0]) for t in (0, 1)]), 1)
     rows = np.array(raw.rows)
     rows[1] = [0, 1, 0, 0]
-    assert farthest(figure, raw.with_rows(rows)) == 0
+    assert largest_deviation(figure, raw.with_rows(rows)) == 0
 
 
 def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_are_not():
     raw = path_of(raw_timeline(LIMB, swinging(6)))
     objective = Objective.of(LIMB, TERMS).renormalised(raw)
-    assert not is_violent(objective, {"acceleration.angular": 0.5, "unit": 0.0, "limits.bend": 1.9})
-    assert is_violent(objective, {"acceleration.angular": 0.5, "unit": 0.0, "limits.bend": 3.1})
-    assert not is_violent(objective, {"acceleration.angular": 5.0, "unit": 0.0, "limits.bend": 3.1})
-    assert not is_violent(objective, {"acceleration.angular": 50.0})
-    assert not is_violent(objective, {"acceleration.angular": 5.0, "limits.bend": 5.0})  # as much is not more
+    assert not violation_dominates(objective, {"acceleration.angular": 0.5, "unit": 0.0, "limits.bend": 1.9})
+    assert violation_dominates(objective, {"acceleration.angular": 0.5, "unit": 0.0, "limits.bend": 3.1})
+    assert not violation_dominates(objective, {"acceleration.angular": 5.0, "unit": 0.0, "limits.bend": 3.1})
+    assert not violation_dominates(objective, {"acceleration.angular": 50.0})
+    assert not violation_dominates(objective, {"acceleration.angular": 5.0, "limits.bend": 5.0})  # as much is not more
 
 
 def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is_something_to_go_round():
@@ -174,9 +174,9 @@ def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is
     for surfaces, found in (((floor, ball), True), ((floor,), False)):
         contact = Contact((Point("tip", 1, np.zeros(3)),), surfaces)
         objective = Objective.of(LIMB, [*TERMS, (contact, 1.0)]).renormalised(raw)
-        dear = DEAR * objective.raw_cost
-        assert is_dear(objective, {"acceleration.angular": dear + 0.1}) is found
-        assert not is_dear(objective, {"acceleration.angular": dear - 0.1, "limits.bend": 50.0})
+        dear = COST_RATIO * objective.raw_cost
+        assert cost_increased(objective, {"acceleration.angular": dear + 0.1}) is found
+        assert not cost_increased(objective, {"acceleration.angular": dear - 0.1, "limits.bend": 50.0})
 
 
 # and what is done
@@ -185,7 +185,7 @@ def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is
 @pytest.fixture
 def from_raw(monkeypatch) -> None:
     """The search begins from the raw spline, however far off."""
-    monkeypatch.setattr(VERB, "is_far", lambda *_: False)
+    monkeypatch.setattr(VERB, "is_pose_outlier", lambda *_: False)
 
 
 @pytest.mark.slow
@@ -193,7 +193,7 @@ def from_raw(monkeypatch) -> None:
 def test_beginning_again_never_ends_higher(seed, monkeypatch, from_raw):
     keys = swinging(seed)
     before, after = first_search(keys, monkeypatch), inbetween(Problem(LIMB, keys, TERMS))
-    assert is_astray(before.objective, before.timeline, before.trace[-1][3])
+    assert is_poor_minimum(before.objective, before.timeline, before.trace[-1][3])
     assert after.evaluations > before.evaluations
     assert value(after) <= value(before) * (1 + 1e-9)
     assert np.all(np.diff([entry[2] for entry in after.trace]) < 0)
@@ -208,7 +208,7 @@ def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
     before, after = first_search(keys, monkeypatch), inbetween(Problem(LIMB, keys, TERMS))
     assert least_flexion(before) < -20
     assert least_flexion(after) > -1.5
-    assert not is_violent(after.objective, after.trace[-1][3])
+    assert not violation_dominates(after.objective, after.trace[-1][3])
     assert value(after) < 0.1 * value(before)
 
 
@@ -216,11 +216,11 @@ def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
 @pytest.mark.parametrize("seed", HEAPS)
 def test_where_the_raw_spline_is_far_off_the_straight_way_comes_first(seed):
     keys = swinging(seed)
-    assert farthest(LIMB, evenly(raw_timeline(LIMB, keys), 2)) > FAR
+    assert largest_deviation(LIMB, evenly(raw_timeline(LIMB, keys), 2)) > MAX_DEVIATION
     found = inbetween(Problem(LIMB, keys, TERMS))
     assert found.trace[0][2] < 0.1 * found.objective.value(path_of(evenly(raw_timeline(LIMB, keys), 2)))
     assert least_flexion(found) > -1.5
-    assert not is_violent(found.objective, found.trace[-1][3])
+    assert not violation_dominates(found.objective, found.trace[-1][3])
 
 
 def test_a_motion_that_is_no_heap_is_searched_once(monkeypatch):
@@ -235,10 +235,10 @@ def test_a_motion_that_is_no_heap_is_searched_once(monkeypatch):
 def test_a_second_search_that_ends_no_lower_changes_nothing(figure, rng, monkeypatch):
     keys = random_keys(figure, rng)
     with monkeypatch.context() as patch:
-        patch.setattr(VERB, "is_astray", lambda *_: False)
-        patch.setattr(VERB, "is_dear", lambda *_: False)
+        patch.setattr(VERB, "is_poor_minimum", lambda *_: False)
+        patch.setattr(VERB, "cost_increased", lambda *_: False)
         once = inbetween(Problem(figure, keys, PENALTIES))
-    monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
+    monkeypatch.setattr(VERB, "is_poor_minimum", lambda *_: True)
     monkeypatch.setattr(VERB, "straightened", lambda _figure, timeline: timeline)
     twice = inbetween(Problem(figure, keys, PENALTIES))
     assert twice.evaluations > once.evaluations
@@ -276,10 +276,10 @@ def test_what_is_judged_on_one_grid_is_not_what_each_says_of_itself():
     raw = raw_timeline(LIMB, keys)
     objective = Objective.of(LIMB, TERMS).renormalised(path_of(raw))
     coarse, fine = evenly(raw, 1), evenly(raw, 7)
-    assert best(objective, [coarse, fine]) is coarse  # the same curve: the first
+    assert select_best(objective, [coarse, fine]) is coarse  # the same curve: the first
     rows = np.array(fine.rows)
     rows[1] += 2.0
-    assert best(objective, [fine.with_rows(rows), coarse]) is coarse
+    assert select_best(objective, [fine.with_rows(rows), coarse]) is coarse
     times = common_grid([coarse, fine])
     assert set(coarse.times) | set(fine.times) <= set(times)
     assert np.isclose(objective.value(path_of(coarse), times), objective.value(path_of(fine), times), rtol=1e-9)
@@ -292,7 +292,7 @@ def test_a_round_that_hid_what_it_costs_is_not_kept(monkeypatch):
     judged = []
 
     def seen(objective, timelines):
-        judged.append((objective, timelines, best(objective, timelines)))
+        judged.append((objective, timelines, select_best(objective, timelines)))
         return judged[-1][-1]
 
     monkeypatch.setattr(VERB, "best", seen)
@@ -310,8 +310,8 @@ def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypat
     keys, plain = swinging(3), inbetween(Problem(LIMB, swinging(3), TERMS))
     without: list[frozenset[str]] = []
     loosened = VERB._Loop.loosened
-    monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
-    monkeypatch.setattr(VERB, "is_violent", lambda *_: True)
+    monkeypatch.setattr(VERB, "is_poor_minimum", lambda *_: True)
+    monkeypatch.setattr(VERB, "violation_dominates", lambda *_: True)
     monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
     motion = inbetween(Problem(LIMB, keys, TERMS))
     assert without == [VERB.OF_CONTACTS, VERB.OF_LIMBS]
@@ -326,11 +326,11 @@ def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypat
 def test_what_came_out_well_but_dear_is_searched_once_more_without_bends_to_begin_with(monkeypatch):
     without: list[frozenset[str]] = []
     loosened = VERB._Loop.loosened
-    monkeypatch.setattr(VERB, "is_astray", lambda *_: False)
+    monkeypatch.setattr(VERB, "is_poor_minimum", lambda *_: False)
     monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
     plain = inbetween(Problem(LIMB, swinging(3), TERMS))
     assert without == []
-    monkeypatch.setattr(VERB, "is_dear", lambda *_: True)
+    monkeypatch.setattr(VERB, "cost_increased", lambda *_: True)
     again = inbetween(Problem(LIMB, swinging(3), TERMS))
     assert without == [VERB.OF_LIMBS]
     assert again.evaluations > plain.evaluations
@@ -340,8 +340,8 @@ def test_what_came_out_well_but_dear_is_searched_once_more_without_bends_to_begi
 
 def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
     """However bad it is: what is written to be reproduced is not exchanged for a straight one."""
-    monkeypatch.setattr(VERB, "is_far", lambda *_: True)
-    monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
+    monkeypatch.setattr(VERB, "is_pose_outlier", lambda *_: True)
+    monkeypatch.setattr(VERB, "is_poor_minimum", lambda *_: True)
     monkeypatch.setattr(VERB, "straightened", lambda *_: pytest.fail("it began from elsewhere"))
     figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
     rng = np.random.default_rng(0)
@@ -361,8 +361,8 @@ def test_keyframes_up_to_10_000_times_as_far_apart_as_their_neighbours_end_with_
     knees = [quat.from_rotation_vector([0, np.radians(angle), 0]) for angle in (20, 21, 80)]
     keys = [Frame.key(t, np.concatenate([root, q])) for t, q in zip((0, apart, 10 - apart), knees, strict=True)]
     motion = inbetween(Problem(LIMB, keys, TERMS))
-    assert longest(LIMB, motion.raw) > LONG or apart > 1e-3
-    assert longest(LIMB, motion.timeline) < 1.25
+    assert longest_quaternion(LIMB, motion.raw) > MAX_QUATERNION_LENGTH or apart > 1e-3
+    assert longest_quaternion(LIMB, motion.timeline) < 1.25
     assert motion.trace[-1][2] < 1e3
 
 
@@ -371,4 +371,4 @@ def test_the_longest_quaternion_is_that_of_a_fine_grid_or_a_little_less():
     raw = raw_timeline(LIMB, keys)
     states = path_of(raw).at(np.linspace(*path_of(raw).span, 4001))
     fine = max(np.linalg.norm(states[:, some], axis=1).max() for some in (slice(3, 7), slice(7, 11)))
-    assert 0.95 * fine <= longest(LIMB, raw) <= fine * (1 + 1e-9)
+    assert 0.95 * fine <= longest_quaternion(LIMB, raw) <= fine * (1 + 1e-9)

@@ -13,8 +13,15 @@ from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration
-from dynsplines.solver.search import judgement
-from dynsplines.solver.search.judgement import ABOUT, AS_GOOD, CLOSEST, FINER, best, common_grid
+from dynsplines.solver.search import selection
+from dynsplines.solver.search.selection import (
+    EQUAL_WITHIN,
+    MIN_SPACING,
+    OFFSETS,
+    SUBDIVISIONS,
+    common_grid,
+    select_best,
+)
 
 QUATERNIONS = figure_of(ONE_BALL).tables.quaternion_columns.T
 
@@ -32,8 +39,8 @@ def test_spans_are_a_third_of_those_between_all_frames_of_all_timelines():
     other = line(np.array([0.0, 0.5, 2]), np.array([1.0, 0, 0, 0]), np.array([0.8, 0, 0.6, 0]))
     for quaternions in ((), QUATERNIONS):  # none of them is short
         edges = common_grid([one, other], quaternions)
-        np.testing.assert_allclose(edges[::FINER], [0, 0.5, 1, 2])
-        np.testing.assert_allclose(np.diff(edges), np.repeat([0.5, 0.5, 1], FINER) / FINER)
+        np.testing.assert_allclose(edges[::SUBDIVISIONS], [0, 0.5, 1, 2])
+        np.testing.assert_allclose(np.diff(edges), np.repeat([0.5, 0.5, 1], SUBDIVISIONS) / SUBDIVISIONS)
 
 
 @pytest.mark.parametrize("short", [1e-2, 1e-3])
@@ -46,21 +53,21 @@ def test_about_the_moment_at_which_a_quaternion_passes_nought_are_samples_as_clo
     edges = common_grid([timeline], QUATERNIONS)
     moment = 2.0 * short / 2.0  # [s] of a line that makes 2 in 2 s
     middle = 1.0 + 2.0 * where
-    for about in ABOUT:
+    for about in OFFSETS:
         assert np.abs(edges - (middle + about * moment)).min() < 1e-9
-    assert np.all(np.diff(edges) > CLOSEST / FINER)
+    assert np.all(np.diff(edges) > MIN_SPACING / SUBDIVISIONS)
     assert edges[0] == 1.0
     assert edges[-1] == 3.0
     alone = common_grid([timeline])
     assert alone.size < edges.size
-    np.testing.assert_allclose(alone[::FINER], [1, 1.5, 3])
+    np.testing.assert_allclose(alone[::SUBDIVISIONS], [1, 1.5, 3])
 
 
 @pytest.mark.parametrize("length", [0.09, 0.11])
 def test_a_quaternion_that_stays_longer_than_a_tenth_is_no_flip(length):
     aside, way = np.array([0, length, 0, 0]), np.array([2.0, 0, 0, 0])
     timeline = line(np.array([0.0, 2.0]), aside - 0.5 * way, aside + 0.5 * way)
-    assert (common_grid([timeline], QUATERNIONS).size > 1 + FINER) == (length < 0.1)
+    assert (common_grid([timeline], QUATERNIONS).size > 1 + SUBDIVISIONS) == (length < 0.1)
 
 
 def test_a_flip_at_the_very_ends_puts_no_sample_outside_the_clip():
@@ -71,7 +78,7 @@ def test_a_flip_at_the_very_ends_puts_no_sample_outside_the_clip():
         assert edges[0] == 0.0
         assert edges[-1] == 1.0
         assert np.all(np.diff(edges) > 0)
-        assert edges.size > 1 + FINER
+        assert edges.size > 1 + SUBDIVISIONS
 
 
 def bent(by: float) -> Timeline:
@@ -83,8 +90,8 @@ def bent(by: float) -> Timeline:
 def test_the_best_is_the_first_of_those_whose_e_is_as_good_as_the_least():
     """E of a hinge is the square of how far it is off."""
     objective = Objective.of(hinged(), [(CovariantAcceleration(), 1.0)])
-    hair = 1 + 0.5 * AS_GOOD
-    least, within, beyond, far = (bent(by) for by in (1.0, np.sqrt(hair), np.sqrt(1 + 2 * AS_GOOD), 2.0))
+    hair = 1 + 0.5 * EQUAL_WITHIN
+    least, within, beyond, far = (bent(by) for by in (1.0, np.sqrt(hair), np.sqrt(1 + 2 * EQUAL_WITHIN), 2.0))
     for timelines, wanted in (
         ((far, least, within), least),
         ((far, within, least), within),
@@ -92,7 +99,7 @@ def test_the_best_is_the_first_of_those_whose_e_is_as_good_as_the_least():
         ((least, beyond), least),
         ((far,), far),
     ):
-        assert best(objective, timelines) is wanted
+        assert select_best(objective, timelines) is wanted
 
 
 def test_paths_are_judged_by_the_samples_of_all_of_them_close_about_flips_unless_these_are_even(monkeypatch):
@@ -105,7 +112,9 @@ def test_paths_are_judged_by_the_samples_of_all_of_them_close_about_flips_unless
     timelines = [line(np.array([0.0, x, 2.0]), aside - 0.4 * way, aside + 0.6 * way) for x in (0.5, 1.0)]
     for quadrature, quaternions in ((Quadrature(), QUATERNIONS), (Quadrature("uniform", 50), ())):
         seen.clear()
-        best(Objective.of(figure_of(ONE_BALL), [(CovariantAcceleration(), 1.0)], quadrature=quadrature), timelines)
+        select_best(
+            Objective.of(figure_of(ONE_BALL), [(CovariantAcceleration(), 1.0)], quadrature=quadrature), timelines
+        )
         assert len(seen) == 2
         for times in seen:
             np.testing.assert_array_equal(times, common_grid(timelines, quaternions))
@@ -120,14 +129,14 @@ def test_paths_whose_equal_samples_would_be_too_many_are_judged_all_the_same():
         close.append(Timeline(tuple(Frame.many(times, states, np.ones((4, 2), bool))), np.zeros((2, 2)), "clamped"))
     with pytest.raises(ValueError, match="uniform quadrature would take"):
         objective.value(path_of(close[0]), common_grid(close))
-    assert best(objective, close) is close[1]
+    assert select_best(objective, close) is close[1]
 
 
 @pytest.mark.parametrize("order", [(0, 1), (1, 0)])
 def test_a_path_whose_e_is_no_number_is_the_worst(monkeypatch, order):
     timelines = [bent(1.0), bent(2.0)]
     values = {id(timelines[0]): 3.0, id(timelines[1]): np.nan}
-    monkeypatch.setattr(judgement, "path_of", lambda timeline: timeline)
+    monkeypatch.setattr(selection, "path_of", lambda timeline: timeline)
     monkeypatch.setattr(Objective, "value", lambda self, path, times=None: values[id(path)])
     objective = Objective.of(hinged(), [(CovariantAcceleration(), 1.0)])
-    assert best(objective, [timelines[i] for i in order]) is timelines[0]
+    assert select_best(objective, [timelines[i] for i in order]) is timelines[0]
