@@ -1,6 +1,6 @@
-"""The straight way between keyframes: joints turn by one arc at one speed (SLERP, K. Shoemake 1985), positions go along
-lines. It is as far from smooth as can be, but no limb leaves what lies between its poses: a second place to begin from
-where the spline through the keyframes swings so far that the search does not find back.
+"""The straight path between keyframes: each joint turns by one arc at constant speed (SLERP, K. Shoemake 1985), and
+positions are interpolated linearly. The path is not smooth, but no limb leaves the region between its poses. It is an
+alternative start for a search where the spline through the keyframes overshoots too far.
 """
 
 from __future__ import annotations
@@ -17,14 +17,16 @@ PARALLEL = 1e-9  # sine of an angle below which an arc is a line
 
 
 def straightened(figure: Figure, timeline: Timeline) -> Timeline:
-    """The timeline with its variable frames on the straight way between the frames beside them of which something is
-    fixed; joints turn relative to their parents, the way round that the states' signs say."""
-    given = np.flatnonzero(timeline.fixed.any(axis=1))
-    if given.size < 2:
+    """Return the timeline with its variable frames on the straight path between neighbouring frames with fixed entries.
+
+    Joints turn relative to their parents; the signs of the quaternions determine the direction.
+    """
+    fixed = np.flatnonzero(timeline.fixed.any(axis=1))
+    if fixed.size < 2:
         return timeline
-    states = straight(figure, timeline.times[given], timeline.states[given], timeline.times)
+    states = straight(figure, timeline.times[fixed], timeline.states[fixed], timeline.times)
     rows = np.array(timeline.rows)
-    moved = np.setdiff1d(np.arange(given[0], given[-1]), given)
+    moved = np.setdiff1d(np.arange(fixed[0], fixed[-1]), fixed)
     rows[moved] = states[moved]
     if timeline.ends == "free":
         for end, (a, b) in enumerate(((0, 1), (-2, -1))):
@@ -33,7 +35,7 @@ def straightened(figure: Figure, timeline: Timeline) -> Timeline:
 
 
 def straight(figure: Figure, times: Array, states: Array, t: Array) -> Array:
-    """(T, N): the states (K, N) at times (K,) [s] joined by straight ways, at times t (T,) [s]."""
+    """Return states (T, N) at times t (T,) [s] on the straight path through states (K, N) at times (K,) [s]."""
     span = np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
     share = np.clip((t - times[span]) / (times[span + 1] - times[span]), 0, 1)
     out = states[span] + share[:, None] * (states[span + 1] - states[span])
@@ -47,7 +49,7 @@ def straight(figure: Figure, times: Array, states: Array, t: Array) -> Array:
 
 
 def _arc(a: Array, b: Array, share: Array) -> Array:
-    """(T, 4): unit quaternions a share of the way from a (T, 4) to b (T, 4), the longer way round where a·b < 0."""
+    """Return unit quaternions (T, 4) at a share (T,) of the arc from a to b (T, 4), the longer arc where a·b < 0."""
     angle = np.arccos(np.clip(np.einsum("ti,ti->t", a, b), -1, 1))
     sine = np.sin(angle)
     flat = sine < PARALLEL

@@ -1,7 +1,7 @@
-"""Banded matrices, by LAPACK: Cholesky's factor of symmetric ones, solves with it or with one side of it; tridiagonals.
+"""Banded matrices, by LAPACK: the Cholesky factor of symmetric matrices and solves with it; tridiagonal matrices.
 
-The storage of symmetric ones is LAPACK's lower one, turned round to be in C's order: row i of `band` (n, width) holds
-the entries of column i from the diagonal down.
+Symmetric matrices use LAPACK's lower band storage, transposed to C order: row i of `band` (n, width) holds the entries
+of column i from the diagonal down.
 """
 
 from __future__ import annotations
@@ -17,44 +17,44 @@ _GTTRF, _GTTRS = get_lapack_funcs(("gttrf", "gttrs"))
 
 
 def factored(band: Array) -> Array | None:
-    """L of L Lᵀ = A, in the memory of `band` (n, width); None if A is not positive."""
+    """Return L of L Lᵀ = A, overwriting `band` (n, width); None if A is not positive definite."""
     factor, info = _PBTRF(np.ascontiguousarray(band).T, lower=1, overwrite_ab=1)
     return factor.T if info == 0 else None
 
 
 def solved(factor: Array, right: Array) -> Array:
-    """A⁻¹ b of right sides (n, m)."""
+    """Return A⁻¹ b for right-hand sides (n, m)."""
     return _PBTRS(factor.T, right, lower=1)[0]
 
 
 def half_solved(factor: Array, right: Array) -> Array:
-    """L⁻¹ b of right sides (n, m)."""
+    """Return L⁻¹ b for right-hand sides (n, m)."""
     return _TBTRS(factor.T, right, uplo=b"L")[0]
 
 
 def other_half_solved(factor: Array, right: Array) -> Array:
-    """L⁻ᵀ b of right sides (n, m)."""
+    """Return L⁻ᵀ b for right-hand sides (n, m)."""
     return _TBTRS(factor.T, right, uplo=b"L", trans=b"T")[0]
 
 
 def squared(rows: Array, factor: float = 1.0) -> Array:
-    """RᵀR of R (k, n) times a factor, its upper triangle; zeros below."""
+    """Return the upper triangle of factor · RᵀR for R (k, n); zeros below."""
     return _SYRK(factor, rows.T, lower=1).T
 
 
 class Tridiagonal:
-    """The factor of a matrix of three diagonals, lower (n − 1,), diagonal (n,), upper (n − 1,), n > 2."""
+    """The factor of a tridiagonal matrix: lower (n − 1,), diagonal (n,), upper (n − 1,), n > 2."""
 
     def __init__(self, lower: Array, diagonal: Array, upper: Array) -> None:
         *self.factor, info = _GTTRF(lower, diagonal, upper)
         if info != 0:
-            raise ArithmeticError("a tridiagonal matrix has no inverse")
+            raise ArithmeticError("the tridiagonal matrix is singular")
 
     @property
     def size(self) -> int:
-        """How many numbers the factor holds."""
+        """The number of entries of the factor."""
         return sum(part.size for part in self.factor)
 
     def solved(self, right: Array, *, transposed: bool = False) -> Array:
-        """A⁻¹ b or A⁻ᵀ b of right sides (n, m)."""
+        """Return A⁻¹ b, or A⁻ᵀ b, for right-hand sides (n, m)."""
         return np.ascontiguousarray(_GTTRS(*self.factor, right, trans="T" if transposed else "N")[0])

@@ -17,19 +17,20 @@ from ..array import Array, Mask, frozen, frozen_mask
 
 
 class TimelineError(ValueError):
-    """Frames that make no timeline: too few, out of order, or with entries that are no numbers."""
+    """Invalid frames of a timeline: too few, out of order, or with entries that are not finite."""
 
 
 @dataclass(frozen=True, eq=False)
 class Frame:
     """The state of the figure at one time.
 
-    time   [s]
-    state  (N,)  a figure's state: metres, radians and quaternions wxyz of any length > 0
-    fixed  (N,)  which entries the animator set. A fixed entry of a joint means the rotation *relative to the parent*,
-                 whatever coordinates the state is in; quaternions are fixed whole or not at all
-    posed  (N,)  which of the others were found for what the keyframe is to do (a foot that stands, a bent knee): the
-                 search starts there and may move them, and what keyframes tell, such as where feet stand, they tell too
+    Attributes:
+        time: [s].
+        state: The figure's state, (N,): metres, radians and quaternions wxyz of any length > 0.
+        fixed: Entries that the animator set, (N,). A fixed joint means its rotation *relative to the parent*, in any
+            coordinates of the state. A quaternion is fixed as a whole or not at all.
+        posed: Other entries that posing computed for the keyframe, such as a planted foot or a bent knee, (N,). The
+            search starts there and may change them. Contacts are inferred from them as from fixed entries.
     """
 
     time: float
@@ -54,19 +55,19 @@ class Frame:
 
     @classmethod
     def key(cls, time: float, state: ArrayLike, fixed: ArrayLike | None = None) -> Frame:
-        """A keyframe; with `fixed`, a partial one."""
+        """Return a keyframe; a partial one if `fixed` (N,) is specified."""
         state = np.asarray(state, float)
         return cls(time, state, np.ones(state.shape, bool) if fixed is None else np.asarray(fixed, bool))
 
     @classmethod
     def variable(cls, time: float, state: ArrayLike) -> Frame:
-        """A variable frame: nothing fixed."""
+        """Return a variable frame, without fixed entries."""
         state = np.asarray(state, float)
         return cls(time, state, np.zeros(state.shape, bool))
 
     @classmethod
     def _of_checked(cls, time: float, state: Array, fixed: Mask, posed: Mask | None = None) -> Frame:
-        """A frame of finite numbers in read-only arrays, as they are."""
+        """Return a frame from read-only arrays of finite numbers, without checks or copies."""
         frame = object.__new__(cls)
         frame.__dict__.update(time=time, state=state, fixed=fixed, posed=posed)
         return frame
@@ -75,7 +76,17 @@ class Frame:
     def many(
         cls, times: ArrayLike, states: ArrayLike, fixed: ArrayLike, posed: Sequence[Mask | None] | None = None
     ) -> list[Frame]:
-        """Frames of times (K,), states (K, N) and masks (K, N); posed as frames have it, of every one."""
+        """Return frames.
+
+        Args:
+            times: (K,) [s].
+            states: (K, N).
+            fixed: Masks, (K, N).
+            posed: The mask (N,) or None of each frame; None: no entry is posed.
+
+        Raises:
+            TimelineError: The shapes do not match, or entries are not finite.
+        """
         times, states, fixed = np.array(times, float), frozen(states), frozen_mask(fixed)
         if states.ndim != 2 or states.shape != fixed.shape or times.shape != states.shape[:1]:
             raise TimelineError(f"times {times.shape}, states {states.shape} and fixed {fixed.shape} do not match")
@@ -86,29 +97,32 @@ class Frame:
 
     @property
     def known(self) -> Mask:
-        """(N,) which entries the frame tells: those that are fixed, and those that were posed."""
+        """The specified entries, fixed or posed, (N,)."""
         return self.fixed if self.posed is None else self.fixed | self.posed
 
     @property
     def is_variable(self) -> bool:
+        """Whether no entry is fixed."""
         return not self.fixed.any()
 
     @property
     def is_key(self) -> bool:
+        """Whether every entry is fixed."""
         return bool(self.fixed.all())
 
 
 @dataclass(frozen=True, eq=False)
 class Timeline:
-    """Frames in order of time, and what holds at the two ends of the clip.
+    """Frames in order of time, with the end conditions of their spline.
 
-    ends       "free": both end slopes are unknowns; "clamped": they are `end_slope`; "periodic": the last frame repeats
-               the first, its free roots as far on and turned as the two frames say, and the curve is C² across the
-               seam; "held": y, y' and y'' of both ends stay as they are, for which the variable frames beside them
-               make way
-    end_slope  (2, N)  y' at the first and the last frame [state/s]; a starting value where the slopes are free. Of a
-               periodic clip the jumps of y' and y'' from the end to the start: zero, but for what comes back turned
-               and for quaternions that come back as −q
+    Attributes:
+        frames: At least two, at rising times.
+        end_slope: y' at the first and the last frame [state/s], (2, N); the start of the search where the slopes are
+            free. For periodic ends, the jumps of y' and y'' from the end to the start: zero except for entries that
+            the seam turns and for quaternions that return as −q.
+        ends: "free": both end slopes are unknowns. "clamped": they are `end_slope`. "periodic": the last frame repeats
+            the first, its free roots moved and turned as in the two frames, and the curve is C² across the seam.
+            "held": y, y' and y'' of both ends are fixed; the adjacent variable frames depend on the other rows.
     """
 
     frames: tuple[Frame, ...]
@@ -137,7 +151,7 @@ class Timeline:
         if self.ends == "held" and not (
             len(self.frames) > 3 and self.frames[1].is_variable and self.frames[-2].is_variable
         ):
-            raise TimelineError("held ends need a variable frame beside each")
+            raise TimelineError("held ends need a variable frame next to each end")
 
     @property
     def width(self) -> int:
@@ -146,40 +160,41 @@ class Timeline:
 
     @cached_property
     def times(self) -> Array:
-        """(M,) [s]"""
+        """The times of the frames, (M,) [s]."""
         return frozen([frame.time for frame in self.frames])
 
     @cached_property
     def states(self) -> Array:
-        """(M, N)"""
+        """The states of the frames, (M, N)."""
         return frozen([frame.state for frame in self.frames])
 
     @cached_property
     def fixed(self) -> Mask:
-        """(M, N)"""
+        """The fixed entries, (M, N)."""
         return frozen_mask([frame.fixed for frame in self.frames])
 
     @cached_property
     def known(self) -> Mask:
-        """(M, N) which entries the frames tell, see `Frame.known`."""
+        """The specified entries, see `Frame.known`, (M, N)."""
         return frozen_mask([frame.known for frame in self.frames])
 
     @cached_property
     def rows(self) -> Array:
-        """(M + 2, N): the frames' states and below them what the two ends say; a spline is linear in these."""
+        """The frames' states and below them `end_slope`, (M + 2, N); the spline is linear in these."""
         return frozen(np.concatenate([self.states, self.end_slope]))
 
     @cached_property
     def of_times(self) -> dict[str, Any]:
-        """What others keep of the times and ends, shared with the timelines that have the same."""
+        """A cache for values that depend on times and ends only, shared between timelines with the same."""
         return {}
 
     @property
     def variable_count(self) -> int:
+        """The number of variable frames."""
         return int(np.count_nonzero(~self.fixed.any(axis=1)))
 
     def with_rows(self, rows: ArrayLike) -> Timeline:
-        """The same times and masks with other states and end slopes, rows (M + 2, N)."""
+        """Return a timeline of the same times and masks with other states and end slopes, rows (M + 2, N)."""
         rows = np.asarray(rows, float)
         if rows.shape != (len(self.frames) + 2, self.width):
             raise TimelineError(f"rows have shape {rows.shape}, not {self.rows.shape} as the timeline's")
@@ -189,5 +204,5 @@ class Timeline:
         return moved
 
     def inserted(self, variable: Iterable[Frame]) -> Timeline:
-        """With more frames, each at a time of its own."""
+        """Return the timeline with more frames, at times without one."""
         return Timeline(tuple(sorted((*self.frames, *variable), key=lambda f: f.time)), self.end_slope, self.ends)

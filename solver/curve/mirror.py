@@ -1,12 +1,12 @@
 """Left and right exchanged: a figure's motion reflected in the x-z plane, as a linear map of its states.
 
-A link at orientation R in the world is reflected to S R Mᵀ of its partner. S = diag(1, −1, 1) reflects the world. M
-takes vectors in the link's frame to their images in the partner's frame: at rest S R Mᵀ is the partner's orientation.
-With M = S, frames along the axes of the world, a quaternion w, x, y, z becomes w, −x, y, −z. A hinge follows its
-partner if its axis is the image of the partner's axis, as lines of the rest pose, however their frames are turned.
+A link with orientation R in the world is reflected to its partner's orientation S R Mᵀ. S = diag(1, −1, 1) reflects the
+world. M maps vectors in the link's frame to their images in the partner's frame: at rest S R Mᵀ is the partner's
+orientation. If all frames are aligned with the world, M = S and a quaternion w, x, y, z becomes w, −x, y, −z. A hinge
+follows its partner if its axis at rest is the image of the partner's axis as a line, for any orientation of the frames.
 
-Where all frames are along the axes the map moves columns and changes signs, no more: twice mirrored is the same to the
-last bit (but for hinges and slides that rest off zero). The mirrored spline is the spline of the mirrored frames.
+For aligned frames the map only permutes columns and changes signs, so that mirroring twice is exact to the last bit
+(except for hinges and slides that rest off zero). The mirrored spline is the spline of the mirrored frames.
 """
 
 from __future__ import annotations
@@ -22,15 +22,21 @@ from ..figure.figure import Figure, JointKind, quaternion_columns
 from .frame import Frame, Timeline
 from .symmetry import MIDDLE, WORLD, rounded, symmetric
 
-POLAR, AXIAL = np.array([1.0, -1, 1]), np.array([-1.0, 1, -1])  # what a mirror does to places, and to axes of rotation
+POLAR, AXIAL = (
+    np.array([1.0, -1, 1]),
+    np.array([-1.0, 1, -1]),
+)  # signs of mirrored positions, and of mirrored axes of rotation
 TURN = np.array([1.0, -1, 1, -1])
 
 
 @dataclass(frozen=True, eq=False)
 class _Columns:
-    """A linear map of rows (..., N): column i becomes sign_i · (column source_i); both (N,).
+    """A linear map of rows (..., N).
 
-    turned  quaternions of which it is a matrix: columns, columns of the source, (4, 4)
+    Attributes:
+        source: Column i becomes sign_i · (column source_i), (N,).
+        sign: (N,).
+        turned: Quaternions mapped by a full matrix instead: target columns, source columns, matrix (4, 4).
     """
 
     source: Index
@@ -46,12 +52,16 @@ class _Columns:
 
 @dataclass(frozen=True, eq=False)
 class Mirror:
-    """The map of states and of configurations, which differ where a ball joint's state is its link's orientation.
+    """The mirror map of states and of configurations, which differ if a ball joint's state is a world orientation.
 
-    shift       (N,) what is added, of hinges and slides that rest off zero
-    partner     (L,) the link on the other side of every link, itself in the middle
-    reflection  (L, 3, 3) M, from a link's frame to its partner's
-    size        [m] of the figure from end to end
+    Attributes:
+        figure: The figure.
+        of_states: The linear part for states.
+        of_qpos: The linear part for configurations.
+        shift: The constant part, for hinges and slides that rest off zero, (N,).
+        partner: The partner of each link on the other side, itself in the middle, (L,).
+        reflection: M, from each link's frame to its partner's, (L, 3, 3).
+        size: The extent of the figure [m].
     """
 
     figure: Figure
@@ -64,9 +74,14 @@ class Mirror:
 
     @classmethod
     def of(cls, figure: Figure, middle: float = MIDDLE) -> Mirror:
-        """Links paired by name, else by geometry; raises MirrorError that names those without a partner.
+        """Return the mirror map of a figure, its links paired by name, otherwise by geometry.
 
-        middle  how far axes may be off their partners' images, as a share of the figure's size
+        Args:
+            figure: The figure.
+            middle: Tolerance of axes from their partners' images, relative to the figure's size.
+
+        Raises:
+            MirrorError: Links have no partner; the message names them.
         """
         rest, partner, reflection = symmetric(figure, middle)
         source, sign, shift = np.arange(figure.width), np.ones(figure.width), np.zeros(figure.width)
@@ -86,27 +101,27 @@ class Mirror:
         return cls(figure, states, qpos, shift, partner, reflection, rest.size)
 
     def states(self, states: Array) -> Array:
-        """States (..., N) of the mirrored figure."""
+        """Return states (..., N) of the mirrored figure."""
         return self.of_states(states) + self.shift
 
     def configurations(self, qpos: Array) -> Array:
-        """Configurations qpos (..., N) of the mirrored figure."""
+        """Return configurations qpos (..., N) of the mirrored figure."""
         return self.of_qpos(qpos) + self.shift
 
     def slopes(self, slopes: Array) -> Array:
-        """Derivatives of states (..., N)."""
+        """Return derivatives of states (..., N) of the mirrored figure."""
         return self.of_states(slopes)
 
     def sense(self, link: int) -> float:
-        """1 or −1: whether a hinge or slide moves as its partner does, or the other way."""
+        """Return 1 if a hinge or slide moves in its partner's direction, or −1 if in the opposite one."""
         return float(self.of_qpos.sign[self.figure.links[link].qpos])
 
     def key(self, key: Frame) -> Frame:
-        """A keyframe, which holds a configuration, its fixed and posed entries on the other side."""
+        """Return a mirrored keyframe, which holds a configuration; masks are mirrored as well."""
         return self._moved(key, self.configurations(key.state))
 
     def timeline(self, timeline: Timeline) -> Timeline:
-        """The timeline of the mirrored motion, whose frames hold states."""
+        """Return the timeline of the mirrored motion, whose frames hold states."""
         frames = tuple(self._moved(frame, self.states(frame.state)) for frame in timeline.frames)
         return Timeline(frames, self.slopes(timeline.end_slope), timeline.ends)
 
@@ -115,7 +130,7 @@ class Mirror:
         return Frame(frame.time, state, frame.fixed[source], None if frame.posed is None else frame.posed[source])
 
     def of_bodies(self, body: int, other: int) -> Array:
-        """(3, 3) the reflection from one body's frame to another's, by MuJoCo's ids."""
+        """Return the reflection (3, 3) from one body's frame to another's, by MuJoCo's ids."""
         figure = self.figure
         reflection = self.reflection[figure.body_link[body]]
         turn, other_turn = (quat.matrices(figure.body_turn[number]) for number in (body, other))
@@ -125,32 +140,34 @@ class Mirror:
 def _with_quaternions(
     figure: Figure, source: Index, sign: Array, partner: Index, reflection: Array, in_world: Sequence[bool] | Mask
 ) -> _Columns:
-    """The map of columns, those of quaternions added: orientations in the world (L,), or relative to the parent."""
+    """Return the map of columns with quaternions added, in world coordinates where `in_world` (L,)."""
     source, sign, turned = np.array(source), np.array(sign), list[tuple[slice, slice, Array]]()
     for i, link in enumerate(figure.links):
         j = int(partner[i])
-        to, origin = quaternion_columns(link), quaternion_columns(figure.links[j])
-        if to is None or origin is None:
+        target, origin = quaternion_columns(link), quaternion_columns(figure.links[j])
+        if target is None or origin is None:
             continue
         matrix = _of_quaternion(reflection, j, i) if in_world[i] else _of_joint(reflection[j])
-        moved = np.argmax(np.abs(matrix), axis=1)
-        source[to], sign[to] = origin.start + moved, matrix[np.arange(4), moved]
+        index = np.argmax(np.abs(matrix), axis=1)
+        source[target], sign[target] = origin.start + index, matrix[np.arange(4), index]
         if not np.all(np.isin(matrix, (-1.0, 0.0, 1.0))):
-            source[to] = np.arange(origin.start, origin.stop)
-            turned.append((to, origin, matrix))
+            source[target] = np.arange(origin.start, origin.stop)
+            turned.append((target, origin, matrix))
     return _Columns(source, sign, tuple(turned))
 
 
 def _of_joint(reflection: Array) -> Array:
-    """(4, 4) what a reflection M does to a joint's quaternion: w, −M v."""
+    """Return the matrix (4, 4) of a reflection M on a joint's quaternion: w, −M v."""
     matrix = np.eye(4)
     matrix[1:, 1:] = -reflection
     return rounded(matrix)
 
 
 def _of_quaternion(reflection: Array, source: int, link: int) -> Array:
-    """(4, 4) the same of links' orientations in the world: that of S R Mᵀ = (S R S) (S Mᵀ) is one of S R S times a
-    constant, whose sign lets two mirrorings cancel."""
+    """Return the matrix (4, 4) of a reflection on a link's orientation in the world.
+
+    S R Mᵀ = (S R S) (S Mᵀ): the quaternion of S R S times a constant, whose sign makes two mirrorings cancel.
+    """
     first = min(source, link)
     constant = quat.from_matrix(WORLD @ reflection[first].T)
     if source != first:

@@ -14,18 +14,19 @@ import numpy as np
 
 from ..array import Array
 
-LEAST_PER_SPAN = 4  # samples in the shortest span between frames, of even sampling
-MOST_SAMPLES = 100_000  # of even sampling, for memory's sake
-ROUNDING = 1e-9  # of a panel or a sample: a span that is a whole number of them long has as many
+LEAST_PER_SPAN = 4  # samples in the shortest span between frames, for uniform sampling
+MOST_SAMPLES = 100_000  # of uniform sampling, a limit of memory
+ROUNDING = 1e-9  # relative to a panel or a sample: tolerance of spans that are a whole number of them long
 
 
 @dataclass(frozen=True)
 class Quadrature:
-    """How the integral over a clip is summed.
+    """The quadrature rule of integrals over a clip.
 
-    kind     "gauss" or "uniform"
-    points   gauss: points a panel; uniform: samples in the whole clip, raised to 4 a shortest knot span
-    longest  gauss: spans longer than this [s] are cut into equal panels
+    Attributes:
+        kind: "gauss" or "uniform".
+        points: gauss: points per panel; uniform: samples in the whole clip, at least 4 in the shortest knot span.
+        longest: gauss: spans longer than this [s] are cut into equal panels.
     """
 
     kind: str = "gauss"
@@ -39,7 +40,11 @@ class Quadrature:
             raise ValueError("quadrature: points and longest must be positive")
 
     def nodes(self, times: Array) -> tuple[Array, Array]:
-        """Sample times (S,) [s] and weights (S,) [s] for a spline with knots at `times`."""
+        """Return sample times (S,) [s] and weights (S,) [s] for a spline with knots at `times` (M,) [s].
+
+        Raises:
+            ValueError: Uniform quadrature would take too many samples.
+        """
         if self.kind == "uniform":
             length = times[-1] - times[0]
             count = max(self.points, int(np.ceil(LEAST_PER_SPAN * length / np.diff(times).min() - ROUNDING)))
@@ -49,7 +54,7 @@ class Quadrature:
         return gauss_nodes(self.panels(times), self.points)
 
     def panels(self, times: Array) -> Array:
-        """Edges [s] of the panels: the knots, and equal cuts of spans that are too long."""
+        """Return the edges [s] of the panels: the knots, and equal cuts of spans that are too long."""
         cuts = np.maximum(np.ceil(np.diff(times) / self.longest - ROUNDING), 1).astype(int)
         if np.all(cuts == 1):
             return np.asarray(times, float)
@@ -58,7 +63,7 @@ class Quadrature:
 
 
 def gauss_nodes(edges: Array, points: int) -> tuple[Array, Array]:
-    """Gauss-Legendre nodes and weights in every panel between neighbouring edges [s], flattened."""
+    """Return Gauss-Legendre nodes and weights [s] in every panel between neighbouring edges [s], flattened."""
     x, w = _legendre(points)
     half = np.diff(edges)[:, None] / 2
     middle = (edges[1:] + edges[:-1])[:, None] / 2

@@ -1,8 +1,9 @@
-"""The C² cubic B-spline through a timeline's frames (eqs. 2-6): linear in the frames, so every sample is a fixed linear
-map of them, and a gradient with respect to samples pulls back to frames by the transposed map.
+"""The C² cubic B-spline through a timeline's frames (eqs. 2-6).
 
-M frames and M knots span M + 2 cubic B-splines; the two rows that eq. 5 leaves open are the end slopes (free, clamped
-or held) or the two conditions of a periodic curve. The collocation matrix is banded: factorised once, O(M) a solve.
+Samples are a fixed linear map of the frames, and gradients with respect to samples are pulled back to frames by the
+transposed map. M frames with a knot each give M + 2 cubic B-splines. The two rows that eq. 5 leaves unspecified are the
+end slopes (free, clamped or held) or the two conditions of a periodic curve. The collocation matrix is banded: it is
+factorised once, and a solve takes O(M).
 """
 
 from __future__ import annotations
@@ -25,8 +26,8 @@ if TYPE_CHECKING:
     from scipy.sparse.linalg import SuperLU
 
 DEGREE = 3  # cubic: the least that is C²
-FELT = 100  # knots away, where 2⁻¹⁰⁰ of a value is left
-SHORT = 150  # coefficients up to which a dense inverse is quicker than a sparse solve
+FELT = 100  # knots after which the influence of a value is 2⁻¹⁰⁰, beyond double precision
+SHORT = 150  # coefficients up to which a dense inverse is faster than a sparse solve
 Complex = NDArray[np.complex128]
 TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)  # powers of (t - knot) in y, y', y'' by coefficient
 
@@ -34,8 +35,8 @@ TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)  # powers of (t -
 class Spline:
     """Cubic B-splines with one knot at each of M rising times [s], and the map from rows (M + 2, N) to their curve.
 
-    Rows are the states at the times and, below them, the slopes at the first and the last time; with ends "periodic"
-    these two rows are the jumps of y' and y'' from end to start (zero for a loop; see `jumps_of`).
+    Rows are the states at the times and, below them, the slopes at the first and the last time. With ends "periodic"
+    the last two rows are the jumps of y' and y'' from end to start, which are zero for a plain loop; see `jumps_of`.
     """
 
     def __init__(self, times: ArrayLike, ends: str = "free") -> None:
@@ -54,20 +55,20 @@ class Spline:
 
     @property
     def factor_size(self) -> int:
-        """How many numbers the factor of the collocation matrix holds."""
+        """The number of entries of the factor of the collocation matrix."""
         factor = self._collocation
         return factor.size if isinstance(factor, Tridiagonal) else factor.L.nnz + factor.U.nnz
 
     def _closed(self) -> SuperLU:
-        """The factor of the collocation matrix of a periodic curve, whose last two rows are the jumps at the seam."""
-        from scipy.sparse.linalg import splu  # only here: it takes a while, and only loops need it
+        """Factorise the collocation matrix of a periodic curve, whose last two rows are the jumps at the seam."""
+        from scipy.sparse.linalg import splu  # imported here: slow to load, used by loops alone
 
         first, last = self.times[[0, -1]]
         closing = [self.basis([last], k) - self.basis([first], k) for k in (1, 2)]
         return splu(sparse.csc_matrix(sparse.vstack([self.basis(self.times, 0), *closing])))
 
     def _tridiagonal(self) -> Tridiagonal:
-        """The factor of the collocation matrix: each slope beside the value at its end, it has three diagonals."""
+        """Factorise the collocation matrix: tridiagonal if each slope is ordered next to the value at its end."""
         at, (first, last) = self.at_times, self._slopes
         count = self.times.size
         self._order = np.concatenate([[0, count], np.arange(1, count - 1), [count + 1, count - 1]])
@@ -83,7 +84,7 @@ class Spline:
         return self.times.size + 2
 
     def basis(self, t: ArrayLike, order: int) -> sparse.csr_matrix:
-        """(S, M + 2) values of the order-th derivatives of the B-splines at t (S,) [s]: 4 non-zeros a row.
+        """Return the order-th derivatives of the B-splines at t (S,) [s]: (S, M + 2), 4 non-zeros per row.
 
         At a knot the third derivative is the one of the span to the right (at the last knot, to the left).
         """
@@ -93,7 +94,7 @@ class Spline:
         return _four_a_row(first, values, self.size)
 
     def local(self, t: Array) -> tuple[Index, Array]:
-        """The first (S,) of the 4 B-splines that live at each t (S,), and y, y', y'' of the four: (S, 3, 4)."""
+        """Return the first (S,) of the 4 nonzero B-splines at each t (S,), and y, y', y'' of the four, (S, 3, 4)."""
         first = self._spans(t)
         u = t - self.times[first]
         powers = np.zeros((t.size, 6))
@@ -104,18 +105,18 @@ class Spline:
         return first, np.matmul(powers[:, TAYLOR], self._begin[first])
 
     def _spans(self, t: Array) -> Index:
-        """The number (S,) of the span that each t lies in, the one to the right at a knot."""
+        """Return the index (S,) of the span of each t; at a knot, of the span to the right."""
         span = self.times.searchsorted(t, side="right") - 1
         return np.minimum(np.maximum(span, 0), self.times.size - 2)
 
     def coefficients(self, rows: Array) -> Array:
-        """C = Φ⁻¹ Y (eq. 6): rows (M + 2, N) -> B-spline coefficients (M + 2, N)."""
+        """Return the B-spline coefficients C = Φ⁻¹ Y (M + 2, N) for rows Y (M + 2, N) (eq. 6)."""
         if isinstance(self._collocation, Tridiagonal):
             return self._collocation.solved(rows[self._order])
         return self._collocation.solve(np.ascontiguousarray(rows))
 
     def coefficients_transposed(self, gradient: Array) -> Array:
-        """Φ⁻ᵀ: the gradient with respect to coefficients pulled back to rows, (M + 2, N) -> (M + 2, N)."""
+        """Return the gradient with respect to rows for one with respect to coefficients, by Φ⁻ᵀ; (M + 2, N)."""
         if isinstance(self._collocation, Tridiagonal):
             rows = np.empty(gradient.shape)
             rows[self._order] = self._collocation.solved(gradient, transposed=True)
@@ -123,14 +124,14 @@ class Spline:
         return self._collocation.solve(np.ascontiguousarray(gradient), trans="T")
 
     def states_and_slopes(self, c: Array) -> Array:
-        """(M + 2, N): the states at the times and the slopes at both ends, of coefficients (M + 2, N)."""
+        """Return the states at the times and the slopes at both ends, (M + 2, N), for coefficients (M + 2, N)."""
         out, at = np.empty(c.shape), self.at_times[:, :, None]
         out[:-2] = at[:, 0] * c[:-2] + at[:, 1] * c[1:-1] + at[:, 2] * c[2:]
         out[-2], out[-1] = self._slopes[0] @ c[:2], self._slopes[1] @ c[-2:]
         return out
 
     def states_and_slopes_transposed(self, gradient: Array) -> Array:
-        """The gradient with respect to `states_and_slopes` as one with respect to coefficients, (M + 2, N)."""
+        """Return the gradient with respect to coefficients for that with respect to `states_and_slopes`, (M + 2, N)."""
         out, at = np.zeros(gradient.shape), self.at_times[:, :, None]
         for k in range(DEGREE):
             out[k : k + self.times.size] += at[:, k] * gradient[:-2]
@@ -139,18 +140,21 @@ class Spline:
         return out
 
     def rows_by_coefficients(self) -> tuple[Index, Array]:
-        """What `states_and_slopes` sums for every row: the first coefficient (M + 2,), and weights of 3 (M + 2, 3)."""
+        """Return the first coefficient (M + 2,) and the 3 weights (M + 2, 3) of each row of `states_and_slopes`."""
         count = self.times.size
         weights = np.zeros((count + 2, DEGREE))
         weights[:count], weights[count, :2], weights[count + 1, 1:] = self.at_times, *self._slopes
         return np.append(np.arange(count), [0, count - 1]), weights
 
     def jumps_of(self, factor: complex) -> Complex:
-        """(2, M) complex: the jumps, as a map of the states, with which a periodic spline's column comes back as so
-        many times itself, a factor of length 1.
+        """Return the jumps of y' and y'' of a column that is multiplied by `factor` per period, as a map of the states.
 
-        By −1 comes a quaternion after a full turn: smooth across the seam are then −q' and −q'', not q' and q''. By
-        exp(iθ) comes a pair of columns, read as x + iy, that is turned by θ.
+        Args:
+            factor: Of modulus 1. It is −1 for a quaternion after a full turn, where −q' and −q'' are continuous across
+                the seam; and exp(iθ) for a pair of columns, read as x + iy, that turns by θ.
+
+        Returns:
+            The map, (2, M), complex.
         """
         start = sparse.vstack([self.basis(self.times[0], k) for k in (1, 2)])
         by_rows = self.coefficients_transposed(start.toarray().T).T
@@ -158,24 +162,24 @@ class Spline:
         return np.linalg.solve(np.eye(2) - change * by_rows[:, -2:], change * by_rows[:, :-2]).astype(complex)
 
     def held_shares(self) -> Array:
-        """(2, M + 2): with which shares of all rows the second and the last frame but one keep y'' at both ends.
+        """Return the states of the second and second-last frame that keep y'' at both ends, as a map (2, M + 2).
 
-        They are no shares of each other, nor of themselves.
+        The columns of these two frames are zero.
         """
-        seen = self.basis(self.times[[0, -1]], 2).toarray()
-        by_rows = self.coefficients_transposed(seen.T).T
-        beside = [1, self.times.size - 2]
-        own = by_rows[:, beside]
-        by_rows[:, beside] = 0
-        return np.negative(np.linalg.solve(own, by_rows), dtype=float)
+        curvature = self.basis(self.times[[0, -1]], 2).toarray()
+        by_rows = self.coefficients_transposed(curvature.T).T
+        adjacent = [1, self.times.size - 2]
+        adjacent_rows = by_rows[:, adjacent]
+        by_rows[:, adjacent] = 0
+        return np.negative(np.linalg.solve(adjacent_rows, by_rows), dtype=float)
 
     def evaluate(self, rows: Array, t: ArrayLike, order: int = 0) -> Array:
-        """y, y', y'' or y''' at t (S,): (S, N)."""
+        """Return the order-th derivative, 0 to 3, at t (S,) [s] for rows (M + 2, N): (S, N)."""
         return self.basis(t, order) @ self.coefficients(rows)
 
 
 def _basis_values(knots: Array, span: Index, t: Array) -> Array:
-    """(S, 4, 4): values and three derivatives at t of the four cubic B-splines that live on each t's span.
+    """Return values and three derivatives at t of the four nonzero cubic B-splines of each t's span, (S, 4, 4).
 
     The triangular scheme of de Boor (A Practical Guide to Splines, ch. X): lower-degree B-splines, then differences.
     """
@@ -211,7 +215,7 @@ def _basis_values(knots: Array, span: Index, t: Array) -> Array:
 
 
 def _four_a_row(first: Index, values: Array, size: int) -> sparse.csr_matrix:
-    """(R, size) of values (R, 4) at columns that begin with `first` (R,)."""
+    """Return a sparse (R, size) matrix with values (R, 4) at columns from `first` (R,) on."""
     columns = first[:, None] + np.arange(DEGREE + 1)
     starts = np.arange(0, values.size + 1, DEGREE + 1)
     return sparse.csr_matrix((values.ravel(), columns.ravel(), starts), shape=(first.size, size))
@@ -219,7 +223,14 @@ def _four_a_row(first: Index, values: Array, size: int) -> sparse.csr_matrix:
 
 @dataclass(frozen=True, eq=False)
 class Sampling:
-    """A spline seen at sample times: y, y', y'' of any rows, and the pull-back of their gradients (method of §2)."""
+    """A spline at sample times: y, y', y'' for any rows, and the pull-back of their gradients (method of §2).
+
+    Attributes:
+        spline: The spline.
+        t: The sample times, (S,) [s].
+        first: The first of the 4 nonzero B-splines at each sample, (S,).
+        values: Those B-splines and two derivatives, (S, 3, 4).
+    """
 
     spline: Spline
     t: Array
@@ -228,12 +239,13 @@ class Sampling:
 
     @classmethod
     def of(cls, spline: Spline, t: ArrayLike) -> Sampling:
+        """Return the sampling of a spline at times t (S,) [s]."""
         t = np.asarray(t, float)
         return cls(spline, t, *spline.local(t))
 
     @cached_property
     def bases(self) -> tuple[sparse.csr_matrix, sparse.csr_matrix, sparse.csr_matrix]:
-        """(S, M + 2) each: the B-splines at the sample times, and two derivatives."""
+        """The B-splines at the sample times, and two derivatives, (S, M + 2) each."""
         b0, b1, b2 = (_four_a_row(self.first, self.values[:, k], self.spline.size) for k in range(3))
         return b0, b1, b2
 
@@ -243,30 +255,30 @@ class Sampling:
         return self.piece(slice(0, self.t.size))
 
     def samples(self, rows: Array) -> Array:
-        """y, y', y'' at the sample times, (3, S, N)."""
+        """Return y, y', y'' at the sample times, (3, S, N), for rows (M + 2, N)."""
         return self.whole.samples(self.coefficients(rows))
 
     def pulled_back(self, gradients: Sequence[Array]) -> Array:
-        """dE/dY (M + 2, N) from dE/dy, dE/dy', dE/dy'', each (S, N)."""
+        """Return dE/dY (M + 2, N) for dE/dy, dE/dy', dE/dy'', each (S, N)."""
         total = np.zeros((self.spline.size, gradients[0].shape[1]))
         self.whole.add_pulled_back(total, gradients)
         return self.coefficients_transposed(total)
 
     @cached_property
     def _inverse(self) -> Array | None:
-        """Φ⁻¹ of a spline so short that a product with it is quicker than a sparse solve."""
+        """Φ⁻¹ of a spline so short that a product with it is faster than a sparse solve; else None."""
         return self.spline.coefficients(np.eye(self.spline.size)) if self.spline.size <= SHORT else None
 
     def coefficients(self, rows: Array) -> Array:
-        """The spline's `coefficients`, made for many calls."""
+        """Return the spline's `coefficients`; faster for repeated calls."""
         return self.spline.coefficients(rows) if self._inverse is None else self._inverse @ rows
 
     def coefficients_transposed(self, gradient: Array) -> Array:
-        """The spline's `coefficients_transposed`, made for many calls."""
+        """Return the spline's `coefficients_transposed`; faster for repeated calls."""
         return self.spline.coefficients_transposed(gradient) if self._inverse is None else self._inverse.T @ gradient
 
     def pieces(self, longest: int) -> tuple[Piece, ...]:
-        """The samples in nearly equal runs of at most `longest`: what is made of so few of them stays in cache."""
+        """Return the samples in nearly equal runs of at most `longest`, whose arrays fit in the cache."""
         count = -(-self.t.size // longest)
         if count == 1:
             return (self.whole,)
@@ -274,7 +286,7 @@ class Sampling:
         return tuple(self.piece(slice(a, b)) for a, b in pairwise(edges))
 
     def piece(self, which: slice) -> Piece:
-        """Some neighbouring samples."""
+        """Return a run of neighbouring samples."""
         return Piece(which, self.t[which], self.first[which], self.values[which])
 
 
@@ -282,10 +294,11 @@ class Sampling:
 class Piece:
     """A run of a sampling's samples.
 
-    which   the samples
-    t       (S,) [s]
-    first   (S,) the first of the 4 coefficients that each sees
-    values  (S, 3, 4) the B-splines of these, and two derivatives
+    Attributes:
+        which: The samples.
+        t: Their times, (S,) [s].
+        first: The first of the 4 coefficients that each depends on, (S,).
+        values: The B-splines of these, and two derivatives, (S, 3, 4).
     """
 
     which: slice
@@ -298,64 +311,64 @@ class Piece:
         return self.first[:, None] + np.arange(DEGREE + 1)
 
     def samples(self, coefficients: Array) -> Array:
-        """y, y', y'' (3, S, N) from the spline's coefficients (M + 2, N)."""
+        """Return y, y', y'' (3, S, N) for the spline's coefficients (M + 2, N)."""
         return np.matmul(self.values, coefficients[self._columns]).swapaxes(0, 1)
 
     @cached_property
-    def _seen(self) -> slice:
-        """The coefficients that the samples see, C of them."""
+    def _range(self) -> slice:
+        """The C coefficients that the samples depend on."""
         return slice(int(self.first.min()), int(self.first.max()) + DEGREE + 1)
 
     @cached_property
     def _transposed(self) -> sparse.csc_matrix:
-        """(C, 3 S): from gradients of y, y' and y'' of all samples, one below the other, to those of coefficients."""
+        """The map (C, 3 S) from gradients of y, y' and y'' at all samples, concatenated, to those of coefficients."""
         values = self.values.swapaxes(0, 1).reshape(-1, DEGREE + 1)
-        return _four_a_row(np.tile(self.first - self._seen.start, 3), values, self._seen.stop - self._seen.start).T
+        return _four_a_row(np.tile(self.first - self._range.start, 3), values, self._range.stop - self._range.start).T
 
     def add_pulled_back(self, into: Array, gradients: Sequence[Array]) -> None:
-        """Adds dE/dC from dE/dy, dE/dy', dE/dy'', each (S, N), into (M + 2, N)."""
-        into[self._seen] += self._transposed @ np.concatenate(gradients)
+        """Add dE/dC for dE/dy, dE/dy', dE/dy'', each (S, N), to `into` (M + 2, N)."""
+        into[self._range] += self._transposed @ np.concatenate(gradients)
 
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A curve of states over time: a spline and its rows (M + 2, N). Every iterate of the optimiser is one."""
+    """A curve of states over time: a spline and its rows (M + 2, N)."""
 
     spline: Spline
     rows: Array
 
     @cached_property
     def coefficients(self) -> Array:
-        """(M + 2, N)"""
+        """The B-spline coefficients, (M + 2, N)."""
         return self.spline.coefficients(self.rows)
 
     def at(self, t: ArrayLike, order: int = 0) -> Array:
-        """The order-th derivative (0-3) of the state at times t (S,): (S, N)."""
+        """Return the order-th derivative, 0 to 3, of the state at times t (S,) [s]: (S, N)."""
         if order == DEGREE:
             return self.spline.basis(t, order) @ self.coefficients
         return self.motion(np.atleast_1d(np.asarray(t, float)))[order]
 
     def motion(self, t: Array) -> Array:
-        """y, y', y'' at times t (S,): (3, S, N)."""
+        """Return y, y', y'' at times t (S,) [s]: (3, S, N)."""
         return Sampling.of(self.spline, t).whole.samples(self.coefficients)
 
     @property
     def span(self) -> tuple[float, float]:
-        """First and last time [s]."""
+        """The first and the last time [s]."""
         return float(self.spline.times[0]), float(self.spline.times[-1])
 
 
 def spline_of(timeline: Timeline) -> Spline:
-    """The spline with a knot at every frame of a timeline, made once."""
+    """Return the spline with a knot at every frame of a timeline, cached in the timeline."""
     if "spline" not in timeline.of_times:
         timeline.of_times["spline"] = Spline(timeline.times, timeline.ends)
     return timeline.of_times["spline"]
 
 
 def natural_end_slopes(times: Array, values: Array) -> Array:
-    """(2, N): the slopes of `natural_spline` at its first and its last time.
+    """Return the slopes (2, N) of `natural_spline` at its first and its last time.
 
-    What a value says of a slope fades by at least a half a knot, so those far away say nothing that a number can hold.
+    The influence of a value on a slope at least halves from knot to knot, so only the first and last FELT are used.
     """
     if times.size > 2 * FELT:
         first, last = (natural_end_slopes(times[run], values[run]) for run in (slice(FELT), slice(-FELT, None)))
@@ -374,11 +387,16 @@ def natural_end_slopes(times: Array, values: Array) -> Array:
 
 
 def natural_spline(times: ArrayLike, values: ArrayLike) -> Path:
-    """The interpolating C² cubic with y'' = 0 at both ends: the paper's raw spline, componentwise."""
+    """Return the interpolating C² cubic spline with y'' = 0 at both ends, the paper's raw spline.
+
+    Args:
+        times: (M,) [s], rising.
+        values: (M, N).
+    """
     times, values = np.asarray(times, float), np.asarray(values, float)
     return Path(Spline(times), np.concatenate([values, natural_end_slopes(times, values)]))
 
 
 def path_of(timeline: Timeline) -> Path:
-    """The spline through a timeline's frames."""
+    """Return the spline through a timeline's frames."""
     return Path(spline_of(timeline), timeline.rows)

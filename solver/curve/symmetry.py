@@ -1,8 +1,9 @@
-"""The symmetry of a figure at rest: which link is on the other side of which, and how their frames are related.
+"""The symmetry of a figure at rest: the partner of each link on the opposite side, and the map between their frames.
 
-Links are paired by left and right in their names, else by geometry. Either way the axis of a hinge is the image of its
-partner's axis as a line, and a slide's as a direction, in a plane through the middle of the figure: the x-z plane of
-the root's frame, of the world at rest, or another plane of the root's axes, the first in which all links have partners.
+Links are paired by left and right in their names, otherwise by geometry. In both cases the axis of a hinge must be the
+image of its partner's axis as a line, and that of a slide as a direction. The mirror plane passes through the middle of
+the figure. It is the x-z plane of the root's frame, that of the world at rest, or another plane of the root's axes: the
+first in which all links have partners.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from ..figure.figure import Figure, JointKind
 
 WORLD = np.diag([1.0, -1, 1])  # S, the reflection of the world
 SAME_LINE = 1e-3  # 1 − cosine of the angle between an axis and the image of its partner's
-MIDDLE, UNEVEN = 0.01, 0.05  # of the figure's size: how far axes, and centres of mass, may be from symmetric
-UPRIGHT_PLANES = 2  # of those tried: the x-z planes of the root and of the world
+MIDDLE, UNEVEN = 0.01, 0.05  # tolerance of axes, and of centres of mass, relative to the figure's size
+UPRIGHT_PLANES = 2  # the first candidates: the x-z planes of the root and of the world
 EXACT = 1e-9  # entries of a reflection are rounded to 0, 1 or −1 within this
 # a separate word, or an initial capital; or next to the letter for front, rear, hind, back or middle: FL, rh
 ENDS_LEG = r"[FRHBMfrhbm]"
@@ -35,29 +36,36 @@ OTHER = WORDS | {right: left for left, right in WORDS.items()}
 
 
 MISFITS = {
-    "kinds": "'{}' and '{}' are not alike: other kinds of joints, or other parents",
+    "kinds": "'{}' and '{}' differ in kind of joint or in parent",
     "axes": "the axes of '{}' and '{}' are no mirror images",
     "places": "'{}' at rest is no mirror image of '{}'",
 }
 
 
 class MirrorError(ValueError):
-    """A figure that has no left and right to exchange."""
+    """A figure without left and right sides to exchange."""
 
 
 def other_side(name: str) -> str:
-    """left_knee -> right_knee, LeftArm -> RightArm, foot_l -> foot_r, FL_hip -> FR_hip; others stay as they are."""
+    """Return a name with left and right exchanged: left_knee -> right_knee, foot_l -> foot_r, FL_hip -> FR_hip.
+
+    Names without a side are returned unchanged.
+    """
     return SIDE.sub(lambda match: OTHER[match[0]], name)
 
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """A figure at rest: every link in the frame of its tree's free root, or in the world.
+    """A figure at rest, every link relative to its tree's free root, or in the world.
 
-    root   (L,) the free root of each link's tree, 0 for what hangs on the world
-    place  (L, 3) [m] anchors;  turn  (L, 3, 3) of the links' frames;  axis  (L, 3) of hinges and slides
-    centre  (L, 3) [m] the centre of mass of a link and its descendants, NaN without mass
-    size   [m] from end to end, 1 for a single link
+    Attributes:
+        figure: The figure.
+        root: The free root of each link's tree, 0 for links fixed to the world, (L,).
+        place: Joint anchors, (L, 3) [m].
+        turn: Rotation matrices of the links' frames, (L, 3, 3).
+        axis: Axes of hinges and slides, (L, 3).
+        centre: The centre of mass of each link with its descendants, NaN without mass, (L, 3) [m].
+        size: The extent of the figure [m]; 1 for a single link.
     """
 
     figure: Figure
@@ -70,6 +78,7 @@ class Rest:
 
     @classmethod
     def of(cls, figure: Figure) -> Rest:
+        """Return the figure at rest."""
         links, count = figure.links, len(figure.links)
         root = np.zeros(count, np.intp)
         place, origin, turn = np.zeros((count, 3)), np.zeros((count, 3)), np.tile(np.eye(3), (count, 1, 1))
@@ -84,41 +93,41 @@ class Rest:
         axis = np.einsum("lij,lj->li", turn, np.array([link.axis for link in links]))
         mass = figure.tables.mass
         centres = origin + np.einsum("lij,lj->li", turn, np.array([link.centre for link in links]))
-        carried = figure.tables.beyond
+        descends = figure.tables.beyond
         with np.errstate(invalid="ignore"):
-            centre = carried @ (mass[:, None] * centres) / (carried @ mass)[:, None]
+            centre = descends @ (mass[:, None] * centres) / (descends @ mass)[:, None]
         spread = [np.ptp(np.vstack([place[root == r], centres[root == r]]), axis=0) for r in np.unique(root[1:])]
         return cls(
             figure, root, place, turn, axis, centre, max(float(np.linalg.norm(extent)) for extent in spread) or 1.0
         )
 
     def sense(self, i: int, j: int, reflection: Array) -> float:
-        """1 or −1: whether hinge or slide j moves as i does, or the other way, in the mirror."""
+        """Return 1 if hinge or slide j moves in the direction of the mirrored i, or −1 if in the opposite one."""
         return 1.0 if self._share(i, j, self._image(i, j, reflection)) > 0 else -1.0
 
     def misfit(self, i: int, j: int, image: Array, middle: float) -> str:
-        """Why link j cannot be the image of link i in a mirror, (3, 3) of the root's frame; "" where it can."""
+        """Return why link j cannot be the image of link i in a mirror (3, 3) of the root's frame; "" if it can."""
         one, two = self.figure.links[i], self.figure.links[j]
         if one.kind is not two.kind:
             return "kinds"
         if one.kind in (JointKind.FREE, JointKind.SLIDE) or one.kind is JointKind.BALL:
-            off = self.place[j] - image @ self.place[i]
+            offset = self.place[j] - image @ self.place[i]
             if one.kind is JointKind.SLIDE:
                 return "" if abs(self._share(i, j, image)) >= 1 - SAME_LINE else "axes"
         else:
             if abs(self._share(i, j, image)) < 1 - SAME_LINE:
                 return "axes"
-            off = self.place[j] - image @ self.place[i]
-            off = off - self.axis[j] * (off @ self.axis[j])
-        return "" if np.linalg.norm(off) <= middle * self.size else "places"
+            offset = self.place[j] - image @ self.place[i]
+            offset = offset - self.axis[j] * (offset @ self.axis[j])
+        return "" if np.linalg.norm(offset) <= middle * self.size else "places"
 
     def unlike(self, i: int, j: int, image: Array) -> float:
-        """[m] distance of the centre of mass of link j's subtree from the image of that of link i's."""
+        """Return the distance [m] of the centre of mass of link j's subtree from the image of that of link i's."""
         off = np.linalg.norm(self.centre[j] - image @ self.centre[i])
         return float(off) if np.isfinite(off) else 0.0
 
     def _share(self, i: int, j: int, image: Array) -> float:
-        """Cosine of the angle between an axis and the image of another."""
+        """Return the cosine of the angle between the axis of j and the image of that of i."""
         along = image @ self.axis[i] * (-1.0 if self.figure.links[i].kind is JointKind.HINGE else 1.0)
         return float(along @ self.axis[j])
 
@@ -127,10 +136,18 @@ class Rest:
 
 
 def symmetric(figure: Figure, middle: float) -> tuple[Rest, Index, Array]:
-    """The figure at rest, every link's partner (L,), and the reflection from its frame to the partner's (L, 3, 3).
+    """Pair the links of a figure.
 
-    middle  how far axes may be off the images of their partners', as a share of the figure's size
-    Raises MirrorError.
+    Args:
+        figure: The figure.
+        middle: Tolerance of axes from the images of their partners', relative to the figure's size.
+
+    Returns:
+        The figure at rest, the partner of each link (L,), and the reflections from each link's frame to its partner's
+        (L, 3, 3).
+
+    Raises:
+        MirrorError: Links have no partners.
     """
     rest = Rest.of(figure)
     partner = np.full(len(figure.links), -1, np.intp)
@@ -142,14 +159,14 @@ def symmetric(figure: Figure, middle: float) -> tuple[Rest, Index, Array]:
         other = _named(figure, root)
         other = root if other is None or figure.links[other].kind is not JointKind.FREE else other
         planes = _planes(figure, root) if other == root else [WORLD]
-        tried = [_paired(rest, partner, (root, other), image, middle) for image in planes]
+        pairings = [_paired(rest, partner, (root, other), image, middle) for image in planes]
         paired = [
             (pairing, image)
-            for n, (pairing, image) in enumerate(zip(tried, planes, strict=True))
+            for n, (pairing, image) in enumerate(zip(pairings, planes, strict=True))
             if not pairing.complaint and (n < UPRIGHT_PLANES or _exchanges_sides(figure, pairing.partner))
         ]
         if not paired:
-            raise MirrorError(tried[0].complaint)
+            raise MirrorError(pairings[0].complaint)
         best, images[root] = min(paired, key=lambda pair: (pair[0].misnamed, round(pair[0].unlike / rest.size, 3)))
         partner, images[other] = best.partner, images[root]
     reflection = np.array(
@@ -159,19 +176,19 @@ def symmetric(figure: Figure, middle: float) -> tuple[Rest, Index, Array]:
 
 
 def _exchanges_sides(figure: Figure, partner: Index) -> bool:
-    """Whether left and right by name are partners (L,); else the plane might exchange front and back."""
+    """Return whether links named left and right are partners (L,); otherwise the plane may exchange front and back."""
     names = [link.name for link in figure.links]
     return any(j > i > 0 and other_side(names[i]) == names[j] != names[i] for i, j in enumerate(partner))
 
 
 def rounded(matrix: Array) -> Array:
-    """A matrix with entries that are nearly 0, 1 or −1 exactly that."""
+    """Return a matrix with entries close to 0, 1 or −1 rounded to these."""
     whole = np.round(matrix)
     return np.where(np.abs(matrix - whole) < EXACT, whole + 0.0, matrix)
 
 
 def _planes(figure: Figure, root: int) -> list[Array]:
-    """Reflections (3, 3) in planes through a root's origin, in its frame: those that may be a figure's middle."""
+    """Return the candidate reflections (3, 3), in planes through a root's origin, in its frame."""
     if not root:
         return [WORLD]
     x, y, z = np.eye(3)
@@ -180,7 +197,10 @@ def _planes(figure: Figure, root: int) -> list[Array]:
 
 
 def _named(figure: Figure, link: int) -> int | None:
-    """The link whose name is that of the other side, or the same but for a side: thigh_joint, thigh_left_joint."""
+    """Return the link with the name of the other side, or the same name without a side; None without one.
+
+    An example of the latter are thigh_joint and thigh_left_joint.
+    """
     name = figure.links[link].name
     other, plain = other_side(name), _without_side(name)
     for i, candidate in enumerate(figure.links):
@@ -193,17 +213,19 @@ def _named(figure: Figure, link: int) -> int | None:
 
 
 def _without_side(name: str) -> str:
-    """A name without left and right, and without what separates words."""
+    """Return a name without left and right, and without separators."""
     return re.sub(r"[\W_]", "", SIDE.sub("", name))
 
 
 @dataclass(frozen=True)
 class _Paired:
-    """The partners (L,) that a plane leads to.
+    """The pairing of links for one plane.
 
-    misnamed   how many links have another partner than that of the name of the other side
-    unlike     [m] how far what links carry is from symmetric, in all
-    complaint  what prevents it, or ""
+    Attributes:
+        partner: The partner of each link, (L,).
+        misnamed: The number of links whose partner is not the one of the other side by name.
+        unlike: The total distance of the subtrees' centres of mass from symmetry [m].
+        complaint: Why there is no pairing, or "".
     """
 
     partner: Index
@@ -213,7 +235,7 @@ class _Paired:
 
 
 def _paired(rest: Rest, partner: Index, top: tuple[int, int], image: Array, middle: float) -> _Paired:
-    """The partners of all descendants of two links that are partners of each other."""
+    """Return the pairing of all descendants of two links that are each other's partners."""
     links, waiting, alone = rest.figure.links, [top], list[str]()
     partner = np.array(partner)
     partner[top[0]], partner[top[1]] = top[1], top[0]
@@ -242,14 +264,14 @@ def _paired(rest: Rest, partner: Index, top: tuple[int, int], image: Array, midd
 
 
 def _children(figure: Figure, parent: int) -> list[int]:
-    """The children of a link, those of the world without free bodies."""
+    """Return the children of a link; for the world, without free bodies."""
     return [i for i, link in enumerate(figure.links) if i and link.parent == parent and link.kind is not JointKind.FREE]
 
 
 def _partner(rest: Rest, i: int, free: Sequence[int], image: Array, middle: float) -> tuple[int | None, str]:
-    """The partner of link i among those that have none yet, by name or else by geometry.
+    """Return the partner of link i among unpaired links, by name or else by geometry; None without one.
 
-    With the misfit of the link of that name, "" without one.
+    The second value is the misfit of the link with the matching name, or "".
     """
     named, complaint = _named(rest.figure, i), ""
     if named is not None:

@@ -1,9 +1,9 @@
-"""Winding: which way round a joint turns from one keyframe to the next, that is, the signs of its quaternions.
+"""Winding: the direction in which a joint turns between keyframes, given by the signs of its quaternions.
 
-A joint takes the shortest arc, *relative to its parent*: near a half turn of the whole figure a limb's own arc in the
-world can be short the other way, which would tear it off. So does a free body, but where its shortest arc is nearly a
-half turn and the other way round is hardly longer: there it turns the way that changes its angular velocity least, as
-a body in a spin goes on spinning.
+A joint takes the shortest arc *relative to its parent*. Near a half turn of the whole figure, a limb's shortest arc in
+the world may be in the opposite direction to its parent's, which would tear it off. A free body takes the shortest
+arc too, unless that is nearly a half turn and the opposite direction is hardly longer. There it turns in the direction
+that changes its angular velocity least, so that a spinning body continues to spin.
 """
 
 from __future__ import annotations
@@ -14,13 +14,19 @@ from .. import quaternion as quat
 from ..array import Array, Mask
 
 NEARLY_HALF = np.radians(150.0)
-TINY = 1e-9  # [rad] a turn that has no axis
+TINY = 1e-9  # [rad] a rotation up to this has no defined axis
 
 
 def signs(times: Array, relative: Array, *, spins: bool) -> Array:
-    """(K,) ±1 for the quaternions (K, 4) of a joint at key times (K,) [s], any length > 0; the first keeps its own.
+    """Return the signs of a joint's quaternions; that of the first is +1.
 
-    spins  whether the joint is a free body's, which may go on past a half turn
+    Args:
+        times: Times of the keyframes, (K,) [s].
+        relative: Quaternions relative to the parent, of any length > 0, (K, 4).
+        spins: Whether the joint is a free body's, which may turn by more than a half turn.
+
+    Returns:
+        ±1, (K,).
     """
     same = np.einsum("ki,ki->k", relative[1:], relative[:-1]) >= 0
     if not spins:
@@ -28,31 +34,35 @@ def signs(times: Array, relative: Array, *, spins: bool) -> Array:
     steps = quat.rotation_vector(quat.product(quat.inverse(relative[:-1]), relative[1:]))
     angle = np.linalg.norm(steps, axis=1)
     longer = np.zeros(angle.size, bool)
-    unsure = angle > NEARLY_HALF
-    if unsure.any():
-        longer = _steadiest(times, steps, angle, unsure)
+    is_ambiguous = angle > NEARLY_HALF
+    if is_ambiguous.any():
+        longer = _steadiest(times, steps, angle, is_ambiguous)
     return np.append(1.0, np.cumprod(np.where(same != longer, 1.0, -1.0)))
 
 
 def _steadiest(times: Array, steps: Array, angle: Array, unsure: Mask) -> Mask:
-    """(K − 1,) which unsure segments go the longer way round: the least Σ |Δω|²/Δt over all choices, by recursion.
+    """Return which ambiguous segments take the longer arc: the least Σ |Δω|²/Δt over all choices, by recursion.
 
-    steps  (K − 1, 3) the shortest arcs [rad], in the joint's own axes at either end of a segment
+    Args:
+        times: (K,) [s].
+        steps: The shortest arcs, (K − 1, 3) [rad], in the joint's own axes at either end of a segment.
+        angle: Their angles, (K − 1,) [rad].
+        unsure: The ambiguous segments, (K − 1,).
     """
     spans = np.diff(times)
     rates = np.stack([steps, steps - 2 * np.pi * steps / np.maximum(angle, TINY)[:, None]], axis=1)
     rates /= spans[:, None, None]
     cost = np.array([0.0, 0.0 if unsure[0] else np.inf])
-    came = np.zeros((spans.size, 2), int)
+    previous = np.zeros((spans.size, 2), int)
     for k in range(1, spans.size):
         change = rates[k][None, :] - rates[k - 1][:, None]
-        by_way = cost[:, None] + 2 * np.einsum("abi,abi->ab", change, change) / (spans[k] + spans[k - 1])
-        came[k] = by_way.argmin(axis=0)
-        cost = by_way.min(axis=0)
+        by_choice = cost[:, None] + 2 * np.einsum("abi,abi->ab", change, change) / (spans[k] + spans[k - 1])
+        previous[k] = by_choice.argmin(axis=0)
+        cost = by_choice.min(axis=0)
         if not unsure[k]:
             cost[1] = np.inf
-    way = np.zeros(spans.size, int)
-    way[-1] = int(cost[1] < cost[0])
+    choice = np.zeros(spans.size, int)
+    choice[-1] = int(cost[1] < cost[0])
     for k in range(spans.size - 1, 0, -1):
-        way[k - 1] = came[k, way[k]]
-    return way > 0
+        choice[k - 1] = previous[k, choice[k]]
+    return choice > 0

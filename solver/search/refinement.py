@@ -42,7 +42,7 @@ def algorithm(method: str) -> int:
     name = LONG_NAMES.get(method.lower(), method.upper()).removeprefix("LD_")
     number = getattr(nlopt, f"LD_{name}", None)
     if number is None:
-        raise ValueError(f"no optimiser '{method}'; use one of: {', '.join(METHODS)} (or any LD_ name of NLopt)")
+        raise ValueError(f"no optimiser '{method}'; there are: {', '.join(METHODS)} (or any LD_ name of NLopt)")
     return int(number)
 
 

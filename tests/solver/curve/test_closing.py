@@ -125,7 +125,7 @@ def test_a_loop_that_turns_about_a_place_that_nobody_gives_is_refused_by_the_nam
         last = np.array(pose)
         last[first + 3 : first + 7] = quat.product(about, pose[first + 3 : first + 7])
         keys = [Frame.key(0, pose, known), Frame.key(1, last, known)]
-        with pytest.raises(TimelineError, match=f"x and y of '{name}' given in its first or its last keyframe"):
+        with pytest.raises(TimelineError, match=f"x and y of '{name}' in its first or its last keyframe"):
             closed(figure, keys, None, None)
 
 

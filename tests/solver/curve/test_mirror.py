@@ -111,7 +111,7 @@ def changed(old: str, new: str, text: str = ROBOT) -> Figure:
         ),
         (
             changed('"RightReach" type="slide"', '"RightReach" type="hinge"'),
-            "'LeftReach' and 'RightReach' are not alike",
+            "'LeftReach' and 'RightReach' differ in kind of joint or in parent",
         ),
         (changed('pos="0 -.2 0"', 'pos="0 -.2 .1"'), "'LeftPitch' at rest is no mirror image of 'RightPitch'"),
         (changed('"RightRoll" axis="1 0 0"', '"RightRoll" axis="1 0 1"'), "axes of .* are no mirror images"),

@@ -223,7 +223,7 @@ def test_a_transition_that_is_none_is_refused(rng):
     with pytest.raises(TimelineError, match="at least 4 variable frames, not 2"):
         bridge(figure, before, after, variable=2)
     begin = bridge(figure, before, after)
-    with pytest.raises(TimelineError, match="held ends need a variable frame beside each"):
+    with pytest.raises(TimelineError, match="held ends need a variable frame next to each end"):
         Timeline(begin.frames[:1] + begin.frames[-1:], begin.end_slope, "held")
 
 

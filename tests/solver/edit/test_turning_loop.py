@@ -217,7 +217,7 @@ def test_turns_that_make_no_sense_are_refused():
         Frame.key(key.time, key.state, mask_without(figure, "root y")) if key.time in (0, PERIOD) else key
         for key in keys
     ]
-    with pytest.raises(TimelineError, match="a loop that turns has x and y of 'root' given in its first or its last"):
+    with pytest.raises(TimelineError, match="a loop that turns needs x and y of 'root' in its first or its last"):
         raw_timeline(figure, loose, "periodic")
     ball = figure_of('<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>')
     still = [Frame.key(t, [1.0, 0, 0, 0]) for t in (0.0, 1.0)]

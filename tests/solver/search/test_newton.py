@@ -315,7 +315,7 @@ def test_newtons_steps_alone_are_called_none_and_unknown_names_are_refused(rng):
     assert alone.value >= refined.value
     with pytest.raises(ValueError, match="no optimiser 'gauss'; there are: lbfgs, "):
         descent.run(optimiser="gauss")
-    with pytest.raises(ValueError, match="optimiser 'newton' is called 'none' now"):
+    with pytest.raises(ValueError, match="optimiser 'newton' was renamed 'none'"):
         descent.run(optimiser="newton")
 
 
