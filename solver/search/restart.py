@@ -21,9 +21,7 @@ from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty import Guide
 
-COST_RATIO = (
-    2.0  # cost of motion relative to the raw spline, above which another route round an obstacle may be cheaper
-)
+COST_RATIO = 2.0  # cost of motion relative to the raw spline, above which a shorter route round an obstacle may exist
 MAX_DEVIATION = 0.5  # relative to a figure's size: the distance from its root to its farthest joint at rest
 MAX_QUATERNION_LENGTH = 2.0  # a search shortens no quaternion that is longer: the initial path is a poor one
 SAMPLES_PER_SEGMENT = 4  # between neighbouring frames with specified degrees of freedom

@@ -133,9 +133,7 @@ def test_a_half_fixed_quaternion_is_refused_by_place_and_name(figure, rng):
     mask = np.ones(figure.width, bool)
     mask[4] = False
     keys = random_keys(figure, rng, {1: mask})
-    with pytest.raises(
-        TimelineError, match=r"keyframe 2 \(t = 0\.4 s\): the quaternion of 'root' is fixed in part"
-    ):
+    with pytest.raises(TimelineError, match=r"keyframe 2 \(t = 0\.4 s\): the quaternion of 'root' is fixed in part"):
         raw_timeline(figure, keys)
 
 

@@ -165,7 +165,7 @@ def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_ar
     assert not violation_dominates(objective, {"acceleration.angular": 5.0, "limits.bend": 5.0})  # as much is not more
 
 
-def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is_something_to_go_round():
+def test_cost_increased_detects_twice_the_raw_cost_where_there_is_an_obstacle():
     raw = path_of(raw_timeline(LIMB, swinging(6)))
     ball, floor = (
         Sphere("ball", centre=np.array([0.0, 0, 5]), radius=0.1),
