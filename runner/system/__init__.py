@@ -1,6 +1,7 @@
 """The machine: files, processes, signals, terminals, memory.
 
 output        the one way to write a file: whole or not at all, under its name only once the disk has it
+lock          one program at a time in a folder
 scratch       folders for what is needed only while something runs
 largest       how much a file may come to in memory
 archive       what the arrays of an .npz come to in memory, told from their heads before any is read
@@ -11,5 +12,5 @@ mujoco_warnings  MuJoCo's warnings as notes, instead of a log in the current fol
 quantity      lengths as people write them: "2cm", "20 mm", "0.02 m"; from Python also a number, of metres
 stopping      signals that ask a command to end
 threads       one thread: on the solver's small matrices more of them only wait for each other, and round another way
-workers       items worked on by several processes at once, the results in order
+workers       worker processes with a tool each, and the results of many items in order
 """
