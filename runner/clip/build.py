@@ -77,8 +77,8 @@ class Clip:
         return "recording" in self.text and table_of(self.text, self.context.where).recording is not None
 
     @property
-    def stances(self) -> list[dict[str, Any]]:
-        """The stances of a clip that follows a recording, as a file contains them; none of others."""
+    def stances(self) -> list[dict[str, object]]:
+        """The stances of a clip that follows a recording, as a motion's file contains them; none of others."""
         return stances_of(self.context.contacts.given) if self.follows else []
 
     @property
@@ -184,18 +184,17 @@ def edits_of(keys: Sequence[Frame], table: ClipTable) -> tuple[Frame, ...]:
 
 def solve_of(saved: Saved, solve: SolveTable) -> SolveTable:
     """Return a [solve] table with the ends of a saved motion."""
-    update = {"ends": saved.timeline.ends, **dict.fromkeys(AROUND), **around(saved)}
-    return solve.model_copy(update=update)
+    return solve.without(*AROUND).model_copy(update={"ends": saved.timeline.ends, **around(saved).given})
 
 
-def around(saved: Saved) -> dict[str, Any]:
-    """Return the keys of [solve] for the displacement of a saved loop: travel [m] and, if it turns, turn [degrees]."""
+def around(saved: Saved) -> SolveTable:
+    """Return the displacement of a saved loop as keys of [solve]: travel [m] and, if it turns, turn [degrees]."""
     roots = saved.figure.tables.position_columns
     if saved.timeline.ends != "periodic" or not roots.size:
-        return {}
+        return SolveTable()
     seam = Seam.of(saved.figure, saved.timeline)
     turn = {"turn": float(np.degrees(seam.headings[0]))} if seam.headings[0] else {}
-    return {"travel": seam.travel[roots[:, 0]].tolist(), **turn}
+    return SolveTable.unchecked(travel=tuple(seam.travel[roots[:, 0]].tolist()), **turn)
 
 
 def radians(degrees: float | None) -> float | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
@@ -29,7 +28,7 @@ from .kinds import (
 )
 from .table import PenaltyTable
 from .table_errors import describe
-from .text import assignment
+from .text import assignment, tables
 
 CARRIED = ("flight", "support", "peak")  # on by default where it is known what carries the figure
 LINEAR_WEIGHT_CARRIED = 0.45  # of acceleration.linear there, which flight and support then cover
@@ -95,7 +94,7 @@ def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
     """The error for a kind of older clip files, with the table that replaces it and those of the same new kind."""
     new = RENAMED[entry.kind]
     table, replaced = _replacement(new.kind, entries)
-    lines = ", ".join(assignment(*item) for item in table.items())
+    lines = ", ".join(assignment(*item) for item in tables(table).items())
     gone = [
         f"{key} of '{each.kind}'"
         for each in replaced
@@ -108,11 +107,11 @@ def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
     )
 
 
-def replaced(rows: Sequence[dict[str, Any]]) -> Sequence[dict[str, Any]]:
-    """[[penalty]] tables, those of an older clip with the kinds of today."""
-    entries = [PenaltyTable.model_validate({"weight": 1} | row) for row in rows]  # the default of all kinds then
+def replaced(rows: Sequence[Mapping[str, object]]) -> list[PenaltyTable] | None:
+    """Return the tables of kinds that exist now in place of [[penalty]] tables of an older clip; None for no change."""
+    entries = [PenaltyTable.model_validate({"weight": 1, **row}) for row in rows]  # the default of all kinds then
     if not any(entry.kind in RENAMED for entry in entries) or any(_now(entry).kind not in KINDS for entry in entries):
-        return rows
+        return None
     kinds = dict.fromkeys(_now(entry).kind for entry in entries)
     return [_replacement(kind, entries)[0] for kind in kinds]
 
@@ -124,11 +123,11 @@ def _now(entry: PenaltyTable) -> Renamed:
     return Renamed(entry.kind, KINDS[entry.kind].parts[0].name, {name: name for name in KINDS[entry.kind].choices()})
 
 
-def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[dict[str, Any], list[PenaltyTable]]:
+def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[PenaltyTable, list[PenaltyTable]]:
     """The table of a kind that replaces entries of an older clip, in which weights were 1 by default; and these."""
     replaced = [entry for entry in entries if _now(entry).kind == kind]
-    weights: dict[str, Any] = {}
-    options: dict[str, Any] = {}
+    weights: dict[str, object] = {}
+    options: dict[str, object] = {}
     for entry in replaced:
         old, weight = _now(entry), entry.said.get("weight", 1 if entry.kind in RENAMED else None)
         default = next((part.weight for part in KINDS[kind].parts if part.name == old.part), None)
@@ -138,7 +137,7 @@ def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[dict[str, 
             weights[old.part] = weight
         options |= {**old.requires, **{old.options[key]: entry.said[key] for key in entry.said if key in old.options}}
     weight = {"weight": weights.get("", weights)} if weights else {}
-    return {"kind": kind, **weight, **options}, replaced
+    return PenaltyTable.of(kind, **weight, **options), replaced
 
 
 @dataclass(frozen=True)

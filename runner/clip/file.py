@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from dynsplines import models
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -17,7 +16,8 @@ from ..system.output import Replacement, check_target
 from .build import around
 from .load import scene_of
 from .parse import Parsed, table_of
-from .text import keyframe_tables, tables, written
+from .table import ClipTable, SolveTable
+from .text import keyframe_tables, written
 
 OF_MOTIONS = ("figure", "fps", "scene")  # tables of a clip with a recording that hold for its motion alone, too
 AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leaves the raw spline as it is
@@ -33,20 +33,21 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     if exact or not _follows_shipped(saved):
         saved = standing_alone(saved)
     if saved.text:
-        said = tables(table_of(saved.text, saved.name))
+        table = table_of(saved.text, saved.name)
     else:
-        said: dict[str, Any] = {"figure": shipped_scene(saved.scene), "fps": saved.fps, "solve": _ends(saved)}
-        said["keyframe"] = keyframe_tables(saved.figure, saved.keys)
+        keys = keyframe_tables(saved.figure, saved.keys)
+        named = {"figure": shipped_scene(saved.scene), "fps": saved.fps, "solve": _ends(saved), "keyframe": keys}
+        table = ClipTable.unchecked(**named)
     if exact:
-        said["solve"] = said.get("solve", {}) | AS_SPLINE
+        table = table.changed(solve=table.solve.model_copy(update=AS_SPLINE))
     files: list[tuple[Path, bytes]] = []
-    if said["figure"] not in models.figures() or (saved.text and not _tells_scene(saved)):
+    if table.figure not in models.figures() or (saved.text and not _tells_scene(saved)):
         scene = target.with_suffix(".xml")
         if scene.exists() and scene.read_text(encoding="utf-8") != saved.mjcf and not overwrite:
             raise UserError(
                 f"'{scene}' is there already, and the clip's figure goes there; choose another name or overwrite it"
             )
-        said = {key: value for key, value in said.items() if key != "scene"} | {"figure": scene.name}
+        table = table.without("scene").changed(figure=scene.name)
         files.append((scene, saved.mjcf.encode()))
         for name, data in saved.scene.assets.items():
             file = target.parent / name
@@ -55,7 +56,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
             if file.exists() and file.read_bytes() != data and not overwrite:
                 raise UserError(f"'{file}' is there already, and a file of the clip's figure goes there")
             files.append((file, data))
-    files.append((target, ((f"# {note}\n" if note else "") + written(said)).encode()))
+    files.append((target, ((f"# {note}\n" if note else "") + written(table)).encode()))
     for path, data in files:
         with Replacement(path) as temporary:
             temporary.write_bytes(data)
@@ -72,9 +73,9 @@ def standing_alone(saved: Saved) -> Saved:
     everything = [[True] * timeline.width] * timeline.times.size
     keys = tuple(Frame.many(timeline.times, figure.to_qpos(timeline.states), everything))
     frames = tuple(Frame.many(timeline.times, timeline.states, everything))
-    said = {key: value for key, value in tables(table).items() if key in OF_MOTIONS}
-    said |= {"solve": _ends(saved), "keyframe": keyframe_tables(figure, keys)}
-    return replace(saved, text=written(said), keys=keys, timeline=Timeline(frames, timeline.end_slope, timeline.ends))
+    kept = {key: value for key, value in table.given.items() if key in OF_MOTIONS}
+    text = written(ClipTable.unchecked(**kept, solve=_ends(saved), keyframe=keyframe_tables(figure, keys)))
+    return replace(saved, text=text, keys=keys, timeline=Timeline(frames, timeline.end_slope, timeline.ends))
 
 
 def _follows_shipped(saved: Saved) -> bool:
@@ -83,10 +84,10 @@ def _follows_shipped(saved: Saved) -> bool:
     return said is None or said.file in models.clips()
 
 
-def searching(solve: dict[str, Any]) -> dict[str, Any]:
-    """A [solve] table of a clip that is to be searched: without what leaves the spline as it is."""
-    held = all(solve.get(key) == value for key, value in AS_SPLINE.items())
-    return {key: value for key, value in solve.items() if not (held and key in AS_SPLINE)}
+def searching(solve: SolveTable) -> SolveTable:
+    """Return a [solve] table for a search: without the keys that leave the spline as it is."""
+    is_spline = all(getattr(solve, key) == value for key, value in AS_SPLINE.items())
+    return solve.without(*AS_SPLINE) if is_spline else solve
 
 
 def check(target: Path) -> None:
@@ -109,9 +110,7 @@ def _tells_scene(saved: Saved) -> bool:
         return False
 
 
-def _ends(saved: Saved) -> dict[str, Any]:
-    """What [solve] says of a motion's ends and coordinates."""
-    out: dict[str, Any] = {"coordinates": saved.figure.coordinates}
-    if saved.timeline.ends in ("periodic", "clamped"):
-        out["ends"] = saved.timeline.ends
-    return out | around(saved)
+def _ends(saved: Saved) -> SolveTable:
+    """The [solve] table of a motion's ends and coordinates."""
+    ends = {"ends": saved.timeline.ends} if saved.timeline.ends in ("periodic", "clamped") else {}
+    return SolveTable.unchecked(coordinates=saved.figure.coordinates, **ends, **around(saved).given)

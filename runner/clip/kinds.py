@@ -404,7 +404,7 @@ class Renamed:
     kind: str
     part: str = ""
     options: Mapping[str, str] = field(default_factory=dict)
-    requires: Mapping[str, Any] = field(default_factory=dict)
+    requires: Mapping[str, object] = field(default_factory=dict)
 
 
 RENAMED = {

@@ -1,9 +1,10 @@
-"""Left and right exchanged in a clip's tables, in the words of the file: angles stay angles, free stays free."""
+"""Left and right exchanged in a clip's tables, in the notation of the file: angles stay angles, free stays free."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeVar
 
 import numpy as np
 
@@ -18,16 +19,30 @@ from ..errors import UserError
 from .posing.feet import sole_points
 from .posing.places import Places
 from .posing.rotation import quaternion_of
-from .table import KEY, RotationTable
+from .table import (
+    KEY,
+    Axes,
+    BarTable,
+    BodyTable,
+    BoxTable,
+    ClipTable,
+    KeyframeTable,
+    PenaltyTable,
+    RootTable,
+    RotationTable,
+    SceneTable,
+    SiteTable,
+    SolveTable,
+    SphereTable,
+    Table,
+)
 from .text import rotation
 
+Placed = TypeVar("Placed", bound=Table)
+Obstacle = TypeVar("Obstacle", BoxTable, SphereTable, BarTable)
+Turned = TypeVar("Turned", bound=RotationTable)
+
 NEAR = 0.02  # of a figure's size: how far a point may be from the image of its partner
-WAYS = {"rotvec", "euler", "order", "quat", "heading"}  # to give a rotation
-KNOWN = {
-    "keyframe": {"time", "root", "roots", "joints", "sites", "bodies", "others"},
-    "scene": {"step", "box", "sphere", "capsule", "cylinder"},
-    "root": {"position", "rotation"},
-}
 
 
 @dataclass(frozen=True)
@@ -90,34 +105,37 @@ class _Sides:
         return WORLD if body is None or other is None else self.mirror.of_bodies(body, other)
 
 
-def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
-    """A clip's tables for the mirrored figure; step and obstacles, which have places, change sides as well."""
-    for others in dict.fromkeys(str(row.get("others")) for row in clip["keyframe"]):
+def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTable:
+    """Return a clip's tables for the mirrored figure; step and obstacles, which have places, change sides as well.
+
+    Raises:
+        UserError: for a clip without a mirror image.
+    """
+    for others in dict.fromkeys(row.others for row in clip.keyframe):
         _check_symmetric(others, figure, mirror)
-    if "recording" in clip:
+    if clip.recording is not None:
         raise UserError("recording: what a clip follows has no mirror image; mirror the solved motion: -o NAME.npz")
     sides = _Sides.of(figure, mirror)
-    out: dict[str, Any] = clip | {"keyframe": [_keyframe(row, sides) for row in clip["keyframe"]]}
-    if "scene" in clip:
-        _check_known("scene", clip["scene"])
-        out["scene"] = {kind: _obstacles(said) for kind, said in clip["scene"].items()}
-    if "contact" in clip:
-        out["contact"] = [_placed(row | {"point": sides.other(row["point"])}) for row in clip["contact"]]
-    if "hold" in clip:
-        other = [row | {key: sides.other(row[key]) for key in ("hand", "body")} for row in clip["hold"]]
-        out["hold"] = [_placed(row) for row in other]
-    if clip.get("solve", {}).get("travel") is not None:
-        out["solve"] = clip["solve"] | {"travel": _signed(clip["solve"]["travel"], POLAR)}
-    if clip.get("solve", {}).get("turn") is not None:
-        out["solve"] = out["solve"] | {"turn": 0.0 - clip["solve"]["turn"]}
-    if "penalty" in clip:
-        out["penalty"] = [_renamed(entry, sides) for entry in clip["penalty"]]
-    return out
+    return clip.changed(
+        scene=_scene(clip.scene),
+        solve=_solve(clip.solve),
+        penalty=[_penalty(entry, sides) for entry in clip.penalty],
+        contact=[_placed(row.changed(point=sides.other(row.point)), "position") for row in clip.contact],
+        hold=[
+            _placed(row.changed(hand=sides.other(row.hand), body=sides.other(row.body)), "position")
+            for row in clip.hold
+        ],
+        keyframe=[_keyframe(row, sides) for row in clip.keyframe],
+    )
 
 
-def mirrored_keyframe(row: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
-    """One keyframe's table for the mirrored figure."""
-    _check_symmetric(str(row.get("others")), figure, mirror)
+def mirrored_keyframe(row: KeyframeTable, figure: Figure, mirror: Mirror) -> KeyframeTable:
+    """Return one keyframe's table for the mirrored figure.
+
+    Raises:
+        UserError: for a keyframe without a mirror image.
+    """
+    _check_symmetric(row.others, figure, mirror)
     return _keyframe(row, _Sides.of(figure, mirror))
 
 
@@ -141,142 +159,128 @@ def _is_symmetric(qpos: Array, mirror: Mirror) -> bool:
     return bool(np.allclose(image, qpos, atol=1e-9))
 
 
-def _check_known(table: str, entries: dict[str, Any]) -> None:
-    """What this does not know may have sides, too."""
-    for key in entries:
-        if key not in KNOWN[table]:
-            raise UserError(f"{table}: '{key}' has no mirror image yet; mirror the solved motion instead")
+def _scene(scene: SceneTable) -> SceneTable:
+    """The obstacles on the other side."""
+    step = None if scene.step is None else scene.step.changed(y=0.0 - scene.step.y)
+    return scene.changed(
+        step=step,
+        box=[_obstacle(row, "position") for row in scene.box],
+        sphere=[_obstacle(row, "position") for row in scene.sphere],
+        capsule=[_obstacle(row, "position", "start", "end") for row in scene.capsule],
+        cylinder=[_obstacle(row, "position", "start", "end") for row in scene.cylinder],
+    )
 
 
-def _obstacles(said: Any) -> Any:
-    """The step, or the obstacles of one kind, on the other side."""
-    if isinstance(said, dict):
-        return said | {"y": -said["y"]} if "y" in said else said
-    return [_placed(row) for row in said]
+def _obstacle(row: Obstacle, *places: str) -> Obstacle:
+    out = _placed(row, *places)
+    return out if out.rotation is None else out.changed(rotation=_rotation(out.rotation))
 
 
-def _placed(row: dict[str, Any]) -> dict[str, Any]:
-    """A table with a place of its own, where its reflection is."""
-    places = ("position", "from", "to")
-    out = row | {key: _signed(row[key], POLAR) for key in places if isinstance(row.get(key), list | tuple)}
-    return out | {"rotation": _rotation(row["rotation"])} if row.get("rotation") else out
+def _solve(solve: SolveTable) -> SolveTable:
+    """The displacement of a loop on the other side."""
+    return _placed(solve, "travel").changed(turn=None if solve.turn is None else 0.0 - solve.turn)
 
 
-def _body(name: str, table: dict[str, Any], sides: _Sides) -> dict[str, Any]:
-    """How a body is turned and where it is, or a point in its axes, said of the one on the other side."""
-    out = _in_world(table, sides.reflection(name))
-    if table.get("position") is not None:
-        out["position"] = _signed(table["position"], POLAR)
-    if table.get("at") is not None:
-        out["at"] = (sides.reflection(name) @ np.array(table["at"], float)).tolist()
-    return out
+def _placed(row: Placed, *names: str) -> Placed:
+    """A table with the places (3,) of some keys on the other side."""
+    return row.changed(**{name: _signed(place, POLAR) for name in names if (place := getattr(row, name)) is not None})
 
 
-def _renamed(entry: dict[str, Any], sides: _Sides) -> dict[str, Any]:
-    """A penalty for the points, joints and bodies of the other side, an axis of these in their own axes there."""
-    lists = ("points", "bend_joints", "bodies")
-    out = entry | {key: [sides.other(name) for name in entry[key]] for key in lists if entry.get(key)}
-    if entry.get("axis") is None or not entry.get("bodies"):
-        return out
-    axes = [(sides.reflection(name) @ np.array(entry["axis"], float)).tolist() for name in entry["bodies"]]
-    if not np.allclose(axes, axes[0], atol=1e-9):
-        raise UserError(f"penalty '{entry['kind']}': bodies that are turned differently share no mirrored axis")
-    return out | {"axis": axes[0]}
+def _penalty(entry: PenaltyTable, sides: _Sides) -> PenaltyTable:
+    """A penalty for the points, joints and bodies of the other side, an axis of these in their frames there."""
+    options = dict(entry.said)
+    for key in ("points", "bend_joints", "bodies"):
+        if options.get(key):
+            options[key] = [sides.other(name) for name in entry.said[key]]
+    if options.get("axis") is not None and options.get("bodies"):
+        axis = np.array(options["axis"], float)
+        axes = [(sides.reflection(name) @ axis).tolist() for name in entry.said["bodies"]]
+        if not np.allclose(axes, axes[0], atol=1e-9):
+            raise UserError(f"penalty '{entry.kind}': bodies that are turned differently share no mirrored axis")
+        options["axis"] = axes[0]
+    return PenaltyTable.of(entry.kind, **options)
 
 
-def _keyframe(row: dict[str, Any], sides: _Sides) -> dict[str, Any]:
-    _check_known("keyframe", row)
-    out = dict(row)
-    if "root" in row:
-        first = next((link.name for link in sides.figure.links[1:] if link.kind is JointKind.FREE), None)
-        out["root"] = _root(row["root"], WORLD if first is None else sides.mirror.reflection[sides.link(first)])
-    if "roots" in row:
-        out["roots"] = dict(_further_root(name, table, sides) for name, table in row["roots"].items())
-    if "joints" in row:
-        out["joints"] = dict(_joint(name, value, sides) for name, value in row["joints"].items())
-    if "sites" in row:
-        out["sites"] = {sides.other(name): _site(value) for name, value in row["sites"].items()}
-    if "bodies" in row:
-        out["bodies"] = {sides.other(name): _body(name, value, sides) for name, value in row["bodies"].items()}
-    return out
+def _keyframe(row: KeyframeTable, sides: _Sides) -> KeyframeTable:
+    links = sides.figure.links
+    first = next((link.name for link in links[1:] if link.kind is JointKind.FREE), None)
+    reflection = WORLD if first is None else sides.mirror.reflection[sides.link(first)]
+    return row.changed(
+        root=_root(row.root, reflection),
+        roots=dict(_further_root(name, table, sides) for name, table in row.roots.items()),
+        joints=dict(_joint(name, value, sides) for name, value in row.joints.items()),
+        sites={sides.other(name): _site(value) for name, value in row.sites.items()},
+        bodies={sides.other(name): _body(value, sides.reflection(name)) for name, value in row.bodies.items()},
+    )
 
 
-def _further_root(name: str, table: dict[str, Any], sides: _Sides) -> tuple[str, dict[str, Any]]:
-    """A further free joint's name and table."""
+def _further_root(name: str, table: RootTable, sides: _Sides) -> tuple[str, RootTable]:
+    """The name and the table of another free joint."""
     link, mirror = sides.link(name), sides.mirror
     return sides.figure.links[mirror.partner[link]].name, _root(table, mirror.reflection[link])
 
 
-def _root(table: dict[str, Any], reflection: Array) -> dict[str, Any]:
-    """A free joint's place on the other side."""
-    _check_known("root", table)
-    out = dict(table)
-    if table.get("position", "free") != "free":
-        out["position"] = _signed(table["position"], POLAR)
-    if table.get("rotation", "free") != "free":
-        out["rotation"] = _in_world(table["rotation"], reflection)
-    return out
+def _root(table: RootTable, reflection: Array) -> RootTable:
+    """The place of a free joint on the other side."""
+    position = table.position if table.position == "free" else _signed(table.position, POLAR)
+    rotation_ = table.rotation if table.rotation == "free" else _in_world(table.rotation, reflection)
+    return table.changed(position=position, rotation=rotation_)
 
 
-def _site(value: Any) -> Any:
-    """Where a site is to be: a position, or a table with one."""
-    if isinstance(value, dict):
-        return value | {"position": _signed(value["position"], POLAR)}
-    return _signed(value, POLAR)
+def _body(table: BodyTable, reflection: Array) -> BodyTable:
+    """The rotation and the place of a body, or of a point in its frame, for the one on the other side."""
+    at = None if table.at is None else tuple((reflection @ np.array(table.at)).tolist())
+    return _placed(_in_world(table, reflection), "position").changed(at=at)
 
 
-def _joint(name: str, value: Any, sides: _Sides) -> tuple[str, Any]:
-    """What a keyframe says of one joint, said of its partner."""
+def _site(value: SiteTable | Axes) -> SiteTable | tuple[float | str, ...]:
+    return _placed(value, "position") if isinstance(value, SiteTable) else _signed(value, POLAR)
+
+
+def _joint(name: str, value: RotationTable | float | str, sides: _Sides) -> tuple[str, RotationTable | float | str]:
+    """The entry of a joint, for its partner."""
     mirror, number = sides.mirror, sides.link(name)
     partner = sides.figure.links[mirror.partner[number]]
-    if isinstance(value, dict):
+    if isinstance(value, RotationTable):
         return partner.name, _in_parent(value, mirror.reflection[number])
-    if value == "free":
+    if isinstance(value, str):
         return partner.name, value
     shift = mirror.shift[partner.qpos]
     shift = float(np.degrees(shift)) if partner.kind is JointKind.HINGE else float(shift)
-    return partner.name, mirror.sense(mirror.partner[number]) * value + shift
+    return partner.name, float(mirror.sense(mirror.partner[number]) * value + shift)
 
 
-def _in_world(table: dict[str, Any], reflection: Array) -> dict[str, Any]:
+def _in_world(table: Turned, reflection: Array) -> Turned:
     """A rotation R in the world as S R Mᵀ, for the reflection M of its frame."""
-    if np.array_equal(reflection, WORLD) or not WAYS & set(table):
+    if np.array_equal(reflection, WORLD) or not table.is_rotation:
         return _rotation(table)
-    matrix = WORLD @ quat.matrices(_quaternion(table)) @ reflection.T
-    return _without_rotation(table) | rotation(quat.from_matrix(matrix))
+    matrix = WORLD @ quat.matrices(quaternion_of(table)) @ reflection.T
+    return _with_rotation(table, quat.from_matrix(matrix))
 
 
-def _in_parent(table: dict[str, Any], reflection: Array) -> dict[str, Any]:
+def _in_parent(table: RotationTable, reflection: Array) -> RotationTable:
     """A ball joint's rotation: about an axis and by an angle that the reflection M of its frame takes to the other."""
     if np.array_equal(reflection, WORLD):
         return _rotation(table)
-    quaternion = _quaternion(table)
-    return _without_rotation(table) | rotation(np.concatenate([quaternion[:1], -reflection @ quaternion[1:]]))
+    quaternion = quaternion_of(table)
+    return _with_rotation(table, np.concatenate([quaternion[:1], -reflection @ quaternion[1:]]))
 
 
-def _quaternion(table: dict[str, Any]) -> Array:
-    return quaternion_of(RotationTable(**{key: value for key, value in table.items() if key in WAYS}))
+def _with_rotation(table: Turned, quaternion: Array) -> Turned:
+    return table.without(*RotationTable.model_fields).changed(rotvec=rotation(quaternion).rotvec)
 
 
-def _without_rotation(table: dict[str, Any]) -> dict[str, Any]:
-    return {key: value for key, value in table.items() if key not in WAYS}
-
-
-def _rotation(table: dict[str, Any]) -> dict[str, Any]:
+def _rotation(table: Turned) -> Turned:
     """A rotation vector and a quaternion by their entries, Euler angles by their axes."""
-    out = dict(table)
-    if table.get("rotvec") is not None:
-        out["rotvec"] = _signed(table["rotvec"], AXIAL)
-    if table.get("quat") is not None:
-        out["quat"] = _signed(table["quat"], TURN)
-    if table.get("euler") is not None:
-        signs = [AXIAL["xyz".index(letter)] for letter in table.get("order") or "xyz"]
-        out["euler"] = _signed(table["euler"], signs)
-    if table.get("heading") is not None:
-        out["heading"] = 0.0 - table["heading"]
-    return out
+    signs = [AXIAL["xyz".index(letter)] for letter in table.order or "xyz"]
+    return table.changed(
+        rotvec=None if table.rotvec is None else _signed(table.rotvec, AXIAL),
+        quat=None if table.quat is None else _signed(table.quat, TURN),
+        euler=None if table.euler is None else list(_signed(table.euler, signs)),
+        heading=None if table.heading is None else 0.0 - table.heading,
+    )
 
 
-def _signed(values: Any, signs: Any) -> list[Any]:
+def _signed(values: Sequence[float | str], signs: Sequence[float] | Array) -> tuple[float | str, ...]:
     """Numbers with signs changed; "free" stays, and a zero has no sign."""
-    return [x if x == "free" else float(sign) * x + 0.0 for x, sign in zip(values, signs, strict=True)]
+    return tuple(x if isinstance(x, str) else float(sign) * x + 0.0 for x, sign in zip(values, signs, strict=True))

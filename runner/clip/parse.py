@@ -24,7 +24,7 @@ from .follow.keeping import WEIGHTS
 from .kinds import Options
 from .table import ClipTable, SolveTable, Table
 from .table_errors import describe
-from .text import written
+from .text import tables, written
 
 Tables = TypeVar("Tables", bound=Table)
 
@@ -162,11 +162,10 @@ def renewed(text: str) -> str:
     """Return a clip's text with the kinds of penalty that older versions had replaced by those that exist now."""
     try:
         raw = tomllib.loads(text)
-        rows = raw.get("penalty", [])
-        now = replaced(rows)
+        now = replaced(raw.get("penalty", []))
     except (ValueError, TypeError, RecursionError):  # a damaged text is reported where it is read
         return text
-    return text if now is rows else written(raw | {"penalty": now})
+    return text if now is None else written(raw | {"penalty": [tables(entry) for entry in now]})
 
 
 def references(text: str) -> tuple[str | None, str | None]:

@@ -31,8 +31,8 @@ from .posing.couplings import follow
 from .posing.feet import sole_points
 from .posing.places import Places, places_at, posable_sites
 from .posing.pose_report import floor_height, lifts, lowest_point, violations
-from .table import KEY
-from .text import keyframe_tables, rotation, written
+from .table import KEY, KeyframeTable, RotationTable
+from .text import keyframe_tables, rotation, tables, written
 
 APART = 0.5  # [s] between keyframes whose times do not rise
 STRAIGHT = 0.99  # of a slide's way, how much of it goes along an axis that is told
@@ -103,13 +103,13 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
         notes += [f"keyframe {k + 1}: {line}" for line in violations(figure, qpos, equalities)]
     for note in notes:
         tell(note)
-    tables = keyframe_tables(figure, [Frame.key(t, q) for t, q in zip(times, poses, strict=True)])
-    _leave_out_followers(figure, tables)
+    frames = [Frame.key(t, q) for t, q in zip(times, poses, strict=True)]
+    rows = [_without_followers(figure, row) for row in keyframe_tables(figure, frames)]
     for k in range(len(model_poses)):
         if names[k] and np.array_equal(poses[k], model_poses[k]):
-            tables[k] = {"time": tables[k]["time"], "others": KEY + names[k]}
+            rows[k] = KeyframeTable.unchecked(time=rows[k].time, others=KEY + names[k])
     if len(poses) == 1:
-        tables += _moved(figure, poses[0], float(times[0]))
+        rows += _moved(figure, poses[0], float(times[0]))
     head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
     blocks = [
         _head(source, own, len(poses), float(np.abs(poses - settled).max()), float(np.abs(settled - given).max())),
@@ -117,7 +117,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
         *([_noted(notes)] if notes else []),
         _named(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
-        "\n\n".join(written({"keyframe": [_rounded(table)]}).strip("\n") for table in tables),
+        "\n\n".join(written({"keyframe": [_rounded(tables(row))]}).strip("\n") for row in rows),
     ]
     return "\n\n".join(blocks) + "\n"
 
@@ -201,12 +201,10 @@ def _settled(figure: Figure, qpos: Array) -> Array:
     return out
 
 
-def _leave_out_followers(figure: Figure, tables: list[dict[str, Any]]) -> None:
-    """What follows needs no word in a keyframe, and stays right when what it follows is edited."""
-    after = {coupling.name for coupling in couplings(figure)}
-    for table in tables:
-        for name in after & set(table.get("joints", {})):
-            del table["joints"][name]
+def _without_followers(figure: Figure, row: KeyframeTable) -> KeyframeTable:
+    """A keyframe without the joints that follow others, so that they stay right when it is edited."""
+    names = {coupling.name for coupling in couplings(figure)}
+    return row.changed(joints={name: value for name, value in row.joints.items() if name not in names})
 
 
 def _raised(figure: Figure, qpos: Array) -> Array:
@@ -259,30 +257,28 @@ def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
     return places[2] - radii[:, None]
 
 
-def _moved(figure: Figure, qpos: Array, start: float) -> list[dict[str, Any]]:
+def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:
     """Two more keyframes: one joint moved, and back again."""
     link, value = _telling(figure, qpos)
-    columns = quaternion_columns(link)
-    if columns is None:
-        here, there = float(qpos[link.qpos]), value
-        if link.kind is JointKind.HINGE:
-            here, there = float(np.degrees(here)), float(np.degrees(there))
-        whole = round(there, 0 if link.kind is JointKind.HINGE else 3)  # what one would write
-        said: list[Any] = [whole if min(here, there) < whole < max(here, there) else there, here]
+    back = _joint(link, qpos)
+    if isinstance(back, RotationTable):
+        there: RotationTable | float = RotationTable(rotvec=(0.0, float(_short(float(np.degrees(value)))), 0.0))
     else:
-        said = [{"rotvec": [0.0, _short(float(np.degrees(value))), 0.0]}, rotation(qpos[columns])]
-    loops = _loops(figure)
-    looped = [figure.links[i].name for i in sorted(loops)] if figure.links.index(link) in loops else []
-    free: dict[str, Any] = {name: "free" for name in looped if name != link.name}  # the search closes the loops again
-    back = {"joints": {figure.links[i].name: _said(figure.links[i], qpos) for i in sorted(loops)}} if looped else {}
+        there = float(np.degrees(value)) if link.kind is JointKind.HINGE else value
+        rounded = round(there, 0 if link.kind is JointKind.HINGE else 3)
+        there = rounded if min(back, there) < rounded < max(back, there) else there
+    loops = [figure.links[i] for i in sorted(_loops(figure))]
+    loops = loops if any(each is link for each in loops) else []  # the search closes the loops again
+    free = {each.name: "free" for each in loops if each is not link}
+    closed = {each.name: _joint(each, qpos) for each in loops}
     return [
-        {"time": start + APART, "joints": {link.name: said[0], **free}, "others": "hold"},
-        {"time": start + 2 * APART, "joints": {link.name: said[1]}, **back, "others": "hold"},
+        KeyframeTable.unchecked(time=start + APART, joints={link.name: there, **free}, others="hold"),
+        KeyframeTable.unchecked(time=start + 2 * APART, joints={link.name: back, **closed}, others="hold"),
     ]
 
 
-def _said(link: Link, qpos: Array) -> Any:
-    """What a keyframe says of a joint."""
+def _joint(link: Link, qpos: Array) -> RotationTable | float:
+    """The entry of a joint in a keyframe."""
     columns = quaternion_columns(link)
     if columns is not None:
         return rotation(qpos[columns])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self
 
@@ -19,6 +20,7 @@ Angle = Annotated[Real, Field(gt=0, le=360)]
 Axis = Number | Literal["free"]
 Share = Annotated[Real, Field(ge=0, le=1)]
 Place = tuple[Number, Number, Number]
+Axes = tuple[Axis, Axis, Axis]
 KEY = "key:"  # before the name of a <key> of the model
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 SHORTEST_BAR = 1e-4  # [m] from end to end
@@ -29,6 +31,28 @@ class Table(BaseModel):
     """Some keys of a clip's file, and no others."""
 
     model_config = ConfigDict(extra="forbid", strict=False)
+
+    @classmethod
+    def unchecked(cls, **values: Any) -> Self:
+        """Return a table with these values, by field names."""
+        return cls.model_construct(set(values), **values)
+
+    @property
+    def given(self) -> Mapping[str, object]:
+        """The values of the keys that are not left out."""
+        return {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
+
+    def changed(self, **values: object) -> Self:
+        """Return a copy with other values, unchecked; a key that is left out stays so unless its value changes."""
+        given = {k: v for k, v in values.items() if k in self.model_fields_set or v != getattr(self, k)}
+        return self.model_copy(update=given)
+
+    def without(self, *names: str) -> Self:
+        """Return a copy that leaves keys out."""
+        fields = type(self).model_fields
+        out = self.model_copy(update={name: fields[name].get_default(call_default_factory=True) for name in names})
+        out.model_fields_set.difference_update(names)
+        return out
 
 
 class RotationTable(Table):
@@ -78,14 +102,14 @@ class RotationTable(Table):
 class RootTable(Table):
     """Where a free body is, and how it is turned."""
 
-    position: tuple[Axis, Axis, Axis] | Literal["free"] = "free"
+    position: Axes | Literal["free"] = "free"
     rotation: RotationTable | Literal["free"] = "free"
 
 
 class SiteTable(Table):
     """Where a site is, and who puts it there."""
 
-    position: tuple[Axis, Axis, Axis]
+    position: Axes
     by: Literal["pose", "search"] = "pose"
 
 
@@ -93,7 +117,7 @@ class BodyTable(RotationTable):
     """How a body is turned, and where its origin is, or the point `at` in its axes."""
 
     flat: Flag | None = None
-    position: tuple[Axis, Axis, Axis] | None = None
+    position: Axes | None = None
     at: Place | None = None
 
     @model_validator(mode="after")
@@ -117,7 +141,7 @@ class KeyframeTable(Table):
     root: RootTable = RootTable()
     roots: dict[str, RootTable] = {}
     joints: dict[str, RotationTable | Number | Literal["free"]] = {}
-    sites: dict[str, SiteTable | tuple[Axis, Axis, Axis]] = {}
+    sites: dict[str, SiteTable | Axes] = {}
     bodies: dict[str, BodyTable] = {}
     others: Literal["free", "rest", "hold"] | ModelKey = "free"
 
@@ -217,8 +241,8 @@ class PenaltyTable(Table):
         return cls.model_validate({"kind": kind, **said})
 
     @property
-    def said(self) -> dict[str, Any]:
-        """The options by name, as they were given."""
+    def said(self) -> Mapping[str, Any]:
+        """The options by name, unchecked: `constraints.chosen` checks them."""
         return dict(self.model_extra or {})
 
 
@@ -249,6 +273,18 @@ class HoldTable(Table):
     def subject(self) -> str:
         """What can hold one thing at a time only."""
         return self.hand
+
+
+class StanceTable(Table):
+    """A stance that was inferred from a recording, in a motion's file: times [s], and the plane under the point.
+
+    on  a point of the plane and its normal
+    """
+
+    point: str
+    start: Number = Field(alias="from, s")
+    end: Number = Field(alias="to, s")
+    on: tuple[Number, Number, Number, Number, Number, Number] | None = None
 
 
 class SolveTable(Table):

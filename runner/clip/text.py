@@ -1,10 +1,10 @@
-"""A clip's tables as TOML text again, and keyframes as its tables: the way back of clip.py."""
+"""A clip's tables as TOML text, and keyframes as its tables: the reverse of loading."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,34 +14,35 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 
-from .table import ClipTable
+from .table import ClipTable, KeyframeTable, RootTable, RotationTable, Table
 
 DIGITS = 9  # after the point, of angles in degrees: 1e-11 rad, more than conversions there and back keep
 BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def tables(table: ClipTable) -> dict[str, Any]:
-    """What a clip's file says, as plain tables."""
+def tables(table: Table) -> dict[str, Any]:
+    """Return the keys that a table does not leave out as a file has them, tables in it likewise."""
     return table.model_dump(exclude_unset=True, by_alias=True)
 
 
-def written(clip: dict[str, Any]) -> str:
-    """TOML text of a clip's tables, keyframes last; entries of a table inside a table stand on one line."""
-    head = [(key, value) for key, value in clip.items() if not _is_table(value)]
+def written(clip: ClipTable | Mapping[str, object]) -> str:
+    """Return the TOML text of a clip, keyframes last; entries of a table inside a table stand on one line."""
+    plain = tables(clip) if isinstance(clip, ClipTable) else clip
+    head = [(key, value) for key, value in plain.items() if not _is_table(value)]
     blocks = ["\n".join(assignment(key, value) for key, value in head)]
-    for key, value in sorted(clip.items(), key=lambda item: item[0] == "keyframe"):
+    for key, value in sorted(plain.items(), key=lambda item: item[0] == "keyframe"):
         if isinstance(value, dict) and value:
             blocks.append("\n".join([f"[{_key(key)}]", *(assignment(*entry) for entry in value.items())]))
-        elif _is_table(value) and not isinstance(value, dict):
+        elif isinstance(value, list | tuple) and _is_table(value):
             blocks += ["\n".join([f"[[{_key(key)}]]", *_rows(row)]) for row in value]
     return "\n\n".join(blocks) + "\n"
 
 
-def _is_table(value: Any) -> bool:
+def _is_table(value: object) -> bool:
     return isinstance(value, dict) or (isinstance(value, list | tuple) and bool(value) and isinstance(value[0], dict))
 
 
-def _rows(row: dict[str, Any]) -> list[str]:
+def _rows(row: Mapping[str, object]) -> list[str]:
     """The lines of a table; each joint, site and body, and each part of the root, has one of its own."""
     lines = []
     for key, value in row.items():
@@ -52,7 +53,7 @@ def _rows(row: dict[str, Any]) -> list[str]:
     return lines
 
 
-def assignment(key: str, value: Any) -> str:
+def assignment(key: str, value: object) -> str:
     """KEY = VALUE in TOML."""
     return f"{_key(key)} = {_value(value)}"
 
@@ -65,7 +66,7 @@ def _text(text: str) -> str:
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
-def _value(value: Any) -> str:
+def _value(value: object) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
@@ -77,14 +78,15 @@ def _value(value: Any) -> str:
     return repr(value)
 
 
-def keyframe_tables(figure: Figure, keys: Sequence[Frame]) -> list[dict[str, Any]]:
-    """Keyframes, qpos and mask, as a clip's tables: rotations as rotation vectors, what is not fixed left out."""
+def keyframe_tables(figure: Figure, keys: Sequence[Frame]) -> list[KeyframeTable]:
+    """Return the tables of keyframes, qpos and mask: rotations as rotation vectors, free entries left out."""
     return [_keyframe(figure, key) for key in keys]
 
 
-def rotation(quaternion: ArrayLike) -> dict[str, list[float]]:
-    """A rotation's table: its rotation vector in degrees."""
-    return {"rotvec": [_angle(x) for x in quat.rotation_vector(quat.normalised(quaternion))]}
+def rotation(quaternion: ArrayLike) -> RotationTable:
+    """Return the table of a rotation: its rotation vector in degrees."""
+    x, y, z = (_angle(x) for x in quat.rotation_vector(quat.normalised(quaternion)))
+    return RotationTable(rotvec=(x, y, z))
 
 
 def _angle(radians: float) -> float:
@@ -92,10 +94,11 @@ def _angle(radians: float) -> float:
     return round(float(np.degrees(radians)), DIGITS) + 0.0
 
 
-def _keyframe(figure: Figure, key: Frame) -> dict[str, Any]:
-    root: dict[str, Any] = {}
-    roots: dict[str, Any] = {}
-    joints: dict[str, Any] = {}
+def _keyframe(figure: Figure, key: Frame) -> KeyframeTable:
+    """Unchecked: a state may be beyond what a file can have, which loading reports."""
+    root: RootTable | None = None
+    roots: dict[str, RootTable] = {}
+    joints: dict[str, RotationTable | float] = {}
     main_root = figure.root  # of several figures each is placed by its name
     first = None if main_root is None or main_root.is_ambiguous else figure.links[main_root.link]
     for link in figure.links[1:]:
@@ -104,15 +107,17 @@ def _keyframe(figure: Figure, key: Frame) -> dict[str, Any]:
         value = key.state[link.qpos if columns is None else columns].tolist()
         if link.kind is JointKind.FREE:
             axes = slice(link.qpos, link.qpos + 3)
-            table = root if link is first else roots.setdefault(link.name, {})
-            if key.fixed[axes].any():
-                pairs = zip(key.state[axes].tolist(), key.fixed[axes], strict=True)
-                table["position"] = [x if said else "free" for x, said in pairs]
-            if fixed:
-                table["rotation"] = rotation(value)
+            pairs = zip(key.state[axes].tolist(), key.fixed[axes], strict=True)
+            place = {"position": tuple(x if is_fixed else "free" for x, is_fixed in pairs)}
+            turn = {"rotation": rotation(value)} if fixed else {}
+            table = RootTable.unchecked(**(place if key.fixed[axes].any() else {}), **turn)
+            if link is first:
+                root = table
+            elif table.model_fields_set:
+                roots[link.name] = table
         elif fixed and columns is not None:
             joints[link.name] = rotation(value)
         elif fixed:
             joints[link.name] = _angle(value) if link.kind is JointKind.HINGE else value
-    said = {"root": root, "roots": {name: table for name, table in roots.items() if table}, "joints": joints}
-    return {"time": float(key.time), **{name: table for name, table in said.items() if table}}
+    named = {"root": root if root is not None and root.given else None, "roots": roots, "joints": joints}
+    return KeyframeTable.unchecked(time=float(key.time), **{name: value for name, value in named.items() if value})

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,17 +27,17 @@ from ..clip.file import standing_alone
 from ..clip.load import answered, of_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
-from ..clip.text import keyframe_tables, tables, written
+from ..clip.table import ClipTable, ContactTable, HoldTable, PenaltyTable, SolveTable
+from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..measure.problems import stop_of
 from ..motion import Saved
 from ..system.progress import Progress
 from ..work import Solved
 
-Rows = Sequence[dict[str, Any]]
-Lasting = Mapping[str, Rows | None]
-Edit = Callable[[dict[str, Any]], dict[str, Any]]
-LASTING = ("contact", "hold")  # tables of a clip that last from one time to another
+Span = tuple[float, float]  # [s]
+Row = TypeVar("Row", ContactTable, HoldTable)
+Edit = Callable[[ClipTable], ClipTable]
 
 FRAME_SECONDS = 0.025  # a variable frame of a transition, about: its ends leave no time to get out of the floor
 LEAST_FRAMES = 6
@@ -84,31 +84,40 @@ def retimed(saved: Saved, speed: float) -> Saved:
     )
 
 
-def retimed_tables(clip: dict[str, Any], speed: float) -> dict[str, Any]:
-    """A clip's tables with the times of keyframes, contacts, holds, flights and a cycle at another speed."""
-    if "recording" in clip:
+def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
+    """Return a clip's tables with the times of keyframes, contacts, holds, flights and a cycle at another speed."""
+    if clip.recording is not None:
         raise UserError("recording: say its speed in the clip, or retime the solved motion: -o NAME.npz")
-    start = clip["keyframe"][0]["time"]
+    start = clip.keyframe[0].time
 
     def later(time: float) -> float:
         return start + (time - start) / speed
 
-    out = clip | {"keyframe": [row | {"time": later(row["time"])} for row in clip["keyframe"]]}
-    for kind in clip.keys() & set(LASTING):
-        out[kind] = [row | {key: later(row[key]) for key in ("from", "to")} for row in clip[kind]]
-    if "penalty" in clip:
-        out["penalty"] = [_paced(row, later, speed) for row in clip["penalty"]]
-    return out
+    return clip.changed(
+        keyframe=[row.changed(time=later(row.time)) for row in clip.keyframe],
+        contact=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.contact],
+        hold=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.hold],
+        penalty=[_paced(row, later, speed) for row in clip.penalty],
+    )
 
 
-def _paced(penalty: dict[str, Any], later: Callable[[float], float], speed: float) -> dict[str, Any]:
+def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float) -> PenaltyTable:
     """A penalty's table at another speed."""
-    out = dict(penalty)
-    if penalty.get("intervals"):
-        out["intervals"] = [[later(first), later(last)] for first, last in penalty["intervals"]]
-    if penalty.get("period"):
-        out["period"] = penalty["period"] / speed
-    return out
+    options = dict(penalty.said)
+    if options.get("intervals"):
+        options["intervals"] = [[later(first), later(last)] for first, last in options["intervals"]]
+    if options.get("period"):
+        options["period"] = options["period"] / speed
+    return PenaltyTable.of(penalty.kind, **options)
+
+
+@dataclass(frozen=True)
+class Lasting:
+    """Contacts, holds and flights that a motion gets from another; flights None: at unknown times."""
+
+    contacts: Sequence[ContactTable] = ()
+    holds: Sequence[HoldTable] = ()
+    flights: Sequence[Span] | None = ()
 
 
 def check_interval(found: Clip | Saved, first: float, last: float) -> None:
@@ -144,21 +153,18 @@ def repeated(saved: Saved, count: int) -> Saved:
     fixed, posed = zip(*said, strict=True)
     keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed, posed)
     seam = Seam.of(saved.figure, saved.timeline)
-    contacts, held, flown = _rows(saved, "contact"), _rows(saved, "hold"), _flights(saved) or ()
-    rounds = range(1, count)
-    more = {
-        "contact": [row for i in rounds for row in _carried(_later(contacts, period * i), saved.figure, seam, i)],
-        "hold": [row for i in rounds for row in _later(held, period * i)],
-        "flight": [row for i in rounds for row in _later(flown, period * i)],
-    }
+    table, flown = _table(saved), _flights(saved) or ()
+    rounds = [(i, period * i) for i in range(1, count)]
+    more = Lasting(
+        [row for i, shift in rounds for row in _carried(_later(table.contact, shift), saved.figure, seam, i)],
+        [row for _, shift in rounds for row in _later(table.hold, shift)],
+        [(first + shift, last + shift) for _, shift in rounds for first, last in flown],
+    )
     displacement = around(replace(saved, timeline=timeline))
-    text = _keyed(saved, keys, lambda solve: _displaced(solve, displacement), more)
+    known = [name for name in AROUND if getattr(_table(saved).solve, name) is not None]
+    back = {name: getattr(displacement, name) or 0.0 for name in known}
+    text = _keyed(saved, keys, _table(saved).solve.changed(**back), more)
     return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={}, search={})
-
-
-def _displaced(solve: dict[str, Any], displacement: dict[str, Any]) -> dict[str, Any]:
-    """[solve] of a loop that comes back another way, where it says how."""
-    return solve | {name: displacement.get(name, 0.0) for name in AROUND if solve.get(name) is not None}
 
 
 def joined(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:
@@ -178,12 +184,12 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     keys = (*before.keys[:-1], *ends, *moved[1:])
     with _told("join"):
         check_times([key.time for key in keys], "join")
-    contacts, flown = _later(_rows(after, "contact"), shift), _flights(after)
-    more: Lasting = {
-        "contact": [row for row in contacts if row.get("position") is None],  # what has one has moved elsewhere
-        "hold": _later(_rows(after, "hold"), shift),
-        "flight": None if flown is None else _later(flown, shift),
-    }
+    table, flown = _table(after), _flights(after)
+    more = Lasting(
+        [row for row in _later(table.contact, shift) if row.position is None],  # a position has moved elsewhere
+        _later(table.hold, shift),
+        None if flown is None else [(first + shift, last + shift) for first, last in flown],
+    )
     return _with_keys(before, keys, join.joined(one, between, two), more)
 
 
@@ -255,7 +261,7 @@ def _key_on(figure: Figure, timeline: Timeline, number: int) -> Frame:
     return Frame.key(frame.time, figure.to_qpos(frame.state))
 
 
-def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: Lasting | None = None) -> Saved:
+def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: Lasting = Lasting()) -> Saved:
     """A motion with free ends through other keyframes, before it the raw spline through them."""
     raw = raw_timeline(saved.figure, list(keys))
     return replace(
@@ -270,83 +276,78 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
     )
 
 
-def _freed(solve: dict[str, Any]) -> dict[str, Any]:
-    """[solve] of a clip whose ends are free now."""
-    return {key: value for key, value in solve.items() if key not in ("ends", *AROUND)}
+def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None, more: Lasting = Lasting()) -> str:
+    """The clip's text with other keyframes, its contacts, holds and flights, and more of them, cut to their time; no
+    flights where more exist at unknown times.
 
+    solve  None: that of the clip with free ends
+    """
+    span = keys[0].time, keys[-1].time
 
-def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed, more: Lasting | None = None) -> str:
-    """The clip's text with other keyframes, its [solve] table changed, its contacts, holds and flights, and more of
-    them, cut to their time; no flights where more are known to be there, but not when."""
-    span, more = (keys[0].time, keys[-1].time), more or {}
-
-    def changed(clip: dict[str, Any]) -> dict[str, Any]:
-        keyed = clip | {"solve": ends(clip.get("solve", {})), "keyframe": keyframe_tables(saved.figure, keys)}
-        for kind in LASTING:
-            keyed[kind] = _cut([*keyed.get(kind, ()), *(more.get(kind) or ())], *span)
-        if "penalty" in keyed:
-            keyed["penalty"] = [_flying(row, more.get("flight", ()), span) for row in keyed["penalty"]]
-        return {key: value for key, value in keyed.items() if key not in LASTING or value}
+    def changed(clip: ClipTable) -> ClipTable:
+        return clip.changed(
+            solve=clip.solve.without("ends", *AROUND) if solve is None else solve,
+            contact=_cut([*clip.contact, *more.contacts], *span),
+            hold=_cut([*clip.hold, *more.holds], *span),
+            penalty=[_flying(row, more.flights, span) for row in clip.penalty],
+            keyframe=keyframe_tables(saved.figure, keys),
+        )
 
     return _text(saved, changed)
 
 
-def _flying(penalty: dict[str, Any], more: Rows | None, span: tuple[float, float]) -> dict[str, Any]:
-    """A penalty's table with more flights, where it says any, in a span [s]."""
-    if penalty.get("intervals") is None:
+def _flying(penalty: PenaltyTable, more: Sequence[Span] | None, span: Span) -> PenaltyTable:
+    """A penalty's table with more flights, if it lists flights, in a span [s]."""
+    intervals = penalty.said.get("intervals")
+    if intervals is None:
         return penalty
     if more is None:
         return _left_to_keyframes(penalty)
-    rows = _cut([*_intervals(penalty), *more], *span)
-    return penalty | {"intervals": [[row["from"], row["to"]] for row in rows]}
+    inside = [(max(first, span[0]), min(last, span[1])) for first, last in [*intervals, *more]]
+    kept = [[first, last] for first, last in inside if last - first >= SHORTEST]
+    return PenaltyTable.of(penalty.kind, **{**penalty.said, "intervals": kept})
 
 
-def _without_flights(clip: dict[str, Any]) -> dict[str, Any]:
-    """A clip's tables whose flights are as its keyframes tell them."""
-    return clip | {"penalty": [_left_to_keyframes(row) for row in clip["penalty"]]} if "penalty" in clip else clip
+def _without_flights(clip: ClipTable) -> ClipTable:
+    """A clip's tables with the flights inferred from its keyframes."""
+    return clip.changed(penalty=[_left_to_keyframes(row) for row in clip.penalty])
 
 
-def _left_to_keyframes(penalty: dict[str, Any]) -> dict[str, Any]:
-    return {key: value for key, value in penalty.items() if key != "intervals"}
+def _left_to_keyframes(penalty: PenaltyTable) -> PenaltyTable:
+    return PenaltyTable.of(penalty.kind, **{key: value for key, value in penalty.said.items() if key != "intervals"})
 
 
-def _intervals(penalty: dict[str, Any]) -> list[dict[str, Any]]:
-    """The flights in a penalty's table, as rows from one time to another."""
-    return [{"from": first, "to": last} for first, last in penalty.get("intervals") or ()]
+def _flights(saved: Saved) -> list[Span] | None:
+    """The flights of a motion's text; None where they are inferred from its keyframes."""
+    listed = [row.said["intervals"] for row in _table(saved).penalty if row.said.get("intervals") is not None]
+    return [(first, last) for intervals in listed for first, last in intervals] if any(listed) else None
 
 
-def _flights(saved: Saved) -> Rows | None:
-    """The flights of a motion's text, none where it leaves them to its keyframes."""
-    said = tables(table_of(saved.text, saved.name)).get("penalty", []) if saved.text else []
-    rows = [_intervals(row) for row in said if row.get("intervals") is not None]
-    return [row for each in rows for row in each] if rows else None
+def _table(saved: Saved) -> ClipTable:
+    """The tables of a motion's text; without a text those of a clip that specifies nothing."""
+    return table_of(saved.text, saved.name) if saved.text else ClipTable(figure="")
 
 
-def _rows(saved: Saved, kind: str) -> Rows:
-    """The contacts or holds of a motion's text."""
-    return tables(table_of(saved.text, saved.name)).get(kind, []) if saved.text else []
+def _later(rows: Sequence[Row], shift: float) -> list[Row]:
+    """Contacts or holds a time [s] later."""
+    return [row.changed(start=row.start + shift, end=row.end + shift) for row in rows]
 
 
-def _later(rows: Rows, shift: float) -> list[dict[str, Any]]:
-    """Contacts, holds or flights a time [s] later."""
-    return [row | {"from": row["from"] + shift, "to": row["to"] + shift} for row in rows]
-
-
-def _carried(contacts: Rows, figure: Figure, seam: Seam, periods: int) -> list[dict[str, Any]]:
+def _carried(contacts: Sequence[ContactTable], figure: Figure, seam: Seam, periods: int) -> list[ContactTable]:
     """Contacts with their positions where a loop has them some periods later."""
 
-    def later(position: ArrayLike) -> list[float]:
-        return seam.carried(figure, np.array(position), periods).tolist()
+    def later(position: ArrayLike) -> tuple[float, ...]:
+        return tuple(seam.carried(figure, np.array(position), periods).tolist())
 
-    return [row | {"position": later(row["position"])} if row.get("position") is not None else row for row in contacts]
+    return [row if row.position is None else row.changed(position=later(row.position)) for row in contacts]
 
 
-def _cut(rows: Rows, first: float, last: float) -> list[dict[str, Any]]:
-    """The parts of contacts, holds or flights that lie between two times [s]."""
-    cut = [row | {"from": max(row["from"], first), "to": min(row["to"], last)} for row in rows]
-    return [row for row in cut if row["to"] - row["from"] >= SHORTEST]
+def _cut(rows: Sequence[Row], first: float, last: float) -> list[Row]:
+    """The parts of contacts or holds that lie between two times [s]."""
+    cut = [row.changed(start=max(row.start, first), end=min(row.end, last)) for row in rows]
+    return [row for row in cut if row.end - row.start >= SHORTEST]
 
 
 def _text(saved: Saved, edit: Edit) -> str:
     """A motion's clip, edited; a motion that came from no clip has none."""
-    return written(edit(tables(table_of(saved.text, saved.name)))) if saved.text else ""
+    return written(edit(table_of(saved.text, saved.name))) if saved.text else ""

@@ -16,7 +16,8 @@ from ..clip.build import Clip
 from ..clip.load import load_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import table_of
-from ..clip.text import tables, written
+from ..clip.table import ClipTable
+from ..clip.text import written
 from ..errors import UserError
 from ..measure import problems
 from ..measure.problems import Flaw
@@ -37,7 +38,7 @@ class Edit:
 
     word: str
     motions: Callable[[Sequence[Saved], Progress], Saved]
-    clip: Callable[[dict[str, Any], Clip], dict[str, Any]] | None = None
+    clip: Callable[[ClipTable, Clip], ClipTable] | None = None
     check: Callable[[Sequence[Clip | Saved]], object] = lambda found: None
 
 
@@ -56,15 +57,14 @@ def run(
     edit.check(found)
     one, is_clip = found[0], target.suffix == ".toml"
     if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
-        said = edit.clip(tables(table_of(one.text, sources[0])), one)
-        _write_clip(said, sources[0], target)
+        _write_clip(edit.clip(table_of(one.text, sources[0]), one), sources[0], target)
         return target, ()
     saved = edit.motions([kept.saved(each, progress, fresh=fresh) for each in found], progress)
     if is_clip:
         if not saved.text:
             raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
         if isinstance(one, Clip):
-            _write_clip(tables(table_of(saved.text, sources[0])), sources[0], target)
+            _write_clip(table_of(saved.text, sources[0]), sources[0], target)
         else:
             clip_file.write(replace(saved, name=target.stem), target, overwrite=overwrite)
         return target, ()
@@ -92,13 +92,13 @@ def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
             raise UserError(f"'{target}' is what is edited; give another -o, or --overwrite")
 
 
-def _write_clip(said: dict[str, Any], source: str, target: Path) -> None:
+def _write_clip(table: ClipTable, source: str, target: Path) -> None:
     """A clip's file made of another one's tables: the figure's path as seen from the new file. Raises UserError for
     tables that are no clip, before anything is written."""
-    if said["figure"] not in models.figures():
-        figure = Path(source).parent / said["figure"]
-        said["figure"] = Path(os.path.relpath(figure, target.parent)).as_posix()
-    text = written(said)
+    if table.figure not in models.figures():
+        figure = Path(source).parent / table.figure
+        table = table.changed(figure=Path(os.path.relpath(figure, target.parent)).as_posix())
+    text = written(table)
     recordings.from_text(text, name=target.stem, where=str(target), folder=target.parent)
     with Replacement(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
@@ -109,7 +109,7 @@ def mirrored() -> Edit:
     return Edit(
         "mirrored",
         lambda saved, _: edits.mirrored(saved[0]),
-        lambda said, found: mirrored_tables(said, found.figure, edits.mirror_of(found)),
+        lambda table, found: mirrored_tables(table, found.figure, edits.mirror_of(found)),
         lambda found: edits.mirror_of(found[0]),
     )
 
@@ -128,7 +128,7 @@ def retimed(speed: float | None, duration: float | None) -> Edit:
     return Edit(
         "retimed",
         lambda saved, _: edits.retimed(saved[0], rate(saved[0].keys)),
-        lambda said, found: edits.retimed_tables(said, rate(found.keys)),
+        lambda table, found: edits.retimed_tables(table, rate(found.keys)),
     )
 
 

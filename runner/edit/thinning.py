@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -24,7 +23,8 @@ from ..clip import file as clip_file
 from ..clip.build import Clip, around, radians
 from ..clip.load import of_motion
 from ..clip.parse import SHORTEST, table_of
-from ..clip.text import keyframe_tables, tables, written
+from ..clip.table import ClipTable
+from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..motion import Saved, save
 from ..system.output import check_target
@@ -114,7 +114,7 @@ def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
     times, figure = _instants(saved, keys), saved.figure
     qpos = figure.to_qpos(path_of(saved.timeline).at(times))
     back = around(saved)
-    travel, turn = back.get("travel"), radians(back.get("turn"))
+    travel, turn = back.travel, radians(back.turn)
     return Recorded(figure, times, qpos, Bound(distance, angle), saved.timeline.ends, travel, turn)
 
 
@@ -135,24 +135,20 @@ class _Text:
 
     def __init__(self, saved: Saved) -> None:
         self.saved = saved
-        self.said = tables(table_of(saved.text, saved.name)) if saved.text else None
+        self.table = table_of(saved.text, saved.name) if saved.text else None
 
     def of(self, keys: Sequence[Frame]) -> str:
-        if self.said is None:
-            return ""
-        return written(_with_keys(self.said, self.saved, keys))
+        return "" if self.table is None else written(_with_keys(self.table, self.saved, keys))
 
 
-def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame]) -> dict[str, Any]:
+def _with_keys(table: ClipTable, saved: Saved, keys: Sequence[Frame]) -> ClipTable:
     """A clip's tables through other keyframes, with the contacts that are inside them."""
-    search = clip_file.searching(said.get("solve", {})) | around(saved)
-    out = said | {"solve": search, "keyframe": keyframe_tables(saved.figure, keys)}
-    if not search:
-        del out["solve"]
-    if "contact" in said:
-        first, last = keys[0].time, keys[-1].time
-        out["contact"] = [row for row in said["contact"] if first <= row["from"] and row["to"] <= last]
-    return out
+    first, last = keys[0].time, keys[-1].time
+    return table.changed(
+        solve=clip_file.searching(table.solve).changed(**around(saved).given),
+        contact=[row for row in table.contact if first <= row.start and row.end <= last],
+        keyframe=keyframe_tables(saved.figure, keys),
+    )
 
 
 def write(

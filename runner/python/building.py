@@ -17,7 +17,7 @@ from dynsplines.solver.figure.figure import Figure, FigureError
 
 from .. import recordings
 from ..clip.build import Clip, Own, with_own
-from ..clip.text import keyframe_tables, written
+from ..clip.text import keyframe_tables, tables, written
 from ..errors import UserError
 from ..scene import outside
 from ..scene.compose import first_line, quietly
@@ -122,7 +122,7 @@ def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
     if qpos.shape != (figure.width,) or not np.all(np.isfinite(qpos)):
         wrong = "its numbers are not finite" if qpos.shape == (figure.width,) else f"it is {qpos.shape}"
         raise UserError(f"keyframe (t = {key.time} s): qpos is ({figure.width},) of finite numbers; {wrong}")
-    (whole,) = keyframe_tables(figure, [Frame.key(0.0, qpos)])
+    whole = tables(keyframe_tables(figure, [Frame.key(0.0, qpos)])[0])
     return (
         whole
         | out

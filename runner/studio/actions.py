@@ -243,6 +243,8 @@ class Actions:
         from dynsplines.solver.curve.symmetry import MirrorError
 
         from ..clip.mirror import mirrored_keyframe
+        from ..clip.parse import table_of
+        from ..clip.text import tables
 
         poser = await self.poser()
         try:
@@ -250,7 +252,8 @@ class Actions:
         except MirrorError as error:
             raise UserError(str(error)) from None
         keys, revision = self._now(revision, keys=keys)["keys"], self.session.document.revision
-        said = {str(index): mirrored_keyframe(self._row(index), poser.figure, mirror) for index in keys}
+        rows = table_of(self.session.document.text, self.session.document.place).keyframe
+        said = {str(index): tables(mirrored_keyframe(rows[index], poser.figure, mirror)) for index in keys}
         words = "mirror a keyframe" if len(keys) == 1 else f"mirror {len(keys)} keyframes"
         return await self.session.edit("replace_keys", {"keys": said, "words": words}, revision)
 

@@ -192,4 +192,4 @@ class Poser:
 
 
 def _short(quaternion: Array) -> dict[str, list[float]]:
-    return {"rotvec": [round(x, DIGITS) + 0.0 for x in rotation(quaternion)["rotvec"]]}
+    return {"rotvec": [round(x, DIGITS) + 0.0 for x in rotation(quaternion).rotvec or ()]}

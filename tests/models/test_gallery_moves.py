@@ -14,7 +14,7 @@ from move import of
 
 from dynsplines.clip import load as clips
 from dynsplines.clip.parse import table_of
-from dynsplines.clip.text import tables, written
+from dynsplines.clip.text import written
 from dynsplines.edit.edits import retimed_tables
 
 pytestmark = pytest.mark.slow
@@ -24,7 +24,7 @@ G = 9.81
 @pytest.mark.parametrize("name", ["hand_on_rail", "jump_over_box"])
 def test_at_another_speed_contacts_and_flights_keep_their_place_in_the_move(name):
     move = of(name)
-    said = tables(table_of(move.clip.text, move.clip.name))
+    said = table_of(move.clip.text, move.clip.name)
     fast = clips.from_text(written(retimed_tables(said, 2.0)), name="fast")
     assert fast.keys[-1].time == pytest.approx(move.clip.keys[-1].time / 2)
     table, own = table_of(fast.text, "fast"), table_of(move.clip.text, "own")

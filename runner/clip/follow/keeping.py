@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+from pydantic import TypeAdapter, ValidationError
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
@@ -44,7 +44,7 @@ from ..contacts import ROUNDING
 from ..context import knees_and_elbows
 from ..posing.feet import rounded, sole_points
 from ..posing.places import Places
-from ..table import ContactTable
+from ..table import ContactTable, StanceTable
 
 WEIGHTS = {
     "near": 1.0,
@@ -58,6 +58,7 @@ WEIGHTS = {
     "limits.speed": 1e5,  # 1 for 0.2 °/s
     "support": 1000.0,  # 1 for a thirtieth of the weight
 }
+STANCES = TypeAdapter(list[StanceTable])
 LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
 TOLERANCE = 1e-2  # relative progress of E at which a search ends
 INSIDE = 0.015  # [rad, m] of a joint's range that is kept as a margin
@@ -149,8 +150,8 @@ def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, 
     return tuple(found)
 
 
-def stances_of(rests: Sequence[Rest]) -> list[dict[str, Any]]:
-    """Stances in plain words, for a file."""
+def stances_of(rests: Sequence[Rest]) -> list[dict[str, object]]:
+    """Return stances as a motion's file contains them, see `StanceTable`."""
     return [
         {
             "point": rest.point.name,
@@ -162,24 +163,24 @@ def stances_of(rests: Sequence[Rest]) -> list[dict[str, Any]]:
     ]
 
 
-def stances_in(said: object, ground: Ground, where: str) -> tuple[Rest, ...]:
-    """Stances from such words; raises UserError, where first, for what are none."""
-    places, own, found = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Rest]()
-    if not isinstance(said, list):
-        raise UserError(f"{where}: its stances are no list")
+def stances_in(stances: object, ground: Ground, where: str) -> tuple[Rest, ...]:
+    """Return the stances that a motion's file contains.
+
+    Raises:
+        UserError: for anything but stances of this figure.
+    """
+    places, soles, rests = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Rest]()
     try:
-        for row in said:
-            first, last, plane = float(row["from, s"]), float(row["to, s"]), np.array(row.get("on", []), float)
-            if not first < last or plane.shape not in ((0,), (6,)) or not np.isfinite([first, last, *plane]).all():
-                raise ValueError
-            on = Plane("ground", plane[:3], plane[3:]) if plane.size else None
-            point = own.get(row["point"]) or places.point(row["point"])
-            if point is None:
-                raise ValueError
-            found.append(Rest(point, first, last, on, rolls=True))
-    except (TypeError, ValueError, KeyError, AttributeError):
-        raise UserError(f"{where}: its stances are none of this figure's") from None
-    return tuple(found)
+        rows = STANCES.validate_python(stances)
+    except ValidationError:
+        raise UserError(f"{where}: its stances are damaged; solve the clip again") from None
+    for row in rows:
+        point = soles.get(row.point) or places.point(row.point)
+        if point is None or not row.start < row.end:
+            raise UserError(f"{where}: its stances are none of this figure's; solve the clip again")
+        on = None if row.on is None else Plane("ground", np.array(row.on[:3]), np.array(row.on[3:]))
+        rests.append(Rest(point, row.start, row.end, on, rolls=True))
+    return tuple(rests)
 
 
 def problem(near: Near, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()) -> Problem:

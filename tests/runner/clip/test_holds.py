@@ -14,7 +14,7 @@ from dynsplines import work
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
-from dynsplines.clip.text import tables, written
+from dynsplines.clip.text import written
 from dynsplines.edit.edits import retimed_tables, trimmed
 from dynsplines.errors import UserError
 from dynsplines.measure.problems import problems
@@ -254,7 +254,7 @@ def test_every_mistake_is_told_in_one_line_that_names_it(case):
 def test_a_mirrored_clip_holds_with_the_other_hand():
     clip = clips.from_text(lift(hands=("left",)), name="lift")
     figure = clip.figure
-    said = mirrored_tables(tables(table_of(clip.text, "lift")), figure, Mirror.of(figure))
+    said = mirrored_tables(table_of(clip.text, "lift"), figure, Mirror.of(figure))
     other = clips.from_text(written(said), name="other")
     (hold,) = other.context.holds
     assert hold.name == "right_hand on crate"
@@ -270,8 +270,8 @@ def test_several_hold_one_thing_one_after_the_other_and_at_once():
 @pytest.mark.slow
 def test_at_another_speed_and_in_a_part_of_the_clip_holds_keep_their_place(solved):
     clip, _ = solved
-    fast = retimed_tables(tables(table_of(clip.text, "lift")), 2.0)
-    assert [(row["from"], row["to"]) for row in fast["hold"]] == [(0.3, 0.75)] * 2
+    fast = retimed_tables(table_of(clip.text, "lift"), 2.0)
+    assert [(row.start, row.end) for row in fast.hold] == [(0.3, 0.75)] * 2
     part = trimmed(work.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
     (left, right) = clips.answered(part).context.holds
     assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
-
 import mujoco
 import numpy as np
 import pytest
@@ -11,6 +9,7 @@ from oracles import posed
 
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
+from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import written
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.mirror import Mirror
@@ -57,7 +56,7 @@ def test_rotations_of_turned_frames_are_those_of_the_mirrored_motion():
     mirror = Mirror.of(clip.figure)
     names = [link.name for link in clip.figure.links]
     assert names[mirror.partner[names.index("swing_1")]] == "swing_2"
-    text = written(mirrored_tables(tomllib.loads(CLIP), clip.figure, mirror))
+    text = written(mirrored_tables(table_of(CLIP, "one"), clip.figure, mirror))
     image = clips.from_text(text, name="two", spec=spec.copy())
     model = clip.figure.model
     pairs = [model.body(name).id for name in ("pelvis", "waist", "hip_1", "foot_1", "hip_2", "foot_2")]
@@ -81,15 +80,14 @@ bodies.foot_2 = {rotvec = [0, 20, 0]}
 """
     clip = clips.from_text(row, name="one", spec=figure(), unmet=[])
     mirror = Mirror.of(clip.figure)
-    (_, last) = mirrored_tables(tomllib.loads(row), clip.figure, mirror)["keyframe"]
-    assert last["sites"] == {"toe_2": [0.3, -0.1, 0.4], "badge": [0.1, 0.0, 0.8]}
-    assert list(last["bodies"]) == ["foot_1"]
+    (_, last) = mirrored_tables(table_of(row, "one"), clip.figure, mirror).keyframe
+    assert last.sites == {"toe_2": (0.3, -0.1, 0.4), "badge": (0.1, 0.0, 0.8)}
+    assert list(last.bodies) == ["foot_1"]
 
 
 def test_a_site_that_has_nothing_on_the_other_side_is_refused():
     text = TURNED.replace('<site name="toe_2" pos=".02688 .0193536 .0943552"/>', "")
     clip = clips.from_text(CLIP, name="one", spec=figure(text))
-    table = tomllib.loads(CLIP)
-    table["keyframe"][1]["sites"] = {"toe_1": [0.3, 0.1, 0.4]}
+    table = table_of(CLIP + "sites.toe_1 = [0.3, 0.1, 0.4]\n", "one")
     with pytest.raises(UserError, match="'toe_1': nothing like it on the other side"):
         mirrored_tables(table, clip.figure, Mirror.of(clip.figure))

@@ -12,6 +12,7 @@ from command import commanded
 from dynsplines import Keyframe, build, inbetween, load, load_motion
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_keyframe
+from dynsplines.clip.table import KeyframeTable
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.mirror import Mirror
 
@@ -103,9 +104,9 @@ def test_the_mirror_keeps_a_symmetric_key_and_refuses_another(folder: Path):
     (folder / "robot.xml").write_text(ROBOT.replace(".123456789012345", "0"))
     made = clips.from_text(text, name="clip", folder=folder)
     mirror = Mirror.of(made.figure)
-    assert mirrored_keyframe({"time": 0, "others": "key:home"}, made.figure, mirror)["others"] == "key:home"
+    assert mirrored_keyframe(KeyframeTable(time=0.0, others="key:home"), made.figure, mirror).others == "key:home"
     with pytest.raises(UserError, match="the model's key 'step & go' is no mirror image of itself"):
-        mirrored_keyframe({"time": 0, "others": "key:step & go"}, made.figure, mirror)
+        mirrored_keyframe(KeyframeTable(time=0.0, others="key:step & go"), made.figure, mirror)
 
 
 def test_an_edit_that_names_another_key_has_it(folder: Path):

@@ -11,6 +11,7 @@ from dynsplines.clip.build import Clip
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.posing.places import Places, posable_sites
+from dynsplines.clip.table import ClipTable, KeyframeTable, PenaltyTable, RecordingTable
 from dynsplines.edit.edits import retimed_tables
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.mirror import Mirror
@@ -139,22 +140,25 @@ def test_feet_and_bodies_change_sides_in_a_mirror():
         "bodies": {"left_calf": {"position": [0.1, 0.2, "free"], "at": [0.01, 0.02, 0.03]}},
         "time": 0,
     }
-    out = mirrored_tables({"keyframe": [table]}, whole, Mirror.of(whole))["keyframe"][0]
-    assert out["sites"] == {"right_ball": [0.1, -0.2, 0.3]}
-    assert out["bodies"]["right_calf"]["position"] == [0.1, -0.2, "free"]
-    np.testing.assert_allclose(out["bodies"]["right_calf"]["at"], [0.01, -0.02, 0.03], atol=1e-12)
+    clip_ = ClipTable.model_validate({"figure": "whole", "keyframe": [table]})
+    out = mirrored_tables(clip_, whole, Mirror.of(whole)).keyframe[0]
+    assert out.sites == {"right_ball": (0.1, -0.2, 0.3)}
+    assert out.bodies["right_calf"].position == (0.1, -0.2, "free")
+    at = out.bodies["right_calf"].at
+    assert at is not None
+    np.testing.assert_allclose(at, [0.01, -0.02, 0.03], atol=1e-12)
 
 
 def test_bodies_that_are_kept_level_and_their_axis_change_sides_in_a_mirror():
-    whole, rows = figure(), {"keyframe": [{"time": 0}]}
-    level = {"kind": "upright", "bodies": ["left_calf"], "axis": [0.6, 0.8, 0]}
-    (out,) = mirrored_tables(rows | {"penalty": [level]}, whole, Mirror.of(whole))["penalty"]
-    assert out["bodies"] == ["right_calf"]
-    np.testing.assert_allclose(out["axis"], [0.6, -0.8, 0], atol=1e-12)
+    whole, level = figure(), PenaltyTable.of("upright", bodies=["left_calf"], axis=[0.6, 0.8, 0])
+    clip_ = ClipTable(figure="whole", penalty=[level], keyframe=[KeyframeTable(time=0.0)])
+    (out,) = mirrored_tables(clip_, whole, Mirror.of(whole)).penalty
+    assert out.said["bodies"] == ["right_calf"]
+    np.testing.assert_allclose(out.said["axis"], [0.6, -0.8, 0], atol=1e-12)
 
 
 def test_a_clip_that_follows_a_recording_is_mirrored_and_retimed_when_it_is_solved():
-    whole, clip_ = figure(), {"keyframe": [], "recording": {"file": "a.npz"}}
+    whole, clip_ = figure(), ClipTable(figure="whole", recording=RecordingTable(file="a.npz"))
     with pytest.raises(UserError, match="mirror the solved motion"):
         mirrored_tables(clip_, whole, Mirror.of(whole))
     with pytest.raises(UserError, match="retime the solved motion"):

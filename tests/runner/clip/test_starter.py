@@ -104,7 +104,7 @@ def test_a_second_free_body_is_placed_by_its_name_and_there_and_back_in_text(tmp
     moved = problem.text.replace('roots."c d" = {position = [0, 0, ', 'roots."c d" = {position = [5, 0, ', 1)
     again = clip.from_text(moved, name="it", folder=tmp_path)
     assert again.keys[0].state[7] == 5
-    assert keyframe_tables(again.figure, again.keys)[0]["roots"]["c d"]["position"][0] == 5
+    assert keyframe_tables(again.figure, again.keys)[0].roots["c d"].position[0] == 5
     with pytest.raises(UserError, match=r"roots: no free joint 'c'"):
         clip.from_text(moved.replace('roots."c d"', "roots.c"), name="it", folder=tmp_path)
 

@@ -17,6 +17,7 @@ from rich.console import Console
 from dynsplines import models, motion, work
 from dynsplines.clip import load as clip
 from dynsplines.clip.parse import table_of
+from dynsplines.clip.table import RotationTable
 from dynsplines.clip.text import keyframe_tables, rotation, tables, written
 from dynsplines.edit import edits
 from dynsplines.edit import files as edit_files
@@ -248,8 +249,8 @@ def test_odd_names_and_texts_survive_being_written():
 
 @pytest.mark.slow
 def test_keyframes_of_a_motion_become_a_clip_of_the_same_keyframes(steps):
-    said = tables(table_of(steps.text, "steps")) | {"keyframe": keyframe_tables(steps.figure, steps.keys)}
-    again = clip.from_text(written(said), name="again")
+    table = table_of(steps.text, "steps").changed(keyframe=keyframe_tables(steps.figure, steps.keys))
+    again = clip.from_text(written(table), name="again")
     for a, b in zip(again.keys, steps.keys, strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
         np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-12)
@@ -258,20 +259,24 @@ def test_keyframes_of_a_motion_become_a_clip_of_the_same_keyframes(steps):
 def test_rotations_are_written_as_one_would_write_them(rng):
     for size in 10.0 ** rng.uniform(-12, 0, 200):
         q = quat.normalised([1, *(size * rng.normal(size=3))]) * rng.choice([-1, 1])
-        said = rotation(q)["rotvec"]
+        said = rotation(q).rotvec or ()
         again = quat.from_rotation_vector(np.radians(said))
         assert quat.angle_between(q, again) < 1e-10
         assert all(x == 0 or abs(x) >= 1e-9 for x in said)
-    assert rotation(quat.from_rotation_vector([np.radians(30), 1e-18, -1e-18])) == {"rotvec": [30.0, 0.0, 0.0]}
-    assert str(rotation([1, 0, -1e-17, 0])["rotvec"]) == "[0.0, 0.0, 0.0]"
-    assert rotation(quat.from_rotation_vector(np.radians([30.000013, 0, 0]))) == {"rotvec": [30.000013, 0.0, 0.0]}
+    assert rotation(quat.from_rotation_vector([np.radians(30), 1e-18, -1e-18])) == RotationTable(
+        rotvec=(30.0, 0.0, 0.0)
+    )
+    assert str(rotation([1, 0, -1e-17, 0]).rotvec) == "(0.0, 0.0, 0.0)"
+    assert rotation(quat.from_rotation_vector(np.radians([30.000013, 0, 0]))) == RotationTable(
+        rotvec=(30.000013, 0.0, 0.0)
+    )
 
 
 def test_hinges_and_slides_come_back_in_degrees_and_metres(tmp_path):
     keyframes = "".join(f"[[keyframe]]\ntime = {i}\njoints = {{slide = 0.1, swing = {30 * i}}}\n" for i in range(2))
     path = tiny.written(tmp_path, f'figure = "hinge.xml"\n{keyframes}')
     found = clip.load(str(path))
-    assert [row["joints"] for row in keyframe_tables(found.figure, found.keys)] == [
+    assert [row.joints for row in keyframe_tables(found.figure, found.keys)] == [
         {"slide": 0.1, "swing": pytest.approx(30 * i)} for i in range(2)
     ]
 

@@ -15,6 +15,7 @@ from dynsplines import models, motion, recordings, work
 from dynsplines.clip import file as clip_file
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import table_of
+from dynsplines.clip.table import PenaltyTable
 from dynsplines.clip.text import tables
 from dynsplines.edit import edits, thinning
 from dynsplines.edit import files as edit_files
@@ -179,8 +180,8 @@ def test_a_loop_flies_as_often_as_it_is_repeated():
 
 def test_a_cycle_that_is_said_keeps_pace():
     said = '[[penalty]]\nkind = "cycle"\nperiod = 0.3\n[[keyframe]]'
-    table = tables(table_of(tiny.CLIP.replace("[[keyframe]]", said, 1), "tiny"))
-    assert edits.retimed_tables(table, 2.0)["penalty"] == [{"kind": "cycle", "period": 0.15}]
+    table = table_of(tiny.CLIP.replace("[[keyframe]]", said, 1), "tiny")
+    assert edits.retimed_tables(table, 2.0).penalty == [PenaltyTable.of("cycle", period=0.15)]
 
 
 @pytest.mark.parametrize("source", ["tiny.toml", "own.npz"])

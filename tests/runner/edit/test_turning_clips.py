@@ -15,7 +15,7 @@ from dynsplines import motion, work
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.posing.rotation import quaternion_of
-from dynsplines.clip.table import RotationTable
+from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of
 from dynsplines.errors import UserError
@@ -179,9 +179,12 @@ def test_formats_whose_loops_only_travel_get_no_loop_and_a_word_of_it(circle):
 def test_a_mirrored_clip_turns_the_other_way():
     figure = Figure(figure_spec("human").compile())
     rotation = {"euler": [5.0, -10.0, 3.0], "heading": 40.0}
-    said = {"solve": {"travel": [1.0, 0.5, 0.0], "turn": 45.0}, "keyframe": [{"root": {"rotation": rotation}}]}
-    mirrored = mirrored_tables(said, figure, Mirror.of(figure))
-    assert mirrored["solve"] == {"travel": [1.0, -0.5, 0.0], "turn": -45.0}
-    one = quaternion_of(RotationTable.model_validate(rotation))
-    two = quaternion_of(RotationTable.model_validate(mirrored["keyframe"][0]["root"]["rotation"]))
+    solve = SolveTable(travel=(1.0, 0.5, 0.0), turn=45.0)
+    table = RotationTable.model_validate(rotation)
+    clip = ClipTable(figure="human", solve=solve, keyframe=[KeyframeTable(time=0.0, root=RootTable(rotation=table))])
+    mirrored = mirrored_tables(clip, figure, Mirror.of(figure))
+    assert mirrored.solve == SolveTable(travel=(1.0, -0.5, 0.0), turn=-45.0)
+    image = mirrored.keyframe[0].root.rotation
+    assert isinstance(image, RotationTable)
+    one, two = quaternion_of(table), quaternion_of(image)
     np.testing.assert_allclose(two, one * [1, -1, 1, -1], atol=1e-12)
