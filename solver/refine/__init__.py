@@ -1,8 +1,10 @@
-"""Where more frames are needed, and clips too long for one search.
+"""Refinement: insertion of frames, error estimates, parts of clips, hard joint ranges.
 
 subdivision     a variable frame where the path is badly approximated: step 5 of the paper's figure 5
 euler_lagrange  the Euler-Lagrange residual, its deviation per segment, the weak form
-displacement    how far the path is from the optimum, appendix C
-limits          a path moved back into hard joint ranges
-windows         a long clip window by window: time linear, memory bounded
+displacement    the distance of a path from the optimum, appendix C
+limits          projection of a path into hard joint ranges
+carried         warm start: an earlier solution mapped to edited keyframes
+cut             the part of a clip that an edit affects, solved separately
+windows         long clips solved window by window: linear time, bounded memory
 """

@@ -1,7 +1,7 @@
-"""A path that was found carried over to keyframes that were edited since: where a search goes on from what is seen.
+"""Warm start: an earlier solution mapped to edited keyframes, from which a search continues.
 
-Times between keyframes that are in both stretch with them, and the path is moved by what the keyframes were moved by,
-so that it runs through all of them at once and stays as smooth as it was.
+Times between keyframes that are in both versions are stretched linearly, and the path is displaced as the keyframes
+were. It thus passes through all of them and stays as smooth as before.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure
 
-SAME = 1e-9  # [s, and of a state's entries] nearer, a keyframe is the one that it was
-FEW = 2  # variable frames in a segment that has none
-CLOSE = 0.15  # of a segment, nearer to a keyframe a variable frame is left out
-TINY = 0.02  # [s] a segment so short gets no variable frames
+SAME = 1e-9  # [s, and of a state's entries] difference up to which a keyframe is unchanged
+FEW = 2  # variable frames added to a segment without any
+CLOSE = 0.15  # of a segment: distance from a keyframe below which a variable frame is omitted
+TINY = 0.02  # [s] length up to which a segment gets no variable frames
 
 
 def carried(
@@ -33,17 +33,23 @@ def carried(
     travel: Array | None = None,
     turn: float | None = None,
 ) -> Timeline:
-    """The timeline through `keys` nearest to one found through the keyframes `before`, with its variable frames.
+    """Return the warm start through edited keyframes, with the variable frames of an earlier solution.
 
-    before, keys  hold qpos, as a Problem's;  raw  the timeline of the spline through keys
-    travel, turn  of a loop, as a Problem's
+    Args:
+        figure: The figure.
+        found: The earlier solution's timeline.
+        before: The keyframes of the earlier solution, which hold qpos.
+        keys: The edited keyframes, which hold qpos.
+        raw: The timeline of the spline through `keys`.
+        travel: Of a loop, see `Problem`, (3,) [m].
+        turn: Of a loop, see `Problem` [rad].
     """
     old_times, new_times = _matched(before, keys)
     path = path_of(found)
     first, last = found.times[0], found.times[-1]
 
     def old(times: Array) -> Array:
-        """(T, N) the path found, at times of the new keyframes."""
+        """Return the states (T, N) of the earlier path at times (T,) [s] of the edited clip."""
         return path.at(np.clip(_stretched(times, new_times, old_times), first, last))
 
     times = raw.times
@@ -67,7 +73,7 @@ def carried(
 
 
 def _matched(before: Sequence[Frame], keys: Sequence[Frame]) -> tuple[Array, Array]:
-    """Times (m,) of keyframes that are in both, as they were and as they are: all by number, or those of one time."""
+    """Return the earlier and present times (m,) [s] of keyframes in both clips, matched by number or else by time."""
     old, new = np.array([key.time for key in before]), np.array([key.time for key in keys])
     if old.size == new.size:
         return old, new
@@ -79,7 +85,7 @@ def _matched(before: Sequence[Frame], keys: Sequence[Frame]) -> tuple[Array, Arr
 
 
 def _stretched(times: Array, here: Array, there: Array) -> Array:
-    """Times between some moments as they lie between others, and beyond them as far away as they were."""
+    """Return times mapped piecewise linearly from `here` to `there`, shifted beyond the ends."""
     out = np.interp(times, here, there)
     return np.where(
         times < here[0], there[0] + times - here[0], np.where(times > here[-1], there[-1] + times - here[-1], out)
@@ -87,14 +93,14 @@ def _stretched(times: Array, here: Array, there: Array) -> Array:
 
 
 def _warm(key: Frame, was: Frame | None, pose: Array) -> Frame:
-    """A keyframe with what it leaves free as the path found has it; as it is posed, if it is another than it was."""
+    """Return a keyframe with unspecified degrees of freedom from the earlier path; as posed if it was edited."""
     same = was is not None and np.array_equal(was.fixed, key.fixed) and np.abs(was.state - key.state).max() < SAME
-    told = key.fixed if same else key.known
-    return Frame(key.time, np.where(told, key.state, pose), key.fixed, ~key.fixed)
+    known = key.fixed if same else key.known
+    return Frame(key.time, np.where(known, key.state, pose), key.fixed, ~key.fixed)
 
 
 def _signs(figure: Figure, states: Array, was: Array) -> Array:
-    """(K, N) ±1: which quaternions of the path found lie on the other hemisphere at a keyframe."""
+    """Return −1 where a quaternion of the earlier path is on the opposite hemisphere at a keyframe, else 1, (K, N)."""
     signs = np.ones(states.shape)
     for columns in figure.tables.quaternion_columns.T:
         along = np.einsum("kn,kn->k", states[:, columns], was[:, columns])
@@ -103,24 +109,26 @@ def _signs(figure: Figure, states: Array, was: Array) -> Array:
 
 
 def _placed(times: Array, inner: Array) -> Array:
-    """Variable frames' times that are far enough from keyframes, and some in segments that have none."""
-    kept: list[float] = []
+    """Return the times of variable frames that are far enough from keyframes, with some added to empty segments."""
+    result: list[float] = []
     for a, b in pairwise(times):
         margin = CLOSE * (b - a)
-        own = inner[(inner > a + margin) & (inner < b - margin)]
-        own = own[np.append(True, np.diff(own) > SAME)] if own.size else own
-        if not own.size and b - a > TINY:
-            own = a + (b - a) * np.arange(1, FEW + 1) / (FEW + 1)
-        kept += own.tolist()
-    return np.array(kept)
+        inside = inner[(inner > a + margin) & (inner < b - margin)]
+        inside = inside[np.append(True, np.diff(inside) > SAME)] if inside.size else inside
+        if not inside.size and b - a > TINY:
+            inside = a + (b - a) * np.arange(1, FEW + 1) / (FEW + 1)
+        result += inside.tolist()
+    return np.array(result)
 
 
 def _moved(figure: Figure, start: Timeline, signs: Array, was: Array, inner: Array, states: Array) -> Array:
-    """(V, N) the states of a path moved by what its keyframes were; on the spline through them where a quaternion
-    turns another way round than it did."""
+    """Return the states (V, N) of a path displaced as its keyframes were.
+
+    Where a quaternion turns in another direction than before, they are on the spline through the keyframes.
+    """
     times, moved = start.times, start.states - signs * was
     span = np.clip(np.searchsorted(times, inner, side="right") - 1, 0, times.size - 2)
     share = ((inner - times[span]) / (times[span + 1] - times[span]))[:, None]
     out = signs[span] * states + moved[span] + share * (moved[span + 1] - moved[span])
-    torn = signs[span] != signs[span + 1]
-    return np.where(torn, path_of(start).at(inner), out) if torn.any() else out
+    is_torn = signs[span] != signs[span + 1]
+    return np.where(is_torn, path_of(start).at(inner), out) if is_torn.any() else out

@@ -1,7 +1,7 @@
-"""A part of a timeline as a clip of its own, its outer segments held: what an edit of a few keyframes reaches.
+"""The part of a timeline that an edit of a few keyframes affects, as a separate clip with its outer segments fixed.
 
-What a keyframe does to the motion fades within a few segments, so the others stay as they were found, and a search
-costs what the part does and not what the clip does.
+The influence of a keyframe fades within a few segments. The other segments therefore stay unchanged, and the cost of a
+search depends on the length of the part, not on that of the clip.
 """
 
 from __future__ import annotations
@@ -17,18 +17,22 @@ from ..curve.frame import Frame, Timeline
 from ..curve.spline import path_of
 from ..objective import Objective, segment_integrals
 
-REACH, HELD = 1, 1  # segments on either side of what was edited that move, and beyond them those that are held
-ROUNDING = 1e-9  # [s] between the time of a keyframe and that of the part's end
-FEWEST = 3  # segments that must be left out, or all of the clip is searched
+REACH, HELD = 1, 1  # segments on either side of an edit that may move, and fixed ones beyond them
+ROUNDING = 1e-9  # [s] tolerance between the time of a keyframe and the end of the part
+FEWEST = 3  # segments outside the part, below which all of the clip is searched
 
 
 @dataclass(frozen=True, eq=False)
 class Cut:
     """Some segments of a timeline.
 
-    part         their frames, those outside [first, last] [s] held
-    begin, end   [s] where the part is cut out
-    segments     how many segments between keyframes it has
+    Attributes:
+        part: Their frames; those outside [first, last] [s] are fixed.
+        begin: The beginning of the part [s].
+        first: The beginning of the interval that may move [s].
+        last: Its end [s].
+        end: The end of the part [s].
+        segments: The number of segments between keyframes in the part.
     """
 
     part: Timeline
@@ -40,9 +44,12 @@ class Cut:
 
     @classmethod
     def about(cls, timeline: Timeline, keys: Array, between: tuple[float, float]) -> Cut | None:
-        """What an edit between two times reaches; None where that is nearly all of the clip, or a loop.
+        """Return the part that an edit affects; None if that is nearly all of the clip, or for a loop.
 
-        keys  (K,) [s] times of the keyframes
+        Args:
+            timeline: The timeline.
+            keys: Times of the keyframes, (K,) [s].
+            between: The interval that was edited [s].
         """
         if timeline.ends == "periodic":
             return None
@@ -65,19 +72,23 @@ class Cut:
         return cls(Timeline(tuple(held), slopes, "clamped"), begin, first, until, end, outer[1] - outer[0])
 
     def around(self, timeline: Timeline) -> Callable[[Timeline], Timeline]:
-        """How to make the whole timeline of the part."""
+        """Return a function that inserts a solved part into the timeline."""
         return partial(self._put, timeline)
 
     def _put(self, timeline: Timeline, part: Timeline) -> Timeline:
-        """Held frames stay as they were: in the part they count as keyframes."""
+        """Return the timeline with the part inserted; frames that are fixed in the part keep their own masks."""
         outside = [frame for frame in timeline.frames if not self.first < frame.time < self.last]
         inside = [frame for frame in part.frames if self.first < frame.time < self.last]
         return Timeline(tuple(sorted((*outside, *inside), key=lambda f: f.time)), timeline.end_slope, timeline.ends)
 
     def elsewhere(self, objective: Objective, timeline: Timeline, keys: Array, known: Array | None = None) -> Array:
-        """(terms,) what the segments outside the part add to the terms of E.
+        """Return the contribution of the segments outside the part to the terms of E, (terms,).
 
-        known  (segments, terms) what segments between keyframes add, where it is known
+        Args:
+            objective: E.
+            timeline: The whole timeline.
+            keys: Times of the keyframes, (K,) [s].
+            known: The contributions of all segments between keyframes if known, (segments, terms).
         """
         inside = self.inside(keys)
         if known is not None:
@@ -87,6 +98,6 @@ class Cut:
         return np.add.reduce([part.sum(axis=0) for part in parts])
 
     def inside(self, keys: Array) -> slice:
-        """Which segments between keyframes the part has."""
+        """Return the range of segments between keyframes in the part."""
         first, last = np.searchsorted(keys, [self.begin - ROUNDING, self.end - ROUNDING])
         return slice(int(first), int(last))

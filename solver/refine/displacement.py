@@ -1,4 +1,4 @@
-"""How far the path is from the optimum (appendix C, eqs. 32-34): ΔE/Δt ≈ δ(t) · EL(t), with δ from a local solve.
+"""The distance of a path from the optimum (appendix C, eqs. 32-34): ΔE/Δt ≈ δ(t) · EL(t), with δ from a local solve.
 
 Each segment is solved again by itself on a finer spline, its position and velocity at both ends held at those of the
 path; δ is the distance between the two.
@@ -26,11 +26,12 @@ VARIABLE, MOST_EVALUATIONS, TOLERANCE = 3, 60, 1e-7
 
 @dataclass(frozen=True)
 class Displacement:
-    """Per segment between neighbouring frames, (M − 1,) each.
+    """Values per segment between neighbouring frames, (M − 1,) each.
 
-    distance  ∫ |Y_opt − Y_EL| dt (eq. 33)
-    gap       the estimate ∫ δ(t) |EL(t)| dt of the E that is left in the segment (eq. 32), upper side
-    found     what the local solve in fact saved
+    Attributes:
+        distance: ∫ |Y_opt − Y_EL| dt (eq. 33).
+        gap: ∫ δ(t) |EL(t)| dt, an upper estimate of the remaining reduction of E in the segment (eq. 32).
+        found: The actual reduction of E by the local solve.
     """
 
     distance: Array
@@ -47,9 +48,15 @@ def displacement(
     tolerance: float = TOLERANCE,
     told: Callable[[int, int], None] | None = None,
 ) -> Displacement:
-    """δ of every segment by a local solve with `variable` frames inside it, to a relative tolerance of its own E.
+    """Return the displacement of every segment, by a local solve of each.
 
-    told  hears how many segments of how many are done
+    Args:
+        objective: E.
+        timeline: The timeline.
+        variable: Variable frames inside each segment.
+        max_evaluations: The evaluation budget of each solve.
+        tolerance: Relative progress at which a solve ends.
+        told: Called with (segments done, segments).
     """
     path = path_of(timeline)
     local_objective = replace(objective, quadrature=replace(objective.quadrature, kind="gauss", points=5))
@@ -70,7 +77,7 @@ def displacement(
 
 
 def _segment(path: Path, first: float, last: float, variable: int) -> Timeline:
-    """One segment as a clip of its own: ends fixed in position and velocity, variable frames on the curve."""
+    """Return one segment as a separate clip: ends fixed in position and velocity, variable frames on the curve."""
     states, slopes = path.at(np.array([first, last])), path.at(np.array([first, last]), 1)
     ends = (Frame.key(first, states[0]), Frame.key(last, states[1]))
     inner = np.linspace(first, last, variable + 2)[1:-1]

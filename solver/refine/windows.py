@@ -1,9 +1,9 @@
-"""A long clip is solved window by window, from its beginning to its end, so that time is linear and memory bounded.
+"""Long clips solved window by window, from beginning to end, in linear time and bounded memory.
 
-What a keyframe does to the motion fades within a few segments. A window has segments to keep; after them some that it
-looks ahead to, and that the next window solves again from where this one left them; before them some that were found
-already and are held. All of them are in its objective, so nothing is gained on one side of a boundary at the cost of
-the other. The frames of all windows are one timeline with one C² spline, and the keyframes stay exact.
+The influence of a keyframe fades within a few segments. A window consists of solved segments that are fixed, segments
+whose solution is kept, and of look-ahead segments that the next window solves again from their present state. All of
+them are in its objective, so that one side of a boundary does not improve at the cost of the other. The frames of all
+windows form one timeline with one C² spline, and the keyframes stay exact.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ PINNED = 0.1
 
 
 def is_long(raw: Timeline) -> bool:
-    """Whether a clip of keyframes is better solved in windows: its matrices would not fit into the cache."""
+    """Return whether a clip should be solved in windows, because its matrices would not fit in the cache."""
     segments = len(raw.frames) - 1
     entries = FRAMES_A_SEGMENT * segments * 5 * raw.width**2
     return raw.ends != "periodic" and segments > KEPT + AHEAD and entries > LARGEST
@@ -35,7 +35,7 @@ def is_long(raw: Timeline) -> bool:
 
 @dataclass(frozen=True)
 class Window:
-    """Segments by number: held from `held` on, kept from `first` to `kept`, looked ahead to until `last`."""
+    """Indices of segments: fixed from `held`, kept from `first` to `kept`, look-ahead to `last`."""
 
     held: int
     first: int
@@ -44,14 +44,14 @@ class Window:
 
 
 def windows(segments: int) -> list[Window]:
-    """Windows that keep every segment once, of nearly equal size."""
+    """Return windows of nearly equal size that keep every segment once."""
     count = -(-segments // KEPT)
     edges = [segments * k // count for k in range(count + 1)]
     return [Window(max(a - BEHIND, 0), a, b, min(b + AHEAD, segments)) for a, b in pairwise(edges)]
 
 
 class Assembly:
-    """The whole clip while its windows are being solved: what is found, what lies ahead, and the start of the rest."""
+    """The whole clip while its windows are being solved: the solved part, and the start of the remaining one."""
 
     def __init__(self, objective: Objective, raw: Timeline, start: Timeline) -> None:
         self.objective, self.raw = objective, raw
@@ -63,15 +63,15 @@ class Assembly:
         self.parts = segment_integrals(objective, self.first_path, self.key_times)
 
     def timeline(self) -> Timeline:
-        """The whole clip as it stands."""
+        """Return the whole clip at present."""
         return Timeline(tuple(self.frames), self.end_slope, self.raw.ends)
 
     def elsewhere(self, window: Window) -> Array:
-        """(terms,) what the segments outside a window add to the terms of E."""
+        """Return the contribution of the segments outside a window to the terms of E, (terms,)."""
         return self.parts.sum(axis=0) - self.parts[window.held : window.last].sum(axis=0)
 
     def opened(self, window: Window) -> Timeline:
-        """A window as a clip of its own, its held frames fixed."""
+        """Return a window as a separate clip, with its solved frames fixed."""
         begin, first, end = (self.key_times[i] for i in (window.held, window.first, window.last))
         frames = [f for f in self.frames if begin <= f.time <= end]
         held = [Frame.key(f.time, f.state) if f.time <= first and window.held < window.first else f for f in frames]
@@ -86,18 +86,18 @@ class Assembly:
         return Timeline(tuple(held), slopes, self.raw.ends)
 
     def around(self, window: Window) -> Callable[[Timeline], Timeline]:
-        """How to make the whole clip of a window, the rest of it as it stands now."""
+        """Return a function that inserts a solved window into the present clip."""
         return partial(self._with_window, tuple(self.frames), self.end_slope, window)
 
     def room(self, window: Window, budget: int) -> int:
-        """How many variable frames a window may have, of so many in all: its share, or what the others leave."""
+        """Return the number of variable frames of a window, for a budget of the whole clip."""
         segments = len(self.key_times) - 1
         first, last = self.key_times[window.first], self.key_times[window.last]
         others = sum(f.is_variable for f in self.frames if not first < f.time < last)
         return min(round(budget * (window.last - window.first) / segments), budget - others)
 
     def close(self, window: Window, solved: Timeline) -> None:
-        """Takes over what a window found, the part that it looked ahead to as the start of the next."""
+        """Take over the solution of a window; its look-ahead segments are the start of the next one."""
         whole = self.around(window)(solved)
         self.frames, self.end_slope = list(whole.frames), np.array(whole.end_slope)
         self.solved_path = path_of(solved)
@@ -106,7 +106,7 @@ class Assembly:
         self.parts[from_ : window.last] = segment_integrals(self.objective, self.solved_path, times)
 
     def _with_window(self, frames: tuple[Frame, ...], end_slope: Array, window: Window, solved: Timeline) -> Timeline:
-        """Held frames stay as they were: in a window they count as keyframes."""
+        """Return the clip with a window inserted; frames that are fixed in the window keep their own masks."""
         first = self.key_times[window.first] if window.first else -np.inf
         last = self.key_times[window.last]
         before, after = (f for f in frames if f.time <= first), (f for f in frames if f.time > last)
