@@ -1,4 +1,4 @@
-"""The verb: keyframes and soft constraints in, motion out. The five steps of the paper's figure 5.
+"""In-betweening: motion from keyframes and soft constraints, by the five steps of the paper's figure 5.
 
 1  keyframes, whole or partial, and penalties           Problem.raw, Problem.objective
 2  variable frames between them                         Settings.beginning
@@ -45,11 +45,16 @@ ALIKE = 1.1  # times the lower E of two searches: what is no higher lies in the 
 
 
 def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | None = None) -> Solution:
-    """Smooth motion through keyframes that keeps to soft constraints.
+    """Return smooth motion through keyframes that minimises soft constraints.
 
-    improved  gets every evaluation that lowers E; raise `StopSearch` in it to stop and keep the best path
+    The keyframes are met exactly whenever the search is stopped.
 
-    The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
+    Args:
+        problem: The keyframes, soft constraints and settings.
+        improved: Called with every evaluation that lowers E; raise `StopSearch` in it to stop and keep the best path.
+
+    Raises:
+        TimelineError: The keyframes are invalid.
     """
     raw = problem.raw
     return _found(problem, raw, raw, improved, lambda loop: loop.better_than(raw, loop.over(raw)))
@@ -62,12 +67,15 @@ def resumed(
     between: Sequence[tuple[float, float]] = (),
     improved: Callable[[Improvement], None] | None = None,
 ) -> Solution:
-    """As `inbetween`, on from a path that is nearly good, such as one that was found before a keyframe was moved.
+    """Continue from a warm start, such as the solution before a keyframe was moved; otherwise like `inbetween`.
 
-    begin    through the keyframes of the problem, with variable frames, see `refine.carried`
-    between  [s] what alone was edited, one stretch after the other: the search keeps to the segments that they reach
+    The search ends in the nearest minimum, without the restarts of `inbetween` after a poor local minimum.
 
-    It ends in the nearest minimum: no other starts are tried, as `inbetween` does after a poor local minimum.
+    Args:
+        problem: The keyframes, soft constraints and settings.
+        begin: A timeline through the keyframes with variable frames, see `refine.carried`.
+        between: The edited intervals [s]; if specified, only segments near them are searched.
+        improved: See `inbetween`.
     """
     raw = problem.raw
     return _found(problem, raw, begin, improved, lambda loop: loop.on_from(raw, begin, between))
@@ -80,7 +88,7 @@ def _found(
     improved: Callable[[Improvement], None] | None,
     search: Callable[[_Loop], Timeline],
 ) -> Solution:
-    """What a search comes to, or, if it is interrupted, the best that it saw; where it began, if it saw nothing."""
+    """Return the result of a search; if interrupted, the best path so far, or its start before any evaluation."""
     with one_thread():
         loop = _Loop(problem.objective, problem.settings, improved)
         hard = hard_ranges(problem.penalties)
@@ -133,7 +141,7 @@ class _Loop:
         return optimiser_of(self.settings.optimiser, self.objective.figure.width, self.settings.tolerance)
 
     def better_than(self, raw: Timeline, found: Timeline) -> Timeline:
-        """What was found, unless the raw timeline is better; that is out of the question where E has fallen far."""
+        """Return the timeline found, or the raw one if that is better; not compared where E has fallen far."""
         is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
         return found if is_clear else select_best(self.objective, [found, raw])
 
@@ -209,10 +217,10 @@ class _Loop:
             if self._is_settled(ends[-1].timeline, values):
                 is_last_word = len(values) > 1 or not cost_increased(self.objective, self.last)
                 waiting = [] if is_last_word else waiting[-1:]
-        found = select_best(self.objective, [end.timeline for end in reversed(ends)])
-        end = next(end for end in reversed(ends) if end.timeline is found)
+        selected = select_best(self.objective, [end.timeline for end in reversed(ends)])
+        end = next(end for end in reversed(ends) if end.timeline is selected)
         self.stop = Stop.ASKED if self.stop is Stop.ASKED else end.stop
-        return found
+        return selected
 
     def _starts(self, timeline: Timeline) -> list[Callable[[], Timeline]]:
         """Where searches begin, one after the other: two, and two more."""
@@ -258,12 +266,12 @@ class _Loop:
             self.round += bool(chosen.size)
 
     def loosened(self, timeline: Timeline, without: frozenset[Role]) -> Timeline:
-        """Where a rough search comes to without the terms of some roles."""
+        """Return the minimum of a rough search without the terms of some roles."""
         terms = tuple(term for term in self.objective.terms if term.penalty.role not in without)
         descent = Descent(replace(self.objective, terms=terms), timeline)
-        found = descent.run(optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
-        self.evaluations += found.evaluations
-        return timeline.with_rows(descent.problem.unknowns.rows(found.x))
+        minimum = descent.run(optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
+        self.evaluations += minimum.evaluations
+        return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
 
     def run_windows(self, raw: Timeline, first: Timeline) -> Timeline:
         """The rounds of every window of a long clip, one window after the other."""
@@ -301,18 +309,18 @@ class _Loop:
             if self.improved is not None:
                 self.improved(Improvement(before + count, self.round, value, parts, self.best))
 
-        found = descent.run(
+        minimum = descent.run(
             optimiser=self.optimiser,
             max_evaluations=self.settings.max_evaluations,
             tolerance=tolerance,
             improved=report,
         )
-        self.evaluations = before + found.evaluations
-        self.stop = found.stop
-        return timeline.with_rows(descent.problem.unknowns.rows(found.x))
+        self.evaluations = before + minimum.evaluations
+        self.stop = minimum.stop
+        return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
 
     def chosen(self, timeline: Timeline, room: int) -> tuple[Array, float]:
-        """The middles of the segments to split next, the most needy ones, and the share of E that they promise."""
+        """Return the middles of the segments to split next, and their predicted reduction as a share of E."""
         scores = CRITERIA[self.settings.criterion](self.objective, timeline)
         threshold, present = self.settings.threshold, 0.0
         if self.settings.criterion == "weak" and self.trace:

@@ -26,8 +26,8 @@ from .penalty.penalty import instants_of
 SMALL_SHARE = 0.01  # of the clip: a violation of 1 cm over so much of it is the unit of a term that is nearly nought
 # share of the clip, times its mean there, least share: see _typical
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
-HEAVY = 10.0  # times what the raw spline costs in a renormalised objective: E beyond it is of something gross
-NODES = 4  # a span, of integrals by segments
+HEAVY = 10.0  # relative to the cost of the raw spline: E above it is dominated by gross violations
+NODES = 4  # per span, of integrals by segments
 RUN = 400
 RUN_ENTRIES = 8000  # samples times columns at once, whose arrays stay in cache
 
@@ -43,9 +43,13 @@ class Term:
 
 @dataclass(frozen=True)
 class Objective:
-    """E as a functional of paths: what is penalised, how strongly, and how the integral is summed.
+    """E as a functional of paths.
 
-    heavy  an E above which what E has more says nothing of how exact the search must be
+    Attributes:
+        figure: The figure.
+        terms: The soft constraints with their weights and factors.
+        quadrature: The quadrature rule of the integral.
+        heavy: The upper limit of E in relative tolerances, so that gross violations do not make the search inexact.
     """
 
     figure: Figure
@@ -61,7 +65,11 @@ class Objective:
         *,
         quadrature: Quadrature | None = None,
     ) -> Objective:
-        """Penalties with their weights, not renormalised: eq. 1."""
+        """Return the objective of penalties with their weights, not renormalised (eq. 1).
+
+        Raises:
+            ValueError: A weight is negative or not finite.
+        """
         for penalty, weight in penalties:
             if not (np.isfinite(weight) and weight >= 0):
                 raise ValueError(f"the weight of '{penalty.name}' is {weight}; it must be a number, at least 0")
@@ -101,13 +109,12 @@ class Objective:
 
     @property
     def raw_cost(self) -> float:
-        """What motion costs on the raw spline of a renormalised objective: a weight for each term that is measured by
-        its own integral there."""
+        """The cost of motion on the raw spline: the sum of weights of the terms divided by their own integral there."""
         return sum(term.weight for term in self.measured)
 
     @property
     def measured(self) -> tuple[Term, ...]:
-        """The terms that are measured by their own integrals over the raw spline."""
+        """The terms that are divided by their own integrals over the raw spline."""
         return tuple(
             t for t in self.terms if not t.penalty.normalization.is_violation and not t.penalty.normalization.beside
         )
@@ -128,31 +135,35 @@ class Objective:
         for i, share in zip(costs, shares.T, strict=True):
             order = np.argsort(share / spans)
             middle = order[np.searchsorted(np.cumsum(spans[order]), MOST_OF_TIME * spans.sum())]
-            kept = np.minimum(share, VIOLENT * share[middle] / spans[middle] * spans)
+            capped = np.minimum(share, VIOLENT * share[middle] / spans[middle] * spans)
             if share.sum() > 0:
-                typical[i] *= max(float(kept.sum() / share.sum()), LEAST_TYPICAL)
+                typical[i] *= max(float(capped.sum() / share.sum()), LEAST_TYPICAL)
         return typical
 
     def nodes(self, times: Array) -> tuple[Array, Array, Array]:
         """For a spline with knots at `times`: sample times (S,) [s], rising, their weights in an integral (S,) and in
         every term (terms, S): the instants of momentary terms are samples too, which count there and nowhere else."""
         t, w = self.quadrature.nodes(times)
-        own = [instants_of(term.penalty) for term in self.terms]
-        instants = np.unique(np.concatenate([*own, np.zeros(0)]))
+        instants_by_term = [instants_of(term.penalty) for term in self.terms]
+        instants = np.unique(np.concatenate([*instants_by_term, np.zeros(0)]))
         instants = instants[(instants >= times[0]) & (instants <= times[-1])]
         t, w = np.append(t, instants), np.append(w, 0 * instants)
         order = np.argsort(t, kind="stable")
         is_instant = np.append(np.zeros(w.size - instants.size, bool), np.ones(instants.size, bool))[order]
         t, w = t[order], w[order]
-        each = np.tile(w, (len(own), 1))
-        for k, some in enumerate(own):
-            if some.size:
-                each[k] = np.isin(t, some) & is_instant
-        return t, w, each
+        weights_by_term = np.tile(w, (len(instants_by_term), 1))
+        for k, term_instants in enumerate(instants_by_term):
+            if term_instants.size:
+                weights_by_term[k] = np.isin(t, term_instants) & is_instant
+        return t, w, weights_by_term
 
     def integrals(self, path: Path, times: Array | None = None) -> Array:
-        """∫ f_j dt of every term, Σ f_j of momentary ones, without weight or factor; summed over the spans between
-        `times` [s], or between the path's own frames."""
+        """Return ∫ f_j dt of every term, Σ f_j of momentary ones, without weight or factor, (terms,).
+
+        Args:
+            path: The path.
+            times: The edges of the spans to sum over [s]; None: the path's own frames.
+        """
         t, _, w = self.nodes(path.spline.times if times is None else times)
         out = np.zeros(len(self.terms))
         for piece in Sampling.of(path.spline, t).pieces(run_of(self.figure)):
@@ -161,15 +172,15 @@ class Objective:
         return out
 
     def samples(self, path: Path, t: Array) -> Samples:
-        """The figure's motion at times t (S,) along a path."""
+        """Return the figure's motion at times t (S,) [s] along a path."""
         return Samples(self.figure, *path.motion(t), t=t)
 
     def value(self, path: Path, times: Array | None = None) -> float:
-        """E of a path, summed over the spans between `times` [s], or between its own frames."""
+        """Return E of a path, summed over the spans between `times` [s], or between its own frames."""
         return float(sum(term.factor * v for term, v in zip(self.terms, self.integrals(path, times), strict=True)))
 
     def density(self, samples: Samples) -> Array:
-        """Σ_j factor_j f_j at every sample, (S,)."""
+        """Return Σ_j factor_j f_j at every sample, (S,)."""
         values, first = np.zeros(samples.count), 0
         for part in samples.parts(run_of(self.figure)):
             for term in self.terms:
@@ -178,24 +189,26 @@ class Objective:
         return values
 
     def sample_gradients(self, samples: Samples) -> tuple[Array, Array, Array]:
-        """g₀ = ∂f/∂y, g₁ = ∂f/∂y', g₂ = ∂f/∂y'' of f = Σ_j factor_j f_j, each (S, N)."""
-        found = []
+        """Return g₀ = ∂f/∂y, g₁ = ∂f/∂y', g₂ = ∂f/∂y'' of f = Σ_j factor_j f_j, each (S, N)."""
+        parts = []
         for part in samples.parts(run_of(self.figure)):
             cotangent = Cotangent(part)
             for term in self.terms:
                 term.penalty.evaluate(part, cotangent, np.full(part.count, term.factor))
-            found.append(cotangent.gradients())
-        g0, g1, g2 = found[0] if len(found) == 1 else (np.concatenate(gs) for gs in zip(*found, strict=True))
+            parts.append(cotangent.gradients())
+        g0, g1, g2 = parts[0] if len(parts) == 1 else (np.concatenate(gs) for gs in zip(*parts, strict=True))
         return g0, g1, g2
 
     def on(self, timeline: Timeline) -> Discretised:
-        """E as a function of the timeline's unknowns."""
+        """Return E as a function of the timeline's unknowns."""
         return Discretised(self, timeline)
 
 
 def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
-    """(segments, terms): every term's share of E between neighbouring times; an instant is of the segment that it
-    begins, the last one of the last."""
+    """Return every term's contribution to E between neighbouring times, (segments, terms).
+
+    An instant at an edge belongs to the following segment, at the end to the last one.
+    """
     knots = np.asarray(path.spline.times)
     knots = knots[(knots >= times[0]) & (knots <= times[-1])]
     edges = np.union1d(knots, times)
@@ -203,9 +216,9 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
     out = np.zeros((times.size - 1, len(objective.terms)))
     segment = np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
     for piece in Sampling.of(path.spline, t).pieces(run_of(objective.figure)):
-        samples, some = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t), piece.which
+        samples, run = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t), piece.which
         for k, term in enumerate(objective.terms):
-            np.add.at(out[:, k], segment[some], term.factor * w[some] * term.penalty.evaluate(samples))
+            np.add.at(out[:, k], segment[run], term.factor * w[run] * term.penalty.evaluate(samples))
     for k, term in enumerate(objective.terms):
         at = instants_of(term.penalty)
         at = at[(at >= times[0]) & ((at < times[-1]) | (at == path.spline.times[-1]))]
@@ -216,13 +229,13 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
 
 
 def run_of(figure: Figure) -> int:
-    """How many samples are evaluated at once: few enough that their arrays stay in cache."""
+    """Return the number of samples evaluated at once, so few that their arrays fit in the cache."""
     return max(RUN, RUN_ENTRIES // figure.width)
 
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """A run of samples as they were evaluated, and every term's residuals there, where these are known."""
+    """A run of evaluated samples with every term's residuals there; None for a term without residual blocks."""
 
     piece: Piece
     samples: Samples
@@ -231,7 +244,7 @@ class Seen:
 
 @dataclass(frozen=True)
 class Evaluation:
-    """E at one x: value, gradient (n,), and the terms' parts by name."""
+    """E at one x: its value, its gradient (n,), and the contributions of terms by name."""
 
     value: float
     gradient: Array
@@ -239,13 +252,14 @@ class Evaluation:
 
 
 class Discretised:
-    """E(x) for one timeline: the spline factorised, the samples placed, the unknowns laid out, once.
+    """E(x) for one timeline, with the spline factorised and the samples and unknowns prepared once.
 
-    weights   (S,) of the samples in an integral
-    instants  the momentary terms, each with the sampling of its own times
+    The samples are evaluated in runs (see `run_of`) whose arrays fit in the processor's cache, so that a sample of a
+    long clip costs no more than one of a short clip.
 
-    The samples are evaluated in runs (see `run_of`), whose arrays fit into the processor's cache, so that a sample of
-    a long clip costs no more than one of a short clip.
+    Attributes:
+        weights: The weights of the samples in an integral, (S,).
+        instants: The momentary terms, each with the sampling of its own times.
     """
 
     def __init__(self, objective: Objective, timeline: Timeline) -> None:
@@ -266,11 +280,11 @@ class Discretised:
         self._shares = [factors * each[:, piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
-        """The curve that x stands for."""
+        """Return the path for unknowns x (n,)."""
         return Path(self.spline, self.unknowns.rows(x))
 
     def __call__(self, x: Array) -> Evaluation:
-        """E and dE/dx at x (n,)."""
+        """Return E and dE/dx at x (n,)."""
         coefficients = self.sampling.coefficients(self.unknowns.rows(x))
         gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
@@ -285,7 +299,7 @@ class Discretised:
         return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)
 
     def seen(self, x: Array) -> Sequence[Seen]:
-        """The samples at x (n,), those of the last evaluation if it was there."""
+        """Return the evaluated samples at x (n,), from the last evaluation if it was at the same x."""
         if self._last is None or self._last[0] is not x:
             coefficients = self.sampling.coefficients(self.unknowns.rows(x))
             return [self._seen(coefficients, piece) for piece in self._pieces]
@@ -299,7 +313,7 @@ class Discretised:
 def _valued(
     term: Term, samples: Samples, blocks: Sequence[Block | Dense] | None, into: Cotangent, share: Array
 ) -> Array:
-    """f of a term at every sample, (S,); adds the gradient of Σ share f to `into`."""
+    """Return f of a term at every sample, (S,), and add the gradient of Σ share f to `into`."""
     if blocks is None:
         return term.penalty.evaluate(samples, into, share)
     return summed(blocks, samples, into, share)

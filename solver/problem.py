@@ -21,8 +21,8 @@ from .refine.subdivision import CRITERIA
 from .search.minimum import Optimiser
 from .search.refinement import LBFGS
 
-FEW, MORE = 2, 3  # variable frames in a segment to begin with: of any clip, of one that is solved window by window
-TINY = 0.05  # of the spacing of adjacent frames: a segment so short needs none, and with some E is hard to lower
+FEW, MORE = 2, 3  # initial variable frames per segment: of a clip solved at once, and of one solved in windows
+TINY = 0.05  # of the spacing of adjacent frames: a shorter segment gets none, since with some E is hard to lower
 SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow adjacent segments
 # defaults: share of the mean E from which a segment is split; evaluations in a round, relative progress in it
 THRESHOLD, MOST_EVALUATIONS, TOLERANCE = 1e-3, 250, 1e-5
@@ -116,17 +116,17 @@ class Problem:
 
     @cached_property
     def plain_objective(self) -> Objective:
-        """E with no term divided by anything."""
+        """E without renormalisation (eq. 1)."""
         return Objective.of(self.figure, self.penalties, quadrature=self.settings.quadrature)
 
     @cached_property
     def objective(self) -> Objective:
-        """E as a search of these settings minimises it (eq. 7)."""
+        """E as the search minimises it with these settings (eq. 7)."""
         return renormalised(self.plain_objective, self.raw) if self.settings.renormalise else self.plain_objective
 
 
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
-    """Every term divided by its integral over the raw path, or the initial path that one of them provides."""
+    """Return E with every term divided by its integral over the raw path, or over the initial path of a term."""
     guide = guide_of(objective)
     return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.led(raw, None)))
 
@@ -145,7 +145,7 @@ class Guides:
 
 
 def guide_of(objective: Objective) -> Guide | Guides | None:
-    """The soft constraints that provide an initial path, None without any; holds last, to keep what others changed."""
+    """Return the soft constraints that provide an initial path, limits last; None without any."""
     guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
     guides.sort(key=lambda guide: guide.role is Role.LIMIT)
     return Guides(tuple(guides)) if len(guides) > 1 else next(iter(guides), None)

@@ -1,4 +1,4 @@
-"""What comes out of the verb: the best timeline and its path, and how the search went."""
+"""The result of in-betweening: the best timeline, its path, and the trace of the search."""
 
 from __future__ import annotations
 
@@ -16,12 +16,20 @@ from .figure.figure import Figure
 from .objective import Objective
 from .search.minimum import Stop
 
-AT_AN_END = 1e-9  # [s] beyond the first and the last keyframe, which rounding takes a time to
+AT_AN_END = 1e-9  # [s] tolerance of times beyond the first and the last keyframe, for rounding
 
 
 @dataclass(frozen=True)
 class Improvement:
-    """An evaluation that lowered E: its number in all, the round, E, its parts by term, and a way to its timeline."""
+    """An evaluation that lowered E.
+
+    Attributes:
+        evaluation: The number of evaluations so far.
+        round: The index of the round.
+        value: E.
+        parts: The contributions of terms, by name.
+        build: Returns the timeline.
+    """
 
     evaluation: int
     round: int
@@ -31,15 +39,22 @@ class Improvement:
 
     @cached_property
     def path(self) -> Path:
-        """The curve as it stands."""
+        """The path of the timeline."""
         return path_of(self.build())
 
 
 @dataclass(frozen=True)
 class Solution:
-    """The best timeline that was found, the raw one to compare with, and how it went.
+    """The result of in-betweening.
 
-    trace  (evaluation, round, E, parts) of every evaluation that lowered E
+    Attributes:
+        figure: The figure.
+        objective: The objective that was minimised.
+        timeline: The best timeline.
+        raw: The timeline of the spline through the keyframes alone.
+        trace: (evaluation, round, E, parts) of every evaluation that lowered E.
+        evaluations: The number of evaluations.
+        stop: Why the search ended.
     """
 
     figure: Figure
@@ -57,12 +72,16 @@ class Solution:
 
     @property
     def is_raw(self) -> bool:
-        """Whether nothing was searched and it is the raw spline, as a recording is."""
+        """Whether no search took place and the timeline is the raw spline, as for a recording."""
         pairs = [(line.times, line.states, line.end_slope) for line in (self.raw, self.timeline)]
         return self.evaluations == 0 and all(map(np.array_equal, *pairs))
 
     def at(self, t: ArrayLike) -> Array:
-        """MuJoCo configurations at times t (S,) [s] of the clip: (S, nq), quaternions unit."""
+        """Return MuJoCo configurations qpos (S, nq) at times t (S,) [s] of the clip, with unit quaternions.
+
+        Raises:
+            ValueError: A time is outside the motion.
+        """
         first, last = self.path.span
         if np.any(np.asarray(t) < first - AT_AN_END) or np.any(np.asarray(t) > last + AT_AN_END):
             raise ValueError(f"the motion runs from {first:g} to {last:g} s; there is nothing to see outside")
