@@ -27,7 +27,9 @@ from .one_sided import OneSided
 class Normalization:
     """What counts as little of a soft constraint, for terms that (nearly) vanish on the raw spline.
 
-    reference     f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing at keyframes 1 s apart
+    reference     f_j, of a figure of the size of an adult, of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared
+                  key spacing at keyframes 1 s apart
+    length_power  f_j of a figure λ times as large grows by λ to this power: 2 for squared lengths
     is_violation  whether f_j is zero wherever a constraint is kept, like a depth, and not a cost of all motion
     time_power    f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations
     beside        the name of another term in whose measure this one counts, where there is one: both are divided by
@@ -43,6 +45,7 @@ class Normalization:
     beside: str | None = None
     most: float = np.inf
     is_sharp: bool = False
+    length_power: int = 0
 
 
 class Role(Enum):

@@ -126,6 +126,7 @@ STRATA = {
         compiled quaternion cone one_thread remembered
         figure
         curve surface
+        contacts
         reading
         penalty
         objective posing
