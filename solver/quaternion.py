@@ -23,31 +23,31 @@ TINY = 1e-9  # vector part of a unit quaternion whose sine is as good as itself
 
 
 def product(p: ArrayLike, q: ArrayLike) -> Array:
-    """Hamilton product p ⊗ q, (..., 4) with (..., 4)."""
+    """Return the Hamilton product p ⊗ q, (..., 4) with (..., 4)."""
     p, q = np.asarray(p, float), np.asarray(q, float)
     pairs = p[..., :, None] * q[..., None, :]
     return pairs.reshape(*pairs.shape[:-2], 16) @ _PRODUCT
 
 
 def conjugate(q: ArrayLike) -> Array:
-    """The quaternion with its vector part negated, (..., 4)."""
+    """Return the conjugate, with the vector part negated, (..., 4)."""
     return np.asarray(q, float) * np.array([1.0, -1.0, -1.0, -1.0])
 
 
 def inverse(q: ArrayLike) -> Array:
-    """q⁻¹ = conjugate / (q·q), exact off unit length (eq. 14)."""
+    """Return q⁻¹ = conjugate / (q·q) for q (..., 4) of any length > 0 (eq. 14)."""
     q = np.asarray(q, float)
     return conjugate(q) / np.sum(q * q, axis=-1, keepdims=True)
 
 
 def normalised(q: ArrayLike) -> Array:
-    """q / |q|, (..., 4); a zero quaternion gives NaN."""
+    """Return q / |q|, (..., 4); NaN for a zero quaternion."""
     q = np.asarray(q, float)
     return q / np.linalg.norm(q, axis=-1, keepdims=True)
 
 
 def rotated(q: ArrayLike, v: ArrayLike) -> Array:
-    """The vector part of q ⊗ v ⊗ q⁻¹: v (..., 3) turned by q (..., 4) of any length."""
+    """Return v (..., 3) rotated by q (..., 4) of any length: the vector part of q ⊗ v ⊗ q⁻¹."""
     q, v = np.asarray(q, float), np.asarray(v, float)
     if q.ndim == v.ndim == 1 and q @ q > 0:
         return np.array(_turned(*q.tolist(), *v.tolist()))  # numbers are quicker than arrays of one
@@ -62,7 +62,7 @@ def _turned(w: Any, x: Any, y: Any, z: Any, a: Any, b: Any, c: Any) -> tuple[Any
 
 
 def from_rotation_vector(v: ArrayLike) -> Array:
-    """exp(v/2): the unit quaternion that turns by |v| [rad] about v, (..., 3) -> (..., 4)."""
+    """Return exp(v/2), the unit quaternion (..., 4) of the rotation vector v (..., 3) [rad]."""
     v = np.asarray(v, float)
     if v.ndim == 1:
         x, y, z = v.tolist()
@@ -74,7 +74,7 @@ def from_rotation_vector(v: ArrayLike) -> Array:
 
 
 def rotation_vector(q: ArrayLike) -> Array:
-    """2 log(q / |q|), of length at most π [rad]: (..., 4) -> (..., 3)."""
+    """Return the rotation vector 2 log(q / |q|) (..., 3) [rad] of q (..., 4), of length at most π."""
     if isinstance(q, np.ndarray) and q.ndim == 1 and q.any():
         w, x, y, z = q.tolist() if q[0] >= 0 else (-q).tolist()
         vector = math.hypot(x, y, z)
@@ -90,12 +90,12 @@ def rotation_vector(q: ArrayLike) -> Array:
 
 
 def angle_between(p: ArrayLike, q: ArrayLike) -> Array:
-    """The angle [rad] of the rotation from p to q, in [0, π]; p and q (..., 4) of any length."""
+    """Return the angle [rad] of the rotation from p to q, in [0, π]; p and q (..., 4) of any length."""
     return np.linalg.norm(rotation_vector(product(inverse(p), q)), axis=-1)
 
 
 def aligned(track: ArrayLike) -> Array:
-    """A track (T, ..., 4) with the sign of every quaternion chosen so that it lies on its predecessor's hemisphere."""
+    """Return a track (T, ..., 4) with signs such that every quaternion is on the hemisphere of its predecessor."""
     q = np.array(track, float)
     dots = np.sum(q[1:] * q[:-1], axis=-1, keepdims=True)
     q[1:] *= np.cumprod(np.where(dots < 0, -1.0, 1.0), axis=0)
@@ -103,12 +103,12 @@ def aligned(track: ArrayLike) -> Array:
 
 
 def angular_velocity(q: ArrayLike, q_d: ArrayLike) -> Array:
-    """ω = 2 vec(q' q⁻¹) [rad/s], world axes (eq. 19); (..., 3), exact for any |q|."""
+    """Return ω = 2 vec(q' q⁻¹) [rad/s], world axes, (..., 3); exact for any |q| (eq. 19)."""
     return 2 * product(q_d, inverse(q))[..., 1:]
 
 
 def inverse_derivatives(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> tuple[Array, Array]:
-    """(q⁻¹)' and (q⁻¹)'', each (..., 4) (eqs. 15-17)."""
+    """Return (q⁻¹)' and (q⁻¹)'', each (..., 4) (eqs. 15-17)."""
     q, q_d, q_dd = (np.asarray(a, float) for a in (q, q_d, q_dd))
     b = np.sum(q * q, axis=-1, keepdims=True)
     b_d = 2 * np.sum(q * q_d, axis=-1, keepdims=True)
@@ -125,7 +125,7 @@ def angular_acceleration(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> Array
 
 
 def matrices(q: ArrayLike) -> Array:
-    """Rotation matrices (..., 3, 3) of quaternions (..., 4) of any length."""
+    """Return the rotation matrices (..., 3, 3) of quaternions (..., 4) of any length."""
     q = np.asarray(q, float)
     unit = np.asarray(q / np.sqrt(np.einsum("...i,...i->...", q, q))[..., None], float)
     w, x, y, z = (unit[..., i] for i in range(4))
@@ -137,12 +137,12 @@ def matrices(q: ArrayLike) -> Array:
 
 
 def from_matrix(matrix: ArrayLike) -> Array:
-    """The unit quaternion (4,) of a rotation matrix (3, 3)."""
+    """Return the unit quaternion (4,) of a rotation matrix (3, 3)."""
     out = np.zeros(4)
     mujoco.mju_mat2Quat(out, np.ascontiguousarray(matrix, float).ravel())
     return out
 
 
 def right_matrix(q: ArrayLike) -> Array:
-    """The (4, 4) matrix of p -> p ⊗ q for one quaternion q (4,)."""
+    """Return the matrix (4, 4) of p -> p ⊗ q for a quaternion q (4,)."""
     return product(np.eye(4), np.asarray(q, float)).T

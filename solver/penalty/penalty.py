@@ -1,7 +1,7 @@
-"""What a soft constraint is: a function f_j of samples (y, y', y''), never negative, with its exact gradient (eq. 1).
+"""The interface of soft constraints: functions f_j ≥ 0 of samples (y, y', y'') with exact gradients (eq. 1).
 
-A penalty never sees unknowns, knots, masks or weights, so the same object feeds the optimiser and the Euler-Lagrange
-residual. A new soft constraint is one class here, one Taylor test, one row in the runner's table.
+A penalty does not depend on unknowns, knots, masks or weights, so the same object serves the optimiser and the
+Euler-Lagrange residual. A new soft constraint is one class here, one Taylor test, one row in the runner's table.
 """
 
 from __future__ import annotations
@@ -25,18 +25,19 @@ from .one_sided import OneSided
 
 @dataclass(frozen=True)
 class Normalization:
-    """What counts as little of a soft constraint, for terms that (nearly) vanish on the raw spline.
+    """How a soft constraint is scaled, also where it (nearly) vanishes on the raw spline.
 
-    reference     f_j, of a figure of the size of an adult, of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared
-                  key spacing at keyframes 1 s apart
-    length_power  f_j of a figure λ times as large grows by λ to this power: 2 for squared lengths
-    is_violation  whether f_j is zero wherever a constraint is kept, like a depth, and not a cost of all motion
-    time_power    f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations
-    beside        the name of another term in whose measure this one counts, where there is one: both are divided by
-                  that one's integral, and `reference` of this one weighs as much as one of that
-    most          f_j that the raw spline is taken to have at most, on the average
-    is_sharp      whether f_j is far from smooth in time, for it begins, ends or peaks anywhere: the few samples that
-                  suffice for the curvature of others would miss it. Its curvature has rows and nothing else
+    Attributes:
+        reference: f_j, for a figure of the size of an adult, of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared
+            key spacing at keyframes 1 s apart.
+        length_power: f_j of a figure λ times as large grows by λ to this power: 2 for squared lengths.
+        is_violation: Whether f_j is zero wherever the constraint holds, like a depth, and not a cost of all motion.
+        time_power: f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations.
+        beside: The name of a term whose integral divides this one too, if it is present. `reference` of this term then
+            weighs as much as one of the other.
+        most: Upper limit of the mean of f_j over the raw spline in the normalization.
+        is_sharp: Whether f_j begins, ends or peaks abruptly in time, so that the few samples that suffice for the
+            curvature of other terms would miss it. Its curvature consists of rows only.
     """
 
     reference: float
@@ -49,8 +50,11 @@ class Normalization:
 
 
 class Role(Enum):
-    """What a soft constraint is for. The search goes by it: where it ends in a poor minimum it begins again without
-    those that trap limbs, first the contacts with their physics, then the limits."""
+    """The purpose of a soft constraint.
+
+    After a poor local minimum the search restarts without the roles that trap limbs: first contacts with their
+    physics, then limits.
+    """
 
     SMOOTHNESS = "what all motion costs"
     CONTACT = "feet and hands stay where they stand or hold"
@@ -67,38 +71,39 @@ class Penalty(ABC):
     @property
     @abstractmethod
     def name(self) -> str:
-        """How the report calls it."""
+        """The name in reports."""
 
     @property
     @abstractmethod
     def role(self) -> Role:
-        """What it is for."""
+        """The purpose of the constraint."""
 
     @property
     @abstractmethod
     def normalization(self) -> Normalization:
-        """What counts as little."""
+        """The scale of the constraint."""
 
     @property
     def obstructs(self) -> bool:
-        """Whether it keeps the figure out of more than floors and steps, so that there is another way round."""
+        """Whether it is an obstacle other than floors and steps, so that another route round it may exist."""
         return False
 
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
-        """What f_j is the sum of squares of, see `block`; one-sided residuals as far as they count.
+        """Return the residuals whose sum of squares is f_j, see `block`; of one-sided residuals the active ones.
 
-        A penalty that is no sum of squares has an `evaluate` of its own instead, whose gradients are differenced.
+        A penalty that is not a sum of squares overrides `evaluate` instead; its curvature uses finite differences of
+        the gradient.
         """
         raise NotImplementedError(
             f"penalty '{self.name}': give it residuals(samples), or evaluate if it is no sum of squares"
         )
 
     def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
-        """The residuals for a model of E: among the one-sided ones those, too, that may count after a step."""
+        """Return the residuals for a model of E, including one-sided ones that may become active in a step."""
         return self.residuals(samples)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        """f_j at every sample, (S,); with `into`, also adds the gradient of Σ_s scale_s f_j(s) to it."""
+        """Return f_j at every sample, (S,); with `into`, also add the gradient of Σ_s scale_s f_j(s) to it."""
         return summed(self.residuals(samples), samples, into, scale)
 
     def blocks(self, samples: Samples) -> tuple[Block | Dense, ...] | None:
@@ -173,19 +178,19 @@ class Momentary(Penalty):
 
 
 class Guide(Penalty):
-    """A soft constraint that knows of a path to begin with, where the spline through the keyframes is far off."""
+    """A soft constraint that provides an initial path, where the spline through the keyframes is a poor one."""
 
     @property
     def expected(self) -> Path | None:
-        """The path that all of the motion is to be near to, if there is one."""
+        """The path that the whole motion should be close to; None without one."""
         return None
 
     @abstractmethod
     def led(self, timeline: Timeline, most: int | None) -> Timeline:
-        """The timeline with its variable frames on that path, and more of them, up to `most` in all."""
+        """Return the timeline with its variable frames on that path, and more of them, up to `most` in all."""
         ...
 
 
 def instants_of(penalty: Penalty) -> Array:
-    """The instants that a soft constraint counts at; none if it counts all the time."""
+    """Return the instants (I,) [s] of a momentary soft constraint; empty for others."""
     return penalty.instants if isinstance(penalty, Momentary) else np.zeros(0)
