@@ -28,7 +28,7 @@ class Normalization:
     """How a soft constraint is scaled, also where it (nearly) vanishes on the raw spline.
 
     Attributes:
-        reference: f_j, for a figure of the size of an adult, of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared
+        reference: f_j, for a figure of an adult's size, of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared
             key spacing at keyframes 1 s apart.
         length_power: f_j of a figure λ times as large grows by λ to this power: 2 for squared lengths.
         is_violation: Whether f_j is zero wherever the constraint holds, like a depth, and not a cost of all motion.
