@@ -15,11 +15,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import Array, Index, Mask
 from .adjoint import Cotangent
 from .algebra import applied, cross, dot
 from .dynamics import InverseDynamics
@@ -28,6 +28,7 @@ from .turns import add_rows_of_shifts, add_rows_of_turns, chosen, followers, fol
 from .wrench import RootWrench
 from .wrenches import Wrenches, every_axis
 
+AT_ONCE = 20_000  # pairs of joints, times samples: what is made of them takes some 9 MB each
 PRODUCT = (1, 2, 1)  # of a second derivative: times the factors' derivatives
 
 
@@ -213,9 +214,23 @@ class _Links:
 
     def _levers(self, joint: Index) -> tuple[Array, Array]:
         """The masses beyond joints (P, 1), and their first moments about the anchors (3, P, S)."""
-        sets = self.figure.tables.beyond[joint]
-        mass = sets @ self.mass
-        return mass, np.matmul(sets, self.first[0]) - mass * self.anchors[0][:, joint]
+        return self._mass_beyond[joint], self._lever[:, joint]
+
+    @cached_property
+    def _mass_beyond(self) -> Array:
+        return self.figure.tables.beyond @ self.mass
+
+    @cached_property
+    def _lever(self) -> Array:
+        return np.matmul(self.figure.tables.beyond, self.first[0]) - self._mass_beyond * self.anchors[0]
+
+    @cached_property
+    def turned(self) -> Array:
+        """The changes of all beyond each link, about its joint's anchor, by its turn about that as one body."""
+        sets = self.figure.tables.beyond
+        change = self.by_turns(sets) + self.by_turned_shifts(sets, -self.anchors)
+        self.to_place(change, self.anchors[0])
+        return change
 
     def _empty(self, count: int) -> Array:
         return np.zeros((3, 3, self.rows, count, self.samples.count))
@@ -247,11 +262,7 @@ class _Turns:
         nearest = np.where(between > 0, between, joint)
         change = links.carried(joint, anchors[:, :, nearest] - anchors[:, :, moved])
         for some in chosen(between == 0):
-            own = joint[some]
-            sets = links.figure.tables.beyond[own]
-            turn = links.by_turns(sets) + links.by_turned_shifts(sets, -anchors[:, :, own])
-            links.to_place(turn, anchors[0][:, own])
-            change[:, :, :, some] += turn
+            change[:, :, :, some] += links.turned[:, :, :, joint[some]]
         return change
 
     def turned(self, joint: Index, moved: Index) -> Array:
@@ -282,16 +293,23 @@ class _Shifts:
 
 def _pairs(links: _Links, moves: _Turns | _Shifts) -> Iterator[tuple[Index, Index, Array]]:
     """Joints (P,) whose efforts change with others (P,), and the changes of force and moment about their anchors."""
-    path = links.figure.tables.path > 0
+    path, most = links.figure.tables.path > 0, max(1, AT_ONCE // links.samples.count)
     has_effort = ~np.isin(np.arange(len(path)), [0, *links.figure.tables.free_links])
-    moved, joint = np.nonzero(path[moves.joints] & has_effort)
-    change = moves.of(moves.joints)[:, :, :, moved]
-    links.to_place(change, links.anchors[0][:, joint])
-    yield joint, moves.joints[moved], change
-    joint, moved = np.nonzero(path[:, moves.joints] & has_effort[:, None])
-    moved = moves.joints[moved]
-    joint, moved = joint[joint != moved], moved[joint != moved]
-    yield joint, moved, moves.before(joint, moved)
+    change = moves.of(moves.joints)
+    for moved, joint in _runs(path[moves.joints] & has_effort, most):
+        part = change[:, :, :, moved]
+        links.to_place(part, links.anchors[0][:, joint])
+        yield joint, moves.joints[moved], part
+    is_before = path[:, moves.joints] & has_effort[:, None] & (np.arange(len(path))[:, None] != moves.joints)
+    for joint, moved in _runs(is_before, most):
+        yield joint, moves.joints[moved], moves.before(joint, moves.joints[moved])
+
+
+def _runs(mask: Mask, most: int) -> Iterator[tuple[Index, Index]]:
+    """Where a mask holds, rows and columns, so many at a time."""
+    row, column = np.nonzero(mask)
+    for first in range(0, row.size, most):
+        yield row[first : first + most], column[first : first + most]
 
 
 def _anchors(motion: LinkMotion) -> Array:

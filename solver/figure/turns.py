@@ -112,8 +112,12 @@ def following(figure: Figure) -> Array:
 @lru_cache(maxsize=8)
 def followers(figure: Figure) -> Index:
     """(L, L): on the way to a link (row) the next after another (column) whose orientation is in the state, or 0."""
-    after = following(figure)
-    return np.argmax(figure.tables.path[:, None] * after, axis=2) * ((figure.tables.path @ after.T) > 0)
+    path, tables = figure.tables.path > 0, figure.tables
+    out = np.zeros(path.shape, np.intp)
+    for link in range(len(path)):
+        direction = [i for i in tables.quaternion_links if path[link, i] and tables.in_world[i]]
+        out[link, direction[:-1]] = direction[1:]
+    return out
 
 
 def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index, out: Array) -> None:
