@@ -91,14 +91,14 @@ def test_the_budget_holds(problem, budget):
 
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt, ZeroDivisionError])
 def test_a_stop_or_an_error_in_it_is_the_callers(problem, error):
-    rough, refined = rough_and_refined(problem, "lbfgs")
+    search = GaussNewton(lambda search, factor, tolerance: refine(search, factor, 1e-4 * tolerance), 1e-2)
+    rough, refined = GaussNewton()(problem, tolerance=1e-2), search(problem, tolerance=1e-2)
     assert refined.evaluations > rough.evaluations
 
     def improved(count: int, _evaluation: object, _x: object) -> None:
         if count > rough.evaluations:
             raise error
 
-    search = GaussNewton(partial(refine, method="lbfgs"), 1e-2)
     if error is ZeroDivisionError:
         with pytest.raises(ZeroDivisionError):
             search(problem, tolerance=1e-2, improved=improved)
@@ -106,6 +106,12 @@ def test_a_stop_or_an_error_in_it_is_the_callers(problem, error):
     found = search(problem, tolerance=1e-2, improved=improved)
     assert found.stop is Stop.ASKED
     assert found.value <= rough.value
+
+
+def test_it_takes_no_evaluation_where_the_model_promises_less_than_the_tolerance(problem):
+    rough, refined = rough_and_refined(problem, "lbfgs")
+    assert refined == replace(rough, x=refined.x)
+    np.testing.assert_array_equal(refined.x, rough.x)
 
 
 def test_rounds_that_others_follow_have_none(problem):
