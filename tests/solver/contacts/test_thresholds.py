@@ -30,9 +30,11 @@ def keyframes(figure: str) -> tuple[str, Array, Array]:
     """Text of the model, times (K,) [s] and configurations (K, nq): a human that runs, a biped that walks."""
     if figure == "human":
         keys = load.load("run_and_step").keys[:STRIDES]
-        return models.figure_text("human"), np.array([k.time for k in keys]), np.array([k.state for k in keys])
-    poses = np.asarray(walk()[::EVERY], float)
-    return TEXT, EVERY / FPS * np.arange(len(poses)), poses
+        times, poses = np.array([k.time for k in keys]), np.array([k.state for k in keys], np.float64)
+        return models.figure_text("human"), times, poses
+    poses = np.array(walk()[::EVERY], np.float64)
+    times = np.array([EVERY / FPS * k for k in range(len(poses))])
+    return TEXT, times, poses
 
 
 def clip_of(figure: str, factor: float, *, gravity: bool) -> Clip:
