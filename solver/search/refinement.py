@@ -60,8 +60,7 @@ def refine(search: Search, factor: Array, tolerance: float, method: str = LBFGS)
     Args:
         search: The search, which is updated.
         factor: The banded Cholesky factor of its last model.
-        tolerance: Share of E. Do nothing if the model's own step promises less; stop when PATIENCE evaluations gain
-            less each.
+        tolerance: Stop when PATIENCE evaluations gain less than this share of E each.
         method: The algorithm, see `algorithm`.
 
     Raises:
@@ -69,14 +68,11 @@ def refine(search: Search, factor: Array, tolerance: float, method: str = LBFGS)
     """
     layout, around, gradient, unit = search.layout, search.x, search.gradient, sqrt(search.value or 1.0)
     values, is_converged, remaining = [search.value] * PATIENCE, False, search.budget - search.count
-    slope = layout.whiten(factor, layout.from_x(gradient))
-    if search.is_negligible(0.5 * float(slope @ slope), tolerance):
-        return
 
     def fun(z: Array) -> tuple[float, Array]:
         nonlocal is_converged
         if not z.any():
-            return values[0], unit * slope
+            return values[0], unit * layout.whiten(factor, layout.from_x(gradient))
         result = search.evaluate(around + layout.to_x(layout.unwhiten(factor, unit * z)))
         values.append(search.value)
         is_converged = search.is_negligible((values[-1 - PATIENCE] - values[-1]) / PATIENCE, tolerance)
