@@ -19,7 +19,6 @@ from .curve.unknowns import Unknowns
 from .figure.adjoint import Cotangent
 from .figure.figure import Figure
 from .figure.kinematics import Samples
-from .figure.size import Size
 from .penalty import Block, Dense, Penalty
 from .penalty.block import summed
 from .penalty.penalty import instants_of
@@ -92,23 +91,20 @@ class Objective:
         if led is not None:
             costs = np.array([not term.penalty.normalization.is_violation for term in self.terms])
             integrals = np.where(costs, np.maximum(integrals, self._typical(led, self.integrals(led))), integrals)
-        (first, last), size = raw.span, Size.of(self.figure)
+        first, last = raw.span
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
             scale, instants = term.penalty.normalization, instants_of(term.penalty)
             length = instants.size or last - first
-            whole = scale.reference * size.length**scale.length_power * length / spacing**scale.time_power
+            whole = scale.reference * length / spacing**scale.time_power
             most = whole if scale.is_violation else scale.most * length
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
-        measures = {term.penalty.name: term for term in terms if term.weight > 0}
+        measures = {term.penalty.name: term.factor / term.weight for term in terms if term.weight > 0}
         for i, term in enumerate(terms):
-            scale = term.penalty.normalization
-            if scale.beside in measures:
-                other = measures[scale.beside]
-                slower = size.time ** (other.penalty.normalization.time_power - scale.time_power)
-                reference = scale.reference * size.length**scale.length_power * slower
-                terms[i] = replace(term, factor=term.weight * other.factor / other.weight / reference)
+            beside = term.penalty.normalization.beside
+            if beside in measures:
+                terms[i] = replace(term, factor=term.weight * measures[beside] / term.penalty.normalization.reference)
         return replace(self, terms=tuple(terms), heavy=HEAVY * self.raw_cost or np.inf)
 
     @property

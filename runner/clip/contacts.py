@@ -14,12 +14,12 @@ from itertools import pairwise
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Hold, Rest, Spot, Stance, slipped
 from dynsplines.solver.penalty.allowance import Allowance
+from dynsplines.solver.penalty.ground.planted import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, placed, places_of
@@ -29,7 +29,10 @@ from .posing.places import Places
 from .table import ContactTable, HoldTable
 
 ROUNDING = 1e-9  # [s]
-SLACK = 1.0  # of what a hold is out of reach, the site may be away: a limb stretched to its end whips there and back
+STRETCH = 0.01  # [m] that two points of one body may be told to come nearer or apart
+NEARLY = 1e-3  # [m, rad] by which a pose may miss a place and still tell what is there
+REACH = 0.15  # [m] by which a keyframe may put a hold out of reach and still tell where the limb is, stretched for it
+SLACK = 1.0  # of that, what the site may be away from there: a limb stretched to its end whips there and back
 
 
 @dataclass(frozen=True)
@@ -85,7 +88,7 @@ def contacts(
             stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
         else:
             rests.append(given[-1])
-    _check_bodies(stances, where, Thresholds.of(figure).stretch)
+    _check_bodies(stances, where)
     return Contacts(tuple(stances), tuple(rests), tuple(given))
 
 
@@ -121,7 +124,7 @@ def _spots(
     figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
 ) -> list[tuple[float, Array]]:
     """Where the point is to be at some times of the interval, by the table and by keyframes that say where it is."""
-    samples, drift = Samples.still(figure, keys.states), Thresholds.of(figure).same_spot
+    samples = Samples.still(figure, keys.states)
     centres, _, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
     said = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
@@ -132,10 +135,10 @@ def _spots(
         where = "the contact's position" if first is None else f"where keyframe {first + 1} does"
         return (
             f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from {where}; "
-            f"a contact may drift by {drift:.3g} m"
+            f"a contact may drift by {SAME_SPOT:g} m"
         )
 
-    kept = agreeing(centres[:, 0], said, exact, wanted, drift, contradicts)
+    kept = agreeing(centres[:, 0], said, exact, wanted, contradicts)
     if not kept:
         return [] if wanted is None else [(table.start, wanted)]
     height, up = height_over(surfaces, centres, np.array([point.radius]))
@@ -156,15 +159,10 @@ def _risen(spot: tuple[float, Array], end: float, sunk: Allowance, up: Array) ->
 
 
 def agreeing(
-    places: Array,
-    said: Index,
-    exact: Mask,
-    wanted: Array | None,
-    drift: float,
-    contradicts: Callable[[int, float, int | None], str],
+    places: Array, said: Index, exact: Mask, wanted: Array | None, contradicts: Callable[[int, float, int | None], str]
 ) -> list[int]:
     """Those keyframes of `said` whose places, of (3, K) [m], are the wanted one (3,), or without one that of the first
-    keyframe, up to a drift [m].
+    keyframe, but for what may drift.
 
     exact        (K,) which keyframes fix the place: what was posed has less to say, and is left out where it is off
     contradicts  what to tell of one that fixes another place: its index, how far off it is [m], and that of the first
@@ -174,7 +172,7 @@ def agreeing(
     for k in said.tolist():
         reference = places[:, said[0]] if wanted is None else wanted
         apart = float(np.linalg.norm(places[:, k] - reference))
-        if apart <= drift:
+        if apart <= SAME_SPOT:
             kept.append(k)
         elif exact[k]:
             raise UserError(contradicts(k, apart, int(said[0]) if wanted is None else None))
@@ -191,9 +189,8 @@ def stretches(
             yield start, end, spot, landed
 
 
-def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None:
-    """Raises UserError if two points of one body rest farther apart than they are on it, or nearer, by more than a
-    stretch [m]."""
+def _check_bodies(stances: Sequence[Stance], where: str) -> None:
+    """Two points of one body cannot rest farther apart, or nearer, than they are on it."""
     for i, one in enumerate(stances):
         for other in stances[:i]:
             start, end = max(one.first, other.first), min(one.last, other.last)
@@ -201,7 +198,7 @@ def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None
                 continue
             apart = float(np.linalg.norm(one.spot - other.spot))
             own = float(np.linalg.norm(one.point.position - other.point.position))
-            if abs(apart - own) > stretch:
+            if abs(apart - own) > STRETCH:
                 raise UserError(
                     f"{where}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
                     f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {own:.3f} m on their body"
@@ -267,7 +264,7 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
 
 def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
     """Where the site is on the body over the interval, as far as the table and keyframes say."""
-    hold, table, limits = row.hold, row.table, Thresholds.of(figure)
+    hold, table = row.hold, row.table
     said, places, exact = _hold_places(figure, keys, hold)
     wanted = None
     if table.position is not None:
@@ -277,12 +274,11 @@ def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
         where = "the hold's position" if first is None else f"where keyframe {first + 1} has it"
         return (
             f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {apart:.3f} m from {where} on "
-            f"the body; a hold may drift by {limits.same_spot:.3g} m"
+            f"the body; a hold may drift by {SAME_SPOT:g} m"
         )
 
     firm = said[exact[said]] if exact[said].any() else said
-    kept = agreeing(places, firm, exact, wanted, limits.same_spot, contradicts)
-    found = {float(keys.times[k]): places[:, k].copy() for k in kept}
+    found = {float(keys.times[k]): places[:, k].copy() for k in agreeing(places, firm, exact, wanted, contradicts)}
     if wanted is not None and not found:
         found = {hold.first: wanted}
     if not found:
@@ -294,8 +290,8 @@ def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
         spot = there.spot(np.array([t]))
         assert spot is not None
         short = float(np.linalg.norm(places[:, k] - spot[:, 0]))
-        if short <= limits.out_of_reach:
-            found[t], slack[t] = places[:, k].copy(), SLACK * short * (short > limits.met)
+        if short <= REACH:
+            found[t], slack[t] = places[:, k].copy(), SLACK * short * (short > NEARLY)
     return [
         Spot(*stretch, (slack.get(stretch[0], 0.0), slack.get(stretch[1], 0.0)))
         for stretch in _hold_stretches(found, hold)

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
@@ -37,6 +36,8 @@ from .measurement import Measurement, bend_limits, inferred
 from .swings import swings
 
 RATE = 1000.0  # [1/s], between the samples that the optimiser saw
+RESTING = 0.01  # [m] from a surface, up to which a point that moves skates
+LEAST_STANCE = 0.05  # [s] shorter ones are two neighbouring samples of a recording
 HIGHEST = 1.0  # [m] above which a foot's height is not told apart
 STIFF = 1e-7  # softness of what supports: what is left then is what cannot be supplied
 
@@ -175,7 +176,7 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
     if not clip.context.points or not clip.context.surfaces:
         return {}
     centres, _, _ = places_of(clip.context.points, samples)
-    low = np.abs(_heights(clip, samples)) < Thresholds.of(clip.figure).rests
+    low = np.abs(_heights(clip, samples)) < RESTING
     steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
     together = low[:, 1:] & low[:, :-1]
     pace = np.diff(samples.t)
@@ -188,8 +189,7 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
 
 def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, and its slide."""
-    shortest = Thresholds.of(clip.figure).brief_stance
-    found = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > shortest]
+    found = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > LEAST_STANCE]
     groups: dict[tuple[float, float, int], list[Any]] = {}
     for stance in found:
         groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)

@@ -28,9 +28,7 @@ class Normalization:
     """How a soft constraint is scaled, also where it (nearly) vanishes on the raw spline.
 
     Attributes:
-        reference: f_j, for a figure of an adult's size, of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared
-            key spacing at keyframes 1 s apart.
-        length_power: f_j of a figure λ times as large grows by λ to this power: 2 for squared lengths.
+        reference: f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing at keyframes 1 s apart.
         is_violation: Whether f_j is zero wherever the constraint holds, like a depth, and not a cost of all motion.
         time_power: f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations.
         beside: The name of a term whose integral divides this one too, if it is present. `reference` of this term then
@@ -46,7 +44,6 @@ class Normalization:
     beside: str | None = None
     most: float = np.inf
     is_sharp: bool = False
-    length_power: int = 0
 
 
 class Role(Enum):

@@ -12,7 +12,6 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
-from ..contacts.thresholds import Thresholds
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
@@ -21,7 +20,8 @@ from ..surface.points import Point, arrays_of, places_of
 from .recorded import Recorded
 from .stances import Stood
 
-LOWEST = 2.0  # per cent of samples that may be deeper
+LOWEST, ELSEWHERE = 2.0, 0.05  # per cent of samples that may be deeper; [m] that a floor is elsewhere
+NOTHING = 0.001  # [m] that is left as it is
 MOST = np.radians(25)  # a sole that is off by more than this stands on its toes
 ENOUGH = 5  # samples in which all of a sole stands
 RUN = 1000  # samples looked at at once
@@ -38,7 +38,7 @@ def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Sur
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
     standing = np.array([_during(recorded.times, [one for one in stances if one.point is point]) for point in points])
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
-    return recorded if abs(lift) < Thresholds.of(recorded.figure).level else recorded.moved([0, 0, lift])
+    return recorded if abs(lift) < NOTHING else recorded.moved([0, 0, lift])
 
 
 def on_the_ground(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surface]) -> Recorded:
@@ -49,7 +49,7 @@ def on_the_ground(recorded: Recorded, points: Sequence[Point], surfaces: Sequenc
     radii = np.array([[point.radius] for point in points])
     lowest = np.min([surface.height(places) for surface in surfaces], axis=0) - radii
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
-    return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).floor_off else recorded
+    return recorded.moved([0, 0, lift]) if abs(lift) > ELSEWHERE else recorded
 
 
 def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Recorded:

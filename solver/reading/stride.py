@@ -13,17 +13,16 @@ from functools import cached_property
 import numpy as np
 
 from ..array import Array
-from ..contacts.thresholds import Thresholds
 from ..curve.frame import Timeline
 from ..curve.spline import natural_end_slopes, path_of
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
-from ..figure.wrench import STANDARD_GRAVITY
 from ..surface import Surface
 from ..surface.points import Point, places_of
 from .pose_vectors import PoseVectors
-from .rhythm import Process, Rhythm
+from .rhythm import TICK, Process, Rhythm
 
+SLOWEST = 0.25  # [m/s] of a body with hips 1 m high, below which it does not travel
 STRIDE, POWER = 2.3, 0.3  # of Alexander's
 SHORTER, LONGER = 0.65, 1.6  # periods that may be, of Alexander's
 FINENESS = 0.02  # of a period, how far apart periods are tried at first
@@ -33,9 +32,13 @@ FEWEST, MOST = 3, 100  # whole keyframes that a cycle is looked for in
 CYCLES = 0.8  # least number of cycles in a clip
 GAIN = -0.15  # least log-likelihood over that of a smooth motion
 SLIP = 0.33  # of the travel, most that feet which are low may slide
+LEVEL = 0.05  # [m] by which the ground may rise or fall
 TRUST = 0.5  # least of a rhythm, over all of the clip
+LOW = 0.04  # [m] over where soles are lowest
 LOWEST = 0.25  # of the keyframes, those in which they are lowest
 TRIED = 4  # candidates that are looked at
+ANY_PERIOD = (0.3, 3.0)  # [s] of what does not travel
+GRAVITY = 9.81  # [m/s²] that strides are known at
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,11 +53,6 @@ class Gait:
     keys: Timeline
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
-
-    @property
-    def limits(self) -> Thresholds:
-        """The thresholds of the figure."""
-        return Thresholds.of(self.figure)
 
     def told(self) -> Rhythm | None:
         """The cycle that the keyframes tell beyond doubt, if any; the first and the last may stand outside it, as a
@@ -102,7 +100,7 @@ class Gait:
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None:
             return None
-        between = self._periods if self._may_walk else self.limits.any_period
+        between = self._periods if self._may_walk else ANY_PERIOD
         found = self.candidates(Process(poses), between, -np.inf)
         return min(found, key=lambda rhythm: (rhythm.slip > SLIP, -rhythm.gain), default=None)
 
@@ -131,7 +129,7 @@ class Gait:
     def _plain(self) -> tuple[Array, Array]:
         """Times (T,) [s], and the configurations (T, nq) of the spline through the keyframes."""
         first, last = float(self.keys.times[0]), float(self.keys.times[-1])
-        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / self.limits.tick)) + 1))
+        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / TICK)) + 1))
         return times, self.figure.to_qpos(path_of(self.keys).at(times))
 
     @cached_property
@@ -139,14 +137,14 @@ class Gait:
         """Whether it has feet and ground, one root, and gets on."""
         if not self.points or not self.surfaces or self.figure.tables.free_links.size != 1:
             return False
-        return self._hips > 0 and self._travel > self.limits.slowest
+        return self._hips > 0 and self._travel > SLOWEST * np.sqrt(self._hips)
 
     @property
     def _is_level(self) -> bool:
         """Whether the ground below the lowest sole point is as high at all keyframes: steps are no cycle of poses."""
         places, heights = self._standing
         lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
-        return float(np.ptp((places[2] - heights)[lowest])) < self.limits.floor_level
+        return float(np.ptp((places[2] - heights)[lowest])) < LEVEL
 
     @property
     def _root(self) -> Array:
@@ -172,8 +170,7 @@ class Gait:
     @property
     def usual_period(self) -> float:
         """[s] of a body of this size at this speed, by dynamic similarity."""
-        gravity = float(np.linalg.norm(self.figure.gravity)) or STANDARD_GRAVITY
-        froude = self._travel**2 / (gravity * self._hips)
+        froude = self._travel**2 / (GRAVITY * self._hips)
         return STRIDE * froude**POWER * self._hips / self._travel
 
     def slip(self, rhythm: Rhythm) -> float:
@@ -183,7 +180,7 @@ class Gait:
         qpos[:, over] = self._plain[1][:, over]
         places, heights = self._soles(self.figure.to_state(qpos))
         speed = np.linalg.norm(np.gradient(places[:2], times, axis=2), axis=0)
-        low = heights < self.limits.low + np.quantile(self._standing[1].min(axis=0), LOWEST)
+        low = heights < LOW + np.quantile(self._standing[1].min(axis=0), LOWEST)
         slowest = np.where(low, speed, np.inf).min(axis=0)
         down = np.isfinite(slowest)
         return float(slowest[down].mean() / self._travel) if down.any() else np.inf

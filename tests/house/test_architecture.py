@@ -126,7 +126,6 @@ STRATA = {
         compiled quaternion cone one_thread remembered
         figure
         curve surface
-        contacts
         reading
         penalty
         objective posing

@@ -15,7 +15,6 @@ import numpy as np
 from pydantic import TypeAdapter, ValidationError
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -67,6 +66,7 @@ NEXT_TO = 0.008  # [s] from a keyframe, half of what frames are apart at least
 RARE = 2.0  # per cent of poses whose knees and elbows nobody asks
 LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
 SLOWER = 0.95  # of a speed that joints may have: what is soft gives a little
+FLUSH = 0.0005  # [m] that what is beside a sole may be below it
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,11 +97,9 @@ class Ground:
         soles = np.array([point.link for point in self.points])
         lowest = {link: heights[len(body) :][soles == link].min() for link in np.unique(soles).tolist()}
 
-        flush = Thresholds.of(figure).flush
-
         def is_below(point: Point, height: float) -> bool:
             feet = [link for link in lowest if point.link in (link, figure.links[link].parent)]
-            return any(height < lowest[link] - flush for link in feet)
+            return any(height < lowest[link] - FLUSH for link in feet)
 
         return tuple(
             p for p, height in zip(body, heights[: len(body)].tolist(), strict=True) if not is_below(p, height)

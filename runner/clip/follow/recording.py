@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.retime import repeated
@@ -35,6 +34,7 @@ CLOSE = 0.004  # [s] between frames at least
 RATE = 120.0  # [1/s] at which a motion is taken down
 EASE = 0.4  # [s] before and after a keyframe, where a clip does not say
 DETAIL = 0.02  # of f over a segment that may be left out: less than a millimetre
+MOVED = 0.02  # [m] by which a keyframe puts a point that the recording has standing: it stands there no more
 INNER, MARGIN = 0.75, 6  # of a blend: frames beyond are fixed, so many to its end, for the spline rings on a little
 TOLERANCE = 1e-3  # relative progress of E at which a search ends: an edit begins far from what it asks for
 ROUNDING = 1e-9  # [s]
@@ -153,7 +153,7 @@ class Followed:
         qpos = np.stack([edit.state, self.pose(edit.time)])
         states = figure.to_state(qpos)
         places, _, _ = places_of((point,), Samples.still(figure, states))
-        return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > Thresholds.of(figure).moved
+        return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
 
 
 def followed(said: RecordingTable, figure: Figure, motion: Moving | None, where: str) -> Followed:

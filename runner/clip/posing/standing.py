@@ -16,13 +16,13 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Hold, Placed
+from dynsplines.solver.penalty.ground.planted import NEAR_SURFACE, SAME_SPOT
 from dynsplines.solver.posing import (
     BodyGoal,
     Goal,
@@ -38,13 +38,12 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, placed
 
-from ..contacts import ROUNDING, Contacts, contacts, holds
+from ..contacts import NEARLY, REACH, ROUNDING, Contacts, contacts, holds
 from ..table import ContactTable, HoldTable, SolveTable
 from .feet import sole_points
 from .grounding import Grounding
 
 BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
-NEARLY = 1e-3  # [m, rad] by which a pose that is searched may miss its goals
 STARTS = 4  # poses to begin with, at most
 OWN_TURN = 1e-3  # of a foot's own turn in what its points tell, which do not see a roll about the line through two
 TURNS = 4  # times that it takes itself as its own, so that nothing of that is left
@@ -226,7 +225,7 @@ class Stander:
         goals = [goal for goal in missed if isinstance(goal, HoldGoal)]
         while goals:
             found = posed(self.figure, home, free, goals, self.bends, STARTS)
-            if found.worst <= Thresholds.of(self.figure).out_of_reach:
+            if found.worst <= REACH:
                 return found.qpos, found.fixed & free
             del goals[int(np.argmax(found.missed))]
         return home, np.zeros(self.figure.width, bool)
@@ -248,7 +247,7 @@ class _Seen:
         held: Sequence[Hold] = (),
     ) -> None:
         self.figure, self.timeline, self.soles, self.contacts = figure, timeline, tuple(soles), found
-        self.holds, self.limits = tuple(held), Thresholds.of(figure)
+        self.holds = tuple(held)
         rests = [stance.point for stance in found.stances]
         self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
         states = timeline.states
@@ -262,7 +261,7 @@ class _Seen:
         centres, _ = self.samples.links.points(links, positions)
         heights = [surface.height(centres) for surface in surfaces]
         above = np.min(heights, axis=0) - radii[:, None] if heights else np.full(centres.shape[1:], np.inf)
-        times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < self.limits.near_surface
+        times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < NEAR_SURFACE
         if self.timeline.ends != "periodic":
             return times, centres, low
         seam, period = Seam.of(self.figure, self.timeline), times[-1] - times[0]
@@ -332,7 +331,7 @@ class _Seen:
         if before is None or after is None:
             return self.centres[i, some[0]]
         spot, landed = self.centres[i, before], self.centres[i, after]
-        if np.linalg.norm(landed - spot) >= self.limits.same_spot:
+        if np.linalg.norm(landed - spot) >= SAME_SPOT:
             return None
         share = (self.timeline.times[k] - self.times[before]) / (self.times[after] - self.times[before])
         return spot + share * (landed - spot)
@@ -351,7 +350,7 @@ class _Seen:
             for stance in self.contacts.stances
             if _is_same(stance.point, point) and stance.first - ROUNDING <= t <= stance.last + ROUNDING
         ]
-        if not spots or any(np.linalg.norm(spot - spots[0]) >= self.limits.same_spot for spot in spots):
+        if not spots or any(np.linalg.norm(spot - spots[0]) >= SAME_SPOT for spot in spots):
             return None
         return spots[0]
 

@@ -12,7 +12,6 @@ from functools import cached_property
 import numpy as np
 
 from ...array import Array, Index
-from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.algebra import applied
 from ...figure.figure import Figure
@@ -23,6 +22,10 @@ from ...surface.points import Point, placed, places_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
+NEAR_SURFACE = 0.012  # [m] by which a sole that stands may be off its surface in a keyframe
+SAME_SPOT = 0.05  # [m] that keyframes may put a standing point apart
+SAME_PLACE = 0.001  # [m] by which keyframes may put a thing that lies differently: it has no reason to drift
+ARM = 0.2  # [m] from a thing's origin to the points that tell how it lies: about half of what a person carries
 HELD = 10.0  # times as much a stance weighs that a posed keyframe tells: nothing exact holds the point at its end
 
 
@@ -54,7 +57,7 @@ class Planted(Penalty):
 
     name = "attach.stance"
     role = Role.CONTACT
-    normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
+    normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         stance, at = self._during(samples.t)
@@ -99,24 +102,24 @@ class Planted(Penalty):
 
 
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
-    """The stances that a timeline of keyframes implies: a point near a surface in two neighbouring ones, on spots close
-    to each other (12 mm and 5 cm for an adult), where both keyframes specify every joint from the root to the point."""
+    """The stances that a timeline of keyframes implies: a point within 12 mm of a surface in two neighbouring ones,
+    on spots less than 5 cm apart, and both keyframes tell every joint from the root to the point."""
     if not points or not surfaces:
         return ()
-    states, limits = keys.states, Thresholds.of(figure)
+    states = keys.states
     samples = Samples.still(figure, states)
     centres, _, _ = places_of(points, samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
     low, exact = (
-        (np.abs(height) < limits.near_surface) & placed(figure, keys.known, points),
+        (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points),
         placed(figure, keys.fixed, points),
     )
     found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
             spot, landed = centres[:, i, k], centres[:, i, k + 1]
-            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < limits.same_spot:
+            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
                 weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
                 found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
     return tuple(found)
@@ -125,8 +128,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
 def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
     """Stances of things, links with trees of their own, that two neighbouring keyframes put in the same place, turned
     alike: three points of each."""
-    limits = Thresholds.of(figure)
-    points = [Point(figure.links[link].name, link, limits.object_arm * axis) for link in links for axis in np.eye(3)]
+    points = [Point(figure.links[link].name, link, ARM * axis) for link in links for axis in np.eye(3)]
     if not points:
         return ()
     states = keys.states
@@ -138,6 +140,6 @@ def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance,
             here, there = centres[:, i, k], centres[:, i, k + 1]
             own = slice(i - i % 3, i - i % 3 + 3)
             moved = np.linalg.norm(centres[:, own, k + 1] - centres[:, own, k], axis=0)
-            if told[i, k] and told[i, k + 1] and np.all(moved < limits.same_place):
+            if told[i, k] and told[i, k + 1] and np.all(moved < SAME_PLACE):
                 found.append(Stance(point, float(first), float(last), here.copy(), there.copy()))
     return tuple(found)

@@ -12,7 +12,6 @@ from functools import cached_property
 import numpy as np
 
 from ...array import Array, Index
-from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.algebra import cross
 from ...figure.figure import Figure
@@ -25,7 +24,11 @@ from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
 NEGLIGIBLE, TINY = 0.03, 1e-8  # of the weight's root: higher up a point is free in a model of E, and in E
+STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point is in the air in between
+SHORTLY = 0.25  # [s] between them, up to which it cannot stand on the way as well
+LONG = 0.45  # [s] between two keyframes, from which on they tell less of where feet stand in between
 WORTH = 1e-3  # [m² rad⁻² s²]: 3 cm/s of a point on the ground count like half a radian per s²
+REACH = 0.04  # [m] unless told
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,16 +41,16 @@ class Bound:
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], *, swings: bool = True) -> Bound:
         """Less in a long segment, by the square of its length: a foot may take steps there that nobody told of. Not at
-        all, if it may be that a foot `swings`, where two keyframes up to 0.25 s apart (of an adult) put a point more
-        than 8 cm apart: one that comes so far so fast passes low, and is not to be braked."""
-        spans, limits = np.diff(keys.times), Thresholds.of(figure)
-        shares = np.tile(np.minimum(1.0, (limits.long / spans) ** 2), (len(points), 1))
+        all, if it may be that a foot `swings`, where two keyframes up to 0.25 s apart put a point more than 8 cm apart:
+        one that comes so far so fast passes low, and is not to be braked."""
+        spans = np.diff(keys.times)
+        shares = np.tile(np.minimum(1.0, (LONG / spans) ** 2), (len(points), 1))
         if swings:
             samples = Samples.still(figure, keys.states)
             centres, _, _ = places_of(points, samples)
             steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
             told = placed(figure, keys.known, points)
-            shares[(steps > limits.strode) & (spans <= limits.shortly) & told[:, 1:] & told[:, :-1]] = 0.0
+            shares[(steps > STRIDDEN) & (spans <= SHORTLY) & told[:, 1:] & told[:, :-1]] = 0.0
         return cls(keys.times, shares)
 
     def at(self, t: Array) -> Array:
@@ -69,12 +72,12 @@ class Skate(Penalty):
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
-    reach: float = Thresholds.slip_reach
+    reach: float = REACH
     bound: Bound | None = None
 
     name = "no_slip"
     role = Role.CONTACT
-    normalization = Normalization(WORTH, length_power=2, time_power=2, beside="acceleration.angular")
+    normalization = Normalization(WORTH, time_power=2, beside="acceleration.angular")
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

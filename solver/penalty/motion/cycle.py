@@ -20,6 +20,7 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...reading.pose_vectors import HEIGHT
 from ...reading.rhythm import Rhythm
 from ..block import Block, Dense, every
 from ..curvature import Curvature
@@ -117,7 +118,7 @@ class Cycle(Guide):
         """The state's columns of hinges and the root's height, and what each counts [1, rad/m]."""
         found = self.rhythm.poses.map
         columns = np.concatenate([found.hinges, found.heights])
-        return columns, np.repeat([1.0, found.up], [found.hinges.size, found.heights.size])
+        return columns, np.repeat([1.0, HEIGHT], [found.hinges.size, found.heights.size])
 
     @cached_property
     def _table(self) -> Array:

@@ -4,18 +4,15 @@ import numpy as np
 import pytest
 from densities import log_normal
 
-from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.reading.moving import surprise
-
-ADULT = Thresholds()
+from dynsplines.solver.reading.moving import FASTEST, LIVELY, surprise
 
 
 def covariance(times: np.ndarray, variance: float, first: float) -> np.ndarray:
     """Of a place that begins known to a sample's noise at `first`, at unknown speed, its acceleration white noise."""
     t = times - first
     early, late = np.minimum.outer(t, t), np.maximum.outer(t, t)
-    wiener = ADULT.lively * (early**2 * (3 * late - early) / 6)  # twice integrated
-    return variance + ADULT.fastest**2 * np.multiply.outer(t, t) + wiener + variance * np.eye(t.size)
+    wiener = LIVELY * (early**2 * (3 * late - early) / 6)  # twice integrated
+    return variance + FASTEST**2 * np.multiply.outer(t, t) + wiener + variance * np.eye(t.size)
 
 
 @pytest.mark.parametrize("share", [1.0, 0.6])

@@ -22,6 +22,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.reading.pose_vectors import HEIGHT
 from dynsplines.solver.reading.stride import Gait
 from dynsplines.solver.refine.subdivision import evenly
 
@@ -60,7 +61,7 @@ def residuals(cycle: Cycle, y: np.ndarray, some: np.ndarray) -> np.ndarray:
         off = Rotation.from_quat(np.roll(rhythm.rotations[some, i], -1, 1)).inv()
         out.append(2 * (off * Rotation.from_quat(np.roll(own, -1, 1))).as_quat(canonical=True)[:, :3])
     out.append(qpos[:, figure.tables.hinge_columns] - rhythm.angles[some])
-    out.append(rhythm.poses.map.up * (qpos[:, figure.tables.position_columns[2]] - rhythm.heights[some]))
+    out.append(HEIGHT * (qpos[:, figure.tables.position_columns[2]] - rhythm.heights[some]))
     return np.hstack(out)
 
 
