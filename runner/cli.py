@@ -336,7 +336,7 @@ def studio(
     from importlib.util import find_spec
 
     for name in ("starlette", "uvicorn", "websockets", "tomlkit"):
-        if name not in sys.modules and find_spec(name) is None:
+        if sys.modules.get(name) is None and (name in sys.modules or find_spec(name) is None):
             raise UserError(f"the studio needs {name}: pip install 'dynamic-splines[studio]'")
     studio_start.check_host(host, allow_remote=allow_remote)
     more = {"host": host, "port": port, "browser": browser, "allow_remote": allow_remote}

@@ -36,6 +36,8 @@ SHORTEST = 0.001  # [s] between neighbouring keyframes
 UNEVEN = 10_000  # largest ratio of adjacent distances between keyframes: the spline overshoots by as much
 LONGEST = 600.0  # [s] from the first keyframe to the last
 
+EMPTY = "the clip is empty; it needs a figure and two [[keyframe]] tables"
+
 
 @dataclass(frozen=True, eq=False)
 class Parsed:
@@ -79,6 +81,8 @@ def parse(text: str, name: str, where: str, folder: Path | None = None) -> Parse
     Raises:
         UserError: for tables that fit no figure.
     """
+    if not text:
+        raise UserError(f"{where}: {EMPTY}")
     source = Parsed.of(text, name, where, folder)
     follows = source.table.recording is not None
     check_times([row.time for row in source.table.keyframe], where, fewest=0 if follows else 2)
@@ -149,7 +153,7 @@ def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
     except ValueError:  # what Python calls too many digits for an integer
         raise UserError(f"{where}: not valid TOML: a number of thousands of digits") from None
     if kind is ClipTable and not raw:
-        raise UserError(f"{where}: the clip is empty; it needs a figure and two [[keyframe]] tables")
+        raise UserError(f"{where}: {EMPTY}")
     if kind is ClipTable and raw.get("keyframe", []) == [] and "recording" not in raw:
         raise UserError(f"{where}: no keyframes; a clip needs at least two [[keyframe]] tables")
     try:

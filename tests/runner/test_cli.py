@@ -760,7 +760,7 @@ def test_ctrl_c_while_solving_keeps_the_best_path_and_writes_it(long_solve, tmp_
     assert out == ""
     assert "the best path so far is kept" in err
     with np.load(tmp_path / "tiny.npz") as data:
-        assert "stopped as asked" in json.loads(str(data["search"]))["stopped because"]
+        assert "interrupted" in json.loads(str(data["search"]))["stopped because"]
         trace = json.loads(str(data["trace"]))
     assert trace[-1][2] < trace[0][2]
 

@@ -94,7 +94,7 @@ def test_a_signal_while_solving_keeps_the_best_path_and_tells_in_the_exit_code(
     assert "the best path so far is kept" in said
     assert "Traceback" not in said
     with np.load(tmp_path / "long.npz") as data:
-        assert "stopped as asked" in json.loads(str(data["search"]))["stopped because"]
+        assert "interrupted" in json.loads(str(data["search"]))["stopped because"]
     assert not [path.name for path in tmp_path.iterdir() if path.name.startswith(".")]
 
 

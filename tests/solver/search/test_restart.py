@@ -295,7 +295,7 @@ def test_a_round_that_hid_what_it_costs_is_not_kept(monkeypatch):
         judged.append((objective, timelines, select_best(objective, timelines)))
         return judged[-1][-1]
 
-    monkeypatch.setattr(VERB, "best", seen)
+    monkeypatch.setattr(VERB, "select_best", seen)
     inbetween(Problem(LIMB, swinging(10), TERMS))
     objective, timelines, chosen = judged[0]
     times = common_grid(timelines)
