@@ -22,15 +22,7 @@ OWN = ("/runner/", "/solver/")  # files whose functions count
 
 def main() -> None:
     import matplotlib.backends.backend_agg  # noqa: F401
-
-    import dynsplines.cli
-    import dynsplines.clip.load
-    import dynsplines.edit.thin_files
-    import dynsplines.exchange.imported
-    import dynsplines.kept
-    import dynsplines.measure.chart
-    import dynsplines.measure.report
-    import dynsplines.work  # noqa: F401
+    import platformdirs.unix  # noqa: F401
 
     for line in sys.stdin:
         print(json.dumps(tried(json.loads(line))), flush=True)
