@@ -26,6 +26,9 @@ def main(command: Callable[[], None] = _dynsplines) -> None:
     except SystemExit:
         stopping.ignore()
         raise
+    except MemoryError:
+        print("dynsplines: not enough memory for this", file=sys.stderr)
+        sys.exit(2)
     except Exception:
         if not stopping.was_asked():
             raise

@@ -25,13 +25,13 @@ NO_ROOM = (  # the linker's, MuJoCo's, and Python's where it has no memory for t
 
 def run(command: Callable[[], int | None]) -> NoReturn:
     """End with a command's exit code; bad input and internal errors are reported in one line."""
-    from . import mujoco_warnings
-    from .terminal import fit
-    from .threads import keep_to_one
-
-    keep_to_one()
-    fit()
     try:
+        from . import mujoco_warnings  # here, so that an import without memory is reported, too
+        from .terminal import fit
+        from .threads import keep_to_one
+
+        keep_to_one()
+        fit()
         with mujoco_warnings.reported_to(mujoco_warnings.print_note):
             code = command()
     except BrokenPipeError:
