@@ -194,11 +194,6 @@ class LinkMotion:
         """2 (Q·Q')/b and 2 (Q·Q'')/b, (2, L, S) [1/s, 1/s²]; the first is b'/b."""
         return self._dots[1:] * self.scale
 
-    @property
-    def stretch_rate(self) -> Array:
-        """(Q·Q')/b, the rate at which the quaternion's length grows, (L, S) [1/s]."""
-        return 0.5 * self.rates[0]
-
     @cached_property
     def vector_product(self) -> Array:
         """G of Q, (3, 4, L, S); see the algebra."""
