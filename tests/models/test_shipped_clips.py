@@ -176,22 +176,6 @@ def level(rotations: Array) -> Array:
 
 
 UNHINDERED = {"tumble"}  # nothing is in its way: its raw spline breaks nothing and is only less smooth
-# The toe of a foot that leaves the ground is turned inward by the keyframe that lifts it, while its contact lasts. In
-# renders, the hands of run_and_step vanish in its shorts, the knees of jump_over_box press into each other, and in
-# carry_box a forearm goes through a knee and one thigh grazes the other.
-KNOWN = {
-    "walk_loop": {("left_toe", 5), ("left_toe", 6), ("right_toe", 2), ("right_toe", 9)},
-    "carry_box": {("left_forearm", 14), ("left_forearm", None), ("left_thigh", None)},
-    "jump_over_box": {("left_shin", None)},
-    "run_and_step": {
-        ("pelvis", 3),
-        ("pelvis", 5),
-        ("pelvis", None),
-        ("right_forearm", 3),
-        ("left_forearm", 5),
-        ("left_forearm", None),
-    },
-}
 
 
 def problems_of(move: Move, *, raw: bool):
@@ -201,17 +185,12 @@ def problems_of(move: Move, *, raw: bool):
 
 
 @pytest.mark.parametrize("name", models.clips())
-def test_nothing_is_wrong_with_a_clip_that_ships_but_what_is_known(name):
-    told = problems_of(of(name), raw=False)
-    assert {(each.name, each.keyframe) for each in told} == KNOWN.get(name, set()), [each.text for each in told]
-    assert len(told) == len(KNOWN.get(name, ()))
-    assert {each.kind for each in told} <= {"contact", "self"}
-    assert all(each.amount < (0.02 if each.kind == "contact" else 0.08) for each in told)
+def test_nothing_is_wrong_with_a_clip_that_ships(name):
+    assert [each.text for each in problems_of(of(name), raw=False)] == []
     raw = problems_of(of(name), raw=True)
     if name in UNHINDERED:
         assert not raw
         return
-    assert len(raw) > len(told)
     assert raw[0].severity > 2
 
 
