@@ -102,7 +102,7 @@ def sampled_energy(times: Array, orientation: Callable[[Array], Array], steps: i
 @cache
 def oracle() -> Any:
     """The tests' exact minimiser by multiple shooting, which shares no code with the solver."""
-    folder = str(File(__file__).resolve().parents[1] / "tests")
+    folder = str(File(__file__).resolve().parents[1] / "tests" / "support")
     if folder not in sys.path:
         sys.path.append(folder)
     return importlib.import_module("exact_path")
