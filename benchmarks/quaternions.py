@@ -139,8 +139,8 @@ def measure(effort: Effort) -> Section:
         f"sets: {', '.join(f'{len(each)} {kind}' for kind, each in rows.items())}, seeds from {FIRST_SEED}; "
         "moderate: steps of 20-90°, random: uniformly random rotations; intrinsic form, free end slopes, "
         "weight of the unit term 0.05 × the covariant one",
-        "exact: multiple shooting (tests/support/exact_path.py), which shares no code with the solver; energy by 8 Gauss "
-        "points on panels of 50 ms",
+        "exact: multiple shooting (tests/support/exact_path.py), which shares no code with the solver; energy by "
+        "8 Gauss points on panels of 50 ms",
         f"another winding class than the exact one (energy off by more than 5 %), left out above: {_listed(others)}",
         f"the exact solver did not close, 15 a segment stand in: {_listed(unclosed)}",
         "RotationSpline has its end rates clamped to SLERP's; SQUAD is Shoemake's; neither minimises this energy",
