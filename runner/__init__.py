@@ -9,9 +9,9 @@ clips, figures                             what ships, by name
 load, build                      -> Clip   a problem: keyframes of a figure, in Keyframe's words, and soft constraints
 inbetween                        -> Motion the verb
 load_motion, import_motion       -> Motion from files
-UserError                                  what is raised for all that the caller can mend
+UserError                                  raised for every error that the caller can correct
 
-Nothing is imported before it is asked for: `import dynsplines` takes a moment, the first name some tenths of a second.
+Names are imported on first use: `import dynsplines` takes a moment, the first name a few tenths of a second.
 """
 
 from typing import TYPE_CHECKING

@@ -99,7 +99,7 @@ def _flag(*words: str, **more: Any) -> Any:
 
 
 def _value(metavar: str, help: str, default: str | bool = True, *names: str, **more: Any) -> Any:
-    """An option; `default` describes the default where it is no constant."""
+    """An option; `default` is the text shown as default where the default is computed."""
     return typer.Option(*names, metavar=metavar, help=help, show_default=default, **more)
 
 

@@ -1,4 +1,4 @@
-"""UserError: what the user can mend, in one line that names the thing, the place and the alternatives."""
+"""UserError: an error the user can correct, in one line with the place, the problem and the alternatives."""
 
 from __future__ import annotations
 

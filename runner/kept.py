@@ -1,12 +1,12 @@
 """Solved clips kept from one command to the next: what nothing has changed of is not searched again.
 
-They lie in the user's folder for such things, out of the way of clips and motions and good for all of them; in
-DYNSPLINES_CACHE=FOLDER if that is set, nowhere with DYNSPLINES_CACHE=off. A file is called after all that the search
+They are stored in the user's cache folder, independent of the folders of clips and motions; in
+DYNSPLINES_CACHE=FOLDER if that is set, nowhere with DYNSPLINES_CACHE=off. A file is named for everything the search
 depends on: keyframes and settings, the scene with every file of its model, this program's own text and the libraries
 that it counts with. So an old file is never wrong, only unused, and the ones that were not used for longest go.
 
-A file holds plain arrays, and what it says is looked at before it is believed: one that is damaged, or does not go
-through the clip's keyframes, is as good as none. Whatever goes wrong with keeping, the clip is solved.
+A file holds plain arrays, which are checked before use: a damaged file, or one that does not pass
+through the clip's keyframes, counts as missing. If caching fails, the clip is solved.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ APART = ("figure", "fps")  # keys of a clip on which its solution does not depen
 
 
 def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
-    """A clip solved, or as it was solved before if nothing that it depends on has changed since.
+    """A clip solved, or loaded from the cache if nothing that it depends on has changed.
 
     fresh  solve it whatever is kept
     """
@@ -147,7 +147,7 @@ def write(found: Solved, file: Path) -> None:
 
 
 def read(file: Path, clip: Clip) -> Solved | None:
-    """What a file says of a clip; None if there is none, or nothing that can be believed."""
+    """The cached solution of a clip; None if it is missing or invalid."""
     if not file.is_file():
         return None
     try:

@@ -8,7 +8,7 @@ frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and r
 asset_names (A,), asset_0 … (B,) uint8  the files that the model refers to, by name; left out where there are none
 joint_names, body_names, mjcf, clip, trace, search, report, name, coordinates, ends, format_version
 
-report is {} until somebody measures the motion; search is what only the search knew: why it ended
+report is {} until the motion is measured; search holds data that only the search has: why it ended
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
 
 
 def _configurations(samples: Samples) -> tuple[Array, Array, Array]:
-    """qpos, qvel and qacc: of a long motion the samples, with all that is made of them, would fill the memory."""
+    """qpos, qvel and qacc in chunks: the samples of a long motion, with derived arrays, would fill the memory."""
     return samples.figure.to_qpos(samples.y), *velocities(samples)
 
 
@@ -191,7 +191,7 @@ def _timeless(entries: Mapping[str, object]) -> dict[str, object]:
 def write_arrays(target: Path, arrays: Mapping[str, Any]) -> None:
     """Writes an .npz of plain arrays by their names; raises TypeError for objects, which would be pickled.
 
-    Without `allow_pickle`, which NumPy knows since 2.1 and takes for the name of an array before.
+    Without `allow_pickle`, an argument since NumPy 2.1 that older versions take for the name of an array.
     """
     plain: dict[str, Any] = {name: np.asarray(array) for name, array in arrays.items()}
     pickled = [name for name, array in plain.items() if array.dtype.hasobject]

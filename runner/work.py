@@ -108,7 +108,7 @@ def _check_size(clip: Clip) -> None:
 
 
 def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> Solved:
-    """Solves a clip, telling every improvement. Ctrl-C stops and keeps the best path.
+    """Solve a clip, reporting every improvement. Ctrl-C stops and keeps the best path.
 
     stop_after  evaluations after which to stop and keep the best path
     """

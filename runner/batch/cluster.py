@@ -85,4 +85,4 @@ def _count(client: Client) -> int:
     with suppress(OSError):  # Dask reports a lost connection in several ways
         if client.status == "running":
             return AHEAD * sum(client.nthreads().values())
-    raise UserError("the Dask scheduler is gone; the same command goes on where it stopped")
+    raise UserError("the Dask scheduler is gone; run the same command again to resume")

@@ -162,7 +162,9 @@ class Batch:
         """Solve all clips that are waiting; raises UserError if the workers or the folder are gone."""
         while self.waiting or self.running:
             if not self.manifest.path.exists():
-                raise UserError(f"'{self.folder}' or its manifest has been removed; the same command begins anew")
+                raise UserError(
+                    f"'{self.folder}' or its manifest has been removed; run the same command again to restart the batch"
+                )
             count = workers.count()
             while self.waiting and len(self.running) < max(count, 1):
                 self._submit(*self.waiting.popleft(), workers)
@@ -234,7 +236,7 @@ class Batch:
         for name, content in list(files.items())[1:]:
             check_below(self.folder, name)
             if self.written.get(name, digest_of(content)) != digest_of(content):
-                raise UserError(f"'{name}' is there already, and a file of this motion's figure goes there")
+                raise UserError(f"'{name}' already exists, where a file of this motion's figure would be written")
 
     def _report_progress(self, note: str = "", *, force: bool = False) -> None:
         over, spent = self.solved + self.failed, time.monotonic() - self.begin

@@ -1,4 +1,4 @@
-"""A batch of recordings: what is asked of it, and what it came to, before and after, with the worst of them."""
+"""A batch of recordings: the request, and its measurements before and after, with the worst recordings first."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def asked(
         raise UserError(f"--figure {figure}: the figure is the one to --retarget to, '{onto}'")
     map_file = map_of(map_file)
     if clean and map_file is not None:
-        raise UserError("--map: who is who is asked where recordings are brought on to a figure: --retarget MODEL")
+        raise UserError("--map: a bone map is used for retargeting only; add --retarget MODEL")
     model = onto if onto is not None else figure
     if model is not None and model not in models.figures() and not Path(model).is_file():
         raise UserError(f"no file '{model}'" if Path(model).suffix else unknown("figure", model, models.figures()))

@@ -217,7 +217,7 @@ def with_own(clip: Clip, own: Own) -> Clip:
         if isinstance(weight, bool) or not isinstance(weight, int | float) or not 0 <= weight < np.inf:
             raise UserError(f"{where}: the weight of '{penalty.name}' is a number from 0 on, not {weight!r}")
         if penalty.name in taken:
-            raise UserError(f"{where}: a soft constraint called '{penalty.name}' is there already; call it otherwise")
+            raise UserError(f"{where}: a soft constraint called '{penalty.name}' already exists; give it another name")
         taken.add(penalty.name)
     more = tuple((penalty, float(weight)) for penalty, weight in own if weight > 0)
     return replace(clip, own=(*clip.own, *more), problem=replace(clip.problem, penalties=(*clip.penalties, *more)))

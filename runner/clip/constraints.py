@@ -30,10 +30,10 @@ from .table import PenaltyTable
 from .table_errors import describe
 from .text import assignment, tables
 
-CARRIED = ("flight", "support", "peak")  # on by default where it is known what carries the figure
+CARRIED = ("flight", "support", "peak")  # on by default where contacts determine the ground's support
 LINEAR_WEIGHT_CARRIED = 0.45  # of acceleration.linear there, which flight and support then cover
 NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
-DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
+DEEP = 0.02  # [m] penetration of a sole point in a keyframe above which a note is printed
 
 
 def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
@@ -142,7 +142,7 @@ def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[PenaltyTab
 
 @dataclass(frozen=True)
 class Constraints:
-    """The soft constraints of a clip with their weights, their context, and a line on everything to know."""
+    """The soft constraints of a clip with their weights, their context, and notes for the user."""
 
     context: Context
     penalties: tuple[tuple[Penalty, float], ...]

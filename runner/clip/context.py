@@ -77,7 +77,7 @@ class Context:
         tables: Sequence[ContactTable] = (),
         held: Sequence[HoldTable] = (),
     ) -> Context:
-        """What keyframes and tables say, before anything is asked of it by [[penalty]] tables."""
+        """What keyframes and tables specify, independent of the [[penalty]] tables."""
         whole = [frame.state for frame in keys.frames if frame.fixed.all()]
         points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
         given = contacts(figure, keys, tables, where, points, surfaces)
@@ -119,7 +119,7 @@ class Context:
 
     @property
     def stances(self) -> tuple[Stance, ...]:
-        """The stances that keyframes tell, where the clip's contacts do not speak of the same point."""
+        """The stances inferred from keyframes, except for points that the clip's contacts already cover."""
         found = stances(self.figure, self.keys, self.points, self.surfaces)
         return tuple(stance for stance in found if not self.contacts.overlaps(stance))
 
@@ -137,7 +137,7 @@ class Context:
 
     @property
     def leans(self) -> tuple[Lean, ...]:
-        """How the trunk leans where it was posed."""
+        """The trunk's tilt in the poses before placing."""
         roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.carried]
         root = self.figure.root
         if root is not None and not root.is_free:
@@ -145,8 +145,8 @@ class Context:
         return leans(self.figure, self.keys, roots)
 
     def carried_when(self, intervals: Sequence[tuple[float, float]] | None, asked: bool) -> Support | None:
-        """What carries the figure when: the flights that the clip gives, or what its keyframes tell; the tree of one
-        free joint, whatever else moves freely."""
+        """The support schedule: the flights given in the clip, else those inferred from its keyframes; for the tree
+        of one free joint, whatever else moves freely."""
         figure, keys = self.figure, self.keys
         if not figure.tables.free_links.size:
             return None
@@ -171,7 +171,7 @@ class Context:
         return Support.of(figure, root, carriers, aloft)
 
     def cycle(self, period: float | None, asked: bool) -> Rhythm | None:
-        """The clip's cycle: with the period that it gives, or as its keyframes tell it, beyond doubt unless asked."""
+        """The clip's cycle: with the given period, or inferred from keyframes, and then only if it is unambiguous."""
         gait = Gait(self.figure, self.keys, self.points, self.surfaces)
         if not asked:
             return gait.told()

@@ -1,4 +1,4 @@
-"""A motion as a clip's file again: the tables that it came from, or its keyframes as tables, beside it its scene."""
+"""A motion as a clip's file: its source tables, or its keyframes as tables, with the scene's files next to it."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
         scene = target.with_suffix(".xml")
         if scene.exists() and scene.read_text(encoding="utf-8") != saved.mjcf and not overwrite:
             raise UserError(
-                f"'{scene}' is there already, and the clip's figure goes there; choose another name or overwrite it"
+                f"'{scene}' already exists, where the clip's figure would be written; give another name, or overwrite"
             )
         table = table.without("scene").changed(figure=scene.name)
         files.append((scene, saved.mjcf.encode()))
@@ -54,7 +54,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
             if file in (target, scene):
                 raise UserError(f"'{file}' would be both the clip's and a file of its figure; choose another name")
             if file.exists() and file.read_bytes() != data and not overwrite:
-                raise UserError(f"'{file}' is there already, and a file of the clip's figure goes there")
+                raise UserError(f"'{file}' already exists, where a file of the clip's figure would be written")
             files.append((file, data))
     files.append((target, ((f"# {note}\n" if note else "") + written(table)).encode()))
     for path, data in files:
@@ -64,8 +64,8 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
 
 
 def standing_alone(saved: Saved) -> Saved:
-    """A motion that follows a recording, as one of its own: every frame of it a whole keyframe, and no word of the
-    recording, which is as it was and lies where it lay. Any other motion as it is."""
+    """Return a motion that follows a recording as an independent clip: every frame is a complete keyframe, and the
+    recording is no longer referenced. Other motions are returned unchanged."""
     table = table_of(saved.text, saved.name) if saved.text else None
     if table is None or table.recording is None:
         return saved

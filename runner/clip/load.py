@@ -325,7 +325,7 @@ def answered(saved: Saved) -> Clip:
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
-    """Return the same clip through other keyframes, with all that is inferred from them, poses too."""
+    """Return the same clip with other keyframes; contacts, gait and poses are inferred again."""
     source = Parsed.of(clip.text, clip.name, clip.name)
     source = source.with_solve(source.table.solve, [key.time for key in keys])
     times = {key.time for key in keys}

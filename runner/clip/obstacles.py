@@ -1,4 +1,4 @@
-"""Obstacles and objects of a clip's [scene]: what stands about, and what lies where it was put until a hand holds it.
+"""Obstacles and objects of a clip's [scene]; an object rests where it was placed until a hand grasps it.
 
 A keyframe that does not place an object has it where the keyframe before has it, or the first ones where the first
 that places it does, unless a [[hold]] has carried it in between: then it is free whatever `others` is.

@@ -167,7 +167,7 @@ def renewed(text: str) -> str:
     try:
         raw = tomllib.loads(text)
         now = replaced(raw.get("penalty", []))
-    except (ValueError, TypeError, RecursionError):  # a damaged text is reported where it is read
+    except (ValueError, TypeError, RecursionError):  # damaged text is reported by the parser
         return text
     return text if now is None else written(raw | {"penalty": [tables(entry) for entry in now]})
 

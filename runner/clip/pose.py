@@ -115,7 +115,7 @@ def _wanted(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str])
 
 
 def soles_of(figure: Figure, keys: Sequence[Frame]) -> tuple[Point, ...]:
-    """Return the sole points of a figure that stands in its whole keyframes, of qpos (nq,)."""
+    """Return the sole points of a figure in its complete keyframes, of qpos (nq,)."""
     whole = [key.state for key in keys if key.is_key]
     return sole_points(figure, np.reshape(whole, (-1, figure.width)))
 

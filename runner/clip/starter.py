@@ -1,4 +1,4 @@
-"""A clip to begin with, for any model: its keyframes, or a pose or two, and in comments all that can be named."""
+"""A starting clip for any model: its keyframes, or one or two poses, and every available name in comments."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ from .table import KEY, KeyframeTable, RotationTable
 from .text import keyframe_tables, rotation, tables, written
 
 APART = 0.5  # [s] between keyframes whose times do not rise
-STRAIGHT = 0.99  # of a slide's way, how much of it goes along an axis that is told
-TOLD = 5e-4  # [m] from which on it is told that a pose was raised
+STRAIGHT = 0.99  # share of a slide's travel along the axis that the comment names
+TOLD = 5e-4  # [m] above which a raised pose is reported
 MOVED = np.radians(40)  # how far the one joint goes that moves
 ROOM = 0.6  # of what a joint has to its bound, it goes at most so far
 FLEXED = 0.35  # of a figure's size, how far a slide goes at most
@@ -135,7 +135,7 @@ def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
         raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
     if not model.njnt:
         raise UserError(f"{where}: the model has no joints: nothing can move")
-    poses = np.array(model.key_qpos).reshape(-1, model.nq)[: len(own)]  # <size nkey> may ask for more than there are
+    poses = np.array(model.key_qpos).reshape(-1, model.nq)[: len(own)]  # <size nkey> may exceed the number of keys
     for pose, said in zip(poses, own, strict=True):
         if said.size == model.nq:
             pose[:] = said
@@ -148,7 +148,7 @@ def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
 
 
 def _path(source: str, target: Path) -> str:
-    """A model's path as the clip says it: from the clip's folder."""
+    """A model's path as written in the clip: relative to the clip's folder."""
     return Path(os.path.relpath(Path(source).resolve(), target.resolve().parent)).as_posix()
 
 
@@ -316,7 +316,7 @@ def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
     if not choices:
         name = figure.links[1].name
         raise UserError(
-            f"'{name}' is all that moves: a free body needs keyframes of its own, "
+            f"'{name}' is the only moving body: a free body needs its own keyframes, "
             "as in `dynsplines clips --show tumble`"
         )
     points = body_points(figure)
@@ -384,8 +384,8 @@ def _head(source: str, own: bool, count: int, raised: float, settled: float) -> 
     off = "# Joints that follow others are where these take them, not where the model's keyframes have them.\n"
     return (
         f"# A clip for {name}: {said}{more}.{up}{off if own and settled >= TOLD else ''}"
-        "# Angles in degrees, lengths in metres, times in seconds. What a keyframe leaves out is free, unless it says\n"
-        '# others = "hold" (as in the keyframe before), "rest" or "key:NAME" (of the model). '
+        "# Angles in degrees, lengths in metres, times in seconds. Unspecified degrees of freedom are free, unless\n"
+        '# the keyframe has others = "hold" (as in the keyframe before), "rest" or "key:NAME" (of the model). '
         "See it: dynsplines render THIS_FILE"
     )
 

@@ -124,18 +124,18 @@ class BodyTable(RotationTable):
     def check(self) -> Self:
         """Raises ValueError unless it has a position, is flat, or has a rotation."""
         if self.at is not None and self.position is None:
-            raise ValueError("'at' is a point of the body; say where it is to be by position = [x, y, z]")
+            raise ValueError("'at' is a point of the body; give its target as position = [x, y, z]")
         if self.flat is not None and self.is_rotation:
             raise ValueError("give flat or a rotation, not both")
         if self.flat is False:
-            raise ValueError(f"flat = false says nothing; give flat = true or a rotation, {ROTATION}")
+            raise ValueError(f"flat = false has no effect; give flat = true or a rotation, {ROTATION}")
         if self.is_rotation or (self.flat is None and self.position is None):
             self.check_rotation()
         return self
 
 
 class KeyframeTable(Table):
-    """The figure at one time, as much of it as is said."""
+    """The state of the figure at one time, complete or partial."""
 
     time: Number
     root: RootTable = RootTable()
@@ -220,7 +220,7 @@ class BarTable(_ObstacleTable):
 
 
 class SceneTable(Table):
-    """What stands about."""
+    """The surroundings."""
 
     step: StepTable | None = None
     box: list[BoxTable] = []
@@ -230,7 +230,7 @@ class SceneTable(Table):
 
 
 class PenaltyTable(Table):
-    """A soft constraint: its kind, and what is said of it, which its record in `kinds` knows."""
+    """A soft constraint: its kind and its options, which the record in `kinds` interprets."""
 
     model_config = ConfigDict(extra="allow", strict=False)
     kind: str
@@ -261,7 +261,7 @@ class ContactTable(Table):
 
 
 class HoldTable(Table):
-    """A site that stays where it is on a body, from one time to another [s]."""
+    """A site that keeps its position on a body between two times [s]."""
 
     hand: str
     body: str
@@ -271,7 +271,7 @@ class HoldTable(Table):
 
     @property
     def subject(self) -> str:
-        """What can hold one thing at a time only."""
+        """Holders that can grasp one object at a time."""
         return self.hand
 
 

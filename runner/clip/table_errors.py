@@ -68,9 +68,9 @@ def describe(
 
 
 def _walked(location: tuple[int | str, ...], raw: object) -> tuple[list[str], list[str], object]:
-    """The keys of a complaint's location, the numbered tables around it, and what stands there.
+    """The keys of an error's location, the numbered tables around it, and the value there.
 
-    pydantic's locations also hold the names of alternatives, which no user knows: a key is what the file has there.
+    pydantic's locations also contain the names of alternatives, unknown to users: a key is what the file has there.
     """
     names: list[str] = []
     words: list[str] = []
@@ -112,7 +112,7 @@ def _role(words: list[str], names: list[str]) -> str:
 
 
 def _schema(words: list[str], names: list[str], root: type[Table]) -> type[Table]:
-    """The table that an unknown key stands in."""
+    """The table that contains an unknown key."""
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][1]
     if names:

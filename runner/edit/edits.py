@@ -87,7 +87,7 @@ def retimed(saved: Saved, speed: float) -> Saved:
 def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
     """Return a clip's tables with the times of keyframes, contacts, holds, flights and a cycle at another speed."""
     if clip.recording is not None:
-        raise UserError("recording: say its speed in the clip, or retime the solved motion: -o NAME.npz")
+        raise UserError("recording: set its speed in the clip, or retime the solved motion: -o NAME.npz")
     start = clip.keyframe[0].time
 
     def later(time: float) -> float:
@@ -194,8 +194,8 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
 
 
 def _moved(figure: Figure, timeline: Timeline, key: Frame, place: join.Placement, shift: float) -> Frame:
-    """A keyframe where its motion is to go on from another: later, and turned with its root. What it leaves free is as
-    the motion has it; where a root that turns was said along some axes, all of its position is."""
+    """A keyframe of a motion that continues another: later, and rotated with its root. Free entries are as the motion
+    has them; where a rotated root was specified along single axes, its whole position is specified."""
     at = figure.to_qpos(path_of(timeline).at(np.array([key.time])))[0]
     fixed = key.fixed.copy()
     for columns in figure.tables.position_columns.T:
@@ -244,7 +244,7 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
 
 
 def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
-    """A motion with the report that belongs to it; `edit` says why no search stopped, where none did."""
+    """A motion with its report; `edit` is the reason why there was no search, where there was none."""
     clip = answered(saved)
     objective = clip.problem.plain_objective
     if clip.settings.renormalise:

@@ -76,7 +76,7 @@ def run(
 
 
 def _is_sampled(found: Clip | Saved) -> bool:
-    """Whether keyframes are a recording's own instants, which nobody set and nobody can be told of."""
+    """Whether keyframes are a recording's samples, which the user did not set and messages cannot refer to."""
     if isinstance(found, Clip):
         return found.follows
     follows = bool(found.text) and table_of(found.text, found.name).recording is not None

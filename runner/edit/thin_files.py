@@ -1,4 +1,4 @@
-"""The command `thin`: from a motion's file to the clip of its keyframes, and what is said of it."""
+"""The command `thin`: from a motion's file to the clip of its keyframes, and its summary line."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ ROUNDING = 1e-6  # of the bound, what a file's digits may add
 
 @dataclass(frozen=True)
 class ToThin:
-    """A motion's file, and what a file of another program may not tell: figure, format, images a second.
+    """A motion's file, and options that a file of another program may lack: figure, format, frame rate.
 
     fresh      a clip is solved now, and not as it may have been before
     skip_rest  without the T-pose or rest pose before the motion
@@ -71,7 +71,7 @@ def run(
     overwrite: bool,
     progress: Progress,
 ) -> Path:
-    """Thins a motion and writes what is left; a clip's file is read and solved again, and its misses are told.
+    """Thin a motion and write the result; a clip's file is read and solved again, and its deviations are reported.
 
     solve  the solved motion keeps the bound, and not only the spline
     exact  the clip's settings leave the spline as it is
@@ -100,6 +100,6 @@ def run(
 
 
 def _as_solved(found: ThinnedMotion) -> str:
-    """How far the motion is off that the clip's own settings make."""
-    beyond = "; more than was asked for: --solve keeps to it, --exact leaves the spline as it is"
-    return f"solved as the clip says: {found.misses}{beyond if found.excess > 1 + ROUNDING else ''}"
+    """The deviation of the motion that the clip's settings produce."""
+    beyond = "; more than requested: use --solve to stay within it, or --exact to keep the spline"
+    return f"solved with the clip's settings: {found.misses}{beyond if found.excess > 1 + ROUNDING else ''}"

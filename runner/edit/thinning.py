@@ -1,4 +1,4 @@
-"""`thin`: a recorded motion as few keyframes, with the guarantee measured on what comes out.
+"""`thin`: a recorded motion as few keyframes, with the error bound measured on the result.
 
 The in-between that has to keep the bound is the raw spline through the keyframes, or with `solve` the dynamic spline
 that the clip's own penalties make of them. The clip's settings are the ordinary ones, so that it is solved like any

@@ -281,7 +281,7 @@ def _fast(model: mujoco.MjModel, qpos: Array, time: Array) -> float:
 
 
 def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple[Array, Array, Array, float]:
-    """How a figure stands in n samples: its body's tilt from rest (n,) [rad], its lowest point's height (n,) [m] and
+    """Posture of a figure in n samples: its body's tilt from rest (n,) [rad], its lowest point's height (n,) [m] and
     speed (n,) [m/s], and the figure's size [m]."""
     bodies = np.flatnonzero(model.body_rootid == model.body_rootid[body])
     geoms = np.flatnonzero(np.isin(model.geom_bodyid, bodies))

@@ -97,7 +97,7 @@ class Forces:
 
     @cached_property
     def rest(self) -> Array:
-        """(6, T) [N, N m] of force and moment at the root that nothing supplies; nan where it is not known."""
+        """(6, T) [N, N m] of unsupported force and moment at the root; nan where unknown."""
         support = self.support
         if support is None:
             return np.zeros((6, self.samples.count))

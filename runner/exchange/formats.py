@@ -35,14 +35,14 @@ class Reader(Protocol):
     """Reads motions in a format."""
 
     def read(self, path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-        """The motion of a file, for a figure if one is named, at a rate [1/s] if the file does not tell it; raises
-        UserError for a file that is none."""
+        """Read a file's motion, for a figure if one is named, at a rate [1/s] if the file has none; raises
+        UserError for an invalid file."""
         ...
 
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: its name, the ending of its files, one line on what it is, and the module here that knows it.
+    """A file format: its name, its file ending, a one-line description, and the module that implements it.
 
     The module has `write(take, path)` if others can read what we write, and `read(path, model, fps)`, which gives a
     Recording, if we can read what others write; model is None where the user named no figure. Both raise UserError.
@@ -52,7 +52,7 @@ class Format:
     variants endings of the same format that it can be written with
     containers endings of other files that hold the same, only read
     wishes what more of `Wishes` it can hold
-    scales the files do not say their unit of length: `read` takes `scale` [m], None to guess
+    scales the files have no unit of length: `read` takes `scale` [m], None to infer it
     shares another format's ending that its files have as well, where what is in them decides
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
     """
@@ -73,7 +73,7 @@ class Format:
 
     @property
     def told_by(self) -> tuple[str, ...]:
-        """The endings that tell that it is to be written."""
+        """The endings that select it for writing."""
         return self.ending, *self.variants
 
     @property
@@ -147,7 +147,7 @@ def writer(name: str) -> Format:
 
 
 def chosen(name: str | None, target: Path | None) -> Format:
-    """The format to export to, by its name or the file's ending; raises UserError if neither tells or they differ."""
+    """The format to export to, by its name or the file's ending; raises UserError if it is unknown or they differ."""
     if name is not None:
         form = writer(name)
         if target is not None:
@@ -159,7 +159,7 @@ def chosen(name: str | None, target: Path | None) -> Format:
     form = by_ending(target)
     if form is None:
         raise UserError(
-            f"'{target}': its ending does not tell its format; give --to, or to= in Python, one of: {', '.join(known)}"
+            f"'{target}': its ending is of no known format; give --to, or to= in Python, one of: {', '.join(known)}"
         )
     return writer(form.name)
 
@@ -171,7 +171,7 @@ def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None
 
 
 def by_ending(path: Path) -> Format | None:
-    """The format that a name's whole ending tells, as .loco.npz does; None for a plain .npz, a motion's."""
+    """The format of a name's whole ending, such as .loco.npz; None for a plain .npz, which is a motion."""
     return _longest(path, [(ending, each) for each in FORMATS for ending in each.told_by])
 
 
@@ -185,7 +185,7 @@ def is_foreign(path: Path) -> bool:
 
 
 def target_of(name: str, form: Format, wishes: Wishes) -> Path:
-    """Where a motion of some name is exported to if nobody says: in this folder, whatever the name holds."""
+    """The default export path of a motion's name: in the current folder, whatever characters the name contains."""
     plain = Path(name.replace("\\", "/")).name or "motion"
     return Path(f"{plain}{SIMULATED if wishes.simulate else form.ending}")
 
@@ -214,11 +214,11 @@ def export(
     overwrite: bool = True,
     tell: Callable[[str], None] | None = None,
 ) -> Path:
-    """Writes a motion in another format, whole or not at all; where to, if not said, its name and the format's ending.
+    """Write a motion in another format, atomically; the default path is its name with the format's ending.
 
     wishes     what more it shall hold
-    overwrite  files that are there, the one and those beside it, unless they are just what is written
-    tell       takes lines for the user: what else was written, and what the format could not hold
+    overwrite  replace existing files, the main one and its companions, unless their content is identical
+    tell       takes lines for the user: further files written, and data that the format cannot hold
     Raises UserError for an unknown format, another format's ending, a missing extra, and what the format cannot hold.
     """
     form, wishes = chosen(kind, target), asked_by(target, wishes or Wishes())
@@ -275,9 +275,9 @@ def recording(
     fps: float | None = None,
     scale: float | None = None,
 ) -> Recording:
-    """Reads a file of others, of the format that it is said to be or that its ending tells.
+    """Read a file of another program, of the given format or that of its ending.
 
-    model  the figure that it is for; fps [1/s] of files that do not tell it; scale [m], their unit of length, likewise
+    model  the figure of the motion; fps [1/s] for files without a rate; scale [m], their unit of length, likewise
     """
     known = readers()
     if kind is not None and kind not in known:
@@ -342,7 +342,7 @@ def _fitting(source: Path) -> list[Format]:
     fitting = [form for form in sharing if _recognises(form, source)]
     if not fitting:
         names = ", ".join(form.name for form in sharing or known)
-        raise UserError(f"'{source}': its ending does not tell its format; {unsaid.FORMAT}, one of: {names}")
+        raise UserError(f"'{source}': its ending is of no known format; {unsaid.FORMAT}, one of: {names}")
     return fitting
 
 
@@ -363,7 +363,7 @@ class Module:
 
 
 def _module(form: Format) -> Module:
-    """A format's module; raises UserError that says how to install what it needs."""
+    """A format's module; raises UserError with the installation command if a package is missing."""
     try:
         found = import_module(f".format.{form.module}", __package__)
     except ModuleNotFoundError as error:

@@ -23,7 +23,7 @@ SAMPLES = "samples"  # the first axis of arrays with a row an instant
 
 
 class Held:
-    """What a file holds, by name; errors say which file, what is missing, and what is there instead.
+    """A file's entries by name; errors name the file, the missing entry, and the entries present.
 
     where   how errors call the file
     """

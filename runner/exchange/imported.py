@@ -51,15 +51,15 @@ def taken(
     """Reads a file of another program.
 
     figure  a shipped figure's name or a path to MJCF, for files that bring none
-    fps, scale  [1/s], [m] the file's rate and unit of length, where it does not tell them
-    progress  hears how the file was read
+    fps, scale  [1/s], [m] the file's rate and unit of length, where the file lacks them
+    progress  receives notes on how the file was read
 
     Raises UserError.
     """
     progress = progress or Progress()
     spec = None if figure is None else figure_spec(figure)
     if spec is not None:
-        spec.assets = dict(taken_along(spec))  # by the names that compose gives them: MuJoCo knows its meshes again
+        spec.assets = dict(taken_along(spec))  # under the names that compose assigns, so that MuJoCo finds the meshes
     model = None if spec is None else _compiled(spec, str(figure))
     if kind is None or isinstance(kind, str):
         told = recording(source, kind, model=model, fps=fps, scale=scale)
@@ -69,7 +69,7 @@ def taken(
     if told.mjcf is not None:
         spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets))
         model = _compiled(spec, str(source))
-    assert spec is not None and model is not None, "a reader gives a figure or asks for one"
+    assert spec is not None and model is not None, "a reader returns a figure or requires one"
     qpos, notes = winding.unwrapped(model, told.time, told.qpos)
     for note in (*told.notes, *notes):
         progress.say(f"note: {note}")
@@ -95,9 +95,9 @@ def imported(
     scale: float | None = None,
     progress: Progress | None = None,
 ) -> Saved:
-    """The motion in a file of another program, as the spline through all that was recorded.
+    """The motion in a file of another program, as the spline through all its samples.
 
-    All that is said of the file is as for `taken`.
+    The arguments are those of `taken`.
 
     Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
@@ -108,5 +108,5 @@ def imported(
         try:
             return unsolved(found.asking(ends="periodic")).saved(progress, with_report=False)
         except TimelineError:
-            progress.say("note: the file says that it loops, but its last pose is not its first; it is read as it is")
+            progress.say("note: marked as a loop, but its last pose differs from its first: read without a loop")
     return unsolved(found).saved(progress, with_report=False)

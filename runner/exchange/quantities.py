@@ -6,7 +6,7 @@ wrench      root.fx [N], root.mx [N m], com.x [m]: qfrc_inverse at the free root
 ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.mx [N m]: the ground's reaction on each foot, its centre of
             pressure and the moment about that; unsupplied.fx [N], unsupplied.mx [N m]: what is left of the wrench
 
-Forces and moments are in the world's axes but where it says otherwise. nan: not known, see `forces`, or no pressure.
+Forces and moments are in the world's axes unless stated otherwise. nan: unknown, see `forces`, or no pressure.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ EQUALITIES_AND_LIMITS = int(mujoco.mjtDisableBit.mjDSBL_EQUALITY | mujoco.mjtDis
 CONSTRAINT_NOTE = (
     "torques include forces of joint limits and equality constraints: up to {size:.3g} {unit} at {joint}, {time:.2f} s"
 )
-UNKNOWN_NOTE = "of {share:.0%} of the instants nothing says what carries the figure: forces there are nan"
+UNKNOWN_NOTE = "the support of the figure is unknown in {share:.0%} of the instants: forces there are nan"
 
 
 def velocities(take: Take, forces: Forces) -> Columns:
@@ -61,7 +61,7 @@ def wrench(take: Take, forces: Forces) -> Columns:
 def ground(take: Take, forces: Forces) -> Columns:
     """Of every foot that ever stands; raises UserError where none does."""
     if not forces.feet:
-        raise UserError(f"{take.name}: the keyframes tell of no foot that stands, so no ground's reaction is known")
+        raise UserError(f"{take.name}: no stance is known, so the ground reaction force is unknown; add a [[contact]]")
     out: Columns = {}
     for foot in forces.feet:
         out |= _vector(f"{foot.name}.f", "N", foot.force)
@@ -88,7 +88,7 @@ def named(text: str) -> tuple[str, ...]:
 
 
 def table(take: Take, groups: Sequence[str]) -> Columns:
-    """The columns (T,) of some groups, by heading. What is not known of forces is told in the take's notes."""
+    """The columns (T,) of groups, by heading. Unknown forces are reported in the notes."""
     if not groups:
         return {}
     forces = Forces.of(take)

@@ -1,4 +1,4 @@
-"""What formats are made of: a motion at equal times as MuJoCo has it (Take), and what a file told (Recording)."""
+"""Data of the formats: a motion at equal time steps in MuJoCo's layout (Take), and a file's content (Recording)."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ class Take:
     """A motion to be written: time[i] = time[0] + i / fps.
 
     time (T,) [s]; qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order and units, quaternions wxyz, unit and
-    sign-continuous; saved: the motion that it was taken from, with its keyframes, frames and scene; notes: lines for
-    the user that a format adds to; wishes: what more is asked for
+    sign-continuous; saved: the source motion, with its keyframes, frames and scene; notes: lines for
+    the user that a format adds to; wishes: optional content that was requested
     """
 
     saved: Saved
@@ -73,12 +73,12 @@ class Take:
 
     @property
     def turns(self) -> bool:
-        """Whether it is a loop that comes back turned, which formats that know loops do not know."""
+        """Whether it is a loop that ends rotated, which formats with loops cannot express."""
         return self.saved.timeline.ends == "periodic" and Seam.of(self.figure, self.saved.timeline).turns
 
     @property
     def is_wrapped(self) -> bool:
-        """Whether it is a loop to a format that moves it on, but does not turn it; otherwise the user is told."""
+        """Whether it is a loop for a format that translates it but does not rotate it; otherwise a note is added."""
         if self.turns:
             self.notes.append("a loop that turns is none there: it is written as one period that does not repeat")
         return self.is_loop
@@ -159,9 +159,9 @@ class BodyPoses:
 class Recording:
     """A motion that was read: time (T,) [s], rising; qpos (T, nq) of the figure, in MuJoCo's order and units.
 
-    mjcf   the figure that the file brings along (BVH's hierarchy, say), or None: it is for the figure that was given
-    fps    [1/s] if the file says it more exactly than its times; notes  what the user should know of how it was read
-    loops  the file says that its last sample is the first again, moved on
+    mjcf   the figure contained in the file (BVH's hierarchy, say), or None: the motion is for the given figure
+    fps    [1/s] if the file has it more exactly than its times; notes  lines for the user on how the file was read
+    loops  the file is marked as a loop: its last sample is the first again, translated
     assets the files that mjcf refers to, by name
     bodies body poses that the file holds besides, to verify qpos
     layout in what the layout differs from the documented one; others  the same file in other layouts, see `layouts`

@@ -1,7 +1,7 @@
-"""What a file may leave to the user to say, in words that fit the command line and Python alike."""
+"""What to supply when a file lacks it, worded for the command line and Python alike."""
 
-FIGURE = "say whose it is: --figure, or figure= in Python"
-RATE = "say the rate: --fps, or fps= in Python"
-UNIT = "say the unit: --scale, or scale= in Python"
+FIGURE = "name the figure: --figure, or figure= in Python"
+RATE = "give the rate: --fps, or fps= in Python"
+UNIT = "give the unit: --scale, or scale= in Python"
 MAP = "name it in a map, `retarget --map FILE`; --write-map writes one to fill in"
 FORMAT = "give --from, or format= in Python"

@@ -122,7 +122,7 @@ class Check:
         fixed: Mask | None = None,
         groups: Index | None = None,
     ) -> Check:
-        """Of listed rows, each a group of its own unless `groups` says otherwise; fixed (n, K), no keyframe if None."""
+        """Checks of listed rows, each its own group unless `groups` is given; fixed (n, K), no keyframe if None."""
 
         def is_fixed(row: Index, key: Index) -> Mask:
             return np.zeros(row.size, bool) if fixed is None else fixed[row, key]

@@ -1,6 +1,6 @@
 """How deep points of a figure are in surfaces, many points at many times: cheap, for they are spheres.
 
-Only spheres of links that come near a surface are asked. Planes, boxes and all that has a signed distance are met
+Only spheres of links near a surface are evaluated. Distances to planes, boxes and other signed distance fields are
 exactly; a height field by the distance to its nearest way out, to first order.
 """
 

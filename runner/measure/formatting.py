@@ -1,6 +1,6 @@
 """Lines of a report on a screen: of every quantity what it is, its value before and after.
 
-Names have their units: "penetration, m" is shown in millimetres, and so is all that it contains.
+Names include units: "penetration, m" is shown in millimetres, as is everything that it contains.
 """
 
 from __future__ import annotations

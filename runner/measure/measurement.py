@@ -114,7 +114,7 @@ class Measurement:
 
 
 def _as_keyed(clip: Clip) -> Clip:
-    """Of a recording's frames, which nobody gave, the first and the last beside the keyframes."""
+    """Of a recording's frames, which are not user keyframes: the first, the last and the keyframes."""
     said, ends = {key.time for key in clip.said}, (0, len(clip.keys) - 1)
     nothing = np.zeros(clip.figure.width, bool)
     keys = tuple(
@@ -259,7 +259,7 @@ def _same(stance: Stance, rest: Rest) -> bool:
 
 
 def _pieces(rest: Rest, known: Sequence[Stance], middle: Array) -> list[Stance]:
-    """Where a contact's point is to be: as the clip has it, else where it is in the middle of the contact, (3,) [m]."""
+    """The target of a contact's point: the given position, else its position in the middle of the contact, (3,) [m]."""
     first, last = rest.first - ROUNDING, rest.last + ROUNDING
     placed = [stance for stance in known if _same(stance, rest) and first <= stance.first and stance.last <= last]
     return placed or [Stance(rest.point, rest.first, rest.last, middle, middle)]

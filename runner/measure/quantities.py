@@ -38,7 +38,7 @@ from .swings import swings
 RATE = 1000.0  # [1/s], between the samples that the optimiser saw
 RESTING = 0.01  # [m] from a surface, up to which a point that moves skates
 LEAST_STANCE = 0.05  # [s] shorter ones are two neighbouring samples of a recording
-HIGHEST = 1.0  # [m] above which a foot's height is not told apart
+HIGHEST = 1.0  # [m] above which heights of a foot count as equal
 STIFF = 1e-7  # softness of what supports: what is left then is what cannot be supplied
 
 
@@ -148,7 +148,7 @@ def _equalities(joints: Worst, loops: Worst) -> dict[str, Any]:
 
 
 def _holds(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
-    """How far every hold's site moves on the body from where it was when the hold began."""
+    """Displacement of every hold's site on the body since the start of the hold."""
     largest, out = measurement.largest("hold"), []
     for i, hold in enumerate(clip.context.holds):
         moved, time = largest.get(i, (0.0, hold.first))
@@ -212,7 +212,7 @@ def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
 
 
 def _contacts(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
-    """Every contact that the clip gives: how far its point gets from where it is in the middle of it, and its path."""
+    """Every contact of the clip: the largest distance from the position in the middle of the contact, and the path."""
     out = []
     for rest in clip.context.contacts.given:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))

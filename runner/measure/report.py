@@ -31,7 +31,7 @@ from .formatting import rows
 from .problems import plain, violations
 from .quantities import Side
 
-LOCAL_EVALUATIONS = 25  # that tell what a segment has left to gain
+LOCAL_EVALUATIONS = 25  # of a local solve that estimates the remaining decrease of a segment
 LOCAL_TOLERANCE = 1e-4  # of a segment's E; what is left is known to a tenth, in a quarter of the time that 1e-7 takes
 DRIFT = "centre of mass off before, m"
 
@@ -39,8 +39,8 @@ DRIFT = "centre of mass off before, m"
 def report(
     clip: Clip, motion: Solution, seconds: float | None, told: Callable[[int, int], None] | None = None
 ) -> dict[str, Any]:
-    """The whole report of a solved clip; `seconds` is what the solve took, where that is known; `told`
-    hears of the local solves' progress.
+    """The full report of a solved clip; `seconds` is the duration of the solve, where it is known; `told`
+    receives the progress of the local solves.
 
     Ctrl-C leaves out the segments, which take longest, and nothing else. Nothing was searched of a recording: it has no
     segments and nothing left to gain, and is measured once for both sides. What follows a recording has frames where
@@ -118,7 +118,7 @@ def _left_to_gain(motion: Solution) -> dict[str, float]:
 
 
 def _segments(clip: Clip, motion: Solution, told: Callable[[int, int], None] | None) -> list[dict[str, float]]:
-    """Per segment between keyframes: EL deviation before and after, δ and what a local solve says is left (app. C)."""
+    """Per segment between keyframes: EL deviation before and after, δ and the decrease by a local solve (app. C)."""
     try:
         left = displacement(
             motion.objective,

@@ -14,7 +14,7 @@ from ..clip.build import Clip
 
 DOWN = 0.01  # [m] up to which a foot is on the ground
 SHORTEST = 0.05  # [s] of a swing: what is up for less only bounces
-MOST_SHOWN = 6  # swings of a foot of which a table says every one
+MOST_SHOWN = 6  # swings of a foot that a table lists one by one
 
 
 def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:

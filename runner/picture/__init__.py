@@ -1,7 +1,7 @@
 """Pictures: a motion drawn, by OpenGL or by the CPU alone, into videos and sheets.
 
-rendering  a motion drawn into a file, with whatever goes wrong told as the user's error
-film       images into a video, an animated GIF or a contact sheet; the ending of the target says which
+rendering  a motion drawn into a file, with every failure raised as a UserError
+film       video frames into a video, an animated GIF or a contact sheet; the ending of the target selects which
 show       a motion as images: before | after side by side, one of them alone, the keyframes, or the paper's figure 6
 stage      pictures of a figure in its scene: the same picture whether OpenGL or the CPU alone draws it
 graphics   which renderer works on this machine: EGL, OSMesa, a display, or the CPU alone

@@ -101,7 +101,7 @@ def still(
 def smoothed(path: Array, fps: float, seconds: float = SMOOTHING_SECONDS) -> Array:
     """A path through a Gaussian of this width (its standard deviation is half of it).
 
-    Beyond its ends the path goes on as its own point reflection, so a uniform motion comes out unchanged and the first
+    Beyond its ends the path continues as its own point reflection, so a uniform motion is unchanged and the first
     and last points stay where they are.
 
     path  (T, d)

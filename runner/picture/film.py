@@ -1,4 +1,4 @@
-"""Images into a video, an animated GIF or a contact sheet; the ending of the target says which.
+"""Video frames into a video, an animated GIF or a contact sheet; the ending of the target selects which.
 
 Images stream through: the clip is never in memory. A file appears under its name only when it is complete. Video is
 converted to and tagged as BT.709, so that players show the colours that were drawn, and encoded by one thread, so that
@@ -45,7 +45,7 @@ _TV_RANGE = 1  # AVCOL_RANGE_MPEG
 
 
 class FilmError(UserError):
-    """The target or the images cannot become a film; the message is one line that says what to change."""
+    """The target or the frames cannot become a film; the message is one line with the remedy."""
 
 
 def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
@@ -72,7 +72,7 @@ def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float) -
     images  each (H, W, 3), all of one size
     fps     images a second
 
-    Whatever goes wrong, a file that was there before stays as it was, and nothing is left beside it.
+    On failure, an existing file is unchanged and no temporary file remains.
     """
     if not (math.isfinite(fps) and fps > 0):
         raise FilmError(f"{path}: {fps} images a second; it must be a positive number")
@@ -114,7 +114,7 @@ def _checked(target: Path, images: Iterable[Picture], shape: tuple[int, ...]) ->
 def _write_mp4(path: Path, images: Iterator[Picture], fps: float) -> None:
     """H.264; the index stands at the front of the file, so a browser starts before it has all of it.
 
-    Without x264's macroblock tree: at widths such as 848 or 960 pixels its assembly reads memory that nobody wrote, and
+    Without x264's macroblock tree: at widths such as 848 or 960 pixels its assembly reads uninitialised memory, and
     equal images give other bytes. The tree would spare 3 to 10 % of a file of this quality.
     """
     codec = {"preset": "medium", "crf": "20", "mbtree": "0"}
@@ -158,7 +158,7 @@ def _encode(
 
 
 def _frames(images: Iterable[Picture], tick: Fraction) -> Iterator[av.VideoFrame]:
-    """The images with their times; copies, so that whoever drew one may draw over it."""
+    """The frames with their times, as copies, so that a renderer may reuse its buffer."""
     import av
 
     for index, image in enumerate(images):

@@ -2,8 +2,8 @@
 
 MuJoCo reads MUJOCO_GL once, while it is imported, and a value that does not work makes that import raise. Some drivers
 even abort the process. So every candidate is tried in a child process, and `choose` must run before the first
-`import mujoco`. This file never imports mujoco itself. What drew is remembered for a day, until the machine is started
-anew or anything that it depends on is another: a trial takes as long as all the rest of a short command.
+`import mujoco`. This file never imports mujoco itself. The renderer that worked is cached for a day, until the machine
+is restarted or a dependency changes: a trial takes as long as the rest of a short command.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ print("drawn" if image.max() > 60 and image.min() < 30 else "blank")
 
 
 class GraphicsError(UserError):
-    """The renderer that was asked for by name does not work here."""
+    """The renderer requested by name does not work here."""
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def do_without() -> None:
 
 def _forced(name: str) -> Graphics:
     """The renderer that DYNSPLINES_RENDERER names, or a GraphicsError."""
-    name = "software" if name == "rays" else name  # as it was called up to 0.2
+    name = "software" if name == "rays" else name  # its name up to 0.2
     if name not in _NAMES:
         raise GraphicsError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
     asked = f"{OVERRIDE}={name}"
@@ -134,7 +134,7 @@ def _after_import(backend: str) -> Graphics:
 
 
 def _settle(kind: Kind, backend: str | None, note: str = "") -> Graphics:
-    """Tell MuJoCo, through the environment, what was found; the empty backend is MuJoCo's default and needs no word."""
+    """Set MUJOCO_GL to the working backend; the empty backend is MuJoCo's default and needs no variable."""
     if backend:
         os.environ["MUJOCO_GL"] = backend
     else:
@@ -164,7 +164,7 @@ def _imported() -> bool:
 
 
 def _imported_backend() -> str:
-    """The MUJOCO_GL that the imported mujoco runs with, told by the module it loaded, not by today's environment."""
+    """The MUJOCO_GL that the imported mujoco uses, read from the module it loaded, not from the present environment."""
     for backend in ("egl", "osmesa", "glfw"):
         if f"mujoco.{backend}" in sys.modules:
             return backend
@@ -217,7 +217,7 @@ def _draws(backend: str) -> bool:
 
 
 def _mark(backend: str) -> Path | None:
-    """The file that is there once a backend drew, named for all that this depends on; None where nothing is kept."""
+    """The cache file of a backend that worked, named for everything it depends on; None where caching is off."""
     folder = place()
     try:
         boot = BOOT.read_text()

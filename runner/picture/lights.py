@@ -15,7 +15,7 @@ Floats = NDArray[np.float32]
 
 SUN_DISTANCE = 1000.0  # of a directional light's eye, relative to the radius of the region with shadows
 WIDEST = 2.0  # tangent of the half angle of a shadow map of a lamp amid the figures
-LIFT = 2.0  # [texels] above its surface at which a point is asked for, so that no surface shades itself
+LIFT = 2.0  # [texels] offset of a shadow lookup above its surface, so that no surface shades itself
 SOFT_RIM = 0.02  # cosine of the angle at a spot's cone over which its light fades
 
 

@@ -1,4 +1,4 @@
-"""A motion drawn into a file, with whatever goes wrong told as the user's error."""
+"""A motion drawn into a file, with every failure raised as a UserError."""
 
 from __future__ import annotations
 

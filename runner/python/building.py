@@ -132,7 +132,7 @@ def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
 
 
 def _roots(whole: dict[str, Any], said: dict[str, Any]) -> dict[str, Any]:
-    """What a configuration says of further free bodies, and over it what else is said of them."""
+    """The configuration's entries for further free bodies, overridden by the given ones."""
     mine, theirs = whole.get("roots", {}), said.get("roots", {})
     names = list(dict.fromkeys([*mine, *theirs]))
     return {"roots": {name: mine.get(name, {}) | theirs.get(name, {}) for name in names}} if names else {}

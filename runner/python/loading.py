@@ -70,11 +70,11 @@ def import_motion(
 ) -> Motion:
     """A recording of another program; every instant of it is a keyframe, and nothing is searched.
 
-    figure  whose motion it is, where the file brings none: the name of a figure that ships, or a path to MJCF
-    format  by name (`dynsplines formats` lists them), where the file's ending does not tell it; or a reader of your
-            own, anything with read(path, model, fps)
-    fps     images a second, where the file does not tell them
-    scale   the file's unit of length [m], where it is guessed
+    figure  the figure of the motion, where the file contains none: the name of a shipped figure, or a path to MJCF
+    format  by name (`dynsplines formats` lists them), where the file's ending is ambiguous; or a custom
+        reader, an object with read(path, model, fps)
+    fps     frames per second, where the file has no rate
+    scale   the file's unit of length [m], where it would be inferred
     skip_rest  leave out a T-pose, or the figure's rest pose, that stands before the motion
     allow_outside  let the figure's model read files that lie outside the model's own folder
 

@@ -48,7 +48,7 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
     """Smooth motion through a clip's keyframes that keeps to its soft constraints.
 
     clip      of `load` or `build`, or what `load` takes: the name of one that ships, a path, TOML text
-    progress  tell on stderr how far it is
+    progress  print progress on stderr
 
     Ctrl-C (in a notebook: interrupt) stops the search and keeps the best motion so far; the keyframes are met exactly
     whenever it stops.
@@ -134,12 +134,12 @@ class Motion:
 
     @property
     def fps(self) -> float:
-        """Samples a second, where nobody asks for others."""
+        """Samples a second, by default."""
         return self.saved.fps
 
     @property
     def is_loop(self) -> bool:
-        """Whether it goes on from its end to its start."""
+        """Whether its end continues at its start."""
         return self.saved.timeline.ends == "periodic"
 
     @property
@@ -164,7 +164,7 @@ class Motion:
             return self._solved.clip
         if names := self.saved.search.get("own penalties"):
             called = " and ".join(f"'{name}'" for name in names)
-            line = f"its search also kept {called} small, of a program's own: nobody knows it here, so give it again"
+            line = f"its search also had the custom penalty {called}, which files do not contain; pass it again"
             warnings.warn(f"{self.name}: {line}", stacklevel=2)
         return clips.answered(self.saved)
 
@@ -248,7 +248,7 @@ class Motion:
     ) -> Path:
         """Draws it into .mp4, .webm, .gif, or .png for a contact sheet, and gives the file's path.
 
-        path     where to; NAME.mp4, or for a still NAME.png, if not said
+        path     output file; default NAME.mp4, or NAME.png for a still
         only     "" for before and after side by side, or one of them alone, or the keyframes
         camera   "side", "left", "front", "three_quarter", "back", or one of the model's own
         size     (width, height) of the whole picture [pixels]
@@ -347,7 +347,7 @@ class Motion:
 
     @as_python_warnings()
     def joined(self, other: Motion, transition: float = 0.4) -> Motion:
-        """It and then another one, moved to where this goes on, with a transition [s] between them."""
+        """The motion followed by another one, moved to continue it, with a transition [s] between them."""
         return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
 
     @as_python_warnings()

@@ -6,10 +6,10 @@ dressing         materials for a model that has none
 lighting         whether a model's own lamps light its figure wherever it goes
 framing          how large a figure is and where
 assets           files that a model refers to, meshes, images, height fields and skins, brought along as bytes
-model_files      what an MJCF file reads besides itself, as its text tells, before MuJoCo reads any of it
+model_files      files that an MJCF file refers to, from its text, before MuJoCo reads any of them
 mjcf_size        what an MJCF model comes to in memory, estimated from its text before MuJoCo reads it
 outside          whether a model may refer to files outside its own folder
-configuration    what configurations of a model, MuJoCo's qpos, must not be, whoever sent them
+configuration    checks of configurations of a model, MuJoCo's qpos, for untrusted input
 model_inputs     a model given to the Python API: a name, a path, MJCF text, an MjSpec or an MjModel
 urdf             the root link of a URDF file
 triangles        visible geoms of a model, how they look, and the triangles that draw them

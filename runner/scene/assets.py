@@ -43,7 +43,7 @@ class Scene:
 
     @classmethod
     def received(cls, mjcf: str, assets: Assets) -> Scene:
-        """A scene from a file that anybody may have written; raises ValueError if it refers to any other files."""
+        """A scene from an untrusted file; raises ValueError if it refers to any other files."""
         scene = cls(mjcf, assets)
         if outside.is_allowed():
             return scene
@@ -81,7 +81,7 @@ class _Reference:
 
 
 def taken_along(spec: mujoco.MjSpec) -> Assets:
-    """The files that a model refers to, by new names that the model then knows them by; raises UserError."""
+    """The files that a model refers to, under the new names that the model then uses; raises UserError."""
     found: dict[str, bytes] = {}
     names: dict[str, str] = {}
     own = dict(spec.assets)

@@ -185,7 +185,7 @@ def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
 
 def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
     if any(geom.name == "step" for geom in spec.geoms):
-        raise UserError("the scene asks for a step, but the model already has a geom named 'step'")
+        raise UserError("the scene contains a step, but the model already has a geom named 'step'")
     half = [step.length / 2, step.width / 2, step.height / 2]
     spec.worldbody.add_geom(
         name="step",

@@ -1,4 +1,4 @@
-"""What configurations of a model, MuJoCo's qpos, must not be, whoever sent them."""
+"""Checks of configurations of a model, MuJoCo's qpos, for untrusted input."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dynsplines.solver.array import Array
 
 from ..system.quantity import LARGEST
 
-SHORTEST = 1e-6  # of a quaternion that still tells a direction
+SHORTEST = 1e-6  # norm of a quaternion that still defines a rotation
 QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # where it begins among a joint's entries
 
 

@@ -9,7 +9,7 @@ from dynsplines.solver.surface.touch import grounds, moves
 
 from .mujoco_versions import geoms_by_number
 
-GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's colour of a geom that says nothing
+GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's default colour of a geom
 HIDDEN = 3  # the first group of geoms that is not drawn
 
 

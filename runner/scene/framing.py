@@ -13,7 +13,7 @@ from dynsplines.solver.surface.touch import moves
 MOST_POSES = 60  # that a camera's frame is made of
 STANDING = 2.05  # [m] a person with a hand raised over the head
 PEOPLE = (1.3, 2.2)  # [m]
-WIDTH, HEIGHT = 0.8, 1.06  # of the height that a camera is told, how much of a figure it shows about its middle
+WIDTH, HEIGHT = 0.8, 1.06  # visible share about a figure's middle of the height set for a camera
 
 
 def box(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
@@ -63,7 +63,7 @@ def size_of(model: mujoco.MjModel) -> float:
 
 
 def _told(reach: Array) -> float:
-    """The height [m] to tell a camera that it shows so much (3,) [m] to either side of where it looks."""
+    """The height [m] to set for a camera so that it shows the extent (3,) [m] to either side of its target."""
     return float(max(*(2 * reach[:2] / WIDTH), 2 * reach[2] / HEIGHT, 1e-3))
 
 

@@ -1,8 +1,8 @@
-"""What an MJCF model comes to in memory, told from its text before MuJoCo reads it.
+"""The memory that an MJCF model needs, estimated from its text before MuJoCo reads it.
 
-A line can ask for a million copies or a height field of gigabytes, and MuJoCo makes them without asking back. Counted
-are elements, times whatever replicates or attaches them, and the numbers that say how large a thing becomes. It is a
-bound from above of what is usual, not a promise; copies weigh more, for MuJoCo takes time with the square of them.
+A line can request a million copies or a height field of gigabytes, and MuJoCo allocates them without limit. This
+counts elements, times their replications and attachments, and the numbers that define sizes. It is an upper bound
+for usual models, not a guarantee; copies weigh more, because MuJoCo's time grows with their square.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def check(text: str, where: object, folder: Path | None = None, assets: Mapping[
 
 
 def check_file(path: Path) -> None:
-    """As `check`, of a file; one that cannot be read is left to whoever reads it."""
+    """As `check`, of a file; an unreadable one is left to the reader."""
     try:
         largest.check(path, path.stat().st_size, "it")
         text = path.read_text(encoding="utf-8", errors="replace")

@@ -1,4 +1,4 @@
-"""What an MJCF file reads besides itself, as its text tells, before MuJoCo reads any of it.
+"""Files that an MJCF file refers to, from its text, before MuJoCo reads any of them.
 
 A model includes further text, and may bring whole models along, `<model file="arm.xml"/>`, to attach them: these look
 for their meshes and images from their own folder on.
@@ -35,7 +35,7 @@ class Model:
 
 
 def is_there(path: Path) -> bool:
-    """Whether a file is there, whatever a stranger calls it: of some names a system says nothing but an error."""
+    """Whether a file exists, for an untrusted name: some names raise an error from the operating system."""
     return os.path.isfile(path)  # noqa: PTH113
 
 
@@ -90,7 +90,7 @@ def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path
 
 
 def elements(text: str) -> Iterator[tuple[str, Mapping[str, str]]]:
-    """Name and attributes of every element. Of text that is no XML, which MuJoCo may yet read, of all that looks so."""
+    """Name and attributes of every element. Of invalid XML, which MuJoCo may still read, everything similar to one."""
     try:
         yield from [(each.tag, each.attrib) for each in ElementTree.fromstring(text).iter()]
     except ElementTree.ParseError:

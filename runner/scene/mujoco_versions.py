@@ -1,4 +1,4 @@
-"""What MuJoCo calls by other names in its older versions, 3.2.7 to 3.3: nobody else asks which version it is."""
+"""Names that differ in MuJoCo 3.2.7 to 3.3: the only file that checks MuJoCo's version."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def without_shadow(model: mujoco.MjModel, geoms: Any) -> None:
 
 
 def remove(spec: mujoco.MjSpec, element: Any) -> None:
-    """Takes an element out, a body with all that it holds. Compile before the model is written."""
+    """Remove an element, a body with all its children. Compile before the model is written."""
     if hasattr(spec, "delete"):
         spec.delete(element)
     elif isinstance(element, type(spec.worldbody)):
@@ -68,7 +68,7 @@ def remove(spec: mujoco.MjSpec, element: Any) -> None:
 
 
 def portable_text(spec: mujoco.MjSpec) -> str:
-    """A compiled model's text that older versions read as well: without attributes that say what they take for granted.
+    """A compiled model's text that older versions read as well: without attributes that state their defaults.
 
     Without materials that there are none of, too: a class within another whose material is given up by material="" is
     written as if it kept it.

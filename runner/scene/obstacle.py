@@ -1,6 +1,6 @@
 """Obstacles of a clip's scene: boxes, spheres, capsules and cylinders in metres, as geoms of the stage.
 
-Those that name a `body` are parts of a thing that moves freely, in its axes: keyframes place it, hands hold it.
+Obstacles with a `body` are parts of a free object, in its axes: keyframes place it, hands grasp it.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Obstacle:
     def add_to(self, spec: mujoco.MjSpec, material: str) -> None:
         """The geom in the world of a spec, or on its body."""
         if any(geom.name == self.name for geom in spec.geoms):
-            raise UserError(f"the scene has a {self.kind} '{self.name}', but there already is a geom of that name")
+            raise UserError(f"the scene has a {self.kind} '{self.name}', but the model already has a geom of that name")
         owner = spec.worldbody if self.body is None else spec.body(self.body)
         geom = owner.add_geom(name=self.name, type=KINDS[self.kind], contype=0, conaffinity=1 | SCENERY)
         if self.mass is not None:
@@ -68,5 +68,5 @@ def add_bodies(spec: mujoco.MjSpec, parts: Sequence[Obstacle]) -> None:
     for name in dict.fromkeys(part.body for part in parts if part.body is not None):
         known = {body.name for body in spec.bodies} | {joint.name for joint in spec.joints}
         if name in known:
-            raise UserError(f"the scene has a body '{name}', but there already is a body or joint of that name")
+            raise UserError(f"the scene has a body '{name}', but the model already has a body or joint of that name")
         spec.worldbody.add_body(name=name).add_freejoint(name=name)

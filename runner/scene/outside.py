@@ -1,6 +1,6 @@
-"""Whether a model may refer to files outside its own folder: one that strangers send could name anybody's files.
+"""Whether a model may refer to files outside its folder: an untrusted model could name any file of the user.
 
-It may not, unless the user says so: `with allowed():` around whatever reads models, `--allow-outside` on the command
+It may not by default: `with allowed():` around the code that reads models, `--allow-outside` on the command
 line, `allow_outside=True` in Python.
 """
 
@@ -19,7 +19,7 @@ _allowed: ContextVar[bool] = ContextVar("allowed", default=False)
 
 @contextmanager
 def allowed(yes: bool = True) -> Iterator[None]:
-    """In here models may refer to files anywhere; with yes=False it is as it was before."""
+    """Allow models to refer to files anywhere in this block; yes=False restores the default."""
     before = _allowed.set(yes or _allowed.get())
     try:
         yield
@@ -37,7 +37,7 @@ def check(place: Path, folder: Path, said: str) -> None:
 
     place   where the file is
     folder  the model's
-    said    how the model calls the file
+    said    the file's name in the model
     """
     if not is_allowed() and not lies_in(place, folder):
         home = os.path.realpath(folder)

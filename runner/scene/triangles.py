@@ -1,6 +1,6 @@
 """What is seen of a model: its visible geoms, how they look, and the triangles that draw them.
 
-What MuJoCo's own viewer hides unless told otherwise is left out: geoms of group 3 and above, and fully transparent
+Geoms that MuJoCo's viewer hides by default are left out: those of group 3 and above, and fully transparent
 ones.
 """
 

@@ -1,4 +1,4 @@
-"""What a page asks for that takes more than the text: poses, keyframes from the path, copies, mirror images."""
+"""Page actions that need more than the text: poses, keyframes from the path, copies, mirror images."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from .session import Session
 if TYPE_CHECKING:
     from .posing import Grip, Poser
 
-AT = 1e-6  # [s] nearer to it, one is at a keyframe
-RESTS = 0.1  # [s] without another pose after which a drag may be about to end where it is
+AT = 1e-6  # [s] a time within this of a keyframe counts as its time
+RESTS = 0.1  # [s] pause of a drag after which its edit is solved speculatively
 
 
 class Actions:
-    """What one page does to a session. The figure is made when it is needed, aside: the page never waits for it."""
+    """The actions of one page on a session. The figure is prepared in the background: the page never waits for it."""
 
     def __init__(self, session: Session, number: int) -> None:
         self.session, self.number = session, number
@@ -33,12 +33,12 @@ class Actions:
         self._rest: asyncio.TimerHandle | None = None
 
     async def poser(self) -> Poser:
-        """What poses the present figure, as soon as the path is of the present text."""
+        """The poser of the present figure, once the path belongs to the present text."""
         await self.session.caught_up()
         return await asyncio.to_thread(prepared, self.session)
 
     async def _same_poser(self) -> Poser:
-        """What poses the figure that is held; raises UserError where another page has opened or made another one."""
+        """The poser of the present figure; raises UserError where another page has opened or created another one."""
         poser = await self.poser()
         if len(self._home) != poser.figure.width:
             await self.cancel()
@@ -55,9 +55,9 @@ class Actions:
         alone: bool = False,
         partial: bool = False,
     ) -> dict[str, Any]:
-        """Takes hold of a point of a body at a time of the clip; alone: of its limb and no more.
+        """Grab a point of a body at a time of the clip; alone: move only its limb.
 
-        partial  as it will be let go with
+        partial  the value that `drop` will use
         """
         self._moves_on(time, partial)
         poser, qpos = await self.poser(), self.at(time)
@@ -67,7 +67,7 @@ class Actions:
         return {"planted": [goal.name for goal in grip.planted]}
 
     async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
-        """The pose with that point at a place [m]: positions and rotations of every body, and what is missed [m]."""
+        """The pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
         if self._grip is None:
             raise UserError("nothing is held; press the mouse on a limb first")
         self._moves_on()
@@ -80,7 +80,7 @@ class Actions:
         return {**told, "missed": round(found.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
     async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> dict[str, Any]:
-        """The pose with one joint turned: as `drag`."""
+        """The pose with one joint rotated, as `drag` returns it."""
         self._moves_on(time, partial)
         poser, turned = await self.poser(), (float(time), joint)
         if turned != self._turned or self._home is None:
@@ -92,9 +92,9 @@ class Actions:
         return _bodies(poser, self._last)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
-        """Lets go: the pose becomes what the keyframe at this time says; a new one, where there is none.
+        """End the drag: the pose is written to the keyframe at this time, or to a new one where there is none.
 
-        partial  a new one says only what was moved, and leaves the rest to the optimiser
+        partial  a new keyframe specifies only what was moved; the rest is left to the optimiser
         """
         self._time, self._is_partial = time, partial
         self._keep_still()
@@ -108,7 +108,7 @@ class Actions:
         return "" if edit is None else await self.session.edit(*edit)
 
     def _meant(self, poser: Poser) -> tuple[str, dict[str, Any], int | None] | None:
-        """The edit that letting go now would be, as `Session.edit` takes it; None where nothing has moved."""
+        """The edit that ending the drag now would make, as `Session.edit` takes it; None where nothing has moved."""
         home, last, index = self._home, self._last, self.key_at(self._time)
         said = poser.said(last, home)
         if not any(said.values()):
@@ -116,7 +116,7 @@ class Actions:
         if index is None:
             moved = self._whole_limb(poser, said, last) if self._is_partial else poser.said(last)
             return "add_key", {"said": {**moved, "time": self._time}}, None
-        if "root" in said:  # all of it: what holds on to the root comes along
+        if "root" in said:  # the whole pose: everything attached to the root moves along
             said = self._kept_free(index, poser.said(last), home, last, poser)
             told = {"places": self._placed(index), **said}
         else:
@@ -124,20 +124,20 @@ class Actions:
         return "set_pose", {"key": index, **told}, self.session.document.revision
 
     def _moves_on(self, time: float | None = None, partial: bool = False) -> None:
-        """The pose is another from now on, and no more is to be done about the last one."""
+        """Mark the pose as changed and drop pending speculation."""
         if time is not None:
             self._time, self._is_partial = time, partial
         self._keep_still()
         self.session.wait()
 
     def _keep_still(self) -> None:
-        """Nothing is searched that is not searched yet."""
+        """Cancel a speculative solve that has not started."""
         if self._rest is not None:
             self._rest.cancel()
             self._rest = None
 
     def _rests(self) -> None:
-        """If no other pose is asked for in a moment, what letting go would come to is searched already."""
+        """Start a timer: after a pause in the drag the edit that it would make is solved speculatively."""
         self._keep_still()
         self._rest = asyncio.get_running_loop().call_later(RESTS, self._foresee)
 
@@ -145,20 +145,20 @@ class Actions:
         known = self.session.poser
         if self._last is None or self._home is None or known is None or known[0] != self.session.stages:
             return
-        with suppress(UserError, LookupError):  # of a keyframe that is gone
+        with suppress(UserError, LookupError):  # the keyframe no longer exists
             edit = self._meant(known[1]) if len(self._home) == known[1].figure.width else None
             if edit is not None:
                 self.session.foresee(*edit)
 
     def _placed(self, index: int) -> list[str]:
-        """The sites and bodies for which a keyframe says where they are."""
+        """The sites and bodies with a target position in a keyframe."""
         row = self._row(index)
         return [name for group in ("sites", "bodies") for name in row.get(group, {})]
 
     def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, said: dict[str, Any]) -> dict[str, Any]:
-        """What is said of some joints of a keyframe, without the places that these decide.
+        """The joints of a keyframe that were moved, and the targets that these override.
 
-        What such a place has decided, joints of its limb and the root, is said in its stead, as a pose (nq,) has it.
+        The other joints that such a target determined, of its limb and the root, are specified as in the pose (nq,).
         """
         row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
         places = [name for name in self._placed(index) if poser.ways(name)[0] & names]
@@ -171,19 +171,19 @@ class Actions:
         return {"places": places, "joints": joined.pop("joints"), **{k: v for k, v in joined.items() if v}}
 
     def _whole_limb(self, poser: Poser, said: dict[str, Any], qpos: Any) -> dict[str, Any]:
-        """With all joints of the limb that was dragged or turned, moved or not: what it does is said."""
+        """The moved joints with all other joints of the dragged or rotated limb."""
         limb = poser.limb_names(self._body)
         own = {name: value for name, value in poser.said(qpos)["joints"].items() if name in limb}
         return {**said, "joints": {**own, **said["joints"]}}
 
     def _kept_free(self, index: int, said: Any, home: Any, last: Any, poser: Poser) -> Any:
-        """Without joints that the keyframe leaves free and that the drag did not move."""
+        """Remove joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
         moved = _named(poser.said(last, home), poser)
         return poser.among(said, {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} | moved)
 
     async def cancel(self) -> str:
-        """Lets go, and nothing has happened."""
+        """End the drag without an edit."""
         self._moves_on()
         self._release()
         return ""
@@ -192,17 +192,17 @@ class Actions:
         self._grip = self._home = self._last = self._turned = None
 
     async def key(self, *, time: float, limb: Sequence[str] | None = None) -> str:
-        """A keyframe from the present path; of some joints alone, if they are given."""
+        """Add a keyframe from the present path; of the given joints only, if any."""
         poser = await self.poser()
         said = poser.said(self.at(time))
         if limb is not None:
             said = poser.among(said, limb)
             if not any(said.values()):
-                raise UserError("none of these joints can be said alone; give another limb")
+                raise UserError("none of these joints can be set on its own; select another limb")
         return await self.session.edit("add_key", {"said": {"time": time, **said}})
 
     async def rest(self, *, key: int, revision: int | None = None) -> str:
-        """A keyframe's joints as at rest; where the root is stays."""
+        """Set a keyframe's joints to the rest pose; the root keeps its position."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         joints = poser.said(poser.figure.model.qpos0)["joints"]
@@ -211,18 +211,18 @@ class Actions:
         return await self.session.edit("set_pose", {"key": key, **told, "words": "pose as at rest"}, revision)
 
     async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
-        """Joints of a keyframe fixed as the present path has them."""
+        """Fix joints of a keyframe at their values on the present path."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         row = self._row(key)
         said = poser.among(poser.said(self.at(float(row["time"]))), joints)
         given = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
-        places = [name for name in self._placed(key) if poser.ways(name)[0] <= given]  # which joints say by now
+        places = [name for name in self._placed(key) if poser.ways(name)[0] <= given]  # their joints are fixed now
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
         return await self.session.edit("set_pose", {"key": key, **said, "places": places, "words": words}, revision)
 
     async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
-        """Joints of a keyframe left to the optimiser, and with them the places that they decide."""
+        """Leave joints of a keyframe to the optimiser, along with the targets that determine them."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         said: dict[str, Any] = {"joints": {}, "root": {}, "roots": {}}
@@ -238,7 +238,7 @@ class Actions:
         return await self.session.edit("set_pose", {"key": key, **told, "words": words}, revision)
 
     async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
-        """Left and right of keyframes exchanged."""
+        """Swap left and right in keyframes."""
         from dynsplines.solver.curve.mirror import Mirror
         from dynsplines.solver.curve.symmetry import MirrorError
 
@@ -258,14 +258,14 @@ class Actions:
         return await self.session.edit("replace_keys", {"keys": said, "words": words}, revision)
 
     async def copy(self, *, keys: Sequence[int], revision: int | None = None) -> str:
-        """Keyframes on the clipboard, which all pages share."""
+        """Copy keyframes to the clipboard that all pages share."""
         keys = self._now(revision, keys=keys)["keys"]
         self.session.clipboard = [_plain(self._row(index)) for index in sorted(keys)]
         self.session.told()
         return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
 
     async def paste(self, *, time: float) -> str:
-        """What was copied, the first of it at a time."""
+        """Paste the copied keyframes, the first of them at a given time."""
         return await self.session.edit("paste_keys", {"copied": self.session.clipboard, "at": time})
 
     def at(self, time: float) -> Any:
@@ -281,19 +281,19 @@ class Actions:
         return figure.to_qpos(path_of(timeline).at(np.array([inside])))[0]
 
     def _state(self, index: int) -> Any:
-        """(nq,) a keyframe as it was loaded, with what was found for its places."""
+        """(nq,) a keyframe as loaded, with the pose solved for its targets."""
         import numpy as np
 
         self._row(index)
         return np.array(self.session.loaded["keys"][index]["qpos"], float)
 
     def key_at(self, time: float) -> int | None:
-        """The number, from 0, of the keyframe at a time."""
+        """The index of the keyframe at a time."""
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, each in enumerate(times) if abs(each - time) < AT), None)
 
     def _now(self, revision: int | None, **said: Any) -> dict[str, Any]:
-        """Numbers of a revision as they are in the present one."""
+        """Convert indices of a revision into those of the present one."""
         return renumbered(self.session.document, revision, {k: list(v) if k == "keys" else v for k, v in said.items()})
 
     def _row(self, index: int) -> dict[str, Any]:
@@ -304,7 +304,7 @@ class Actions:
 
 
 def prepared(session: Session) -> Poser:
-    """What poses a session's figure, made once for a stage."""
+    """The poser of a session's figure, created once per stage."""
     known = session.poser
     if known is not None and known[0] == session.stages:
         return known[1]
@@ -335,7 +335,7 @@ def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
 
 
 def _named(said: dict[str, Any], poser: Poser) -> set[str]:
-    """The joints of which something is said."""
+    """The names of the joints in an edit."""
     root = {poser.root} if poser.root is not None and said.get("root") else set()
     return {*said["joints"], *said.get("roots", {}), *root}
 

@@ -1,4 +1,4 @@
-"""A clip's text while it is edited: undo and redo without limit, and a copy on the disk of what nobody has saved.
+"""A clip's text while it is edited: unlimited undo and redo, and a copy of unsaved work on the disk.
 
 A text is kept compressed for every step back: 30 kB of clip take about 3.
 """
@@ -19,7 +19,7 @@ from ..system.output import Replacement
 if TYPE_CHECKING:
     from .edits.tables import Blocks
 
-MOST_SINCE = 200  # revisions back that somebody may have seen last
+MOST_SINCE = 200  # revisions kept for pages that refer to an older one
 FILMS = (".mp4", ".webm", ".gif", ".png")  # endings of what is rendered
 Packed = tuple[str, bytes]  # what was done, and the text before it or after it, compressed
 
@@ -33,9 +33,9 @@ def parsed(text: str) -> dict[str, Any]:
 class Document:
     """A clip's text and its history.
 
-    name      how it is called: of its file, or of what it came from
-    file      where it is saved; None until somebody says
-    text      as it is now;  saved  as it is on the disk
+    name      its display name: that of its file or of its source
+    file      the file it is saved to; None until it has been saved
+    text      the present text;  saved  the text on the disk
     revision  counts every change
     newline   how lines end on the disk; in here a line feed ends them
     """
@@ -54,7 +54,7 @@ class Document:
 
     @property
     def is_dirty(self) -> bool:
-        """Whether there is work that nobody has saved."""
+        """Whether there is unsaved work."""
         return self.text != self.saved
 
     @property
@@ -97,7 +97,7 @@ class Document:
         return self._plain[1].get("keyframe", [])
 
     def commit(self, text: str, words: str) -> None:
-        """Takes a text as the present one; `words` say what was done."""
+        """Set the present text; `words` describe the edit."""
         if text == self.text:
             return
         self._back.append((words, zlib.compress(self.text.encode())))
@@ -133,7 +133,7 @@ class Document:
         return self.folder / f".{self.place}.unsaved"
 
     def keep(self) -> None:
-        """Writes what nobody has saved beside the clip."""
+        """Write unsaved work to a file next to the clip."""
         if not self.is_dirty:
             self.discard()
             return

@@ -53,7 +53,7 @@ class Files:
         target = document.file if name is None else inside(self.folder, _ended(name, ".toml"))
         assert target is not None
         if name is not None and target != document.file and target.exists() and not overwrite:
-            raise UserError(f"'{target.name}' is there already; choose another name")
+            raise UserError(f"'{target.name}' already exists; choose another name")
         document.save(target)
         self.session.told()
         return f"saved {target.name}"
@@ -104,10 +104,10 @@ class Files:
         return f"rendered {target.name}"
 
     def _target(self, name: str, overwrite: bool) -> Path:
-        """Where a film or an export goes; raises UserError for somebody's file."""
+        """The target of a video or an export; raises UserError if it is an unrelated existing file."""
         target = inside(self.folder, name)
         if target.exists() and target not in self._made and not overwrite:
-            raise UserError(f"'{target.name}' is there already; choose another name, or say that it is to be replaced")
+            raise UserError(f"'{target.name}' already exists; choose another name, or confirm replacing it")
         return target
 
     async def stop(self) -> str:
@@ -117,7 +117,7 @@ class Files:
         return "stopped"
 
     async def _run(self, words: Sequence[str], what: str) -> None:
-        """A command of our own, its progress told to every page; raises UserError in its words."""
+        """Run one of this program's commands and show its progress on every page; raises UserError with its message."""
         if self._running is not None:
             raise UserError("something is being written already; wait for it, or stop it")
         command = [sys.executable, "-c", COMMAND, *words]
@@ -135,7 +135,7 @@ class Files:
             raise UserError(last.removeprefix("dynsplines: ") if code > 0 else f"{what}: stopped")
 
     async def _followed(self, process: asyncio.subprocess.Process, what: str) -> str:
-        """Its last line; every line on the way is told."""
+        """Return its last line; the lines before are shown as progress."""
         assert process.stderr is not None and process.stdout is not None
         last, rest = f"{what} failed", ""
         drain = asyncio.create_task(process.stdout.read())

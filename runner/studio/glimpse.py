@@ -1,7 +1,7 @@
-"""What a clip's page showed last, kept in the user's folder: seen at once, while the clip is still being loaded.
+"""The last view of a clip, cached in the user's folder and shown at once while the clip is still being loaded.
 
-What the process that solves says later takes its place, so a glimpse that is out of date is gone within seconds; one
-that is damaged is as good as none.
+The solver's messages then replace it, so an outdated view disappears within seconds; a damaged file counts as
+missing.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""What a page's numbers mean by now: the keyframe that it calls the fourth is the fifth since another page added one.
+"""Maps indices of an older revision: the fourth keyframe becomes the fifth after another page has inserted one.
 
-A page says which revision of the text it has seen. From there every change is followed, one after the other: where
-there are as many as before they are the same, else those that say the same are.
+A page names the revision that it refers to. From there every change is followed in turn: if the number of tables is
+unchanged they correspond in order, otherwise tables with equal content correspond.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` is 
 
 
 def renumbered(document: Document, revision: int | None, said: Mapping[str, Any], edit: str = "") -> dict[str, Any]:
-    """What a page said of a revision, in numbers of the present one; raises UserError for what is gone or unknown."""
+    """A page's arguments, with indices of a revision replaced by present ones; raises UserError for unknown ones."""
     told = dict(said)
     if revision is None or revision == document.revision:
         return told
@@ -45,11 +45,11 @@ def renumbered(document: Document, revision: int | None, said: Mapping[str, Any]
 
 
 def _followed(texts: list[str], kind: str, number: Any) -> Any:
-    """The number of a table in the last of some texts, by that in the first of them."""
+    """The index of a table in the last of several texts, from its index in the first."""
     here = number
     rows = _rows(texts[0], kind)
     if not isinstance(here, int) or isinstance(here, bool) or not 0 <= here < len(rows):
-        return number  # of none: what refuses those says so
+        return number  # invalid: the edit itself rejects it
     for text in texts[1:]:
         there = _rows(text, kind)
         if len(there) != len(rows):

@@ -1,7 +1,7 @@
-"""Who may speak to the studio and what for: its page to whoever has the address with the token, and a line to it.
+"""Access control of the studio: pages need the address with the token, and get one connection each.
 
-Another page in the same browser knows no token, and comes from another origin; a name that somebody's server gives
-this machine's address is not among the hosts that are heeded.
+Another page in the same browser has no token and another origin; a foreign name that resolves to this machine is
+not among the accepted hosts.
 """
 
 from __future__ import annotations
@@ -45,28 +45,28 @@ PAGE = {
     "studio.js": ("studio.js", "text/javascript; charset=utf-8"),
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
 }
-NOT_HERE = 4403  # the websocket's code for one who may not enter
+NOT_HERE = 4403  # the websocket's close code for a refused page
 MOST_WAITING = 64  # messages that a slow page is behind before paths are left out
 MOST_BYTES = 4_000_000  # of a message from a page
 
 
 class Door:
-    """Whether a request may come in.
+    """Decides whether a request is accepted.
 
-    hosts  what a browser may call this server, "127.0.0.1:8000"
+    hosts  accepted values of the `Host` header, "127.0.0.1:8000"
     """
 
     def __init__(self, token: str, hosts: frozenset[str]) -> None:
         self.token, self.hosts = token, hosts
 
     def refusal(self, connection: HTTPConnection, *, with_token: bool) -> str | None:
-        """Why a request is refused; None for one that is not."""
+        """Why a request is refused; None for an accepted one."""
         host = connection.headers.get("host", "")
         if host not in self.hosts:
             return f"no such host: '{host[:100]}'"
         origin = connection.headers.get("origin")
         if origin is not None and urlsplit(origin).netloc not in self.hosts:
-            return "this page may not speak to the studio"
+            return "this page may not connect to the studio; open the address that the command prints"
         if connection.scope["type"] == "websocket" and origin is None:
             return "a line to the studio needs an origin"
         given = connection.query_params.get("token", "")
@@ -113,13 +113,13 @@ def application(session: Session, door: Door) -> Starlette:
 
 
 def _prepare(session: Session) -> None:
-    """Has what drags need made aside, so that the first one waits for nothing."""
+    """Prepare the poser in the background, so that the first drag does not wait."""
     if session.poser is None or session.poser[0] != session.stages:
         asyncio.get_running_loop().run_in_executor(None, prepared, session)
 
 
 class _Page:
-    """One page and its line: what it asks is answered in turn, what it is told waits in a queue of its own."""
+    """One page and its connection: its requests are answered in turn, its notifications wait in a separate queue."""
 
     def __init__(self, session: Session, writer: Files, socket: WebSocket, number: int) -> None:
         self.session, self.writer, self.socket, self.number = session, writer, socket, number
@@ -128,7 +128,7 @@ class _Page:
         self.tasks: set[asyncio.Task[None]] = set()
 
     async def live(self) -> None:
-        """Until it goes away."""
+        """Run until the page disconnects."""
         out = asyncio.create_task(self._write())
         self.session.enter(self.number, self._put)
         try:
@@ -165,7 +165,7 @@ class _Page:
                     await self.socket.send_text(message if isinstance(message, str) else message.decode())
 
     async def _answered(self, message: dict[str, Any]) -> None:
-        """Does what a page asks; the answer says what was done, or in words why not."""
+        """Perform a page's request; the answer describes the edit, or the reason for its rejection."""
         number = message.pop("id", None)
         try:
             told = await self._done(str(message.pop("do", "")), message)
@@ -173,14 +173,14 @@ class _Page:
         except UserError as error:
             answer = {"is": "answer", "id": number, "ok": False, "words": one_line(error)}
         except (TypeError, ValueError, KeyError, IndexError) as error:
-            words = f"the page asked for something that makes no sense: {type(error).__name__}: {one_line(error)}"
+            words = f"invalid request from the page: {type(error).__name__}: {one_line(error)}"
             answer = {"is": "answer", "id": number, "ok": False, "words": words}
         self._put(json.dumps(answer))
 
     async def _done(self, do: str, said: dict[str, Any]) -> Any:
         deed = self._deeds.get(do)
         if deed is None:
-            raise UserError(f"'{do}': the studio does not know how; reload the page")
+            raise UserError(f"'{do}': unknown request; reload the page")
         return await deed(**said)
 
     @property

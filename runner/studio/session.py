@@ -1,4 +1,4 @@
-"""One clip open, and everybody who looks at it: what one of them does, all of them see."""
+"""One open clip, shared by all pages that show it."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from .solver import Solver
 
 Message = dict[str, Any]
 Send = Callable[[str | bytes], None]
-VERDICT = 60.0  # [s] that loading an edited clip may take
-CATCHING_UP = 5.0  # [s] that somebody waits at most for a path of the present text
-KEEPING = 0.4  # [s] after an edit that unsaved work is written
-LATEST = ("raw", "carried", "found")  # kinds of paths, of each of which the last is what one who comes late sees
+VERDICT = 60.0  # [s] limit for loading an edited clip
+CATCHING_UP = 5.0  # [s] limit for waiting for a path of the present text
+KEEPING = 0.4  # [s] delay after an edit before unsaved work is written
+LATEST = ("raw", "carried", "found")  # kinds of paths; a page that connects later gets the last of each
 
 
 STAGE = b'{"is":"stage","stage":'  # before a stage, on the line to a page
@@ -33,9 +33,9 @@ def _told_stage(stage: bytes) -> bytes:
 
 
 class Session:
-    """The document, the process that solves it, and the pages.
+    """The document, the solver process, and the pages.
 
-    figure  what drags pose, made anew with every stage; see `actions`
+    figure  the scene for dragging, created with every stage; see `actions`
     """
 
     def __init__(self, document: Document, *, go: bool = True) -> None:
@@ -72,11 +72,11 @@ class Session:
 
     @property
     def timeline(self) -> Any:
-        """The present path, taken out of its wrapping where it is needed: that takes the solver's imports."""
-        return None if self._timeline is None else pickle.loads(self._timeline)  # what this program sent itself
+        """The present path, unpickled on use: this needs the solver's imports."""
+        return None if self._timeline is None else pickle.loads(self._timeline)  # data of this program only
 
     async def caught_up(self) -> None:
-        """Until the present path is of the present text: it comes a moment after an edit was taken."""
+        """Wait until the present path belongs to the present text, a moment after an edit was accepted."""
         while self._timeline is not None and self._pathed < self.document.revision:
             waiting: asyncio.Future[None] = asyncio.get_running_loop().create_future()
             self._waiting.add(waiting)
@@ -89,11 +89,11 @@ class Session:
 
     @property
     def figure(self) -> Any:
-        """The scene and how its places are meant, likewise; None before it is loaded."""
+        """The scene and the reading of its positions, likewise; None before the clip is loaded."""
         return None if self.scene is None else pickle.loads(self.scene["figure"])
 
     def start(self) -> None:
-        """Starts the process and gives it the clip; what it says waits until somebody listens."""
+        """Start the process and load the clip; messages are queued until the session listens."""
         seen = glimpse.read(glimpse.file_of(self.document))
         self.solver.start(is_seen=seen is not None)
         self._load(self.document.text, self.document.revision, first=True)
@@ -101,20 +101,20 @@ class Session:
             self._is_glimpse, self._stage, self._paths["found"] = True, _told_stage(seen[0]), seen[1]
 
     def begin(self) -> None:
-        """Listens to the process, which is started if it has not been."""
+        """Listen to the process, and start it if necessary."""
         if not self.solver.is_started:
             self.start()
         self.solver.listen()
 
     def close(self) -> None:
-        """Ends the process; unsaved work is on the disk."""
+        """End the process; unsaved work is on the disk."""
         self.document.keep()
         self.solver.close()
 
     # ---- pages
 
     def enter(self, number: int, send: Send) -> None:
-        """A page that has just come: it gets all there is."""
+        """Add a new page and send it the present state."""
         self.pages[number] = send
         for known in (self._kinds, self._formats):
             if known is not None:
@@ -131,12 +131,12 @@ class Session:
             send(json.dumps({"is": "offer", "words": self._offering()}))
 
     def leave(self, number: int) -> None:
-        """A page that is gone."""
+        """Remove a page."""
         self.pages.pop(number, None)
         self.want_curves(number, False)
 
     def tell(self, message: Message | bytes) -> None:
-        """To every page."""
+        """Send a message to every page."""
         text = message if isinstance(message, bytes) else json.dumps(message)
         for send in list(self.pages.values()):
             send(text)
@@ -151,9 +151,9 @@ class Session:
     # ---- edits
 
     async def edit(self, name: str, said: Message, revision: int | None = None) -> str:
-        """An edit by name; raises UserError, and then nothing has changed.
+        """Apply an edit by name; raises UserError, and then nothing has changed.
 
-        revision  that its numbers are of, where another may be the present one
+        revision  the revision of its indices, where this may not be the present one
         """
         async with self._lock:
             asked = self.document.revision, name, said, revision
@@ -166,7 +166,7 @@ class Session:
             return words
 
     def _edited(self, name: str, said: Message, revision: int | None) -> tuple[str, str]:
-        """The text after an edit, and what it does in words."""
+        """The text after an edit, and its description."""
         from .edits import EDITS  # only here, as in `document`
 
         if name not in EDITS:
@@ -180,7 +180,7 @@ class Session:
         return tree.as_string(), words
 
     def foresee(self, name: str, said: Message, revision: int | None = None) -> None:
-        """Has searched in silence what an edit would come to that may be made next, if nothing else is to be done."""
+        """Solve speculatively for an edit that may follow, if there is nothing else to do."""
         if not self.go or self._lock.locked() or self.status["state"] != "settled":
             return
         with suppress(UserError):
@@ -191,17 +191,17 @@ class Session:
                 self.solver.send({"do": "foresee", **self._named(text)})
 
     def wait(self) -> None:
-        """Ends the search of what was foreseen: something else will be."""
+        """End the speculative solve."""
         if self._is_foreseeing:
             self._is_foreseeing = False
             self.solver.send({"do": "wait"})
 
     async def undo(self) -> str:
-        """Back by one edit."""
+        """Undo one edit."""
         return await self._stepped(self.document.back, self.document.undo, "undo")
 
     async def redo(self) -> str:
-        """Forth by one edit."""
+        """Redo one edit."""
         return await self._stepped(self.document.forth, self.document.redo, "redo")
 
     async def _stepped(self, seen: Callable[[], tuple[str, str] | None], step: Callable[[], None], verb: str) -> str:
@@ -215,7 +215,7 @@ class Session:
             return f"{verb}: {found[0]}"
 
     async def replace(self, text: str, words: str) -> str:
-        """Another text altogether."""
+        """Replace the whole text."""
         async with self._lock:
             verdict = await self._tried(text)
             self.document.commit(text, words)
@@ -223,7 +223,7 @@ class Session:
             return words
 
     async def take_offer(self, *, yes: bool) -> str:
-        """Unsaved work of an earlier studio, taken or thrown away."""
+        """Restore or discard unsaved work of an earlier session."""
         text, self.offer = self.offer, None
         self.tell({"is": "offer", "words": None})
         if text is None:
@@ -234,7 +234,7 @@ class Session:
         return await self.replace(text, "take up unsaved work")
 
     async def reopen(self, document: Document) -> str:
-        """Another document in place of this one, whose unsaved work is on the disk."""
+        """Open another document in place of this one, whose unsaved work is on the disk."""
         async with self._lock:
             self.document.keep()
             before, self.document = self.document, document
@@ -251,13 +251,13 @@ class Session:
             return f"opened {document.place}"
 
     async def _tried(self, text: str, *, first: bool = False) -> Message:
-        """What the process says of a text, which it searches already; raises UserError for one that is no clip."""
+        """The solver's answer to a text, which it then searches; raises UserError for an invalid clip."""
         self._verdict, self._is_glimpse = asyncio.get_running_loop().create_future(), False
         self._load(text, self.document.revision + 1, first=first)
         try:
             verdict = await asyncio.wait_for(self._verdict, VERDICT)
         except TimeoutError:
-            self.solver.begin_anew()  # or it would be at that clip when it comes to an end
+            self.solver.begin_anew()  # otherwise it would finish that clip first
             raise UserError(f"the clip took longer than {VERDICT:g} s to load") from None
         finally:
             self._verdict = None
@@ -271,26 +271,26 @@ class Session:
         self.solver.send(self._trying if found is None else {**self._trying, "found": found})
 
     def _named(self, text: str) -> Message:
-        """A text, what messages about it call it, and the folder that its files are in."""
+        """A text, its name in messages, and the folder of its files."""
         document = self.document
         return {"text": text, "name": document.name, "place": document.place, "folder": str(document.folder)}
 
     def _changed(self, verdict: Message) -> None:
-        """Tells everybody, and has unsaved work written soon."""
+        """Notify every page, and schedule the writing of unsaved work."""
         self._accept(verdict)
         if self._keeper is not None:
             self._keeper.cancel()
         self._keeper = asyncio.get_running_loop().call_later(KEEPING, self.document.keep)
 
     def _accept(self, loaded: Message) -> None:
-        """The clip that the process has loaded is the document's."""
+        """Set the loaded clip as the document's."""
         self.outline = loaded.pop("outline")
         self.loaded = loaded
         self.told()
         self.tell(loaded)
 
     def told(self) -> None:
-        """The document as it stands, to everybody."""
+        """Send the present document to every page."""
         text = self._outline()
         for send in list(self.pages.values()):
             send(text)
@@ -298,13 +298,13 @@ class Session:
     # ---- the search
 
     def search(self, *, go: bool, anew: bool = False) -> None:
-        """Goes on, or stops, and stays so with later edits."""
+        """Continue or stop the search; the state applies to later edits."""
         self.go = go
         self.solver.send({"do": "go", "anew": anew} if go else {"do": "stop"})
         self._status(self.status.get("state", "settled"))
 
     def want_curves(self, number: int, on: bool) -> None:
-        """Whether a page shows curves."""
+        """Switch a page's curves on or off."""
         had = bool(self._curved)
         (self._curved.add if on else self._curved.discard)(number)
         if bool(self._curved) != had:
@@ -313,7 +313,7 @@ class Session:
             self.pages[number](self._curves)
 
     async def kept(self, file: Path) -> None:
-        """The present motion in a file."""
+        """Write the present motion to a file."""
         async with self._lock:
             self._kept = asyncio.get_running_loop().create_future()
             self.solver.send({"do": "keep", "file": str(file)})
@@ -324,7 +324,7 @@ class Session:
             finally:
                 self._kept = None
 
-    # ---- what the process says
+    # ---- messages of the solver process
 
     def _heard(self, message: Message) -> None:
         handle = getattr(self, f"_heard_{message['is']}", None)
@@ -366,7 +366,7 @@ class Session:
             self._status("refused", words=message["words"])
 
     def _judge(self, message: Message) -> bool:
-        """Takes what is said of the text that is tried, and not of the one before, which a new process hears again."""
+        """Take the answer for the text under trial, not for the one before, which a new process loads again."""
         if self._verdict is None or self._verdict.done():
             return False
         if self._trying is not None and message.get("revision") not in (None, self._trying["revision"]):
@@ -381,7 +381,7 @@ class Session:
                 waiting.set_result(None)
         if message["kind"] == "carried" and self._is_glimpse:
             self._paths["carried"] = message["data"]
-            return  # pages have what was found before
+            return  # pages show the cached result
         if message["kind"] == "carried":
             self._paths.pop("found", None)
         self._is_glimpse = self._is_glimpse and message["kind"] == "raw"
@@ -392,7 +392,7 @@ class Session:
         self._status("searching")
 
     def _heard_settled(self, message: Message) -> None:
-        if self._is_glimpse:  # nothing was searched
+        if self._is_glimpse:  # there was no search
             self._paths.pop("found", None)
             self.tell(self._paths["carried"])
         self._settled, self._is_glimpse = message, False
@@ -403,7 +403,7 @@ class Session:
         self._keep_glimpse()
 
     def _keep_glimpse(self) -> None:
-        """What pages show of this text, for the next time that it is opened; aside, once for a text."""
+        """Cache this text's view in the background, once per text, for the next time it is opened."""
         path = self._paths.get("found", self._paths.get("carried"))
         if self._stage is None or path is None or self.document.text == self._glimpsed:
             return
@@ -429,13 +429,13 @@ class Session:
         self._status("gone", words=message["words"])
 
     def _lost(self, words: str) -> None:
-        """Another process has begun: it gets what the last one was at, and the path to go on from."""
+        """Resume after a crash: the new process gets the text and the path of the last one."""
         self.tell({"is": "note", "words": words})
         if self._curved:
             self.solver.send({"do": "curves", "on": True})
         trying = self._trying if self._verdict is not None else None
         self._load(self.document.text, self.document.revision, first=self._timeline is None, found=self._timeline)
-        if trying is not None:  # whose verdict is waited for, and not that of the text before
+        if trying is not None:  # the answer is awaited for this text, not for the one before
             self._trying = trying
             self.solver.send(trying)
 

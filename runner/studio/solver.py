@@ -1,4 +1,4 @@
-"""The process that solves, seen from the server: begun, spoken to, heard; begun again when it is lost."""
+"""The solver process, as seen from the server: start, messages, and restart after a crash."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from ..system.workers import ctrl_c_blocked
 from .solving.process import entry
 
 Message = dict[str, Any]
-SHORT = 0.2  # [s] for one that has nothing to do
-PATIENCE = 5.0  # [s] that a process may take to end by itself
-MOST_LOSSES = 5  # in a row, without one answer: then it is not begun again
+SHORT = 0.2  # [s] for an idle process
+PATIENCE = 5.0  # [s] limit for a process to end
+MOST_LOSSES = 5  # crashes in a row, without an answer, after which it is not restarted
 
 
 class Solver:
-    """A process and the line to it.
+    """A process and its connection.
 
-    heard  gets every message of its, in the server's own thread
-    lost   is called when the process has ended without having been asked to, and another one has been begun
+    heard  receives every message, in the server's thread
+    lost   is called when the process has ended unexpectedly and a new one has been started
     """
 
     def __init__(self, heard: Callable[[Message], None], lost: Callable[[str], None]) -> None:
@@ -41,7 +41,7 @@ class Solver:
         return self._process is not None
 
     def start(self, *, is_seen: bool = False) -> None:
-        """Starts the process; what it needs is imported over there, at leisure if something is seen already."""
+        """Start the process; it imports in the background, with low priority if the page already shows a view."""
         spawn = multiprocessing.get_context("spawn")
         self._line, theirs = spawn.Pipe()
         self._process = spawn.Process(target=entry, args=(theirs, is_allowed(), is_seen), daemon=True, name="solver")
@@ -53,17 +53,17 @@ class Solver:
         theirs.close()
 
     def listen(self) -> None:
-        """From now on messages go to the running event loop."""
+        """Deliver messages to the running event loop from now on."""
         self._loop = asyncio.get_running_loop()
         threading.Thread(target=self._listen, args=(self._line, self._process), daemon=True).start()
 
     def send(self, message: Message) -> None:
-        """A message to the process; if it is gone, it is told that it is lost soon."""
+        """Send a message to the process; a lost process is noticed soon afterwards."""
         with suppress(OSError, ValueError):
             self._line.send(message)
 
     def close(self) -> None:
-        """Ends the process."""
+        """End the process."""
         self._is_closed = True
         with suppress(OSError, AttributeError):
             self._line.close()
@@ -75,13 +75,13 @@ class Solver:
             self._process.join(PATIENCE)
 
     def begin_anew(self) -> None:
-        """Ends the process where it is; another one goes on from the last path."""
+        """End the process at once; a new one continues from the last path."""
         if self._process is not None:
             self._process.kill()
 
     def _listen(self, line: Any, process: Any) -> None:
-        """In a thread of its own: what comes, until the line ends."""
-        with suppress(EOFError, OSError, TypeError):  # the last of a line that is closed here meanwhile
+        """Receive messages in a separate thread, until the connection closes."""
+        with suppress(EOFError, OSError, TypeError):  # the connection is being closed
             while True:
                 message = line.recv()
                 self._losses = 0
@@ -91,7 +91,7 @@ class Solver:
             self._tell(self._begin_again, process.exitcode)
 
     def _tell(self, to: Callable[[Any], None], what: Any) -> None:
-        with suppress(RuntimeError):  # the server has ended meanwhile
+        with suppress(RuntimeError):  # the server has ended
             assert self._loop is not None
             self._loop.call_soon_threadsafe(to, what)
 
@@ -105,4 +105,4 @@ class Solver:
             return
         self.start()
         self.listen()
-        self.lost(f"the process that solves {how}; another one goes on from the last path")
+        self.lost(f"the solver process {how}; a new one continues from the last path")

@@ -111,7 +111,7 @@ def _recording(path: Path, figure: str | None) -> Document:
     saved = imported(path, figure=figure)
     target = path.resolve().with_name(f"{stem(path)}.npz")
     if target.exists() and target != path.resolve():
-        raise UserError(f"'{target.name}' is there already, where {path.name} would be imported to; open that one")
+        raise UserError(f"'{target.name}' already exists, where {path.name} would be imported to; open that one")
     motion.save(saved, target)
     return following(target, _scene_beside(target, saved.scene))
 
@@ -130,7 +130,7 @@ def _scene_beside(path: Path, scene: object) -> str:
     files = {target: scene.mjcf.encode(), **{path.parent / name: data for name, data in scene.assets.items()}}
     for file, data in files.items():
         if file.exists() and file.read_bytes() != data:
-            raise UserError(f"'{file.name}' is there already, and a file of the recording's figure goes there")
+            raise UserError(f"'{file.name}' already exists, where a file of the recording's figure would be written")
         if not file.exists():
             with Replacement(file) as temporary:
                 temporary.write_bytes(data)

@@ -15,7 +15,7 @@ from .session import Session
 
 LOCAL = ("127.0.0.1", "localhost", "[::1]")
 TOKEN = 24  # [bytes] of chance in a token
-GRACE = 1  # [s] that pages have to hear that the server ends
+GRACE = 1  # [s] for pages to receive that the server ends
 
 
 def run(
@@ -35,8 +35,8 @@ def run(
     address = f"http://{shown}:{port}/?token={token}"
     say(address)
     if not _is_loopback(host):
-        say("note: whoever has this address, and can reach this machine, edits the clip and writes files beside it;")
-        say("note: what goes over the wire is not encrypted")
+        say("note: anyone with this address and access to this machine can edit the clip and write files next to it;")
+        say("note: the connection is not encrypted")
     if browser:
         webbrowser.open(address)
     try:
@@ -68,11 +68,11 @@ def _serve(session: Session, listening: socket.socket, token: str, hosts: frozen
 
 
 def check_host(host: str, *, allow_remote: bool) -> None:
-    """Raises UserError for an address that others reach, unless somebody has said that they may."""
+    """Raise UserError for an address that other machines can reach, unless this was allowed."""
     if not _is_loopback(host) and not allow_remote:
         raise UserError(
-            f"--host {host}: other machines could reach the studio there, edit the clip and write files beside it, "
-            "unencrypted; --allow-remote allows it, or leave --host out"
+            f"--host {host}: other machines could reach the studio, edit the clip and write files next to it, "
+            "unencrypted; add --allow-remote to allow it, or omit --host"
         )
 
 
@@ -99,7 +99,7 @@ def _own_addresses() -> list[str]:
 def _bound(host: str, port: int) -> socket.socket:
     """A socket that listens; raises UserError for a port that is taken."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    listening = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # said so, or asyncio lets words wait
+    listening = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # named: asyncio then sets TCP_NODELAY
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listening.bind((host, port))

@@ -4,10 +4,10 @@ output        the one way to write a file: whole or not at all, under its name o
 lock          one program at a time in a folder
 scratch       folders for what is needed only while something runs
 largest       how much a file may come to in memory
-archive       what the arrays of an .npz come to in memory, told from their heads before any is read
+archive       memory needed by the arrays of an .npz, from their headers before any is read
 cache_folder  the user's folder for what this program could find again: solved clips, and which renderer worked
 progress      live progress of long work: a bar on a terminal, plain lines elsewhere, always on stderr
-terminal      text for terminals that do not know all letters: what they lack is spelled with those that they have
+terminal      text for terminals with limited encodings: missing letters are replaced by available ones
 mujoco_warnings  MuJoCo's warnings as notes, instead of a log in the current folder
 quantity      lengths as people write them: "2cm", "20 mm", "0.02 m"; from Python also a number, of metres
 stopping      signals that ask a command to end

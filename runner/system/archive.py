@@ -1,4 +1,4 @@
-"""What the arrays of an .npz come to in memory, told from their heads before any is read."""
+"""Memory needed by the arrays of an .npz, from their headers before any is read."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ def check(stream: IO[bytes], where: Path) -> None:
             with archive.open(member) as content:
                 claimed = _claimed(content)
             if claimed > member.file_size:
-                raise UserError(f"{where}: '{member.filename}' is not as large as it says")
+                raise UserError(f"{where}: '{member.filename}' does not have the size in its header; it is damaged")
     stream.seek(0)
 
 
 def _claimed(content: IO[bytes]) -> int:
-    """[bytes] that an array's head asks for; 0 for what is no array of ours, which is told by whoever reads it."""
+    """[bytes] that an array's header requests; 0 for other content, which its reader reports."""
     try:
         head: Any = HEADS.get(np.lib.format.read_magic(content))
         shape, _, kind = head(content) if head else ((0,), False, np.dtype("u1"))

@@ -1,4 +1,4 @@
-"""How much a file may come to in memory: strangers send files, and a small one can ask for all that there is."""
+"""Limit on the memory that a file may need: a small untrusted file can request all there is."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MEGABYTE = 1_000_000
 
 
 def bound() -> int:
-    """[bytes], the usual or what the environment says in MB; raises UserError if that is no number."""
+    """[bytes], the default or the environment's value in MB; raises UserError if that is not a number."""
     said = os.environ.get(VARIABLE, "").strip()
     if not said:
         return USUAL * MEGABYTE
@@ -22,7 +22,7 @@ def bound() -> int:
 
 
 def check(where: object, size: float, what: str) -> None:
-    """Raises UserError for what would come to more bytes than the bound; `what` says what it is that is so large."""
+    """Raise UserError if `what` would need more bytes than the limit."""
     most = bound()
     if size > most:
         raise UserError(

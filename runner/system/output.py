@@ -1,11 +1,11 @@
 """The one way to write a file: whole or not at all, under its name only once the disk has it.
 
-What is written lies beside the target until then, in a file whose name nobody can guess and that only its owner reads.
+Output is written next to the target first, to a file with an unguessable name that only its owner can read.
 A link stays a link, and what it leads to is replaced; what is no plain file, a device or a pipe, is refused. The new
 file may be read by whom the old one could be, or, where there was none, by whom the umask lets.
 
 A program that is killed leaves its temporary file behind; the next one that writes to the same target removes it. The
-kernel's lock on such a file tells whether whoever writes it is still there.
+kernel's lock on such a file shows whether its writer is still running.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ try:
 except ImportError:  # Windows
     fcntl = None
 
-NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)  # errors that Python tells without the file's name
+NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)  # errors whose message lacks the file's name
 ALL = 0o666  # what the umask takes away from, for a file that was not there
 OWNER = 0o600
 MODE = 0o777  # what of an older file's mode the new one has
@@ -114,9 +114,9 @@ def check_target(target: Path) -> None:
 
 
 def check_new(target: Path, *, overwrite: bool) -> None:
-    """Raises UserError if a file is there that nobody said may go."""
+    """Raise UserError if a file exists and overwriting was not allowed."""
     if target.exists() and not overwrite:
-        raise UserError(f"'{target}' is there already; give another -o, or --overwrite")
+        raise UserError(f"'{target}' already exists; give another -o, or --overwrite")
 
 
 def clear(target: Path) -> None:
@@ -150,7 +150,7 @@ def _parts(temporary: Path) -> Iterator[Path]:
 
 
 def _remove_if_left(path: Path) -> None:
-    """Unless somebody is still writing it; files beside a temporary one are looked at when it is."""
+    """Remove leftovers, unless their writer is still running; files next to a temporary one are checked with it."""
     if fcntl is None:
         return
     with suppress(OSError):
@@ -166,7 +166,7 @@ def _remove_if_left(path: Path) -> None:
 
 
 def _locked(handle: int) -> bool:
-    """Waits for whoever looks whether the file is a leftover; False where there are no locks, and none is removed."""
+    """Wait until it is decided whether the file is a leftover; False where there are no locks, and none is removed."""
     if fcntl is None:
         return False
     try:

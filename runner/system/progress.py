@@ -17,12 +17,12 @@ QUIET_SECONDS = 5.0  # [s] between lines where no bar can be drawn
 
 
 class Progress:
-    """Says how far work has come.
+    """Reports the progress of work.
 
-    with Progress() as tell:
-        tell.say("renderer: EGL")
-        tell.step("solving", 0.3, "E 2.41")
-        for image in tell.over(images, "rendering", 80): ...
+    with Progress() as progress:
+        progress.say("renderer: EGL")
+        progress.step("solving", 0.3, "E 2.41")
+        for frame in progress.over(frames, "rendering", 80): ...
     """
 
     def __init__(self, console: Console | None = None) -> None:
@@ -52,7 +52,7 @@ class Progress:
         self.console.print(line, markup=False, soft_wrap=True)
 
     def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:
-        """`work` has come to `share` (0 to 1, None: nobody knows)."""
+        """Set the progress of `work` to `share` (0 to 1, None: unknown)."""
         if self._bars is not None:
             if work not in self._tasks:
                 self._tasks[work] = self._bars.add_task(work, total=None if share is None else 1.0, note="")
@@ -63,7 +63,7 @@ class Progress:
             self.say(f"{work}{done} {note}".rstrip())
 
     def over(self, items: Iterable[Item], work: str, count: int) -> Iterator[Item]:
-        """The items, told one by one."""
+        """Iterate over the items and report each."""
         for i, item in enumerate(items):
             yield item
             self.step(work, (i + 1) / max(count, 1), f"{i + 1} of {count}", force=i + 1 == count)

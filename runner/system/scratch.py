@@ -1,7 +1,7 @@
 """Folders for what is needed only while something runs, among the system's temporary files.
 
 A program that is killed leaves its folder behind; the next one that makes a folder removes it. The kernel's lock on a
-folder tells whether whoever made it is still there.
+folder shows whether its creator is still running.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ PREFIX = "dynsplines-scratch-"
 
 @contextmanager
 def scratch() -> Iterator[Path]:
-    """A new folder that nobody else reads, removed with all that is in it when the block ends."""
+    """A new private folder, removed with its content when the block ends."""
     _clear(Path(tempfile.gettempdir()))
     folder, handle = _begun()
     while handle is not None and not folder.exists():  # another program took it, not yet locked, for a leftover
@@ -62,7 +62,7 @@ def _clear(place: Path) -> None:
 
 
 def _remove_if_left(folder: Path) -> None:
-    """Unless whoever made it is still there, or is another user."""
+    """Unless its creator is still running, or is another user."""
     assert fcntl is not None
     with suppress(OSError):
         handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)

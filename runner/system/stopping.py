@@ -1,8 +1,8 @@
 """Signals that ask a command to end: a terminal's hangup and SIGTERM do what Ctrl-C does, with exit codes of their own.
 
-What a search has found by then is kept and written; the exit code then tells the signal all the same, 129 or 143, so
-that whoever sent it knows that the command did not come to its own end. Imports next to nothing: the handlers are set
-before whatever takes time.
+The best result of a search is then written; the exit code still reports the signal, 129 or 143, so that
+the sender knows that the command was interrupted. Imports almost nothing: the handlers are set
+before any slow import.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import signal
 from types import FrameType
 
 FIRST = 128  # the exit code of a command that a signal ended is so much more than the signal's number
-TERMINALS = 1, 2  # stdout and stderr, which nobody can write to once their terminal has hung up
+TERMINALS = 1, 2  # stdout and stderr, which cannot be written to after their terminal has hung up
 
 _received: int | None = None
 _terminals: list[int] = []

@@ -1,4 +1,4 @@
-"""Text for terminals that do not know all letters: what they lack is spelled with those that they have."""
+"""Text for terminals with limited encodings: missing letters are replaced by available ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a process counts: with one thread, and with no more of NumPy than is asked for.
+"""Numerics of a process: one thread, and no more of NumPy than required.
 
 On the solver's small matrices more threads only wait for each other, and round another way.
 """
@@ -11,14 +11,14 @@ THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_N
 
 
 def keep_to_one() -> None:
-    """For this process, before it imports NumPy, whatever its environment says: the same bytes come out."""
+    """Set one thread for this process, before it imports NumPy, whatever its environment: results are reproducible."""
     for name in THREADS:
         os.environ[name] = "1"
 
 
 def without_tools() -> None:
-    """Before SciPy is imported: of NumPy it copies every name, and so would import NumPy's tests and Fortran compiler,
-    which take as long as NumPy itself. They stay there for whoever imports them."""
+    """Before SciPy is imported: it copies every name of NumPy, and so would import NumPy's tests and Fortran compiler,
+    which take as long as NumPy itself. They remain available to other importers."""
     import numpy
 
     tools = {"f2py", "testing", "test"}

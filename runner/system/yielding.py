@@ -1,4 +1,4 @@
-"""Work that others go before, for a while: somebody waits for them, and for this only later."""
+"""Low-priority work: other threads go first for a while, because a user is waiting for them."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 
-LATER = 10  # how nice it is: of two who want one processor it gets a tenth
+LATER = 10  # niceness: of two threads on one processor it gets a tenth of the time
 
 
 def yielding(pieces: Sequence[Callable[[], object]], patience: float) -> None:
     """Does pieces of work in turn, others first; those that are left after so long [s] like anything else.
 
-    Only Linux lets one thread be nicer than others, and none of them can ever take it back: so this is one that ends.
-    What a piece raises is raised as well by whoever needs it afterwards; here it only ends the yielding.
+    On Linux alone a thread can lower its own priority, and it cannot raise it again: so this thread ends afterwards.
+    An exception of a task is raised again by the code that needs its result; here it only ends the thread.
     """
     waiting = list(pieces)
     end = time.monotonic() + patience

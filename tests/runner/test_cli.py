@@ -506,7 +506,7 @@ def test_a_new_clip_of_a_model_is_solved_as_it_is_and_never_written_over_another
     with np.load(tmp_path / "mine.npz") as data:
         assert data["key_qpos"].shape == (3, 2)
     with nothing_written(tmp_path):
-        assert_refused(run("new", "hinge.xml", "-o", "mine.toml"), "'mine.toml' is there already", "--overwrite")
+        assert_refused(run("new", "hinge.xml", "-o", "mine.toml"), "'mine.toml' already exists", "--overwrite")
         assert_refused(run("new", "hinge.xml", "-o", "mine.npz"), "ends in .toml")
         assert_refused(run("new", "none.xml"), "no file 'none.xml'")
     assert run("new", "hinge.xml", "-o", "mine.toml", "--overwrite").code in (None, 0)

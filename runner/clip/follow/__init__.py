@@ -1,5 +1,5 @@
 """A clip that follows a recording.
 
 recording  a clip's [recording]: a motion that the clip follows, and that its keyframes edit
-keeping    what a motion that follows a recording is to keep beside it: contacts, ranges, balance
+keeping    constraints kept while following a recording: contacts, joint ranges, balance
 """

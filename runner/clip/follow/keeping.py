@@ -63,7 +63,7 @@ LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
 TOLERANCE = 1e-2  # relative progress of E at which a search ends
 INSIDE = 0.015  # [rad, m] of a joint's range that is kept as a margin
 NEXT_TO = 0.008  # [s] from a keyframe, half of what frames are apart at least
-RARE = 2.0  # per cent of poses whose knees and elbows nobody asks
+RARE = 2.0  # per cent of poses, a share of unusual knee and elbow angles that is ignored
 LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
 SLOWER = 0.95  # of a speed that joints may have: what is soft gives a little
 FLUSH = 0.0005  # [m] that what is beside a sole may be below it
@@ -88,8 +88,8 @@ class Ground:
 
     @cached_property
     def clear(self) -> tuple[Point, ...]:
-        """The points of the body that stay out of things, but for what of feet and ankles is below the soles at rest:
-        there the soles speak for them."""
+        """The points of the body that avoid obstacles, without points of feet and ankles below the resting soles:
+        the sole points represent them."""
         figure, body = self.figure, body_points(self.figure)
         if not body or not self.points:
             return body
@@ -134,7 +134,7 @@ def _bends(figure: Figure, qpos: Array) -> BendLimits | None:
 
 
 def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], where: str) -> tuple[Rest, ...]:
-    """The stances that [[contact]] tables say, of a recording over a span [s]; where is how errors call it."""
+    """The stances of [[contact]] tables for a recording over a span [s]; where is the label used in errors."""
     places, found = Places(ground.figure, ground.points), list[Rest]()
     own = {point.name: point for point in ground.points}
     for number, table in enumerate(tables, start=1):
@@ -212,7 +212,7 @@ def _clear(times: Array, given: Array) -> Array:
 
 
 def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
-    """All that is kept beside the recording."""
+    """All constraints that are kept while following the recording."""
     figure, surfaces = ground.figure, ground.surfaces
     found: list[Penalty] = []
     if figure.tables.quaternion_columns.size:

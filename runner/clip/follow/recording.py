@@ -1,7 +1,7 @@
 """A clip's [recording]: a motion that the clip follows, and that its keyframes edit.
 
-Keyframes are exact. Round each of them, for the time of its blend, the recording's velocities and accelerations are
-followed rather than its poses, so that its detail stays; if the clip says `blend`, all else stays as it is.
+Keyframes are exact. Around each of them, for the time of its blend, the recording's velocities and accelerations are
+followed rather than its poses, which preserves detail. With `blend`, the rest of the recording stays unchanged.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ from .keeping import Ground, problem
 
 CLOSE = 0.004  # [s] between frames at least
 RATE = 120.0  # [1/s] at which a motion is taken down
-EASE = 0.4  # [s] before and after a keyframe, where a clip does not say
+EASE = 0.4  # [s] blend before and after a keyframe, by default
 DETAIL = 0.02  # of f over a segment that may be left out: less than a millimetre
-MOVED = 0.02  # [m] by which a keyframe puts a point that the recording has standing: it stands there no more
+MOVED = 0.02  # [m] displacement of a recorded stance point by a keyframe above which the stance is dropped
 INNER, MARGIN = 0.75, 6  # of a blend: frames beyond are fixed, so many to its end, for the spline rings on a little
-TOLERANCE = 1e-3  # relative progress of E at which a search ends: an edit begins far from what it asks for
+TOLERANCE = 1e-3  # relative decrease of E at which a search ends: an edit starts far from its goal
 ROUNDING = 1e-9  # [s]
 
 
@@ -81,7 +81,7 @@ class Followed:
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
     def stances(self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]) -> tuple[Rest, ...]:
-        """Those of the recording, but where a clip speaks of the point, or a keyframe moves it; and those given."""
+        """The recording's stances, except for points that a contact covers or a keyframe moves; and the given ones."""
         own = (Rest(*one, rolls=True) for one in stood(self.recorded, ground.points, ground.surfaces))
         return (*(rest for rest in own if not self._is_void(rest, edits, given)), *given)
 
@@ -95,8 +95,8 @@ class Followed:
         return replace(asked, keys=tuple(keys), penalties=tuple(weights), settings=settings)
 
     def _warped(self, edits: Sequence[Frame]) -> Recorded:
-        """The recording bent through the poses of keyframes, and back to itself before and after them (A. Witkin and
-        Z. Popović 1995): joint by joint, and the root with all that it carries."""
+        """The recording warped through the poses of keyframes, and back to itself before and after them (A. Witkin and
+        Z. Popović 1995): joint by joint, and the root with the whole figure."""
         recorded = self.recorded
         if not edits:
             return recorded

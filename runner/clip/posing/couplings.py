@@ -1,4 +1,4 @@
-"""Equality constraints of a model as a clip keeps them: exactly in keyframes where these leave a choice, else told."""
+"""Equality constraints of a model: enforced in keyframes where they leave a choice, otherwise reported."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def follow(figure: Figure, qpos: Array, fixed: Mask, is_named: Callable[[str], b
 
 
 def _driven(coupling: Coupling, follower: float) -> float | None:
-    """Where a driver is when its follower is so; None where that is not said by a straight line."""
+    """The driver's value for a follower's value; None unless the relation is linear."""
     a = coupling.coefficients
     if a[1] == 0 or np.any(a[2:]):
         return None
@@ -46,7 +46,7 @@ def _driven(coupling: Coupling, follower: float) -> float | None:
 
 
 def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[str]:
-    """One line on every constraint that keyframes break, and on those that nobody looks at."""
+    """One note for every constraint that keyframes violate, and for those that are ignored."""
     samples = Samples.still(figure, keys.states)
     found = []
     joined = couplings(figure)
@@ -59,7 +59,7 @@ def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[
                 far = np.degrees(off[k]) if coupling.unit == "degrees" else off[k]
                 found.append(
                     f"keyframe {k + 1} (t = {frames[k].time:g} s) has '{coupling.name}' {abs(far):.3g} {coupling.unit} "
-                    "off where the model's equality constraint wants it"
+                    "off where the model's equality constraint requires it"
                 )
     loops = closures(figure)
     if loops:

@@ -3,7 +3,7 @@
 Sites count if one of them at least is as low as the figure itself; points that muscles run through never do.
 
 Feet are the ends of a figure's limbs that are lowest when it stands tallest: at rest or in one of its keyframes; at
-rest if it is nearly as tall there, since whoever walks is tallest on the tips of his toes. A figure whose trunk is as
+rest if it is nearly as tall there, since a walking figure is tallest on its toes. A figure whose trunk is as
 low has none, nor one with a single limb, unless a plane holds it up, nor one that hangs on the world by hinges alone.
 """
 

@@ -76,12 +76,12 @@ class Places:
 
     @property
     def points_listed(self) -> list[str]:
-        """The names of points that a message tells: sites and feet, or bodies if there are none."""
+        """The names of points listed in a message: sites and feet, or bodies if there are none."""
         return list(dict.fromkeys([*posable_sites(self.figure.model), *self.soles])) or self.bodies_listed
 
     @property
     def bodies_listed(self) -> list[str]:
-        """The names of bodies that a message tells."""
+        """The names of bodies listed in a message."""
         return list(self._bodies)
 
     @cached_property

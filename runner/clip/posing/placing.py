@@ -1,8 +1,8 @@
-"""Keyframes by position: where sites are to be and how bodies are turned, as a clip says it, becomes joints.
+"""Keyframes by position: goals for sites' positions and bodies' orientations are converted into joint values.
 
-What is "pose" is solved into a pose here, and its joints are fixed from then on; what is "search" is left to the
-optimiser as a soft constraint. Whatever `others` says, the joints of the limb that a site or body ends, up to where
-another limb branches off, are free unless the keyframe names them.
+Entries with "pose" are solved into a pose here, and its joints are fixed; entries with "search" become soft
+constraints. Independent of `others`, the joints of the limb from the site or body up to the next branch are free
+unless the keyframe specifies them.
 """
 
 from __future__ import annotations
@@ -42,18 +42,18 @@ from .rooting import posed_roots, root_links
 from .rotation import quaternion_of
 from .standing import Stander
 
-BESIDE = 0.1  # share of the worst miss up to which a goal is not told: it is off for the worst's sake
+BESIDE = 0.1  # share of the largest miss below which a goal's miss is not reported: it results from the largest one
 
 
 @dataclass(frozen=True, eq=False)
 class Wanted:
-    """What one keyframe says of places: goals of its pose, and points that are left to the search."""
+    """A keyframe's position entries: goals of its pose, and points that are left to the search."""
 
     goals: tuple[Goal, ...] = ()
     placed: tuple[Placed, ...] = ()
 
     def loose(self, figure: Figure, row: KeyframeTable) -> list[int]:
-        """The links whose joints the goals and points free, whatever `others` says."""
+        """The links whose joints the goals and points free, independent of `others`."""
         model = figure.model
         bodies = [goal.body(model) for goal in self.goals]
         bodies += [figure.links[point.point.link].body for point in self.placed]
@@ -62,7 +62,7 @@ class Wanted:
 
 
 def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
-    """What a keyframe's sites and bodies say; raises UserError for names that are not there and for contradictions."""
+    """Read a keyframe's sites and bodies; raises UserError for unknown names and contradictions."""
     figure = places.figure
     goals: list[Goal] = []
     placed: list[Placed] = []
@@ -100,7 +100,7 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
 
 
 def _target(position: Sequence[float | str], where: str, what: str) -> Array:
-    """(3,) [m] a place as a table says it, NaN along the axes that are free."""
+    """(3,) [m] a position as given in a table, NaN along free axes."""
     target = np.array([np.nan if axis == "free" else float(axis) for axis in position])
     if np.all(np.isnan(target)):
         raise UserError(f"{where}: every axis is free; leave {what} out, or give it a where")
@@ -202,7 +202,7 @@ def _complaint(figure: Figure, key: Frame, goal: Goal, missed: float, starts: in
 
 
 def _kind(figure: Figure, goal: Goal) -> str:
-    """What the thing is that a goal names."""
+    """The kind of object that a goal names."""
     model, named = figure.model, mujoco.mjtObj
     if isinstance(goal, BodyGoal):
         return "body"

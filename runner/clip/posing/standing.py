@@ -45,14 +45,14 @@ from .grounding import Grounding
 
 BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
 STARTS = 4  # poses to begin with, at most
-OWN_TURN = 1e-3  # of a foot's own turn in what its points tell, which do not see a roll about the line through two
+OWN_TURN = 1e-3  # weight of a foot's orientation beside its points, which leave a roll about the line through two free
 TURNS = 4  # times that it takes itself as its own, so that nothing of that is left
 
 
 @dataclass(frozen=True, eq=False)
 class Standing:
-    """One foot that is to stand: its points (n) on spots (n, 3) [m], and how its link is turned (4,) where a keyframe
-    tells it."""
+    """One foot in a stance: its points (n), their positions (n, 3) [m], and its link's orientation (4,) where a
+    keyframe gives it."""
 
     points: tuple[Point, ...]
     spots: Array
@@ -84,7 +84,7 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
 
 
 def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:
-    """Of contacts what is within [first, last]: of a recording's keyframe no more is seen than what is beside it."""
+    """The contacts within [first, last]: for a recording, only those near its keyframes."""
     for table in tables:
         start, end = max(table.start, first), min(table.end, last)
         if start < end or not table.start < table.end:
@@ -92,7 +92,7 @@ def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterat
 
 
 class Stander:
-    """Finds where feet stand in partial keyframes, and poses them.
+    """Detects stances of feet in partial keyframes, and poses the feet.
 
     tables  the clip's contacts;  held  its holds;  aloft  (first, last) [s] of the flights that it gives
     where   how errors call the clip
@@ -147,7 +147,7 @@ class Stander:
         return [*grounding.leaping(timeline).put_down(found[:count], timeline, seen.staying), *found[count:]]
 
     def beside(self, timeline: Timeline, key: Frame, k: int, goals: Sequence[Goal]) -> list[Goal]:
-        """Goals of the feet that stand in keyframe k of a timeline, other limbs than those that it gives goals of its
+        """Goals of the feet in a stance at keyframe k of a timeline, for limbs other than those with goals of their
         own.
 
         Only of feet that those goals move too: of others `stood` takes care.
@@ -170,7 +170,7 @@ class Stander:
         return found
 
     def seen(self, timeline: Timeline) -> _Seen:
-        """What keyframes tell of feet."""
+        """The stances of feet that keyframes determine."""
         whole = [frame.state for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, self.figure.to_qpos(np.reshape(whole, (-1, self.figure.width))))
         tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))
@@ -179,8 +179,8 @@ class Stander:
         return _Seen(self.figure, timeline, soles, self.surfaces, found, held)
 
     def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
-        """The pose with the trunk turned as at home, from the root to where limbs branch off, or else with all that is
-        free."""
+        """The pose with the trunk oriented as at home, from the root to where limbs branch off, or else with all
+        free joints at home."""
         trunk = np.zeros(self.figure.width, bool)
         for columns in self.figure.tables.quaternion_columns.T:
             trunk[columns] = True
@@ -194,7 +194,7 @@ class Stander:
         return found if found.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
 
     def _posed(self, key: Frame, seen: _Seen, k: int, left: Sequence[Placed]) -> Frame:
-        """Keyframe k with what its feet and places lead to posed; feet that cannot stay where they stand are let go."""
+        """Keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
         figure = self.figure
         frame = seen.timeline.frames[k]
         groups = [foot.goals(figure) for foot in seen.standing(k)]
@@ -220,8 +220,8 @@ class Stander:
         return Frame(key.time, np.where(told, home, key.state), key.fixed, told) if told.any() else key
 
     def _reaching(self, home: Array, free: Mask, missed: Sequence[Goal]) -> tuple[Array, Mask]:
-        """A pose with the sites that cannot be where they hold as near to there as they reach, those of which that is
-        near enough; and which entries (N,) that tells."""
+        """A pose with the sites that cannot reach their goals as near to them as they get, which of these are near
+        enough, and the entries (N,) that determine it."""
         goals = [goal for goal in missed if isinstance(goal, HoldGoal)]
         while goals:
             found = posed(self.figure, home, free, goals, self.bends, STARTS)
@@ -232,7 +232,7 @@ class Stander:
 
 
 class _Seen:
-    """Where points are at keyframes, as far as these tell.
+    """Positions of points at keyframes, as far as these determine them.
 
     Of a loop three periods are looked at, so that the keyframes before the first and after the last are seen too.
     """
@@ -256,7 +256,7 @@ class _Seen:
         self.times, self.centres, self.low = self._unrolled(surfaces)
 
     def _unrolled(self, surfaces: Sequence[Surface]) -> tuple[Array, Array, Mask]:
-        """Times (T,), where the points are (n, T, 3), and whether they are told to touch the ground (n, T)."""
+        """Times (T,), positions of the points (n, T, 3), and whether a contact is specified (n, T)."""
         links, positions, radii = arrays_of(self.points)
         centres, _ = self.samples.links.points(links, positions)
         heights = [surface.height(centres) for surface in surfaces]
@@ -273,7 +273,7 @@ class _Seen:
         )
 
     def standing(self, k: int) -> list[Standing]:
-        """The feet that stand at keyframe k, and the other points that a contact tells to rest."""
+        """The feet in a stance at keyframe k, and the other points with a specified contact."""
         own: dict[int, list[tuple[Point, Array, Array]]] = {}
         for i, point in enumerate(self.points):
             if self.told[i, k]:
@@ -290,7 +290,7 @@ class _Seen:
         ]
 
     def holding(self, k: int) -> list[HoldGoal]:
-        """Goals of the sites that hold something at keyframe k where somebody says, but for those it tells itself."""
+        """Goals of the sites that hold something at keyframe k, where they are specified elsewhere."""
         t, known, found = self.timeline.times[k], self.timeline.known[k : k + 1], list[HoldGoal]()
         for hold in self.holds:
             spot = hold.spot(np.array([t]))
@@ -301,7 +301,7 @@ class _Seen:
         return found
 
     def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:
-        """The nearest keyframes before and after keyframe k that tell where point i is, of those unrolled."""
+        """The nearest keyframes before and after keyframe k that give the position of point i, of those unrolled."""
         count = self.times.size // 3 if self.timeline.ends == "periodic" else self.times.size
         at = k + (count if self.timeline.ends == "periodic" else 0)
         told = self.told[i, :count] if self.timeline.ends != "periodic" else np.tile(self.told[i, :count], 3)
@@ -322,8 +322,8 @@ class _Seen:
         return spots
 
     def _stays(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
-        """Where a point stands: between the spots that are one in the keyframes before and after; at the first and last
-        keyframes that tell nothing, where the only neighbour has it."""
+        """The stance position of a point: between coinciding positions in the keyframes before and after; in the first
+        and last keyframes without a position, that of the only neighbour."""
         before, after = near
         some = [n for n in near if n is not None]
         if not some or not all(self.low[i, n] for n in some):
@@ -343,7 +343,7 @@ class _Seen:
         return any(fixed[entries(self.figure, link)].any() for link in links)
 
     def _resting(self, point: Point, k: int) -> Array | None:
-        """Where a contact tells a point to rest at keyframe k, unless two contacts contradict each other there."""
+        """The position that a contact specifies for a point at keyframe k, unless two contacts contradict it."""
         t = self.timeline.times[k]
         spots = [
             stance.place(np.array([t]))[:, 0]
@@ -355,7 +355,7 @@ class _Seen:
         return spots[0]
 
     def _spoken_of(self, point: Point, k: int) -> bool:
-        """Whether a contact speaks of a point at keyframe k."""
+        """Whether a contact covers a point at keyframe k."""
         t = self.timeline.times[k]
         return any(
             _is_same(rest.point, point) and rest.first - ROUNDING <= t <= rest.last + ROUNDING
@@ -363,7 +363,7 @@ class _Seen:
         )
 
     def _turn(self, link: int, k: int, near: tuple[int | None, int | None]) -> Array:
-        """(4,) how a link is turned in the nearer of the neighbours that tell it, or else at keyframe k."""
+        """(4,) the orientation of a link in the nearer neighbour that determines it, or else at keyframe k."""
         some = [n for n in near if n is not None]
         nearest = min(some, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if some else k
         if self.timeline.ends != "periodic" or not some:

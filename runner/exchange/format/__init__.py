@@ -1,7 +1,7 @@
 """One format of others a file; `formats` in the folder above lists them all.
 
 csv_table   CSV: a row an instant, the time and MuJoCo's qpos, under a heading that names joint and component
-arrays      NPZ of plain arrays: what MuJoCo's users pass around, and all that they need to play it
+arrays      NPZ of plain arrays for MuJoCo, with everything needed for playback
 mjcf_keys   MJCF with <keyframe>: the figure and its scene, and a <key> with time, qpos and qvel for every instant
 mjlab       NPZ of mjlab and BeyondMimic (whole_body_tracking): a robot's hinges, and its bodies in the world
 mjlab_csv   CSV that mjlab and BeyondMimic convert from, without a heading

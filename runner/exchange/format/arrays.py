@@ -1,4 +1,4 @@
-"""NPZ of plain arrays: what MuJoCo's users pass around, and all that they need to play it.
+"""NPZ of plain arrays for MuJoCo, with everything needed for playback.
 
 fps (), time (T,) [s]            time[i] = time[0] + i / fps
 qpos (T, nq), qvel, qacc (T, nv) MuJoCo's order and units; quaternions wxyz, unit and sign-continuous

@@ -36,7 +36,7 @@ def write(take: Take, path: Path) -> None:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
     """As a figure of its own, or on a figure whose bodies have like names.
 
-    fps is for files that do not tell it; these do. scale [m]: the file's unit of length, guessed if not said
+    fps is unused: the files contain their rate. scale [m]: the file's unit of length, inferred if not given
     """
     found, rate = bvh_file.read(path)
     return recording(found, rate, path, model, scale)

@@ -97,7 +97,7 @@ def rate_of(path: Path, fps: float | None) -> float:
 
 
 def _inert(name: str) -> str:
-    """A heading that is text to every spreadsheet: names of joints come from whoever made the model."""
+    """A heading that every spreadsheet reads as text: names of joints are untrusted input of the model."""
     return QUOTE + name if name.startswith(tuple(FORMULA + QUOTE)) else name
 
 

@@ -12,7 +12,7 @@ about -z, elbows about z. Source: xbpeng/DeepMimic, data/characters/humanoid3d.t
 
 The humanoid is smaller: lengths are scaled by the height of the hips above the soles, so that feet stay on the
 ground. It has a neck, which our figures lack: ours write none, and theirs is not read. Ball joints at knee and elbow
-are written as their turn about the bending axis; what they twist or swing beside it does not fit in.
+are written as their rotation about the bending axis; twist and swing about other axes cannot be stored.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ JOINTS = (("chest", 4), ("neck", 4), *((f"{side}_{part}", n) for side in ("right
 OURS = {"chest": "spine"}
 WIDTH = 8 + sum(width for _, width in JOINTS)  # numbers a frame: duration, root's place and rotation, joints
 HIPS = 0.421546 + 0.409870 + 0.0225 + 0.0275  # above the soles: thigh, shin, and the box of the foot [m]
-LOST = np.radians(1)  # beside the axis of a knee or elbow, from which on it is told
+LOST = np.radians(1)  # rotation off the axis of a knee or elbow, above which the loss is reported
 
 
 def ours(vector: Array) -> Array:

@@ -124,7 +124,7 @@ def _animation(asset: gl.GLTF2, blob: _Blob, take: Take, position: Array, rotati
 
 
 def _meshes(asset: gl.GLTF2, blob: _Blob, model: mujoco.MjModel, names: list[str], reach: float) -> None:
-    """One mesh a body, one primitive of it for all that look alike."""
+    """One mesh per body, one primitive per material."""
     materials: dict[tuple[object, ...], int] = {}
     for body, group in groupby(pieces(model), lambda piece: piece.body):
         alike: dict[int, list[Triangles]] = {}

@@ -57,7 +57,7 @@ def write(take: Take, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Whether a pickle is of this kind; every key of a dict of theirs stands in it as text."""
+    """Whether a pickle is of this format; every key of its dict occurs in it as text."""
     content = plain_pickle.content(path)
     return b"dof_pos" in content or (b"root_trans_offset" in content and b"dof" in content)
 

@@ -8,7 +8,7 @@ joint_names, body_names, site_names, frequency [1/s]
 njnt, jnt_type, nbody, body_rootid, body_weldid, body_mocapid, body_pos, body_quat, body_ipos, body_iquat,
 nsite, site_bodyid, site_pos, site_quat        of mjModel
 
-Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py: `load` refuses every name that it does not know, and
+Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py: `load` rejects every unknown name, and
 ball joints raise. So a ball joint is three hinges (`hinged`), and the model that has them is written beside the file.
 `metadata` is left out: None would be a pickle.
 
@@ -98,7 +98,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     declared = _declared(found, path)
     names, kinds = found.texts("joint_names"), found.numbers("jnt_type", "joints").astype(int).tolist()
     if len(kinds) != len(names) or not set(kinds) <= WIDTHS.keys() or kinds.count(0) != 1:
-        raise UserError(f"{path}: 'jnt_type' does not tell one free joint and hinges, one for each of 'joint_names'")
+        raise UserError(f"{path}: 'jnt_type' must list one free joint and one hinge for each of 'joint_names'")
     starts = np.cumsum([0, *(WIDTHS[kind] for kind in kinds)]).tolist()
     qpos = found.numbers("qpos", "samples", starts[-1])
     if declared > len(qpos):

@@ -36,7 +36,7 @@ def write(take: Take, path: Path) -> None:
     rows = np.column_stack([root[:, :3], np.roll(root[:, 3:], -1, axis=1), hinged.qpos[:, robot.columns]])
     with path.open("w", encoding="utf-8") as stream:
         stream.writelines(",".join(map(repr, row)) + "\n" for row in rows.tolist())
-    take.notes.append(f"the file does not tell its rate: {take.fps:g} samples a second")
+    take.notes.append(f"the file contains no rate: {take.fps:g} samples a second")
 
 
 def recognises(path: Path) -> bool:
@@ -55,7 +55,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     figure_joints = robot_joints(model)
     width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in figure_joints)
     if source.numbers.shape[1] != width + 1 and fps is None:
-        raise UserError(f"{path}: the format tells none; {unsaid.RATE}")
+        raise UserError(f"{path}: the format contains no rate; {unsaid.RATE}")
     if source.numbers.shape[1] not in (width, width + 1):
         shape = source.numbers.shape
         raise UserError(

@@ -159,7 +159,7 @@ def _bind(
     looks: dict[tuple[object, ...], UsdShade.Material],
     scope: Usd.Prim,
 ) -> None:
-    """Its colour, in linear light, and a material that it shares with all that look alike; a picture is one colour."""
+    """Its colour, in linear light, and a material shared by bodies of equal colour; a texture counts as one colour."""
     shown = piece.colour[:3] * (texels(model, piece.picture).mean(axis=(0, 1)) / 255 if piece.picture >= 0 else 1.0)
     colour, opacity = Gf.Vec3f(*linear(shown).tolist()), float(piece.colour[3])
     prim.CreateDisplayColorAttr(Vt.Vec3fArray([colour]))

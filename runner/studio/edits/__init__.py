@@ -1,10 +1,10 @@
-"""Every way to change a clip's text: a function of its blocks and of what the page says.
+"""Edits of a clip's text: each is a function of its blocks and of the page's arguments.
 
 tables       the text as blocks, one of which an edit takes apart; numbers as a file has them
 keys         keyframes: move, add, take away, copy, mirror
-poses        what a keyframe says of joints, root and places
+poses        a keyframe's joints, root and target positions
 constraints  contacts, holds, weights of soft constraints, settings
-obstacles    what stands about
+obstacles    obstacles of the scene
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 from . import constraints, keys, obstacles, poses
 
-Edit = Callable[..., str]  # (blocks, **what the page says) -> words for what was done
+Edit = Callable[..., str]  # (blocks, **arguments of the page) -> description of the edit
 
 EDITS: dict[str, Edit] = {
     **{name: getattr(keys, name) for name in keys.EDITS},

@@ -63,7 +63,7 @@ def _check_order(was: Sequence[float], now: Sequence[float]) -> None:
 
 
 def add_key(tree: Blocks, *, said: Mapping[str, Any]) -> str:
-    """A new keyframe that says so much, among the others where its time is."""
+    """Insert a keyframe with these entries, sorted by time."""
     time, was = number(said["time"], "the time of a keyframe"), times(tree)
     for index, other in enumerate(was):
         if abs(other - time) < CLOSEST:
@@ -93,7 +93,7 @@ def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], at: float) 
 
 
 def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:
-    """Keyframes by number that say something else from now on, at their times; what they said before keeps its line."""
+    """Replace the entries of keyframes by index, keeping their times; unchanged entries keep their lines."""
     for index, said in keys.items():
         table = row(tree, "keyframe", int(index))
         for group in DOTTED:
@@ -107,7 +107,7 @@ def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: 
 
 
 def _say(table: Any, key: str, value: Any) -> None:
-    """What a keyframe says under a key from now on, where that is something else; its time stays."""
+    """Replace a keyframe's entry if it has changed; the time stays."""
     if key in DOTTED and isinstance(value, Mapping):
         for name, entry in value.items():
             if table.get(key, {}).get(name) != entry:

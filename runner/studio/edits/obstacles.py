@@ -1,4 +1,4 @@
-"""Edits of what stands about: step, boxes, balls and bars."""
+"""Edits of obstacles: step, boxes, balls and bars."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ NEW: dict[str, dict[str, Any]] = {
 
 
 def add_obstacle(tree: Blocks, *, kind: str, at: list[float] | None = None) -> str:
-    """A new thing in the way, near a place [m]; there is one step at most."""
+    """Add an obstacle near a position [m]; there is at most one step."""
     if kind not in NEW:
         raise UserError(f"no obstacle '{kind}'; there are: {', '.join(NEW)}")
     said = dict(NEW[kind])
     if at is not None and "position" in said:
-        said["position"] = [*numbers(at, "where it is to be", 2), said["position"][2]]
+        said["position"] = [*numbers(at, "the position", 2), said["position"][2]]
     if kind != "step":
         if kind in (tree.table("scene") or {}) and not tree.rows("scene", kind):
             raise UserError(f"'scene.{kind}' is written as a list; write [[scene.{kind}]] tables to add one here")
         add(tree, ("scene", kind), said)
         return f"add a {kind}"
     if tree.table("scene", "step") is not None:
-        raise UserError("there is a step already; a clip has one at most, and boxes beside it")
+        raise UserError("the clip already has a step, and at most one is allowed; add a box instead")
     scene = tree.table("scene", make=True)
     scene.append("step", item({**said, "x": round(float(at[0]), 2) if at else said["x"]}))
     return "add a step"
 
 
 def set_obstacle(tree: Blocks, *, kind: str, index: int, said: Mapping[str, Any]) -> str:
-    """What an obstacle says of its place and size; None takes an entry away."""
+    """Set an obstacle's position and size; None removes an entry."""
     table = _found(tree, kind, index)
     for key, value in said.items():
         if value is not None:
@@ -49,7 +49,7 @@ def set_obstacle(tree: Blocks, *, kind: str, index: int, said: Mapping[str, Any]
 
 
 def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
-    """One thing less in the way."""
+    """Remove an obstacle."""
     _found(tree, kind, index)
     block = next((each for each in tree.blocks if not each.is_row and each.path == ("scene", "step")), None)
     if kind == "step" and block is None:

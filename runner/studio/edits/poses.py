@@ -1,4 +1,4 @@
-"""Edits of what a keyframe says: of its joints, its root, and where hands and feet are to be."""
+"""Edits of a keyframe's joints and root, and of the target positions of hands and feet."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ ROTATIONS = {"rotvec": 3, "quat": 4, "euler": 3}  # what a rotation may be given
 
 
 def set_joint(tree: Blocks, *, key: int, joint: str, value: Any) -> str:
-    """A joint's angle [degrees], displacement [m] or rotation; "free" for the optimiser; None for `others` to say."""
+    """A joint's angle [degrees], displacement [m] or rotation; "free" for the optimiser; None for the `others` rule."""
     table = row(tree, "keyframe", key)
     if value is None:
         drop_dotted(table, "joints", joint)
-        return f"let the optimiser say {joint}"
+        return f"leave {joint} to the optimiser"
     put_dotted(table, "joints", joint, _turned(value, joint))
     return f"free {joint}" if value == "free" else f"set {joint}"
 
@@ -78,7 +78,7 @@ def set_pose(
 ) -> str:
     """Many joints at once, the root, and further free bodies by their joints.
 
-    places  names of sites and bodies that no longer say where they are
+    places  names of sites and bodies whose targets are removed
     """
     table = row(tree, "keyframe", key)
     for name, value in joints.items():

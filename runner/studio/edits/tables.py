@@ -67,7 +67,7 @@ class Blocks:
     def of(cls, text: str, where: str, said: Mapping[str, Any] | None = None) -> Blocks:
         """Raises UserError for what is no TOML, or is written in a way that cannot be edited by blocks.
 
-        said  what it says, where that is known
+        said  the parsed text, if known
         """
         try:
             said = tomllib.loads(text) if said is None else said
@@ -85,7 +85,7 @@ class Blocks:
         return out
 
     def _check(self, said: Mapping[str, Any], where: str) -> None:
-        """Raises UserError where the blocks are not what the text says: lines of a list can look like headers."""
+        """Raise UserError where the blocks differ from the parsed text: lines of a list can look like headers."""
         for name in ("keyframe", "contact", "hold", "penalty"):
             if len(self.rows(name)) != len(said.get(name, ())):
                 raise UserError(f"{where}: '{name}' is written as a list; write [[{name}]] tables to edit it here")

@@ -1,8 +1,8 @@
-"""What goes on in the process that solves.
+"""The solver process.
 
 process   where it begins
-work      its life: texts in; keyframes, better and better paths, and what is wrong with them out
-foreseen  what a text would come to that may be said next
+work      its loop: texts in; keyframes, improving paths, and problems out
+foreseen  the speculative result for a text that may follow
 stage     the figure as the page draws it
 curves    what is drawn over time
 """

@@ -32,7 +32,7 @@ SIZE = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLID
 def curves(clip: Clip, found: Solution) -> dict[str, Any]:
     """Groups with a name, a unit and series, each with a name and values after and before, at times [s].
 
-    E is told by segment between frames, as steps: what it is a second of each.
+    E is computed per segment between frames, as steps: the value per second of each.
     """
     first, last = float(found.timeline.times[0]), float(found.timeline.times[-1])
     time = np.linspace(first, last, int(np.clip((last - first) * RATE, 20, MOST)) + 1)

@@ -1,4 +1,4 @@
-"""What a text would come to that somebody may say next: searched before they do, in silence."""
+"""The speculative result for a text that may follow, computed in the background."""
 
 from __future__ import annotations
 

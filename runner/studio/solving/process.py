@@ -22,7 +22,7 @@ def entry(line: Any, outside: bool, is_seen: bool) -> None:
     """The process's whole life.
 
     outside  whether models may refer to files anywhere
-    is_seen  whether pages have something to show before this process says anything
+    is_seen  whether pages show a view before this process reports
     """
     from ...picture.graphics import do_without
     from ...system import mujoco_warnings

@@ -21,7 +21,7 @@ FLOOR = 40.0  # [m] from its middle to which a floor without end is drawn
 
 
 def stage(clip: Clip) -> bytes:
-    """The figure and what stands about, JSON."""
+    """The figure and its surroundings, JSON."""
     figure, model = clip.figure, clip.figure.model
     moving = sorted({piece.body for piece in pieces(model) if not is_still(model, piece)})
     data = mujoco.MjData(model)
@@ -42,7 +42,7 @@ def stage(clip: Clip) -> bytes:
 
 
 def _joint(figure: Figure, index: int) -> dict[str, Any]:
-    """A joint: what it is called and of what kind, where it stands in qpos, its range in degrees or metres."""
+    """A joint: its name and kind, its position in qpos, its range in degrees or metres."""
     link, model = figure.links[index], figure.model
     limits = None
     if link.kind is not JointKind.FREE and model.jnt_limited[link.joint]:

@@ -1,6 +1,6 @@
-"""The life of the process that solves: a text in; its keyframes, every better path and what is wrong with it out.
+"""The loop of the solver process: a text in; its keyframes, every better path and its problems out.
 
-A message that comes while it searches ends the search where it is: the best path so far is where the next one begins.
+A message during a search ends it: the best path so far is the initial guess of the next one.
 """
 
 from __future__ import annotations
@@ -44,16 +44,16 @@ from .stage import stage
 if TYPE_CHECKING:
     Line = Connection[Any, Any]
 
-MOST_SEEN = 40  # texts whose paths are remembered
-IDLE = 1.0  # [s] without a message after which a search that may have gone astray is begun elsewhere
-DEARER = 3.0  # times the E before, from which on it may have
-SOONEST = 0.04  # [s] from one path that is sent to the next
-QUICK = 0.3  # [s] a clip that takes longer to load is not foreseen: whatever is said then would wait for it
+MOST_SEEN = 40  # texts whose paths are cached
+IDLE = 1.0  # [s] idle time after which a suspect result is searched again from the raw spline
+DEARER = 3.0  # factor over the E before, above which a result is suspect
+SOONEST = 0.04  # [s] minimum interval between paths sent
+QUICK = 0.3  # [s] clips that take longer to load are not solved speculatively: an edit would have to wait
 Message = dict[str, Any]
 
 
 def serve(line: Line, outside: bool) -> None:
-    """Until the other end of the line is closed. Ctrl-C in the terminal is for the server alone."""
+    """Run until the other end of the connection is closed. Ctrl-C in the terminal is handled by the server alone."""
     inbox: SimpleQueue[Message | None] = SimpleQueue()
     work = Work(line)
     work.is_awaited = lambda: not inbox.empty()
@@ -67,7 +67,7 @@ def serve(line: Line, outside: bool) -> None:
 
 
 def _next(inbox: SimpleQueue[Message | None], work: Work) -> Message | None:
-    """What comes next; while nothing does, a search that may have gone astray is begun elsewhere."""
+    """The next message; during idle time a suspect result is searched again."""
     while work.may_look:
         with suppress(Empty):
             return inbox.get(timeout=IDLE)
@@ -76,7 +76,7 @@ def _next(inbox: SimpleQueue[Message | None], work: Work) -> Message | None:
 
 
 def _read(line: Line, inbox: SimpleQueue[Message | None], work: Work) -> None:
-    """Messages as they come; each asks a search that is under way to end."""
+    """Receive messages; each interrupts a running search."""
     with suppress(EOFError, OSError):
         while True:
             message = line.recv()
@@ -87,15 +87,15 @@ def _read(line: Line, inbox: SimpleQueue[Message | None], work: Work) -> None:
 
 
 class Outlet(Protocol):
-    """Where messages go."""
+    """The receiver of messages."""
 
     def send(self, obj: Any, /) -> None:
-        """One of them, whole."""
+        """Send one message completely."""
         ...
 
 
 class Work:
-    """A clip, the best path through its keyframes, and the line on which both are told."""
+    """A clip, the best path through its keyframes, and the connection that both are sent on."""
 
     def __init__(self, line: Outlet) -> None:
         self.line = line
@@ -107,27 +107,27 @@ class Work:
         self._sent = 0.0
         self.has_curves = False
         self.seen: dict[str, Timeline] = {}
-        self.is_awaited: Callable[[], bool] = lambda: False  # whether a message waits already
+        self.is_awaited: Callable[[], bool] = lambda: False  # whether a message is waiting
         self._is_going, self._is_near = True, False
-        self._is_cut = False  # whether a message has ended the last search
+        self._is_cut = False  # whether a message has interrupted the last search
         self._astray: str | None = None
         self._foreseen: Foreseen | None = None
-        self._took = 0.0  # [s] that an edit took to load last
-        self._before: tuple[float, int] | None = None  # E, and how much was wrong, when all was well last
+        self._took = 0.0  # [s] loading time of the last edit
+        self._before: tuple[float, int] | None = None  # E and the number of problems of the last good result
 
     def do(self, message: Message) -> None:
-        """One message; whatever goes wrong with it is told."""
+        """Handle one message; errors are reported to the page."""
         try:
             getattr(self, f"do_{message['do']}")(**{key: value for key, value in message.items() if key != "do"})
         except UserError as error:
             self._tell("refused", revision=message.get("revision"), words=one_line(error))
-        except Exception as error:  # a mistake of ours: the page tells it and goes on
+        except Exception as error:  # internal error: the page shows it and continues
             words = f"internal error: {type(error).__name__}: {one_line(error)}"
             self._tell("refused", revision=message.get("revision"), words=words)
-        except KeyboardInterrupt:  # it came in the last steps of a search, behind what heeds one
+        except KeyboardInterrupt:  # it arrived in the last steps of a search, after the handler
             self._is_searching, self._is_cut = False, True
         if self._is_cut and self._is_going and not self.is_awaited():
-            self._go_on()  # what ended the search asked for something else, or was refused
+            self._go_on()  # the message that ended the search did not replace the clip
 
     def do_load(
         self,
@@ -140,10 +140,10 @@ class Work:
         first: bool,
         found: bytes | None = None,
     ) -> None:
-        """A text: its clip, told with its keyframes; then the path through them that is nearest to the present one.
+        """Load a text and send its clip and keyframes; then search from the path nearest to the present one.
 
-        first  whether it was opened just now;  go  whether to search
-        found  where to go on from, after this process was begun anew
+        first  whether it was just opened;  go  whether to search
+        found  the initial path, after this process was restarted
         """
         self._is_going, self._astray = go, None
         before, solution = self.clip, self.found
@@ -162,7 +162,7 @@ class Work:
         if known is not None:
             self._take_up(known, go=go)
             return
-        path = None if found is None else pickle.loads(found)  # what this program sent itself
+        path = None if found is None else pickle.loads(found)  # data of this program only
         begin, between = self._begin(clip, before, solution, first=first, found=path)
         if begin is None:
             self._first(clip, go=go)
@@ -175,31 +175,31 @@ class Work:
             self._judge(stop="paused")
 
     def _loaded(self, text: str, name: str, place: str, folder: str, like: Clip | None) -> Clip:
-        """The clip of a text, like the one that it was edited from; raises UserError."""
+        """Load a text, reusing parts of the clip that it was edited from; raises UserError."""
         begun = time.monotonic()
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=like)
-        self._took = time.monotonic() - begun if like is not None else 0.0  # with no figure to be read
+        self._took = time.monotonic() - begun if like is not None else 0.0  # the figure was reused
         return clip
 
     def do_foresee(self, text: str, name: str, place: str, folder: str) -> None:
-        """Searches what a text would come to, in silence; any message ends that. What it found waits for the text."""
+        """Solve speculatively for a text; any message ends this. The result is used when the text arrives."""
         before, self._foreseen = self.clip, None
         if before is None or not self._is_going or self._took > QUICK:
             return
-        with suppress(Exception):  # which is told when the text is said
+        with suppress(Exception):  # reported when the text arrives
             clip = self._loaded(text, name, place, folder, before)
             begin, between = self._begin(clip, before, self.found, first=False, found=None)
             if clip.figure is before.figure and begin is not None:
                 ahead = self._foreseen = Foreseen(before, clip, begin, between)
                 found = self._lowered(clip, begin, between, lambda improvement: None)
-                if found is not None and found.evaluations > 1:  # the first is of where it begins
+                if found is not None and found.evaluations > 1:  # the first evaluation is the initial guess
                     self._foreseen = replace(ahead, found=found)
 
     def do_wait(self) -> None:
-        """Nothing: that a message came has ended the search of what was foreseen."""
+        """Do nothing: the message itself has ended the speculative solve."""
 
     def _take_up(self, known: Foreseen, *, go: bool) -> None:
-        """A clip that was foreseen, from what was found of it."""
+        """Continue with a speculatively solved clip and its result."""
         clip, found = known.clip, known.found
         if found is None:
             self.found = Solution(clip.figure, clip.problem.objective, known.begin, clip.problem.raw)
@@ -216,9 +216,9 @@ class Work:
     def _begin(
         self, clip: Clip, before: Clip | None, solution: Solution | None, *, first: bool, found: Timeline | None
     ) -> tuple[Timeline | None, tuple[float, float] | None]:
-        """Where the search of a clip begins, and what alone was edited; nowhere if all of it is new."""
+        """The initial guess for a clip, and the edited interval; none if everything is new."""
         seen = self.seen.get(clip.text)
-        if seen is not None and not first:  # undone or done again
+        if seen is not None and not first:  # undo or redo
             return seen, None if before is None else _edited(before, clip)
         timeline = found if found is not None else None if solution is None else solution.timeline
         keys = clip.keys if before is None else before.keys
@@ -239,9 +239,9 @@ class Work:
         return begin, _edited(before, clip)
 
     def _first(self, clip: Clip, *, go: bool) -> None:
-        """A clip that was just opened: as it was solved before, or searched from its raw spline."""
-        self._send_path(clip.problem.raw, "carried")  # something to see
-        from ... import kept  # only here, as below: the figure is on the page by now
+        """A newly opened clip: its cached solution, or a search from the raw spline."""
+        self._send_path(clip.problem.raw, "carried")  # a first view
+        from ... import kept  # imported late: the figure is already shown
 
         folder = cache()
         known = None if folder is None else kept.read(folder / f"{kept.key_of(clip)}.npz", clip)
@@ -258,7 +258,7 @@ class Work:
             self._judge(stop="paused")
 
     def do_go(self, anew: bool = False) -> None:
-        """On with the search from the present path, or from the raw spline."""
+        """Continue the search from the present path, or restart from the raw spline."""
         self._is_going, self._astray = True, None
         self._go_on(anew=anew)
 
@@ -268,17 +268,17 @@ class Work:
             self._search(None if fresh else self.found.timeline, None)
 
     def do_stop(self) -> None:
-        """Nothing but that it stays so: that a message came has ended the search."""
+        """Keep the search stopped: the message itself has ended it."""
         self._is_going = False
 
     def do_curves(self, on: bool) -> None:
-        """Whether curves are looked at, which take a moment to make."""
+        """Switch the curves on or off; computing them takes a moment."""
         self.has_curves = on
         if on:
             self._send_curves()
 
     def do_keep(self, file: str) -> None:
-        """The present motion into a file, for what is made of it."""
+        """Write the present motion to a file for further use."""
         clip, found = self.clip, self.found
         if clip is None or found is None:
             raise UserError("nothing has been solved yet")
@@ -291,19 +291,19 @@ class Work:
         self._tell("kept", file=file)
 
     def interrupt(self) -> None:
-        """From another thread: ends the search that is under way, if one is."""
+        """End the running search, from another thread."""
         if self._is_searching:
             _thread.interrupt_main()
 
     def interrupted(self, number: int, frame: object) -> None:
-        """Heeds an interrupt while a search is under way, and no other: one can come a moment late."""
+        """Handle an interrupt during a search only: it can arrive a moment late."""
         if self._is_sending:
             self._is_asked = True
         elif self._is_searching:
             raise KeyboardInterrupt
 
     def _send(self, message: Message) -> None:
-        """On the line, whole: an interrupt waits."""
+        """Send a message completely: an interrupt waits."""
         self._is_sending = True
         try:
             self.line.send(message)
@@ -321,12 +321,12 @@ class Work:
             self._is_searching = False
 
     def _heed(self) -> None:
-        """Ends a search at its beginning where a message came in the moment before: nothing would interrupt it."""
+        """End a search at its start where a message arrived just before: nothing else would interrupt it."""
         if self.is_awaited():
             raise KeyboardInterrupt
 
     def _search(self, begin: Timeline | None, between: tuple[float, float] | None) -> None:
-        """Lowers E as far as it goes, telling every better path; keeps the best, however it ends."""
+        """Minimise E, sending every better path; keep the best, however the search ends."""
         clip = self.clip
         assert clip is not None
         self._tell("searching", revision=self.revision)
@@ -335,7 +335,7 @@ class Work:
 
         def improved(improvement: Improvement) -> None:
             if begin is not None and improvement.evaluation == 1:
-                return  # where it begins is seen already
+                return  # the initial guess is already shown
             if time.monotonic() - self._sent >= SOONEST:
                 self._send_path(improvement.build(), "found", **_course(improvement))
                 self._send_raw()
@@ -360,10 +360,10 @@ class Work:
         between: tuple[float, float] | None,
         improved: Callable[[Improvement], None],
     ) -> Solution | None:
-        """What a search of a clip comes to, or had come to when a message ended it; None if it had come to nothing.
+        """The result of a search of a clip, also if a message interrupts it; None if it had no result yet.
 
-        begin     None for the raw spline;  between  [s] what alone was edited, None where more was
-        improved  gets every better path
+        begin     None for the raw spline;  between  [s] the edited interval, None for the whole clip
+        improved  receives every better path
         """
         best: list[Improvement] = []
 
@@ -383,7 +383,7 @@ class Work:
         return Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.ASKED)
 
     def _take(self, found: Solution) -> None:
-        """The present path from now on."""
+        """Set the present path."""
         clip = self.clip
         assert clip is not None
         self.found = found
@@ -392,14 +392,14 @@ class Work:
         self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
 
     def _remember(self, text: str, timeline: Timeline) -> None:
-        """What was found for a text, in case that somebody comes back to it; of the last few texts."""
+        """Cache the path of a text, for undo and redo; of the last few texts."""
         self.seen.pop(text, None)
         self.seen[text] = _bare(timeline)
         if len(self.seen) > MOST_SEEN:
             del self.seen[next(iter(self.seen))]
 
     def _judge(self, stop: str) -> None:
-        """What is wrong with the present path, and why the search ended."""
+        """Send the present path's problems, and why the search ended."""
         clip, found = self.clip, self.found
         assert clip is not None and found is not None
         self._send_raw()
@@ -422,7 +422,7 @@ class Work:
             self._send_curves()
 
     def _suspected(self, wrong: int) -> str | None:
-        """Why the nearest minimum may be a bad one, after a search from the path before; None if nothing says so."""
+        """Why the minimum found from the path before may be a poor one; None if there is no sign of it."""
         clip, found = self.clip, self.found
         assert clip is not None and found is not None
         if not found.trace:
@@ -431,7 +431,7 @@ class Work:
         before, reason = self._before, None
         if self._is_near and before is not None:
             if value > DEARER * before[0]:
-                reason = f"E came to {value:.3g}, where it was {before[0]:.3g} before"
+                reason = f"E rose to {value:.3g} from {before[0]:.3g}"
             elif wrong > before[1]:
                 reason = f"more is wrong than before, {wrong} instead of {before[1]}"
             elif is_poor_minimum(clip.problem.objective, found.timeline, parts):
@@ -443,11 +443,11 @@ class Work:
 
     @property
     def may_look(self) -> bool:
-        """Whether the present path may be in a bad place, and nobody has stopped the search."""
+        """Whether the present result is suspect, and the search was not stopped."""
         return self._is_going and self._astray is not None
 
     def do_look(self) -> None:
-        """From the raw spline, in silence: what it finds is taken if it is better; either way that is all there is."""
+        """Search again from the raw spline in the background; the result is used if it is better. This is done once."""
         clip, now = self.clip, self.found
         assert clip is not None and now is not None
         found: Solution | None = None
@@ -461,23 +461,23 @@ class Work:
         if select_best(objective, [now.timeline, found.timeline]) is found.timeline:
             self._take(found)
             value = found.trace[-1][2]
-            self._tell("note", words=f"begun anew, the search found a better path: E {value:.3g}")
+            self._tell("note", words=f"a restarted search found a better path: E {value:.3g}")
         self._judge(stop=found.stop.name)
 
     def _send_curves(self) -> None:
         if self.clip is not None and self.found is not None:
-            from .curves import curves  # only here: most look at no curves
+            from .curves import curves  # imported late: curves are rarely shown
 
             self._tell("curves", curves=curves(self.clip, self.found))
 
     def _send_raw(self) -> None:
-        """The raw spline, once for a text, and after what somebody waits for."""
+        """Send the raw spline, once per text, after more urgent messages."""
         if self._owes_raw and self.clip is not None:
             self._owes_raw = False
             self._send_path(self.clip.problem.raw, "raw")
 
     def _send_path(self, timeline: Timeline, stage: str, **told: Any) -> None:
-        """A path as the page plays it; and, packed, as the server adds keyframes from it and gives it back."""
+        """Send a path: as the page plays it, and pickled for the server, which adds keyframes from it."""
         clip = self.clip
         assert clip is not None
         self._sent = time.monotonic()
@@ -492,7 +492,7 @@ class Work:
 
 
 def _bare(timeline: Timeline) -> Timeline:
-    """Without what others keep of its times."""
+    """Remove caches derived from its times."""
     return Timeline(timeline.frames, timeline.end_slope, timeline.ends)
 
 
@@ -509,7 +509,7 @@ def _plain(parts: dict[str, float]) -> dict[str, float]:
 
 
 def _shape(clip: Clip) -> dict[str, Any]:
-    """What the loaded clip says beyond its text: its keyframes whole, contacts, holds and flights that were found."""
+    """Data of the loaded clip beyond its text: complete keyframes, contacts, holds and inferred flights."""
     support = clip.context.support
     return {
         "keys": [
@@ -527,7 +527,7 @@ def _shape(clip: Clip) -> dict[str, Any]:
 
 
 def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:
-    """From when to when keyframes and contacts differ, with the keyframes beside them; None where more does."""
+    """The interval in which keyframes and contacts differ, up to the next keyframes; None if more differs."""
     if before is None or not before.text or not clip.text or _but_keys(before) != _but_keys(clip):
         return None
     changed = [*_apart(before.keys, clip.keys), *_apart(clip.keys, before.keys), *_moved_contacts(before, clip)]
@@ -555,7 +555,7 @@ def _but_keys(clip: Clip) -> dict[str, Any]:
 
 
 def _moved_contacts(before: Clip, clip: Clip) -> list[float]:
-    """[s] ends of contacts that one of two clips has and the other has not."""
+    """[s] ends of contacts that only one of two clips has."""
     tables = [table_of(each.text, each.context.where).contact for each in (before, clip)]
     rows = [row for some, others in (tables, tables[::-1]) for row in some if row not in others]
     return [time for row in rows for time in (row.start, row.end)]

@@ -273,7 +273,7 @@ def test_a_scheduler_that_goes_away_is_told_and_costs_no_clip_anything(tmp_path:
     cluster.kill()
     _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 2
-    assert said.splitlines()[-1].startswith("dynsplines: the Dask scheduler is gone; the same command goes on")
+    assert said.splitlines()[-1].startswith("dynsplines: the Dask scheduler is gone; run the same command again")
     until(lambda: not any(map(alive, family)), "the end of all processes")
     entries = Manifest.of(out).entries
     assert {name for name, entry in entries.items() if entry.state != "done"} >= {"1", "3", "5"}
@@ -330,6 +330,8 @@ def test_a_folder_that_is_removed_meanwhile_is_told(tmp_path: Path, start):
     shutil.rmtree(tmp_path / "out")
     _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 2
-    assert said.splitlines()[-1].endswith("/out' or its manifest has been removed; the same command begins anew")
+    assert said.splitlines()[-1].endswith(
+        "/out' or its manifest has been removed; run the same command again to restart the batch"
+    )
     assert "Traceback" not in said
     assert not (tmp_path / "out").exists()

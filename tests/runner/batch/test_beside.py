@@ -48,7 +48,7 @@ def test_a_mesh_comes_with_the_model_and_another_figures_is_not_written_over_it(
     tally = done(clips)
     (failed,), out = tally.failed, clips.parent / "out"
     assert tally.solved == 1
-    assert "'part.obj' is there already, and a file of this motion's figure goes there" in failed.error
+    assert "'part.obj' already exists, where a file of this motion's figure would be written" in failed.error
     good = "1" if failed.clip == "0" else "0"
     assert mujoco.MjModel.from_xml_path(str(out / f"{good}.keys.xml")).nkey > 0
     ((name, _),) = Manifest.of(out).entries[good].beside.items()

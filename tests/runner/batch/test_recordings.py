@@ -111,7 +111,7 @@ def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
             ("--retarget", "human", "--figure", "human"),
             "--figure human: the figure is the one to --retarget to",
         ),
-        (("--clean", "--map", "map.toml"), "--map: who is who is asked where recordings are brought on to a figure"),
+        (("--clean", "--map", "map.toml"), "--map: a bone map is used for retargeting only; add --retarget MODEL"),
         (("--retarget", "absent.xml"), "no file 'absent.xml'"),
         (("--retarget", "humann"), "did you mean 'human'"),
         (("--clean", "--scene", "absent.toml"), "--scene: no file 'absent.toml'"),

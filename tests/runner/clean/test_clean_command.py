@@ -126,7 +126,7 @@ def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squ
     [
         (["nowhere.bvh"], "no file 'nowhere.bvh'"),
         (["{f}/bobs.npz", "-o", "{f}/bobs.npz"], "is what is read; give another -o"),
-        (["{f}/bobs.npz", "-o", "x.txt"], "does not tell its format"),
+        (["{f}/bobs.npz", "-o", "x.txt"], "is of no known format"),
         (["{f}/bobs.npz", "--within", "3"], "of what? give 3cm"),
         (["{f}/bobs.npz", "--scene", "s.toml"], "brings its scene along"),
         (["{f}/bobs.npz", "--contacts", "bad.toml"], "no key 'figure'. Keys: scene, contact"),

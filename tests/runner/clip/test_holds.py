@@ -235,7 +235,7 @@ MISTAKES = {
     ),
     "mass of what stands still": ("[[scene.box]]\nsize = [1, 1, 1]\nposition = [5, 0, 0]\nmass = 1\n", ["'mass'"]),
     "a body's name twice": (
-        '[[scene.box]]\nbody = "pelvis"\nsize = [1, 1, 1]\n', ["there already is a body or joint of that name"]
+        '[[scene.box]]\nbody = "pelvis"\nsize = [1, 1, 1]\n', ["the model already has a body or joint of that name"]
     ),
 }  # fmt: skip
 

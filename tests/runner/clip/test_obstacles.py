@@ -85,7 +85,7 @@ def test_obstacles_are_where_the_clip_says_and_as_large(tmp_path):
         ("[[scene.box]]\nposition=[0,0,'free']\nsize=[1,1,1]", r"scene.box 1: position must be \[x, y, z\] in metres"),
         ("[[scene.sphere]]\nposition=[0,0,0]\nradius=-1", r"scene.sphere 1: radius must be above 0, not -1"),
         ("[[scene.sphere]]\nposition=[0,0,0]\nraduis=1", r"no key 'raduis'; did you mean 'radius'\? Keys: .*position"),
-        ("[[scene.sphere]]\nname='floor'\nposition=[0,0,0]\nradius=1", "already is a geom of that name"),
+        ("[[scene.sphere]]\nname='floor'\nposition=[0,0,0]\nradius=1", "model already has a geom of that name"),
         ("[[scene.ball]]\nposition=[0,0,0]\nradius=1", r"no key 'ball'.*Keys: step, box, sphere, capsule, cylinder"),
         (
             "[scene.sphere]\nposition=[0,0,0]\nradius=1",
@@ -113,7 +113,7 @@ def test_what_is_wrong_with_an_obstacle_is_told_in_one_line(tmp_path, scene, wor
 
 def test_two_obstacles_of_one_name_are_refused(tmp_path):
     one = "[[scene.sphere]]\nname='it'\nposition=[0,0,0]\nradius=1\n"
-    with pytest.raises(UserError, match="has a sphere 'it', but there already is a geom of that name"):
+    with pytest.raises(UserError, match="has a sphere 'it', but the model already has a geom of that name"):
         loaded(tmp_path, one + one)
 
 

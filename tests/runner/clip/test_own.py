@@ -102,8 +102,8 @@ def test_without_a_weight_it_is_not_there() -> None:
         ([(Calm(), -1.0)], "the weight of 'calm' is a number from 0 on, not -1.0"),
         ([(Calm(), float("nan"))], "the weight of 'calm'"),
         ([(Calm(), "much")], "the weight of 'calm' is a number from 0 on, not 'much'"),
-        ([(Calm("torque"), 1.0)], "called 'torque' is there already"),
-        ([(Calm(), 1.0), (Calm(), 2.0)], "called 'calm' is there already"),
+        ([(Calm("torque"), 1.0)], "called 'torque' already exists"),
+        ([(Calm(), 1.0), (Calm(), 2.0)], "called 'calm' already exists"),
     ],
 )
 def test_what_is_none_is_refused(own: object, says: str) -> None:
@@ -125,7 +125,7 @@ def test_who_loads_it_is_told_once_the_clip_is_asked_for(calm: Motion, tmp_path:
         warnings.simplefilter("error")
         found = load_motion(tmp_path / "up.npz")
         np.testing.assert_array_equal(found.at(0.7), calm.at(0.7))
-    with pytest.warns(UserWarning, match="also kept 'calm' small, of a program's own"):
+    with pytest.warns(UserWarning, match="also had the custom penalty 'calm'"):
         clip = found.clip
     assert clip.own == ()
 

@@ -286,7 +286,7 @@ MISTAKES = {
         "sites.left_heel = {position = [0, 0, 0], bye = 1}", ["no key 'bye'", "did you mean 'by'?"]),
     "an unknown key of a body": ("bodies.left_foot = {flatt = true}", ["no key 'flatt'", "did you mean 'flat'?"]),
     "flat and turned": ("bodies.left_foot = {flat = true, rotvec = [0, 0, 0]}", ["flat or a rotation, not both"]),
-    "not flat": ("bodies.left_foot = {flat = false}", ["bodies.left_foot: flat = false says nothing"]),
+    "not flat": ("bodies.left_foot = {flat = false}", ["bodies.left_foot: flat = false has no effect"]),
     "neither flat nor turned": ("bodies.left_foot = {}", ["bodies.left_foot: give exactly one of"]),
     "flat in words": ('bodies.left_foot = {flat = "yes"}', ["bodies.left_foot.flat must be true, not 'yes'"]),
     "flat as a number": ("bodies.left_foot = {flat = 1}", ["bodies.left_foot.flat must be true, not 1"]),

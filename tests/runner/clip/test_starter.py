@@ -135,7 +135,7 @@ def test_a_model_without_joints_is_refused_in_words(tmp_path):
 
 
 def test_a_free_body_alone_is_refused_in_words(tmp_path):
-    with pytest.raises(UserError, match="all that moves"):
+    with pytest.raises(UserError, match="the only moving body"):
         written(f"<mujoco><worldbody>{BODY.format('<freejoint/>', '')}</worldbody></mujoco>", tmp_path)
 
 

@@ -194,7 +194,7 @@ def test_another_scene_is_written_beside_the_clip(motion_file, tmp_path):
     run(motion_file, target)  # the same scene is no other one
     target.unlink()
     (tmp_path / "small.xml").write_text("<mujoco/>")
-    with pytest.raises(UserError, match=r"small\.xml' is there already.*overwrite"):
+    with pytest.raises(UserError, match=r"small\.xml' already exists.*overwrite"):
         run(motion_file, target)
     run(motion_file, target, overwrite=True)
 
@@ -222,7 +222,7 @@ def test_what_is_read_is_not_written_over(motion_file, tmp_path):
 def test_a_file_that_is_there_stays_unless_told(motion_file, tmp_path, ending):
     target = tmp_path / f"kept{ending}"
     target.write_text("mine")
-    with pytest.raises(UserError, match="is there already; give another -o, or --overwrite"):
+    with pytest.raises(UserError, match="already exists; give another -o, or --overwrite"):
         run(motion_file, target)
     assert target.read_text() == "mine" and names(tmp_path) == [target.name]
     run(motion_file, target, overwrite=True)

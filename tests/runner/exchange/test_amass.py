@@ -170,7 +170,7 @@ def test_the_rate_has_several_names(tmp_path, name, rate):
 def test_a_missing_rate_is_an_error_that_names_the_option(tmp_path):
     poses, trans = walk()
     path = written(tmp_path, poses=poses, trans=trans)
-    with pytest.raises(UserError, match=r"it has no 'mocap_framerate'; say the rate: --fps"):
+    with pytest.raises(UserError, match=r"it has no 'mocap_framerate'; give the rate: --fps"):
         formats.recording(path, model=HUMAN)
 
 

@@ -57,7 +57,7 @@ def test_an_export_is_called_after_what_it_came_from(run, tmp_path):
 @pytest.mark.parametrize("output", [[], ["-o", "wild.csv"]])
 def test_an_exported_file_that_is_there_stays_unless_told(run, tmp_path, output):
     (tmp_path / "wild.csv").write_text("mine")
-    assert "'wild.csv' is there already; give another -o, or --overwrite" in refusal(
+    assert "'wild.csv' already exists; give another -o, or --overwrite" in refusal(
         run("export", "wild.npz", "--to", "csv", *output)
     )
     assert (tmp_path / "wild.csv").read_text() == "mine"
@@ -70,7 +70,7 @@ def test_what_lies_beside_an_export_stays_too_unless_it_is_the_same(run, tmp_pat
     motion.save(wild.motion_of("human"), tmp_path / "human.npz")
     beside = tmp_path / "human.mjlab.hinges.xml"
     beside.write_text("mine")
-    assert "'human.mjlab.hinges.xml' is there already" in refusal(run("export", "human.npz", "--to", "mjlab"))
+    assert "'human.mjlab.hinges.xml' already exists" in refusal(run("export", "human.npz", "--to", "mjlab"))
     assert beside.read_text() == "mine" and not (tmp_path / "human.mjlab.npz").exists()
     assert run("export", "human.npz", "--to", "mjlab", "--overwrite").code == 0
     (tmp_path / "human.mjlab.npz").unlink()
@@ -96,7 +96,7 @@ def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tm
 def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
     assert run("export", "wild.npz", "--to", "csv", "-o", "walk.csv").code == 0
     (tmp_path / "walk.npz").write_text("mine")
-    assert "'walk.npz' is there already; give another -o, or --overwrite" in refusal(
+    assert "'walk.npz' already exists; give another -o, or --overwrite" in refusal(
         run("import", "walk.csv", "--figure", "robot.xml", *output)
     )
     assert (tmp_path / "walk.npz").read_text() == "mine"
@@ -168,7 +168,7 @@ def test_export_needs_no_format_where_the_ending_tells_it(run, tmp_path):
             "'a.csv': the name of a file of the format mjlab ends in .mjlab.npz or .npz",
         ),
         (["-o", "a.amass.npz"], "the format 'amass' is read only"),
-        (["-o", "a.foo"], "'a.foo': its ending does not tell its format; give --to"),
+        (["-o", "a.foo"], "'a.foo': its ending is of no known format; give --to"),
         ([], "name the format, --to, or a file with its ending, -o; formats: csv"),
     ],
 )

@@ -33,7 +33,7 @@ def test_a_table_without_a_heading_needs_a_rate_or_times(tmp_path):
     model = mujoco.MjModel.from_xml_string(models.figure_text("human"))
     path = tmp_path / "raw.csv"
     np.savetxt(path, np.tile(model.qpos0, (4, 1)), delimiter=",")
-    with pytest.raises(UserError, match="say the rate: --fps, or fps= in Python"):
+    with pytest.raises(UserError, match="give the rate: --fps, or fps= in Python"):
         csv_table.read(path, model, None)
     np.testing.assert_allclose(csv_table.read(path, model, 50.0).time, [0, 0.02, 0.04, 0.06])
     np.savetxt(path, np.column_stack([[0.5, 0.75], np.tile(model.qpos0, (2, 1))]), delimiter=",")

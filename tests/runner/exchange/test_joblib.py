@@ -135,7 +135,7 @@ def test_files_of_locomujoco_before_1_0_are_read_for_its_models(tmp_path):
     found = read(tmp_path / "a.npz", 100.0, model)
     np.testing.assert_array_equal(found.qpos, qpos)
     assert found.fps == 100
-    with pytest.raises(UserError, match=r"before 1\.0 has no rate; say the rate"):
+    with pytest.raises(UserError, match=r"before 1\.0 has no rate; give the rate"):
         read(tmp_path / "a.npz", None, model)
     with pytest.raises(
         UserError, match=r"LocoMuJoCo before 1\.0, with no 'q_root'; .* model, of the joints hip, pelvis"

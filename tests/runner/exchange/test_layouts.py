@@ -214,7 +214,7 @@ def test_a_file_of_two_formats_is_read_where_they_agree(tmp_path):
 def test_an_array_alone_is_qpos(tmp_path):
     np.save(tmp_path / "a.npy", QPOS)
     is_walk(read(tmp_path / "a.npy", fps=50.0)[0])
-    with pytest.raises(UserError, match="say the rate"):
+    with pytest.raises(UserError, match="give the rate"):
         read(tmp_path / "a.npy")
     np.save(tmp_path / "b.npy", QPOS[:, :-1])
     with pytest.raises(UserError, match=r"'qpos' has the shape \(100, 13\), not \(samples, 14\)"):

@@ -118,7 +118,7 @@ def test_what_nobody_knows_is_not_a_number_and_is_told(tmp_path):
     path = formats.export(saved, "csv", tmp_path / "a.csv", wishes=Wishes(columns=("ground",)), tell=said.append)
     forces = Forces.of(Take.of(saved))
     assert 0.1 < forces.known.mean() < 0.5
-    assert any("nothing says what carries the figure" in line for line in said)
+    assert any("the support of the figure is unknown" in line for line in said)
     with path.open(newline="") as stream:
         heading, *rows = csv.reader(stream)
     column = np.array(rows, float)[:, heading.index("left_foot.fz [N]")]
@@ -139,7 +139,7 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
     assert all(np.isfinite(column).all() for column in columns.values())
     with pytest.raises(UserError, match="no free root"):
         quantities.table(Take.of(saved), ("wrench",))
-    with pytest.raises(UserError, match="no foot that stands"):
+    with pytest.raises(UserError, match="no stance is known"):
         quantities.table(Take.of(saved), ("ground",))
 
 

@@ -100,7 +100,7 @@ def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, tmp_path):
     truth = wild.poses(human.figure.model, before.qpos)
     np.testing.assert_allclose(wild.poses(model, qpos)["xpos"], truth["xpos"], atol=1e-9)
     came_back(human, target, fps=wild.FPS)
-    with pytest.raises(UserError, match="the format tells none; say the rate: --fps, or fps= in Python"):
+    with pytest.raises(UserError, match="the format contains no rate; give the rate: --fps, or fps= in Python"):
         imported(target, figure="human")
 
 
@@ -189,7 +189,7 @@ def test_plain_arrays_bring_motion_and_figure(human, tmp_path):
     came_back(human, tmp_path / "barest.npz", fps=50.0)
     with pytest.raises(UserError, match="neither 'time' nor 'fps'"):
         imported(tmp_path / "barest.npz", figure="human")
-    with pytest.raises(UserError, match="no 'mjcf', the figure; say whose it is: --figure"):
+    with pytest.raises(UserError, match="no 'mjcf', the figure; name the figure: --figure"):
         imported(tmp_path / "bare.npz")
 
 
@@ -203,7 +203,7 @@ BAD = {
     ),
     "locomujoco": (
         ({"frequency": None}, "no 'frequency'"),
-        ({"jnt_type": np.array([0, 1, 3, 3, 3, 3])}, "'jnt_type' does not tell one free joint and hinges"),
+        ({"jnt_type": np.array([0, 1, 3, 3, 3, 3])}, "'jnt_type' must list one free joint and one hinge"),
         ({"qpos": np.full((61, 12), np.nan)}, "'qpos': an entry is not a finite number"),
     ),
     "npz": (
@@ -249,7 +249,7 @@ def test_figures_that_a_format_cannot_hold_are_refused(tmp_path):
         ):
             formats.export(fixed, kind, tmp_path / f"out{formats.writer(kind).ending}")
     assert not list(tmp_path.glob("out*"))
-    with pytest.raises(UserError, match="say whose it is: --figure, or figure= in Python"):
+    with pytest.raises(UserError, match="name the figure: --figure, or figure= in Python"):
         formats.recording(_written(tmp_path, b"x,y\n1,2\n", "some.mjlab.csv"), fps=1.0)
 
 
@@ -269,7 +269,7 @@ def test_what_is_in_a_file_tells_its_format_where_the_ending_does_not(human, rob
     assert len(imported(tmp_path / "ours.npz").keys) == len(wild.samples(human).time)
     np.savez(tmp_path / "other.npz", a=1)
     with pytest.raises(
-        UserError, match="its ending does not tell its format; give --from, or format= in Python, one of: npz, mjlab"
+        UserError, match="its ending is of no known format; give --from, or format= in Python, one of: npz, mjlab"
     ):
         imported(tmp_path / "other.npz", figure="human")
     with pytest.raises(UserError, match="no file"):

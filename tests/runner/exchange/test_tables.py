@@ -119,7 +119,7 @@ def test_columns_that_are_numbered_are_taken_in_their_order(tmp_path):
 def test_a_column_that_counts_samples_is_no_time(tmp_path):
     rows = np.column_stack([np.arange(60), QPOS])
     is_walk(read(written(tmp_path / "a.csv", None, rows), 50.0)[0])
-    with pytest.raises(UserError, match="say the rate"):
+    with pytest.raises(UserError, match="give the rate"):
         read(written(tmp_path / "a.csv", None, rows))
 
 

@@ -355,7 +355,7 @@ def test_edits_give_new_motions(motion, loop):
         (lambda m: m.thinned("2 feet"), "max_error = 2 feet"),
         (lambda m: m.thinned(0.02, max_angle=0), "max_angle = 0"),
         (lambda m: m.save("m.txt"), r"\.npz, or as a clip, \.toml"),
-        (lambda m: m.export("m.txt"), "its ending does not tell its format"),
+        (lambda m: m.export("m.txt"), "its ending is of no known format"),
         (lambda m: m.export("m.csv", "bvh"), r"'m\.csv': the name of a file of the format bvh ends in \.bvh"),
         (lambda m: m.export("m.csv", "cvs"), "no format 'cvs'; did you mean 'csv'"),
         (lambda m: m.render("m.mp4", camera="sde"), "no camera 'sde'; did you mean 'side'"),
@@ -395,7 +395,7 @@ def test_files_go_there_and_back(motion, loop, tmp_path):
 def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
     (tmp_path / "arm.xml").write_text(ARM)
     motion.export(tmp_path / "m.csv", fps=20)
-    with pytest.raises(UserError, match="say whose it is: --figure, or figure= in Python"):
+    with pytest.raises(UserError, match="name the figure: --figure, or figure= in Python"):
         import_motion(tmp_path / "m.csv")
     with pytest.raises(UserError, match="a scale is not for it"):
         import_motion(tmp_path / "m.csv", tmp_path / "arm.xml", scale=0.01)

@@ -16,7 +16,7 @@ COMMAND = [sys.executable, "-c", browsers.COMMAND, "studio"]
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (["--host", "0.0.0.0"], "--allow-remote allows it"),
+        (["--host", "0.0.0.0"], "add --allow-remote to allow it"),
         (["nowhere.toml"], "no file 'nowhere.toml'"),
         (["--port", "70000"], "65535"),
     ],

@@ -193,7 +193,7 @@ def test_a_keyframe_that_says_something_else_keeps_its_remarks_and_the_lines_tha
         ("set_contact", {"point": "left_heel", "begin": 0.5, "end": 0.2}, "before it begins"),
         ("delete_bar", {"kind": "contact", "index": 0}, "no contact 1"),
         ("add_obstacle", {"kind": "cone"}, "no obstacle 'cone'; there are: step, box"),
-        ("add_obstacle", {"kind": "step"}, "there is a step already"),
+        ("add_obstacle", {"kind": "step"}, "the clip already has a step"),
         ("paste_keys", {"copied": [], "at": 0.3}, "nothing has been copied"),
         ("set_others", {"key": 0, "value": "all"}, "'free', 'rest', 'hold' or 'key:NAME'"),
     ],

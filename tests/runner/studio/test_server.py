@@ -147,7 +147,7 @@ def test_a_file_is_not_replaced_unless_somebody_says_so(client, session, tmp_pat
         {"do": "save", "name": "new"},
         {"do": "save", "name": "there.toml", "overwrite": True},
     )
-    assert "is there already" in refused["words"]
+    assert "already exists" in refused["words"]
     assert saved["words"] == "saved new.toml"
     assert (tmp_path / "new.toml").read_text() == 'figure = "human"\n'
     assert replaced["ok"]
@@ -171,7 +171,7 @@ def test_no_film_and_no_export_is_written_over_somebodys_file_but_over_an_earlie
     monkeypatch.setattr(files.Files, "_run", run)
     (tmp_path / asked["name"]).write_text("theirs")
     (refused,) = answers(client, asked)
-    assert "is there already; choose another name" in refused["words"]
+    assert "already exists; choose another name" in refused["words"]
     assert ran == []
     assert all(told["ok"] for told in answers(client, asked | {"overwrite": True}, asked))
     again = asked["do"] == "export"
@@ -183,7 +183,7 @@ def test_what_the_studio_does_not_know_is_answered_in_words(client):
         client, {"do": "format"}, {"do": "edit", "name": "rm"}, {"do": "edit"}, {"do": "grip"}, {"do": "undo", "x": 1}
     )
     assert [each["ok"] for each in told] == [False] * 5
-    assert "does not know how" in told[0]["words"]
+    assert "unknown request" in told[0]["words"]
     assert "no edit 'rm'" in told[1]["words"]
 
 
@@ -221,7 +221,7 @@ def test_one_that_others_reach_says_what_they_can_do(session, monkeypatch):
     (place, _, hosts), said = began(session, monkeypatch, host="0.0.0.0", allow_remote=True)
     assert place[0] == "0.0.0.0"
     assert not {host for host in hosts if host.startswith("0.0.0.0")} - {f"0.0.0.0:{place[1]}"}
-    assert "edits the clip and writes files beside it" in said[1]
+    assert "edit the clip and write files next to it" in said[1]
     assert "not encrypted" in said[2]
 
 
