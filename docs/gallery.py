@@ -1,8 +1,8 @@
-"""The clips that ship, as the README's picture and as small films: python docs/gallery.py [-o renders/gallery.png]
+"""Pictures of the shipped clips, for the README or the gallery: python docs/gallery.py [-o renders/gallery.png]
 
---films draws docs/gallery.md's, renders/films/NAME.webp, instead: pictures that move, which every browser shows.
-A tile for every clip, four in a row, each drawn by `dynsplines render`. A clip that TILES does not know is shown in the
-middle of its time; a body that tumbles along its whole way, in a tile twice as wide.
+--films writes the animated pictures of docs/gallery.md instead, renders/films/NAME.webp.
+The picture has a tile per clip, four in a row, each drawn by `dynsplines render`. A clip without an entry in TILES is
+shown in the middle of its time; `tumble` is shown along its whole path, in a tile twice as wide.
 """
 
 from __future__ import annotations

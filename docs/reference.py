@@ -1,4 +1,4 @@
-"""The tables of keys in docs/clip.md, from the schema that reads clips: `python docs/reference.py` writes them anew."""
+"""Tables of keys in docs/clip.md, generated from the clip schema by `python docs/reference.py`."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ PAGE = Path(__file__).parent / "clip.md"
 MARKS = "<!-- {}: written by docs/reference.py -->\n\n", "\n<!-- end -->\n"
 ROTATION = {
     "rotvec": "axis times angle, degrees",
-    "euler": "angles about the axes of `order`, each as it is turned by then, degrees",
-    "order": 'axes of `euler`, "xyz" if not said',
+    "euler": "intrinsic angles about the axes of `order`, degrees",
+    "order": 'axes of `euler`, default "xyz"',
     "quat": "w, x, y, z",
-    "heading": "degrees about the vertical, over the rest; of what is given in the world",
+    "heading": "degrees about the vertical, applied last; only for rotations in the world",
 }
 OBSTACLE = {
-    "name": "how messages call it",
-    "body": "the free body that it is a part of; then places are in that body's axes",
+    "name": "its name in messages",
+    "body": "the free body that it belongs to; positions are then in that body's axes",
     "mass": "kg, of a part of a free body",
     "color": "red, green, blue, opacity, each from 0 to 1",
     "position": "m, of its centre",
@@ -34,15 +34,15 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "the clip": (
         table.ClipTable,
         {
-            "figure": "a name that ships, or a path to MJCF",
-            "fps": "samples a second of what is written",
+            "figure": "name of a shipped figure, or path to MJCF",
+            "fps": "samples per second of outputs",
             "keyframe": "two or more, in order of time",
-            "scene": "what stands about",
-            "contact": "points that rest",
-            "hold": "hands that hold on",
-            "recording": "a motion that is followed; keyframes edit it",
+            "scene": "obstacles and objects",
+            "contact": "points at rest for an interval",
+            "hold": "hands that hold a body for an interval",
+            "recording": "a motion to follow; keyframes edit it",
             "penalty": "soft constraints that differ from the defaults",
-            "solve": "how the search goes",
+            "solve": "settings of the search",
         },
     ),
     "[[keyframe]]": (
@@ -52,9 +52,9 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "root": "the articulated tree on legs, or else the first free body",
             "roots": "other free bodies and robots, by the name of their joint or body",
             "joints": "by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
-            "sites": "sites, feet, geoms and bodies by name: where they are",
-            "bodies": "by name: how they are turned, or where they are",
-            "others": "the rest: for the search to fill in, at rest, as in the keyframe before, or as in a `<key>` of "
+            "sites": "target positions of sites, feet, geoms and bodies by name",
+            "bodies": "target orientations or positions by name",
+            "others": "unspecified joints and root: free, at rest, as in the keyframe before, or as in a `<key>` of "
             'the model, "key:NAME"',
         },
     ),
@@ -62,13 +62,13 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "a rotation": (table.RotationTable, ROTATION),
     "sites.NAME": (
         table.SiteTable,
-        {"position": "m, in the world; short for it: `[x, y, z]` alone", "by": "a pose beforehand, or the search"},
+        {"position": "m, in the world; short form: `[x, y, z]`", "by": "solved as a pose, or left to the search"},
     ),
     "bodies.NAME": (
         table.BodyTable,
         {
-            "flat": "whether its sole lies on the ground",
-            "position": "m, in the world: where its origin is, or the point `at`",
+            "flat": "whether its sole is parallel to the ground",
+            "position": "m, in the world: of its origin, or of the point `at`",
             "at": "m, in the body's axes",
         }
         | ROTATION,
@@ -79,38 +79,38 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "point": "a site, foot, geom or body",
             "from": "s",
             "to": "s",
-            "position": "m, where it rests, if no keyframe in between tells it",
+            "position": "m, default: that of the keyframes in between",
         },
     ),
     "[[hold]]": (
         table.HoldTable,
         {
             "hand": "a site, foot, geom or body",
-            "body": "what it holds",
+            "body": "the held body",
             "from": "s",
             "to": "s",
-            "position": "m, in that body's axes, if no keyframe tells it",
+            "position": "m, in that body's axes, default: that of the keyframes",
         },
     ),
     "[scene] step": (
         table.StepTable,
         {"x": "m, of its front face", "height": "m", "length": "m, along x", "width": "m, along y", "y": "m"},
     ),
-    "[[scene.box]]": (table.BoxTable, {"size": "m, all of it, along x, y and z"} | OBSTACLE),
+    "[[scene.box]]": (table.BoxTable, {"size": "m, full edge lengths along x, y and z"} | OBSTACLE),
     "[[scene.sphere]]": (table.SphereTable, {"radius": "m"} | OBSTACLE),
     "[[scene.capsule]], [[scene.cylinder]]": (table.BarTable, BAR),
     "[recording]": (
         table.RecordingTable,
         {
-            "file": "a motion (.npz), a recording (.bvh, ...) or a clip beside the clip, or the name of one that ships",
-            "repeat": "how often a loop comes",
-            "from": "s of the recording, what is used of it",
+            "file": "a motion (.npz), a recording (.bvh, ...) or a clip, relative to the clip; or a shipped clip",
+            "repeat": "number of repetitions of a loop",
+            "from": "s of the recording, start of the used part",
             "to": "s",
-            "at": "s of the clip, when that begins; else as in the recording",
-            "speed": "times as fast",
-            "times": "pairs of moments, s of the recording and of the clip, instead of `at` and `speed`",
-            "weight": "how much the recording counts",
-            "blend": "s before and after every keyframe, beyond which nothing changes",
+            "at": "s of the clip, start of the used part; default: as in the recording",
+            "speed": "speed factor",
+            "times": "pairs of times, s of the recording and of the clip, instead of `at` and `speed`",
+            "weight": "weight of the recording",
+            "blend": "s before and after every keyframe; the recording is unchanged elsewhere",
         },
     ),
     "[solve]": (
@@ -118,26 +118,26 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         {
             "coordinates": "of the spline: quaternions of bodies in the world, or of joints",
             "ends": "of the spline: free, clamped at rest, or a loop's",
-            "travel": "m, how far a loop's root comes in a period; else as the keyframes say",
-            "turn": "degrees, by which a loop's root turns in a period; else as the keyframes say",
-            "variable": "variable frames between two keyframes to begin with",
-            "frames": "variable frames in all, at most",
-            "criterion": 'where frames are inserted: "weak", "residual", "objective", "resolution"',
-            "threshold": "of the criterion, from which on",
+            "travel": "m, displacement of a loop's root per period; default: that of the keyframes",
+            "turn": "degrees, rotation of a loop's root per period; default: that of the keyframes",
+            "variable": "initial number of variable frames between two keyframes",
+            "frames": "maximum number of variable frames",
+            "criterion": 'of inserting frames: "weak", "residual", "objective", "resolution"',
+            "threshold": "of the criterion",
             "optimiser": 'of NLopt, for the last stage: "lbfgs", "slsqp", "ccsaq", "tnewton", "var2"; or "none"',
-            "evaluations": "of the objective in a round, at most",
-            "tolerance": "relative progress at which it ends",
-            "quadrature": "how the objective is summed",
-            "samples": 'in a panel, or in all with "uniform"',
+            "evaluations": "maximum number of evaluations of the objective in a round",
+            "tolerance": "relative decrease at which the search ends",
+            "quadrature": "of the objective's integral",
+            "samples": 'per panel, or in total with "uniform"',
         },
     ),
 }
 
 
 def default(field: FieldInfo) -> str:
-    """What holds where a clip does not say."""
+    """The default of a key, as text."""
     if field.is_required():
-        return "needed"
+        return "required"
     value = field.default
     if value is None or value in ([], {}) or isinstance(value, table.Table):
         return ""
@@ -149,7 +149,7 @@ def default(field: FieldInfo) -> str:
 
 
 def keys() -> Iterator[str]:
-    """A table of every table's keys. Raises ValueError where the schema and the texts here know different ones."""
+    """A table of every table's keys. Raises ValueError where the schema and the texts here have different ones."""
     for name, (schema, texts) in TABLES.items():
         fields = {field.alias or key: field for key, field in schema.model_fields.items()}
         if fields.keys() != texts.keys():
@@ -162,7 +162,7 @@ def keys() -> Iterator[str]:
 
 def kinds() -> Iterator[str]:
     """The soft constraints."""
-    yield "| `kind` | part | default weight | what it keeps small | options |"
+    yield "| `kind` | part | default weight | penalised quantity | options |"
     yield "|---|---|---|---|---|"
     for kind in KINDS.values():
         options = ", ".join(f"`{name}` ({text})" for name, text in kind.choices().items())
@@ -176,7 +176,7 @@ def kinds() -> Iterator[str]:
 
 
 def written(page: str) -> str:
-    """The page with its tables anew."""
+    """The page with updated tables."""
     for name, lines in (("keys", keys()), ("kinds", kinds())):
         begin, end = MARKS[0].format(name), MARKS[1]
         text = begin + "\n".join(lines).rstrip() + "\n" + end
