@@ -26,7 +26,7 @@ export interface Drawn {
 export const bytes = (text: string): ArrayBuffer => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
 export const floats = (text: string): Float32Array => new Float32Array(bytes(text));
 
-/** How finely round things are drawn: how far [m] a surface may lie off its place, and corners of a circle. */
+/** Tessellation of curved surfaces: maximum deviation [m] of the surface, and corners of a circle. */
 export interface Fineness { sag: number; least: number; most: number; faces: number; plain: boolean; }
 export const FINE: Fineness = { sag: 0.0006, least: 10, most: 40, faces: 40_000, plain: false };
 export const COARSE: Fineness = { sag: 0.004, least: 6, most: 12, faces: 1000, plain: true };

@@ -8,7 +8,7 @@ export const DUSK: Mood = { haze: [0.17, 0.185, 0.21], zenith: [0.07, 0.08, 0.1]
 
 export interface Drawing { canvas: HTMLCanvasElement; renderer: THREE.WebGLRenderer; software: boolean; }
 
-/** What draws on a canvas, and whether that is the processor alone, which is asked for less; throws where there is no
+/** The renderer on a canvas, and whether it runs in software, which limits detail; throws without
  * WebGL 2. The canvas may be another one in its place: smooth edges are for those who do not draw by the processor. */
 export const drawingOn = (given: HTMLCanvasElement): Drawing => {
   const wishes = { alpha: false, antialias: false, stencil: true, powerPreference: "high-performance" } as const; // shadows laid flat count on it
@@ -34,7 +34,7 @@ export const drawingOn = (given: HTMLCanvasElement): Drawing => {
   return { canvas, renderer, software };
 };
 
-const SUN = new THREE.Vector3(2.6, -3.2, 5.2); // [m] from where somebody looks
+const SUN = new THREE.Vector3(2.6, -3.2, 5.2); // [m] relative to the camera's target
 const FILL = new THREE.Vector3(-2, 3, 2.5);
 
 export class Surroundings {
@@ -50,7 +50,7 @@ export class Surroundings {
     this.dome.setAttribute("color", new THREE.BufferAttribute(new Float32Array(this.dome.attributes.position.count * 3), 3));
     const paint = { vertexColors: true, side: THREE.BackSide, fog: false, toneMapped: false };
     const sky = new THREE.Mesh(this.dome, new THREE.MeshBasicMaterial(paint));
-    sky.renderOrder = 1; // after all that hides it
+    sky.renderOrder = 1; // after everything that hides it
     this.scene.add(sky);
     this.scene.fog = new THREE.Fog(0, 4 + 2 * extent, 22 + 6 * extent);
     const { sun } = this;
@@ -80,7 +80,7 @@ export class Surroundings {
     colours.needsUpdate = true;
   }
 
-  /** The sun goes along, so that the shadow is where somebody looks. */
+  /** The sun follows the camera's target, so that the shadow stays in view. */
   follow(here: THREE.Vector3): void {
     this.sun.target.position.copy(here);
     this.sun.position.copy(here).add(SUN);
@@ -89,7 +89,7 @@ export class Surroundings {
   /** Where the sun is, from wherever one looks. */
   get sunward(): THREE.Vector3 { return SUN; }
 
-  /** Whether what stands in the sun throws a shadow that is seen. */
+  /** Whether objects in the sun cast a visible shadow. */
   set shadows(yes: boolean) { this.sun.castShadow = yes; }
 
   /** By how much a screen is darker on level ground where the sun does not come. */

@@ -1,4 +1,4 @@
-// The axes that a thing on the stage is said in: the world's, or those of the body that it is a part of.
+// The axes of an object's position on the stage: the world's, or those of its body.
 import * as THREE from "three";
 import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";

@@ -6,7 +6,7 @@ import { model } from "./model";
 import { PAD, type Timeline } from "./timeline";
 
 const COLOURS = ["#58a6ff", "#f0883e", "#56d364", "#ff7b9c", "#bc8cff", "#e3b341", "#39c5cf", "#a5b1c2"];
-const LABELLED = 14; // [px] of the unit beside them
+const LABELLED = 14; // [px] of the unit's label
 const AXIS = 56; // [px] of the numbers beside the plot
 const MOST = 8; // series that are shown to begin with
 

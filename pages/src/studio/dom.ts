@@ -45,7 +45,7 @@ export const icon = (name: string): SVGSVGElement => {
   return svg;
 };
 
-/** Says something where it is not said already: what is not changed is not drawn again. */
+/** Sets an element's text if it differs: unchanged text is not laid out again. */
 export const say = (where: Element, text: string): void => { if (where.textContent !== text) where.textContent = text; };
 
 /** A button with an icon; its name is for the tooltip and for screen readers. */

@@ -25,13 +25,13 @@ const closing = (box: () => HTMLDialogElement, name: string, done: () => Promise
 
 const replacing = (): [HTMLInputElement, HTMLElement] => {
   const over = el("input", { type: "checkbox" });
-  return [over, el("label", { class: "line" }, over, " replace a file that is there")];
+  return [over, el("label", { class: "line" }, over, " overwrite an existing file")];
 };
 
 const base = (): string => (model.document?.name ?? "clip").replace(/[^\w.-]+/g, "_");
 
 export const saveAs = (): void => {
-  const name = el("input", { type: "text", value: `${base()}.toml`, "aria-label": "name of the file" });
+  const name = el("input", { type: "text", value: `${base()}.toml`, "aria-label": "file name" });
   const [over, line] = replacing();
   const box = dialog("Save as", row("name", name), line,
     closing(() => box, "Save", async () => (await act("save", { name: name.value, overwrite: over.checked })).ok));
@@ -41,19 +41,19 @@ export const saveAs = (): void => {
 export const open = async (): Promise<void> => {
   const answer = await ask("files");
   if (!answer.ok) return;
-  const figure = el("input", { type: "text", placeholder: "human, or a model's file", "aria-label": "figure of a recording that brings none" });
+  const figure = el("input", { type: "text", placeholder: "human, or a model's file", "aria-label": "figure for a recording that has none" });
   const list = (names: string[], what: string): HTMLElement => el("div", { class: "list" }, el("h3", { text: what }),
     ...(names.length ? names.map((name) => el("button", {
       type: "button", text: name,
       onclick: () => void act("open", { name, figure: figure.value || null }).then((done) => { if (done.ok) { box.close(); model.select([]); } }),
     })) : [el("p", { class: "hint", text: "none" })]));
-  const box = dialog("Open", list(answer.files as string[], "in the clip's folder: clips, models, motions, recordings"), list(answer.shipped as string[], "clips that ship"), row("figure of a recording", figure),
+  const box = dialog("Open", list(answer.files as string[], "in the clip's folder: clips, models, motions, recordings"), list(answer.shipped as string[], "shipped clips"), row("figure of a recording", figure),
     el("div", { class: "buttons end" }, el("button", { type: "button", text: "Cancel", onclick: () => box.close() })));
 };
 
 export const exported = (): void => {
   const to = el("select", { "aria-label": "format" }, ...formats.formats.map((each) => el("option", { value: each.name, text: `${each.name} – ${each.says}` })));
-  const name = el("input", { type: "text", "aria-label": "name of the file" });
+  const name = el("input", { type: "text", "aria-label": "file name" });
   const ended = (): void => { name.value = `${base()}${formats.formats.find((each) => each.name === to.value)?.ending.split(/[ ,]/)[0] ?? ""}`; };
   to.addEventListener("change", ended);
   ended();
@@ -63,10 +63,10 @@ export const exported = (): void => {
 };
 
 export const rendered = (): void => {
-  const name = el("input", { type: "text", value: `${base()}.mp4`, "aria-label": "name of the film" });
-  const size = el("input", { type: "text", value: "1280x720", "aria-label": "size in pixels" });
+  const name = el("input", { type: "text", value: `${base()}.mp4`, "aria-label": "file name of the video" });
+  const size = el("input", { type: "text", value: "1280x720", "aria-label": "size, pixels" });
   const camera = el("select", { "aria-label": "camera" }, ...["side", "left", "front", "three_quarter", "back"].map((each) => el("option", { value: each, text: each })));
-  const only = el("select", { "aria-label": "what is shown" }, el("option", { value: "after", text: "the motion" }), el("option", { value: "", text: "before | after" }));
+  const only = el("select", { "aria-label": "view" }, el("option", { value: "after", text: "the motion" }), el("option", { value: "", text: "before | after" }));
   const [over, line] = replacing();
   const box = dialog("Render", row("name, .mp4 .webm .gif .png", name), row("size", size), row("camera", camera), row("what", only), line,
     closing(() => box, "Render", async () => { void act("render", { name: name.value, size: size.value, camera: camera.value, only: only.value, overwrite: over.checked }); return true; }));

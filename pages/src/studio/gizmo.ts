@@ -1,4 +1,4 @@
-// Rings about a joint that turn it; the server says what pose that is.
+// Rings that rotate a joint; the server computes the pose.
 import * as THREE from "three";
 import { TransformControls } from "three/examples/jsm/controls/TransformControls.js";
 import { axesOf } from "./axes";
@@ -18,7 +18,7 @@ const placeOf = (thing: Obstacle): THREE.Vector3 | undefined => {
   return from.add(to).multiplyScalar(0.5);
 };
 
-/** What it says when its arrows have been drawn to a place. */
+/** The obstacle's entries after its arrows were dragged to a position. */
 const movedTo = (thing: Obstacle, place: THREE.Vector3): Record<string, unknown> => {
   const [x, y, z] = rounded(place);
   if (thing.kind === "step") return { x, y, height: Math.max(0.02, z) };
@@ -33,7 +33,7 @@ export class Gizmo {
   private readonly begin = new THREE.Quaternion();
   private revision = 0;
   private time = 0; // when it was taken
-  private held: Obstacle | undefined; // as it was when it was taken
+  private held: Obstacle | undefined; // at the start of the drag
   private dragging = false;
   private waiting = false;
   private again = false;
@@ -86,11 +86,11 @@ export class Gizmo {
     this.controls.enabled = true;
   }
 
-  /** Nothing to hold any more; what was being turned or moved is as it was. */
+  /** Detaches the gizmo; an unfinished rotation or move is undone. */
   private hide(): void {
     const { dragging } = this;
     this.dragging = this.again = false;
-    if (dragging) this.controls.pointerUp(null); // it hears no more of the mouse's own
+    if (dragging) this.controls.pointerUp(null); // it receives no further mouse events
     if (this.controls.object) { this.controls.detach(); this.controls.enabled = false; }
     if (!dragging) return;
     this.stage.orbit.enabled = true;
@@ -130,7 +130,7 @@ export class Gizmo {
 
   private async end(): Promise<void> {
     while (this.waiting) await new Promise((resolve) => window.setTimeout(resolve, 4));
-    if (!this.dragging) return; // let go meanwhile
+    if (!this.dragging) return; // released in the meantime
     this.dragging = false;
     this.stage.orbit.enabled = true;
     if (model.joint !== null) await act("drop", { time: this.time, partial: model.partial });

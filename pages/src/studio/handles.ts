@@ -1,4 +1,4 @@
-// Handles on what stands about, by which it is made larger and smaller: on faces, at ends, on what is round.
+// Handles that resize obstacles: on faces, at ends, on curved surfaces.
 import * as THREE from "three";
 import { axesOf } from "./axes";
 import { short, toast } from "./dom";
@@ -7,7 +7,7 @@ import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";
 
 type Said = Record<string, unknown>;
-/** Where one is; along what it is drawn, or else anywhere; what the obstacle says when it has been drawn so far, or there. */
+/** Its position; the direction of dragging, or null for any; the obstacle's entries after dragging so far, or to a position. */
 interface Handle { at: THREE.Vector3; along: THREE.Vector3 | null; said: (by: number, to: THREE.Vector3) => Said; }
 
 const NEAR = 11; // [px] from a handle within which it is taken

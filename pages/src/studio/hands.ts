@@ -106,7 +106,7 @@ export class Hands {
     this.follow();
   }
 
-  /** Asks for the pose of where the mouse is now; one at a time. */
+  /** Requests the pose for the mouse's present position; one request at a time. */
   private follow(): void {
     if (this.waiting || !this.next || !this.held) return;
     const position = this.next.toArray(), asked = performance.now();

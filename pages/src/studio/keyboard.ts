@@ -31,16 +31,16 @@ const scaled = (factor: number): void => {
 
 export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles): Deed[] => [
   ["Space", "play or pause", () => play()],
-  ["ArrowLeft", "one image back", () => step(-1)],
-  ["ArrowRight", "one image on", () => step(1)],
+  ["ArrowLeft", "previous frame", () => step(-1)],
+  ["ArrowRight", "next frame", () => step(1)],
   ["PageUp", "previous keyframe", () => toKey(-1)],
   ["PageDown", "next keyframe", () => toKey(1)],
-  ["Home", "to the beginning", () => model.seek(model.first)],
-  ["End", "to the end", () => model.seek(model.last)],
+  ["Home", "first frame", () => model.seek(model.first)],
+  ["End", "last frame", () => model.seek(model.last)],
   ["+", "faster", () => speed(1)],
   ["-", "slower", () => speed(-1)],
   ["L", "loop", click("loop")],
-  ["F", "the camera goes along", click("follow")],
+  ["F", "camera follows the figure", click("follow")],
   ["1", "view: three-quarter", () => stage.aim("quarter")],
   ["2", "view: right side", () => stage.aim("side")],
   ["3", "view: left side", () => stage.aim("left")],
@@ -57,36 +57,36 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: H
   ["H", "ghosts of the keyframes", click("ghosts")],
   ["T", "trails and contact points", click("trails")],
   ["C", "curves", toggleCurves],
-  ["U", "limbs on the timeline", () => { timeline.unfolded = !timeline.unfolded; timeline.draw(); }],
-  ["Z", "all of the timeline", () => timeline.fit()],
-  ["[", "timeline: farther", () => timeline.zoom(1.4)],
-  ["]", "timeline: nearer", () => timeline.zoom(0.7)],
-  ["K", "a keyframe here, from the path", () => void addKey()],
+  ["U", "limb rows on the timeline", () => { timeline.unfolded = !timeline.unfolded; timeline.draw(); }],
+  ["Z", "show all of the timeline", () => timeline.fit()],
+  ["[", "timeline: zoom out", () => timeline.zoom(1.4)],
+  ["]", "timeline: zoom in", () => timeline.zoom(0.7)],
+  ["K", "insert a keyframe from the path", () => void addKey()],
   ["N", "new keyframes: of one limb, or of the whole figure", click("partial")],
   ["Delete", "delete keyframes, a contact or hold", () => void remove()],
-  ["Alt-ArrowLeft", "the keyframe one image earlier", () => nudge(-1)],
-  ["Alt-ArrowRight", "the keyframe one image later", () => nudge(1)],
-  ["Alt-ArrowUp", "selected keyframes 10 % farther apart", () => scaled(1.1)],
-  ["Alt-ArrowDown", "selected keyframes 10 % closer together", () => scaled(1 / 1.1)],
-  ["M", "exchange left and right of keyframes", () => { const keys = selected(); if (keys.length) void act("mirror", { keys }); }],
-  ["Ctrl-A", "select every keyframe", () => model.select(model.document?.keys.keys() ?? [])],
+  ["Alt-ArrowLeft", "move the keyframe one frame earlier", () => nudge(-1)],
+  ["Alt-ArrowRight", "move the keyframe one frame later", () => nudge(1)],
+  ["Alt-ArrowUp", "spread selected keyframes by 10 %", () => scaled(1.1)],
+  ["Alt-ArrowDown", "compress selected keyframes by 10 %", () => scaled(1 / 1.1)],
+  ["M", "mirror keyframes", () => { const keys = selected(); if (keys.length) void act("mirror", { keys }); }],
+  ["Ctrl-A", "select all keyframes", () => model.select(model.document?.keys.keys() ?? [])],
   ["Ctrl-C", "copy keyframes", () => { const keys = selected(); if (keys.length) void act("copy", { keys }); }],
-  ["Ctrl-V", "paste them here", () => void act("paste", { time: model.time })],
+  ["Ctrl-V", "paste keyframes here", () => void act("paste", { time: model.time })],
   ["Ctrl-D", "duplicate keyframes to here", () => { const keys = selected(); if (keys.length) void act("copy", { keys }).then((answer) => { if (answer.ok) void act("paste", { time: model.time }); }); }],
   ["Ctrl-Z", "undo", () => void act("undo")],
   ["Ctrl-Shift-Z", "redo", () => void act("redo")],
   ["Ctrl-S", "save", () => void save()],
-  ["G", "stop optimising, or go on", click("go")],
+  ["G", "stop or continue optimising", click("go")],
   ["P", "panel: pose", () => { showTab("pose"); $("tab-pose").focus(); }],
-  ["O", "panel: what is wrong", () => { showTab("problems"); $("tab-problems").focus(); }],
+  ["O", "panel: problems", () => { showTab("problems"); $("tab-problems").focus(); }],
   ["W", "panel: weights", () => { showTab("weights"); $("tab-weights").focus(); }],
   ["S", "panel: scene", () => { showTab("scene"); $("tab-scene").focus(); }],
-  ["J", "the next joint, with rings to turn it", () => {
+  ["J", "next joint, with rotation rings", () => {
     const joints = model.stage?.joints.map((joint) => joint.name) ?? [];
     model.joint = joints[(joints.indexOf(model.joint ?? "") + 1) % joints.length] ?? null;
     model.tell("joint");
   }],
-  ["Escape", "let go: of a drag, a joint, a selection", () => {
+  ["Escape", "cancel a drag; deselect", () => {
     if (hands.busy) { void hands.cancel(); return; }
     if (handles.busy) { handles.cancel(); return; }
     if (model.joint !== null || model.obstacle !== null) { model.joint = model.obstacle = null; model.tell("joint"); } else model.select([]);
@@ -101,12 +101,12 @@ const speed = (by: number): void => {
 };
 
 const MOUSE: [string, string][] = [
-  ["drag the figure", "pose it: the limb bends, then the whole figure goes along; soles that stand stay (Alt: they need not)"],
-  ["click the figure", "choose a joint and turn it by its rings"],
-  ["choose a thing in the panel Scene", "arrows move it; the dots on its faces and ends make it larger and smaller"],
-  ["drag beside it", "turn the camera; right button or Shift: move it; wheel: nearer"],
+  ["drag the figure", "pose it: the limb bends, then the whole figure follows; planted soles stay (Alt: they may move)"],
+  ["click the figure", "select a joint and rotate it by its rings"],
+  ["select an obstacle in the panel Scene", "arrows move it; the dots on its faces and ends resize it"],
+  ["drag the background", "orbit; right button or Shift: pan; wheel: zoom"],
   ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Ctrl-Alt: scale in time; Alt: do not snap"],
-  ["drag over a point's row", "a new contact; its ends and itself can be dragged; of a hand's row, once a joint of its arm is chosen, a new hold"],
+  ["drag over a point's row", "new contact; drag it or its ends; on a hand's row (select a joint of its arm): new hold"],
   ["Ctrl-wheel, Shift-wheel", "zoom and move the timeline"],
 ];
 

@@ -1,4 +1,4 @@
-// The line to the server: what is asked gets an answer; what is told goes to the model. It comes back when it is lost.
+// The connection to the server: requests get an answer, notifications update the model. It reconnects when lost.
 import { Path } from "../scene/path";
 import { toast } from "./dom";
 import { model, type Course, type Obstacle } from "./model";
@@ -25,10 +25,10 @@ export const isAwaiting = (): boolean => waiting.size > 0;
 /** Whether that is a change of the clip. */
 export const isChanging = (): boolean => waiting.has(change);
 
-/** Asks for something; the answer says what was done or why not, and never throws. */
+/** Sends a request; the answer describes the result or the reason for a rejection, and never throws. */
 export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promise((resolve) => {
   if (!socket || socket.readyState !== WebSocket.OPEN) {
-    resolve({ ok: false, words: "the studio cannot be reached at the moment" });
+    resolve({ ok: false, words: "no connection to the studio; try again" });
     return;
   }
   number += 1;
@@ -41,10 +41,10 @@ export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promi
   socket.send(JSON.stringify({ do: what, id: number, ...seen, ...said }, (_, value) => (Number.isNaN(value) ? "NaN" : value)));
 });
 
-/** Asks, and says in words what came of it. */
+/** Sends a request and shows a rejection as a message. */
 export const act = async (what: string, said: Told = {}): Promise<Answer> => {
   const answer = await ask(what, said);
-  if (!answer.ok) toast(answer.words ?? "it could not be done", "wrong");
+  if (!answer.ok) toast(answer.words ?? "the request failed", "wrong");
   else if (answer.words) toast(answer.words);
   return answer;
 };
@@ -123,7 +123,7 @@ export const connect = (): void => {
   };
   line.onclose = () => {
     connected = false;
-    for (const resolve of waiting.values()) resolve({ ok: false, words: "the line to the studio was lost; it is tried again" });
+    for (const resolve of waiting.values()) resolve({ ok: false, words: "connection to the studio lost; reconnecting" });
     waiting.clear();
     model.tell("line");
     window.setTimeout(connect, pause);

@@ -21,7 +21,7 @@ const themed = (): void => {
   document.documentElement.dataset.theme = wanted;
 };
 themed();
-connect(); // what it tells comes when all of this has been done
+connect(); // messages arrive after this script has run
 
 try {
   const stage = new Stage();

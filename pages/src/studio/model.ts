@@ -1,4 +1,4 @@
-// What the studio knows: the document, the stage, the paths; and what this page alone knows: the time, the selection.
+// The studio's state: the document, the stage and the paths; and of this page alone: the time and the selection.
 import type { Drawn } from "../scene/shapes";
 import type { Path } from "../scene/path";
 
@@ -48,7 +48,7 @@ class Model {
   snapshot: Path | null = null;
   course: Course | null = null;
   flaws: Flaw[] = [];
-  astray: string | null = null; // why the search should begin anew
+  astray: string | null = null; // why the search should be restarted
   kinds: Kind[] = [];
   status: { state: string; go: boolean; stop?: string; words?: string } = { state: "loading", go: true };
   time = 0;
@@ -59,7 +59,7 @@ class Model {
   which: Which = "after";
   ghosts = false;
   trails = false;
-  partial = false; // whether new keyframes say only the limb that makes them
+  partial = false; // whether new keyframes specify only the dragged limb
   frames = 0; // paths that have come
   keys = new Set<number>();
   bar: { kind: "contact" | "hold"; index: number } | null = null;

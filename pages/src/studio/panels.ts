@@ -1,4 +1,4 @@
-// The panel at the side: joints of a keyframe, what is wrong, weights, what stands about.
+// The side panel: joints of a keyframe, problems, weights, obstacles.
 import { $, el, short, toast } from "./dom";
 import { act, edit } from "./link";
 import { model, type Joint, type Rotation } from "./model";
@@ -57,7 +57,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const further = joint === model.stage!.joints.find((each) => each.kind === "free") ? "" : joint.name; // a free body beside the root
   const explicit = joint.kind === "free" || said.joints?.[joint.name] !== undefined;
   const mode = fixed ? "pin" : "free";
-  const choice = el("select", { class: "mode", "aria-label": `${joint.name}: pinned, free, or as the rest of the keyframe`, title: "pinned: exactly so; free: the optimiser says; others: as the keyframe has what it does not name" });
+  const choice = el("select", { class: "mode", "aria-label": `${joint.name}: pinned, free, or by the keyframe's rule for other joints`, title: "pinned: fixed at this value; free: chosen by the optimiser; others: by the keyframe's rule for other joints" });
   for (const [value, text] of [["pin", "pinned"], ["free", "free"], ...(joint.kind === "free" ? [] : [["none", `others (${said.others})`]])]) {
     choice.append(el("option", { value, text, selected: value === (explicit ? mode : "none") }));
   }
@@ -113,7 +113,7 @@ const pose = (): void => {
     return;
   }
   const said = document.keys[key], { revision } = document;
-  const others = el("select", { "aria-label": "what this keyframe does not name" });
+  const others = el("select", { "aria-label": "joints that this keyframe does not name" });
   for (const value of new Set(["free", "rest", "hold", said.others])) others.append(el("option", { value, text: value, selected: value === said.others }));
   others.addEventListener("change", () => void edit("set_others", { key, revision, value: others.value }));
   const time = field("time", said.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
@@ -121,14 +121,14 @@ const pose = (): void => {
   box.replaceChildren(
     el("div", { class: "heading" }, el("h2", { text: `Keyframe ${key + 1}` }), el("label", {}, "at ", time, " s")),
     el("div", { class: "buttons" },
-      el("button", { type: "button", text: "mirror", title: "exchange left and right (M)", onclick: () => void act("mirror", { keys: [key], revision }) }),
-      el("button", { type: "button", text: "rest", title: "every joint as at rest", onclick: () => void act("rest", { key, revision }) }),
+      el("button", { type: "button", text: "mirror", title: "mirror left and right (M)", onclick: () => void act("mirror", { keys: [key], revision }) }),
+      el("button", { type: "button", text: "rest", title: "set every joint to rest", onclick: () => void act("rest", { key, revision }) }),
       el("button", { type: "button", text: "pin all", onclick: () => void act("pin", { key, revision, joints: stage.joints.map((joint) => joint.name) }) }),
       el("button", { type: "button", text: "free all", onclick: () => void act("free", { key, revision, joints: stage.joints.map((joint) => joint.name) }) })),
-    el("label", { class: "line" }, "what is not named: ", others),
+    el("label", { class: "line" }, "other joints: ", others),
     ...["sites", "bodies"].flatMap((group) => Object.entries((said as any)[group] ?? {}).map(([name, place]) =>
       el("div", { class: "line place" }, el("span", { text: `${name} → ${JSON.stringify(place)}` }),
-        ...(group === "sites" ? [el("button", { type: "button", text: "let go", onclick: () => void edit("set_place", { key, revision, site: name, position: null }) })] : [])))),
+        ...(group === "sites" ? [el("button", { type: "button", text: "remove target", onclick: () => void edit("set_place", { key, revision, site: name, position: null }) })] : [])))),
     ...stage.joints.map((joint) => poseRow(key, joint))); // it stays scrolled: to ask how far would lay out all of it twice
   if (model.joint !== chosen) {
     chosen = model.joint;
@@ -143,11 +143,11 @@ const problems = (): void => {
   $("count").hidden = !count;
   const box = $("panel-problems");
   if (!count && astray === null) {
-    box.replaceChildren(el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "Nothing is wrong with this motion." : "Nothing found yet." }));
+    box.replaceChildren(el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "No problems." : "No problems so far." }));
     return;
   }
   const lost = astray === null ? [] : [el("div", { class: "astray", role: "status" }, el("p", { text: astray }),
-    el("button", { type: "button", id: "astray-anew", class: "main", text: "Search anew", onclick: () => void act("go", { anew: true }) }))];
+    el("button", { type: "button", id: "astray-anew", class: "main", text: "Restart search", onclick: () => void act("go", { anew: true }) }))];
   box.replaceChildren(...lost, el("p", { class: "hint", text: count ? "Worst first. Click one to go there." : "" }), el("ol", { class: "flaws" }, ...flaws.map((flaw) =>
     el("li", {}, el("button", {
       type: "button", class: flaw.keyframe === null ? "" : "own", text: flaw.text,
@@ -156,7 +156,7 @@ const problems = (): void => {
         const joint = model.stage?.joints.find((each) => each.name === flaw.name);
         if (joint) { model.joint = joint.name; model.tell("joint"); }
         if (flaw.keyframe !== null) model.select([flaw.keyframe - 1]);
-        if (flaw.time === null) toast("it is of no one time", "note");
+        if (flaw.time === null) toast("it concerns the whole motion", "note");
       },
     })))));
 };
@@ -182,7 +182,7 @@ const weights = (): void => {
     const share = sum > 0 ? (parts[term] ?? 0) / sum : 0;
     const bar = el("i", { class: "share" });
     bar.style.width = `${100 * share}%`;
-    return el("div", { class: `weight${term in (loaded?.weights ?? {}) ? "" : " off"}`, title: `keeps small: ${small}` },
+    return el("div", { class: `weight${term in (loaded?.weights ?? {}) ? "" : " off"}`, title: `penalises ${small}` },
       el("span", { class: "name" }, el("b", { text: term }), el("small", { text: small })), slider, entry,
       el("button", { type: "button", class: "axis", text: "↺", disabled: !given, title: "its default", "aria-label": `default weight of ${term}`, onclick: () => void edit("set_weight", { kind, part, weight: null }) }),
       el("span", { class: "part", title: "its share of E" }, bar, el("small", { text: parts[term] === undefined ? "" : parts[term].toPrecision(2) })));
@@ -205,7 +205,7 @@ const scene = (): void => {
     const selected = model.obstacle?.kind === thing.kind && model.obstacle.index === thing.index;
     const title = `${thing.kind}${thing.name ? ` ‘${thing.name}’` : ""}`;
     const row = el("div", { class: `joint${selected ? " selected" : ""}` },
-      el("button", { type: "button", class: "name", text: title, title: "take hold of it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: thing.kind, index: thing.index }; model.joint = null; model.tell("joint"); scene(); } }),
+      el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: thing.kind, index: thing.index }; model.joint = null; model.tell("joint"); scene(); } }),
       el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("delete_obstacle", { kind: thing.kind, index: thing.index, revision }); } }));
     const line = el("div", { class: "numbers" });
     for (const [name, value] of Object.entries(thing)) {

@@ -19,8 +19,8 @@ const SURE = 30;
 const REST = 220; // [ms] after the last movement until it is drawn with all of them
 const REST_SEARCHING = 900; // by a processor that loads or searches meanwhile
 const LEAVE = 90; // [ms] from one image to the next that a processor which draws leaves to the search while it plays
-const LEAVE_STILL = 130; // while it does not: a better path is all that there is to be seen
-const SCALES = [0.4, 0.55, 0.75, 1]; // of the points along either side: few steps, for each takes a canvas anew
+const LEAVE_STILL = 130; // while it does not: only better paths change the view
+const SCALES = [0.4, 0.55, 0.75, 1]; // of the pixels along either side: few steps, because each change allocates a new canvas
 const ROUGH = 0.75; // up to which the figure itself has fewer triangles, too
 const SHARP = 1.4; // of them when all is still, by a processor: edges are smooth
 
@@ -301,7 +301,7 @@ export class Stage {
     this.sized();
   }
 
-  /** The canvas as large as it is to be: all that it takes at once, for each change of it waits for all that was drawn. */
+  /** Sets the canvas size, with all changes at once, because each one waits for everything drawn before. */
   private sized(): void {
     const [wide, high] = this.box, scale = this.drawnAt * (this.software ? 1 : Math.min(window.devicePixelRatio, 2));
     if (wide && high) this.renderer.setDrawingBufferSize(wide, high, scale);

@@ -25,7 +25,7 @@ export class Timeline {
   private drag: Drag | null = null;
   private preview = new Map<number, number>(); // times of keyframes that are being dragged
   private redraw = 0;
-  private wide = 0; // [px] of the box, asked for once a size: the answer has all that was changed laid out
+  private wide = 0; // [px] of the box, queried once per size: a query forces a layout
   private ticked = ""; // which variable frames are drawn, and where
 
   constructor() {
@@ -105,7 +105,7 @@ export class Timeline {
     this.ruler.setAttribute("aria-valuetext", `${model.time.toFixed(2)} seconds`);
   }
 
-  /** Once an image, however often it is asked for. */
+  /** Redraws once per animation frame, however often it is called. */
   draw(): void {
     if (!this.redraw) this.redraw = requestAnimationFrame(() => { this.redraw = 0; this.drawn(); });
   }
@@ -229,18 +229,18 @@ export class Timeline {
     const hands = [...new Set([...(model.limb?.hands ?? []), ...document!.holds.map((bar) => bar.hand!)])];
     const rows = points.slice(0, 24).map((point) => {
       const row = el("div", { class: "row bars", "data-point": point }, this.label(point));
-      for (const told of loaded?.stances.filter((each) => each.point === point) ?? []) row.append(this.told(told.from, told.to, `${point} stands, as keyframes tell`));
+      for (const told of loaded?.stances.filter((each) => each.point === point) ?? []) row.append(this.told(told.from, told.to, `${point}: stance inferred from keyframes`));
       document!.contacts.forEach((bar, i) => { if (bar.point === point) row.append(this.bar("contact", i, bar, `contact of ${point}`)); });
       return row;
     });
     for (const hand of hands) {
-      const row = el("div", { class: "row bars", "data-hand": hand, title: "drag over it: a new hold" }, this.label(`${hand} holds`));
+      const row = el("div", { class: "row bars", "data-hand": hand, title: "drag here for a new hold" }, this.label(`${hand} holds`));
       document!.holds.forEach((bar, i) => { if (bar.hand === hand) row.append(this.bar("hold", i, bar, `${hand} holds ${bar.body}`)); });
       rows.push(row);
     }
     if (loaded?.flights.length) {
       const row = el("div", { class: "row bars" }, this.label("flights"));
-      for (const [from, to] of loaded.flights) row.append(this.told(from, to, "a flight, as keyframes tell", "flight"));
+      for (const [from, to] of loaded.flights) row.append(this.told(from, to, "flight inferred from keyframes", "flight"));
       rows.push(row);
     }
     return rows;
@@ -405,8 +405,8 @@ export class Timeline {
       .filter(({ name, body }) => body && name && !stage.still[body] && body !== site.body && stage.joints.some((joint) => joint.body === body)
         && !own?.joints.some((joint) => stage.joints.find((each) => each.name === joint)?.body === body))
       .sort((a, b) => Number(b.other) - Number(a.other) || a.away - b.away).slice(0, 8);
-    if (!bodies.length) { toast("nothing there moves that it could hold", "note"); done(null); return; }
-    const menu = el("dialog", { class: "menu", "aria-label": `what ${hand} holds` });
+    if (!bodies.length) { toast("there is no free body to hold", "note"); done(null); return; }
+    const menu = el("dialog", { class: "menu", "aria-label": `body held by ${hand}` });
     let chosen: string | null = null;
     menu.append(el("p", { class: "hint", text: `${hand} holds` }), ...bodies.map(({ name }) => el("button", { type: "button", text: name, onclick: () => { chosen = name; menu.close(); } })));
     menu.addEventListener("close", () => { menu.remove(); done(chosen); });

@@ -11,7 +11,7 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 const STATES: Record<string, string> = {
   loading: "loading …", loaded: "loaded", searching: "optimising", settled: "converged", refused: "refused", gone: "gone",
 };
-const ENDS: Record<string, string> = { ASKED: "stopped", paused: "paused", BUDGET: "budget spent", STUCK: "stuck", CONVERGED: "converged" };
+const ENDS: Record<string, string> = { ASKED: "stopped", paused: "paused", BUDGET: "evaluation limit reached", STUCK: "stuck", CONVERGED: "converged" };
 
 export const play = (yes = !model.playing): void => {
   if (yes && model.time >= model.last - 1e-6) model.seek(model.first);
@@ -51,8 +51,8 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
   row.prepend(button("previous", "previous keyframe", () => toKey(-1), "page up"));
   $("play").after(button("next", "next keyframe", () => toKey(1), "page down"));
   $("tools").append(
-    button("key", "add a keyframe here from the path", () => void addKey(), "K"),
-    button("bin", "delete what is selected", () => void remove(), "Delete"),
+    button("key", "insert a keyframe from the path", () => void addKey(), "K"),
+    button("bin", "delete the selection", () => void remove(), "Delete"),
   );
   $("history").append(
     button("undo", "undo", () => void act("undo"), "Ctrl-Z"), button("redo", "redo", () => void act("redo"), "Ctrl-Shift-Z"),
@@ -89,15 +89,15 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
     told = performance.now();
     say(now, model.time.toFixed(2));
     say(whole, ` / ${model.last.toFixed(2)} s`);
-    say($("image"), `image ${Math.round((model.time - model.first) * model.fps)}`);
+    say($("image"), `frame ${Math.round((model.time - model.first) * model.fps)}`);
   });
   const state = (): void => {
     const { status, course } = model;
     const said = status.state === "settled" ? ENDS[status.stop ?? ""] ?? "converged" : STATES[status.state] ?? status.state;
-    say($("state"), connected ? said : "no line to the studio");
+    say($("state"), connected ? said : "no connection to the studio");
     $("state").dataset.state = connected ? status.state : "gone";
     say($("energy"), course?.value === undefined ? "" : `E ${course.value >= 1000 ? course.value.toExponential(2) : short(course.value)}`);
-    say($("go"), status.go ? "Stop" : "Go on");
+    say($("go"), status.go ? "Stop" : "Continue");
     $("go").title = status.go ? "stop optimising, now and after edits (G)" : "optimise, now and after edits (G)";
   };
   model.on(["status", "path", "line"], state);

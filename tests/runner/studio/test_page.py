@@ -137,8 +137,8 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         tab.until("document.getElementById('toast').textContent.includes('exported')")
         page.locator("#files").click()
         page.get_by_role("menuitem", name="Render").click()
-        page.locator("dialog input[aria-label='name of the film']").fill("sheet.png")
-        page.locator("dialog input[aria-label='size in pixels']").fill("160x90")
+        page.locator("dialog input[aria-label='file name of the video']").fill("sheet.png")
+        page.locator("dialog input[aria-label='size, pixels']").fill("160x90")
         page.locator("dialog button.main").click()
         tab.until(lambda: (tmp_path / "sheet.png").is_file(), 100)
         assert tab.heard == []
