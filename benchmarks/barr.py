@@ -36,7 +36,7 @@ SLOW = ("trust-constr, sparse", "SLSQP of NLopt, dense", "SLSQP of SciPy, dense"
 
 
 class Watched(Discrete):
-    """The discrete problem, with every point at which a solver asks for its value kept: (seconds, x)."""
+    """The discrete problem, recording every point at which a solver evaluates it: (seconds, x)."""
 
     def __init__(self, orientations: Array, steps: int) -> None:
         super().__init__(orientations, steps)

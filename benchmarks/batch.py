@@ -1,4 +1,4 @@
-"""Batches: clips a second with one worker process and with two, and what is left of one when things are killed."""
+"""Batches: clips per second with one worker process and with two, and recovery after processes are killed."""
 
 from __future__ import annotations
 

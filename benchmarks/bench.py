@@ -36,10 +36,10 @@ def _is_keyed(clip: dict[str, Any]) -> bool:
 
 @dataclass(frozen=True)
 class Effort:
-    """How much of a section is run, and who hears how far it is.
+    """Amount of a section to run, and the receiver of progress.
 
     quick    a small share of the sets and repeats: shows that everything runs, gives no figures to quote
-    tell     gets one line on what is being measured
+    tell     receives a line on the present measurement
     """
 
     quick: bool = False
@@ -57,7 +57,7 @@ class Effort:
 
 @dataclass(frozen=True)
 class Target:
-    """A figure that was asked for: `value` is to be at most (or at least) `limit`; None: it could not be measured."""
+    """A target: `value` is to be at most (or at least) `limit`; None: it could not be measured."""
 
     what: str
     value: float | None
@@ -93,7 +93,7 @@ class Section:
 
 
 def peer(name: str) -> Any | None:
-    """An optional package's module, or None where it is not installed."""
+    """An optional package's module, or None if it is not installed."""
     try:
         return importlib.import_module(name)
     except ImportError:
@@ -101,7 +101,7 @@ def peer(name: str) -> Any | None:
 
 
 def dynsplines(*arguments: str) -> list[str]:
-    """The command as it is installed, or by its function where it is not beside this Python."""
+    """The installed command, or its function where it is not next to this Python."""
     script = Path(sys.executable).parent / "dynsplines"
     return [str(script), *arguments] if script.exists() else [sys.executable, "-c", COMMAND, *arguments]
 

@@ -3,12 +3,12 @@
     DYNSPLINES_RECORDINGS=FOLDER_OF_BVH DYNSPLINES_ROBOT=g1.xml python benchmarks/run.py --only framewise
 
 Without the first, walks and runs of ours are written as BVH and read again; without the second they go to the human.
-mink gets the same map: of every sample the places of hands and feet about shoulders and hips, scaled by the lengths of
-arms and legs, that of the pelvis, and the rotations of all bodies that the map knows, weighed about as GMR weighs them,
-in the joints' ranges, from where the sample before ended. Both are measured by the same functions, on the same stances.
-Both stand on the floor that `retarget` finds; mink's samples are joined by a spline. How far hands and feet are off is
-told beside these places. mink is given the robot's model ready, `retarget` reads and compiles it with its meshes: the
-last column leaves out what that takes.
+mink gets the same bone map. Of every sample it tracks the positions of hands and feet relative to shoulders and hips,
+scaled by the lengths of arms and legs, that of the pelvis, and the rotations of all mapped bodies, weighted about as
+in GMR, in the joints' ranges, starting from the sample before. Both programs are measured by the same functions, on
+the same stances, and on the floor that `retarget` infers; mink's samples are joined by a spline. The errors of hands
+and feet are relative to these targets. mink is given the compiled robot model, `retarget` reads and compiles it with
+its meshes: the last column excludes that time.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """In-betweening: keep every n-th image of a motion as a keyframe, fill in the rest, compare with the motion itself.
 
-The motions are the project's own, solved from the clips that ship, so the figures can be repeated anywhere; they favour
-no spline in particular, but whoever wants to know about people must score captured motion in the same way. One setting
+The motions are solved from the shipped clips, so the numbers can be reproduced anywhere; they favour no particular
+spline, but conclusions about people need captured motion, scored in the same way. One setting
 for everything: a figure and an .npz of keyframes with the product's defaults, nothing else.
 """
 
@@ -93,7 +93,7 @@ METHODS: dict[str, Callable[[Motion, NDArray[np.intp], Path], Array]] = {
 
 @dataclass(frozen=True)
 class Seen:
-    """Where things are: joint rotations (T, n, 4), hands and ankles (T, m, 3), sole points (T, p, 3), their heights."""
+    """Positions: joint rotations (T, n, 4), hands and ankles (T, m, 3), sole points (T, p, 3), their heights."""
 
     turns: Array
     ends: Array

@@ -83,7 +83,7 @@ def solve(count: int) -> dict[str, Any]:
 
 
 def _peak() -> float:
-    """The most memory that this process ever held [MB]; what getrusage says on Linux counts its parent's, too."""
+    """The peak memory of this process [MB]; getrusage on Linux includes its parent's."""
     status = Path("/proc/self/status")
     if status.is_file():
         lines = dict(line.split(":", 1) for line in status.read_text(encoding="utf-8").splitlines())

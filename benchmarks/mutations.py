@@ -69,7 +69,7 @@ CAUGHT, SURVIVED, HUNG = "caught", "survived", "hung"
 
 @dataclass(frozen=True)
 class Mutant:
-    """One change of one file: its line, what stood there, what stands there now, and the whole source with it."""
+    """One change of one file: its line, the code before and after, and the complete changed source."""
 
     path: str
     line: int
@@ -92,7 +92,7 @@ class Outcome:
 
 
 def changes(node: ast.AST) -> list[ast.AST]:
-    """What can stand in the place of a node."""
+    """The replacements of a node."""
     if isinstance(node, ast.Constant) and type(node.value) is float and node.value and abs(node.value) < 1e300:
         return [ast.Constant(node.value * SLIGHTLY)]
     if isinstance(node, ast.Constant) and type(node.value) is int:

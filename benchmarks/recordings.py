@@ -7,8 +7,8 @@ a second each, every axis of its place and of every rotation has white noise of 
 T-pose of half a second in front. A true motion whose soles rest over its own floor, or in it, by the middle of their
 heights when they are slow, is set down on it first: ten captured clips hover by up to 15 cm.
 
-What rests, and how fast it skates, is told by the marks of the soles, where a figure has some; how deep it is, by all
-that it is made of; what hovers, by the round soles that roll under the marks.
+Resting points and their skate are measured at the marks of the soles, where a figure has some; depth with all geoms of
+the figure; hovering with the round soles under the marks.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     python benchmarks/run.py [--only NAME ...] [--quick] [-o DIR]
 
 Rules: both sides in one process and in turn, medians, one thread, building and compiling shown apart, failures of
-anybody counted. A section that is run again replaces its own figures in DIR and leaves the others.
+for all programs counted. A section that is run again replaces its results in DIR and leaves the others.
 """
 
 from __future__ import annotations

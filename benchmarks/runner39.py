@@ -116,7 +116,7 @@ class Runner:
 
 
 class Unknowns:
-    """The same unknowns for everybody: rows of variable frames and of the two end slopes, flat; x = 0 is no start.
+    """The unknowns of all programs: rows of variable frames and of the two end slopes, flat; x = 0 is no start.
 
     bases  three dense matrices (S, M + 2): states and their derivatives at the samples from the rows
     """
@@ -234,7 +234,7 @@ class LeastSquares:
 
 
 def by_mujoco(problem: LeastSquares, analytic: bool) -> list[Iterate]:
-    """Every point at which the tool asks for one residual vector, in order."""
+    """Every point at which the tool evaluates a residual vector, in order."""
     minimize = importlib.import_module("mujoco.minimize")
     seen: list[tuple[float, Array]] = []
     begin = time.perf_counter()
@@ -430,7 +430,7 @@ def methods(runner: Runner, unknowns: Unknowns, effort: Effort) -> tuple[dict[st
 
 
 def measure(effort: Effort) -> Section:
-    # CasADi's compiler leaves its files where it is called
+    # CasADi's compiler writes its files to the current folder
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder, contextlib.chdir(folder):
         return _measured(effort)
 
@@ -504,7 +504,7 @@ def _section(
         "every method's own end; all methods have 3 a segment and two end slopes (867 unknowns), world quaternions, "
         "the same 101 equal samples, and start from the raw spline",
         "every iterate is judged on 2001 samples, without the gauge: root, angular and depth terms do not depend on "
-        "the quaternions' length, so this is the normalised path's value, and nobody gains by falling between samples",
+        "the quaternions' length, so this is the normalised path's value, so violations between samples gain nothing",
         "on our clock: everything but loading the figure (timeline, spline, preconditioner, search). Not on CasADi's: "
         "building and compiling functions, spline matrices. Not on mujoco.minimize's: spline matrices",
         "CasADi: one sample's scalar expression mapped over all, exact gradients, IPOPT with limited-memory Hessian, "

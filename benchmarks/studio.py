@@ -35,7 +35,7 @@ KEY = 4  # the keyframe that is edited
 PULLS = 200  # poses of a drag
 SHARES = (0.3, 0.8)  # of a loop of 16 by 20 cm that a drag goes: each ends elsewhere, or a path would be remembered
 RESTED = 0.5  # [s] that a hand has been still before it lets go; else it lets go as it moves
-MINUTES = float(os.environ.get("STUDIO_MINUTES", "30"))  # of the long run, which is told with its figures
+MINUTES = float(os.environ.get("STUDIO_MINUTES", "30"))  # of the long run, which is part of its results
 DRAG = """async ([body, count, share]) => {
   const place = studio.stage.placeOf(body, [0, 0, 0]).toArray(), times = [], trips = [];
   await studio.ask('grip', { time: studio.model.time, body, offset: [0, 0, 0] });
@@ -124,7 +124,7 @@ def first_figure(browser: Any, folder: Path) -> float:
 
 
 def edits(page: Any, repeats: int, pulls: int) -> dict[str, list[float]]:
-    """Poses of a drag, and what comes after it is let go."""
+    """Poses of a drag, and the paths after it ends."""
     found: dict[str, list[float]] = {"server": [], "trip": []}
     kinds = [(0.0, ""), (RESTED, " rested")]
     found |= {f"{name}{kind}": [] for _, kind in kinds for name in ("first", "converged")}
@@ -215,7 +215,7 @@ def measure(effort: Effort) -> Section:
         browser, folder = play.chromium.launch(executable_path=chromium, args=FLAGS), Path(name)
         effort.tell("first figure")
         first_figure(browser, folder)
-        with served(folder) as (_, address):  # somebody has worked with this clip: what it showed is kept
+        with served(folder) as (_, address):  # the clip was open before: its view is cached
             page = browser.new_page(viewport=SIZE)
             page.goto(address)
             until(page, READY)

@@ -1,8 +1,8 @@
-"""The figures, stages and clips that ship, and the one place that knows how to find them.
+"""The shipped figures, stages and clips, and functions that locate them.
 
 Everything is read as text through `importlib.resources`, so a checkout, an editable install and a wheel behave alike.
 A figure is an MJCF file of this folder and a clip a TOML file in `clips`; `stage.xml` is what surrounds a figure. A
-TOML file in `maps` says which body of a figure is which part of a person, for recordings that are brought on to it.
+TOML file in `maps` is a bone map of a figure, for retargeting recordings to it.
 """
 
 import difflib
@@ -16,7 +16,7 @@ STAGE = "stage"
 
 
 class UnknownName(KeyError):
-    """No figure or clip of this name ships; the message says which do."""
+    """No shipped figure or clip has this name; the message lists them."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         names = sorted(known)

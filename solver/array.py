@@ -1,4 +1,4 @@
-"""The arrays of the solver: their types, and copies that nobody can write to."""
+"""Array types of the solver, and read-only copies."""
 
 from __future__ import annotations
 

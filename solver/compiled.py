@@ -1,4 +1,4 @@
-"""The compiled kernel, `kernel.c`, where it was built: the same results as NumPy's, sooner.
+"""The compiled kernel, `kernel.c`, if it is built: the same results as NumPy's, faster.
 
 It is built when the package is installed, if there is a C compiler, and left out without one.
 """

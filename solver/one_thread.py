@@ -11,7 +11,7 @@ from threadpoolctl import ThreadpoolController
 
 @contextmanager
 def one_thread() -> Iterator[None]:
-    """In here BLAS has one thread; afterwards as many as before. Where it has one anyway, nothing is asked of it."""
+    """Run this block with one thread of BLAS, then restore the number; without effect if it is one already."""
     libraries = _libraries()
     if all(library.num_threads == 1 for library in libraries.lib_controllers):
         yield

@@ -34,7 +34,7 @@ class Settings:
 
     variable         variable frames in every segment between keyframes to begin with; None: 2, and 3 in a clip so long
                      that it is solved window by window, where more rounds would take too long
-    frames           subdivision goes on up to so many variable frames in all; None: twelve a segment between keyframes
+    frames           limit of subdivision: the total number of variable frames; None: twelve a segment between keyframes
     criterion        which segments are split: "weak", "residual", "objective", "resolution"
     threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
                      the other criteria have units of their own
@@ -96,7 +96,7 @@ class Problem:
     keys       keyframes holding *qpos* (nq,) and the mask of what is fixed, at least two, in order of time
     penalties  soft constraints with their weights α
     ends       "free", "clamped" (with end_slope (2, N), in the figure's coordinates) or "periodic"
-    travel     (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
+    travel     (3,) [m] displacement of a loop's root per period; None: that of the keyframes in x and y
     turn       [rad] by how much the root of a loop is turned by then; None: as in the keyframes
     """
 

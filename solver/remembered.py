@@ -1,4 +1,4 @@
-"""What was found before and is asked for again: the last few answers, by what they depend on."""
+"""A cache of the last few results, by the arguments that they depend on."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Answer = TypeVar("Answer")
 
 
 class Remembered(Generic[Answer]):
-    """The last answers, so many at most. They are given out as they are: nobody may change them."""
+    """The last results, up to a maximum number. They are shared: callers must not change them."""
 
     def __init__(self, most: int) -> None:
         self._most = most

@@ -1,4 +1,4 @@
-"""Claim: something a paper says, beside what was measured here and the criterion that decides between them."""
+"""Claim: a statement of the paper, with the measurement here and the criterion that decides between them."""
 
 from __future__ import annotations
 

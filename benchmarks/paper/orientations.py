@@ -137,8 +137,8 @@ def figure_ten(run: Run, weights: Weights) -> dict[str, Path]:
 
 
 def promised(objective: Objective, path: Path) -> Array:
-    """(P,) how much E would fall by a variable frame in the middle of each segment; the sum is about all that is left
-    to gain."""
+    """(P,) the decrease of E by a variable frame in the middle of each segment; the sum is about the remaining
+    decrease."""
     times = np.asarray(path.spline.times)
     return WeakForm.of(objective, path).decrements((times[1:] + times[:-1]) / 2)
 

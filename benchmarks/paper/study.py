@@ -1,8 +1,8 @@
 """The paper's claims, measured: Ramamoorthi, Ball & Barr, "Dynamic Splines with Constraints for Animation".
 
 Every study measures one set of keyframes after the other (seven orientations of one ball joint, 1 s apart) and then
-judges its claims by a criterion that is written beside them. Sets and criteria are the same in every run; a claim
-that does not come out says "not reproduced". "Energy" is always ∫ ¼|ω'|² of the normalised path.
+evaluates its claims by a fixed criterion. Sets and criteria are the same in every run; a claim that does not hold
+is "not reproduced". "Energy" is always ∫ ¼|ω'|² of the normalised path.
 """
 
 from __future__ import annotations
@@ -50,8 +50,8 @@ ENERGY_LIMIT = 1.01  # times the least energy that is as good as it
 FOUND_WEIGHT = 10.0  # of unit length beside acceleration, at which the paper's 0.2 % are met
 SPEED_SETS = 3  # sets that are timed
 STOPS = (1, 3, 10)  # evaluations after which a search is stopped
-STEPS = (3, 40)  # of the method beside it: from so few, up to so many
-SOLVER_SECONDS = 20.0  # [s] that a solver beside it may take for a set
+STEPS = (3, 40)  # of the method compared: from so few, up to so many
+SOLVER_SECONDS = 20.0  # [s] limit of a compared solver for a set
 TOUCH = 0.001  # [m] of depth that counts as none
 RUNNER_SECONDS = 60.0  # [s] that the runner may take
 ROUNDING = 1e-9  # of what is met exactly
@@ -75,7 +75,7 @@ class Study:
 
 
 def run(seeds: int = SETS, progress: Progress | None = None) -> list[Claim]:
-    """All claims about rotations, measured on the sets 0 … seeds − 1; `progress` hears how far the work has come."""
+    """All claims about rotations, measured on the sets 0 … seeds − 1; `progress` receives progress reports."""
     if seeds < 1:
         raise ValueError(f"seeds = {seeds}: at least one set of keyframes is needed")
     plan = [(study, seed) for seed in range(seeds) for study in STUDIES if seed < (study.limit or seeds)]
@@ -435,7 +435,7 @@ def _farthest(ratios: Array) -> float:
 
 
 def clip_claims(report: Mapping[str, Any]) -> list[Claim]:
-    """What §5 and figures 11 and 12 say, from a clip's report; a depth up to `TOUCH` [m] counts as standing."""
+    """The claims of §5 and figures 11 and 12, from a clip's report; a depth up to `TOUCH` [m] counts as touching."""
     before, after = (float(report[side]["penetration, m"]["deepest"]) for side in ("before", "after"))
     seconds = float(report["seconds"])
     return [

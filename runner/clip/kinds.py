@@ -460,7 +460,7 @@ KINDS = {
             (
                 Part(30.0, "depth of heels and toes, or points, in any static geom", _soles, "soles"),
                 Part(
-                    30.0, "depth of every geom of the figure in static geoms and in objects that it holds",
+                    30.0, "depth of every geom of the figure in static geoms and in grasped objects",
                     _body, "body",
                 ),
                 Part(
@@ -473,14 +473,14 @@ KINDS = {
         Kind(
             "attach",
             (
-                Part(0.3, "movement of soles that neighbouring keyframes put on one spot", _stance, "stance"),
-                Part(750.0, "movement of the points of [[contact]]s while they rest", _contact, "contact"),
+                Part(0.3, "displacement of soles at the same position in neighbouring keyframes", _stance, "stance"),
+                Part(750.0, "displacement of the points of [[contact]]s", _contact, "contact"),
                 Part(
-                    750.0, "movement of the sites of [[hold]]s on the body that they hold",
+                    750.0, "displacement of the sites of [[hold]]s on the held body",
                     lambda context, options: Holding(context.holds) if context.holds else None, "hold",
                 ),
                 Part(
-                    30.0, 'distance of sites with by = "search" from their places',
+                    30.0, 'distance of sites with by = "search" from their targets',
                     lambda context, options: Placement(context.placed) if context.placed else None, "placement",
                 ),
             ),
@@ -492,7 +492,7 @@ KINDS = {
         ),
         Kind(
             "posture",
-            (Part(0.7, "angular velocity of joints beside their acceleration", lambda context, options: Posture()),),
+            (Part(0.7, "angular velocity of joints, relative to acceleration", lambda context, options: Posture()),),
         ),
         Kind(
             "limits",
@@ -509,13 +509,13 @@ KINDS = {
         ),
         Kind(
             "equality",
-            (Part(300.0, "points and joints off what <equality> holds together or makes follow", _equality),),
+            (Part(300.0, "violation of <equality> constraints", _equality),),
         ),
         Kind(
             "upright",
             (
-                Part(1.0, "lean of a trunk away from how it was posed", _trunk, "trunk"),
-                Part(30.0, "lean of bodies, such as a head or a tray, from the vertical", _bodies, "bodies", "bodies"),
+                Part(1.0, "tilt of a trunk relative to its posed tilt", _trunk, "trunk"),
+                Part(30.0, "tilt of bodies, such as a head or a tray, from the vertical", _bodies, "bodies", "bodies"),
             ),
             UprightOptions,
         ),
@@ -534,7 +534,7 @@ KINDS = {
             "cycle",
             (
                 Part(
-                    0.1, "joints off the walking or running cycle of the keyframes",
+                    0.1, "deviation of joints from the gait cycle of the keyframes",
                     lambda context, options: None if context.rhythm is None
                     else Cycle(context.figure, context.rhythm),
                 ),

@@ -1,7 +1,7 @@
-"""Two motions made one: the second is moved to where the first goes on, and a transition between them is an in-between.
+"""Two motions in sequence: the second is moved to the end of the first, and a transition between them is solved.
 
-The transition takes over y, y' and y'' at both its ends. So the C² spline through the frames of all three is each
-motion's own curve in its own time: a cubic spline through given states is told by the slopes at its ends.
+The transition matches y, y' and y'' at both its ends. So the C² spline through the frames of all three equals each
+motion's curve in its interval: a cubic spline through given states is determined by the slopes at its ends.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class Placement:
 
 
 def _carried(figure: Figure, coordinates: str) -> Mask:
-    """Which quaternions turn along: those of free joints, in world coordinates all that hang from one."""
+    """Which quaternions rotate with a motion: those of free joints, in world coordinates all of their subtrees."""
     found = []
     for i in figure.tables.quaternion_links:
         link = figure.links[i]
@@ -77,7 +77,7 @@ def heading(rotation: Array) -> Array:
 
 
 def following(figure: Figure, before: Timeline, after: Timeline, duration: float) -> Placement:
-    """Where a motion goes on from another: the trunk's heading, and the way it makes at both motions' mean velocity."""
+    """The pose that continues a motion: the trunk's heading, and the displacement at both motions' mean velocity."""
     still = Placement(np.array([1.0, 0, 0, 0]), np.zeros(3))
     roots = figure.tables.position_columns
     if not roots.size:
@@ -134,7 +134,7 @@ def bridge(figure: Figure, before: Timeline, after: Timeline, *, variable: int =
     fixed = np.zeros(states.shape, bool)
     fixed[[0, -1]] = True
     rough = Timeline(tuple(Frame.many(times, states, fixed)), np.array([begin[1], end[1]]), "held")
-    # the frames beside the ends are where y'' wants them
+    # the frames next to the ends follow from y''
     spline, rows, beside = path_of(rough).spline, np.array(rough.rows), [1, variable]
     missing = np.array([begin[2], end[2]]) - path_of(rough).at([first, last], 2)
     unit = np.zeros((spline.size, 2))

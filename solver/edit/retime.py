@@ -1,7 +1,7 @@
 """Edits of a timeline that keep its curve: played faster or slower, cut to an interval, a loop played several times.
 
-A cubic spline's curve is told by the states at its knots and the slopes at both ends, so each edit moves knots and
-slopes and nothing has to be fitted: what comes out is the same curve to rounding.
+A cubic spline's curve is determined by the states at its knots and the slopes at both ends. Each edit transforms knots
+and slopes without fitting, so the result is the same curve to rounding.
 """
 
 from __future__ import annotations

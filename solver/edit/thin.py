@@ -155,7 +155,7 @@ class Recorded:
         """By how much the raw splines through sets of instants break the bound near the instant with number `at`.
 
         Σ max(0, excess − 1)² (len(sets),), of splines through REACH + MARGIN keyframes on either side, with the signs
-        that the recording has; see `excess` for all there is to say. The sets have one length.
+        of the recording; see `excess` for the definition. The sets have one length.
         """
         if self.ends == "clamped":
             over = [self.excess(self.spline(self.frames(kept))) - 1 - FINE for kept in sets]

@@ -10,5 +10,5 @@ wrench         the wrench at a free root: what must push the figure from outside
 turns          what a change by small turns of joints means for the coordinates of the state
 wrenches       Jacobian rows of what changes as links move
 effort_rows    Jacobian rows of inverse dynamics: of joints' efforts, and of the root's wrench
-naming         what geoms are called, so that people know them
+naming         names of geoms in messages
 """

@@ -117,7 +117,7 @@ class Cotangent:
         return (3, 3, *links) if name == "swing" else (3, *links)
 
     def add_wrenches(self, wrenches: Wrenches) -> None:
-        """Adds the gradient of what changes as the wrenches say, one after the other."""
+        """Add the gradient that wrenches represent, one after the other."""
         self._wrenches.append(wrenches)
 
     def add_forces(self, flat: Index, offset: Array, force: Array) -> None:
@@ -190,7 +190,7 @@ def attached_pulled_back(
     """Gradients of s, s' = ω × s and s'' = A s, for vectors s (3, n, S) that turn with links, to those of the links.
 
     owners  (n,) the links, each vector's own; None: every link has one
-    swing   (3, 3, n, S) the owners' A, where it is known
+    swing   (3, 3, n, S) the owners' A, if already computed
     """
     links = into.samples.links
     g, g_d, g_dd = gradients

@@ -23,7 +23,7 @@ from .kinematics import LinkMotion, Samples
 class BodyForces:
     """What keeps each link moving as it does: force [N] and torque [N m] about its centre of mass (appendix A).
 
-    force   (3, L, S) m (a − g), all that acts on the link but its weight; world axes
+    force   (3, L, S) m (a − g), the force on the link without its weight; world axes
     torque  (3, L, S) L' = ω × Iω + I ω'; world axes
     centre  (3, L, S) [m] centre of mass, where both apply
     """

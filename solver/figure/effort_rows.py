@@ -245,7 +245,7 @@ class _Turns:
         self.joints = np.concatenate([tables.quaternion_links, tables.hinge_links])
 
     def of(self, joints: Index) -> Array:
-        """The changes of all that n joints move."""
+        """The derivatives of everything that n joints move."""
         links, beyond, after = self.links, self.links.figure.tables.beyond, following(self.links.figure)[joints]
         near = np.union1d(joints, np.flatnonzero(after.any(axis=0)))
         shares = after[:, near] - (joints[:, None] == near)
@@ -279,7 +279,7 @@ class _Shifts:
         self.joints = np.concatenate([tables.free_links, tables.slide_links])
 
     def of(self, joints: Index) -> Array:
-        """The changes of all that n joints move."""
+        """The derivatives of everything that n joints move."""
         return self.links.by_shifts(self.links.figure.tables.beyond[joints])
 
     def before(self, joint: Index, moved: Index) -> Array:

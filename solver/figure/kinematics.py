@@ -82,10 +82,10 @@ class States:
 
 
 class Samples:
-    """y, y', y'' of a figure at S times, and everything the penalties derive from them, computed once when asked for.
+    """y, y', y'' of a figure at S times, and the quantities that penalties derive from them, computed once on use.
 
     y, y_d, y_dd  (S, N) state and its derivatives [1/s, 1/s²]
-    t             (S,) times [s], for penalties that hold for a part of the clip; zeros where nobody says
+    t             (S,) times [s], for penalties of a part of the clip; zeros by default
     q, q_d, q_dd  (4, n, S) the state's quaternion blocks
     """
 
@@ -148,7 +148,7 @@ class Samples:
         return LinkMotion(self._states)
 
     def once(self, make: Callable[[LinkMotion], Derived]) -> Derived:
-        """What is made of the links' motion, made once for all that ask; it may hold on to that, not to the samples."""
+        """A quantity derived from the links' motion, computed once; it may refer to the motion, not to the samples."""
         if make not in self._once:
             self._once[make] = make(self.links)
         return self._once[make]

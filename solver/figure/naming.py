@@ -1,4 +1,4 @@
-"""What geoms are called: by their own names, or where they have none by their body's, so that people know them."""
+"""Names of geoms in messages: their names, or for unnamed ones those of their bodies."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Wrenches on links, and the rows of a residual's Jacobian that they stand for.
 
-A residual of places, directions, velocities or spins changes as a wrench on a link says:
+A residual of positions, directions, velocities or angular velocities changes with a wrench on a link:
 
     δr = f · δx + τ · δφ  +  f₁ · δx' + τ₁ · δω  +  τ₂ · δω'
 
@@ -118,7 +118,7 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
 
 @lru_cache(maxsize=8)
 def _facts(figure: Figure) -> tuple[Index, Index]:
-    """What the kernel knows of links, (L, 9), -1 where there is none: parent, column of a position, place among the
+    """The kernel's data of links, (L, 9), -1 where there is none: parent, column of a position, index among the
     slides and column, likewise of hinges and quaternions, place among the relative quaternions; and `followers`."""
     tables, (place, base), apart = figure.tables, places(figure), relatives(figure)
     facts = np.full((len(tables.parents), 9), -1, np.int64)

@@ -1,10 +1,10 @@
 """The soft constraints, one a file.
 
-penalty    what one is                       block     its residuals, from which all the rest follows
-curvature  what they say of E's second derivatives     sum      some as one
+penalty    the base class                    block     its residuals, which determine everything else
+curvature  Gauss-Newton second derivatives   sum       several penalties as one
 one_sided  residuals that count on one side only
-check      is one what it says?
-allowance  what keyframes violate is let pass
+check      consistency of values and gradient
+allowance  tolerance near violations in keyframes
 motion, ground, joints  the soft constraints themselves
 """
 

@@ -1,7 +1,7 @@
 """What keyframes themselves violate is allowed, from one keyframe to the next along a straight line.
 
-A keyframe that drives a hand into the hip keeps doing so, being exact. Were the frames beside it pushed out all the
-way, the limb would whip; so between two keyframes as much is let pass as lies on the line between their own excesses.
+A keyframe that pushes a hand into the hip cannot be changed. If the frames next to it were pushed out completely, the
+limb would jerk; so between two keyframes the excess that is linearly interpolated between theirs is tolerated.
 """
 
 from __future__ import annotations

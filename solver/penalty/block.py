@@ -2,8 +2,8 @@
 
     f = Σ weight r², or Σ weight max(0, r)² of residuals that count on one side only
 
-A residual r says by what it changes: as links move, by wrenches (see `figure.wrenches`); with single entries of y, y'
-or y''; or, where it is neither, by rows that it makes itself.
+A residual r states its derivative: by wrenches if it depends on links (see `figure.wrenches`); by single entries of y,
+y' or y''; or by rows that it computes itself.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Is a soft constraint what it says? Its values and its gradient, tried on random samples of a figure."""
+"""Consistency check of a soft constraint: its values and its gradient, on random samples of a figure."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
     if not np.all(np.isfinite(values)) or np.any(values < 0):
         raise ValueError(f"penalty '{name}': a value is {float(np.min(values)):g}; finite ones from 0 on are penalties")
     if not np.array_equal(values, penalty.evaluate(samples)):
-        raise ValueError(f"penalty '{name}': its values differ when it is asked for a gradient as well")
+        raise ValueError(f"penalty '{name}': its values with and without a gradient differ")
     slope = _taylor_slope(penalty, samples, scale, np.stack(cotangent.gradients()), rng)
     if slope < STEEP:
         raise ValueError(f"penalty '{name}': its gradient is not that of its values: Taylor slope {slope:.2f}, not 2")

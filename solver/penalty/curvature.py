@@ -1,4 +1,4 @@
-"""The Gauss-Newton curvature of E: what the soft constraints' Jacobians J say of its second derivatives, Σ 2 JᵀJ.
+"""The Gauss-Newton curvature of E, Σ 2 JᵀJ, from the soft constraints' Jacobians J.
 
 Every penalty is a sum of squares of residuals. Their Jacobians with respect to (y, y', y'') at a sample give one
 matrix, never negative: it leaves out the residuals' own second derivatives. It serves the search as its model and the
@@ -24,7 +24,7 @@ DIFFERENCE = 1e-6  # of a state's size, between the gradients of a difference
 
 
 class Curvature:
-    """Σ 2 JᵀJ over samples, kept as what it is made of until somebody says how the state moves at the samples.
+    """Σ 2 JᵀJ over samples, in factored form until the state's derivatives at the samples are given.
 
     A direction φ is a scalar function of time by which a frame or a coefficient moves every entry of the state alike:
     y by φ, y' by φ', y'' by φ''. Samples see K such functions, values (S, 3, K).

@@ -14,7 +14,7 @@ from ..array import Array, Index
 
 ENTRIES_AT_ONCE = 500_000  # of copies, 4 MB
 FAINT = 1e-13  # of a matrix's trace, so that Cholesky's factor exists
-TINY = 1e-300  # where it is nought
+TINY = 1e-300  # in place of zero
 
 
 @dataclass(frozen=True, eq=False)

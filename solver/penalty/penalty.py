@@ -59,7 +59,7 @@ class Role(Enum):
     LIMIT = "joints keep to their bounds"
     PHYSICS = "forces that the ground can supply, without impacts"
     EQUALITY = "joints and points that belong together"
-    TRACKING = "poses and places that are asked for"
+    TRACKING = "target poses and positions"
 
 
 class Penalty(ABC):
@@ -115,7 +115,7 @@ class Penalty(ABC):
     def curvature(
         self, samples: Samples, into: Curvature, scale: Array, known: Sequence[Block | Dense] | None = None
     ) -> None:
-        """Adds the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, but for what `sides` says.
+        """Add the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, except for those of `sides`.
 
         known  what `blocks` gave at the same samples
         """
@@ -160,7 +160,7 @@ class Momentary(Penalty):
     @property
     @abstractmethod
     def times(self) -> Array:
-        """(n,) [s] of all that it looks at, one after the other; the same may come up more than once."""
+        """(n,) [s] of all sampled times, one after the other, possibly with duplicates."""
 
     @property
     def instants(self) -> Array:

@@ -20,7 +20,7 @@ from ..search.descent import optimised
 from .euler_lagrange import residual
 
 NODES = 6  # a span, of Gauss's rule
-# of the search for the optimum of a segment, unless told: variable frames in it, evaluations, relative progress
+# defaults of the search for the optimum of a segment: variable frames, evaluations, relative decrease
 VARIABLE, MOST_EVALUATIONS, TOLERANCE = 3, 60, 1e-7
 
 

@@ -1,8 +1,8 @@
 """What touches: points of a figure, and surfaces that they stay out of, one shape a file.
 
-surface  what every shape can tell: depth, nearness, height
+surface  the interface of shapes: depth, proximity, height
 plane, box, capsule, cylinder, ellipsoid, height_field, hull  the shapes
-static   the scene's geoms that stand still as surfaces, and those of a thing that moves
+static   static geoms of the scene as surfaces, and those of a moving object
 touch    which of a model's geoms are in the way, and which are to be kept clear
 points   what of a figure touches: spheres on its links
 cover    a body's inside filled with spheres, so that nothing small can be in it

@@ -1,4 +1,4 @@
-"""Spheres and capsules: all that is within a radius of a point or of a segment, such as a hand rail."""
+"""Spheres and capsules: the points within a radius of a point or of a segment, such as a hand rail."""
 
 from __future__ import annotations
 

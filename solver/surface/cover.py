@@ -33,7 +33,7 @@ SQUARED = 1e-24  # [m²] the square of a length that is none
 Spheres = tuple[Array, Array]
 
 
-@lru_cache(maxsize=2)  # whoever edits a clip asks for them again and again
+@lru_cache(maxsize=2)  # editing a clip needs them repeatedly
 def covering_points(figure: Figure) -> tuple[Point, ...]:
     """Spheres that fill the solid geoms of the figure's links; those inside another one of their link are left out."""
     model = figure.model

@@ -47,7 +47,7 @@ def ways_up(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array
 
 
 def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: float) -> tuple[Array, Array]:
-    """`height_over` for points that are known badly: over what is below them, or `reach` [m] beside them and nearer.
+    """`height_over` for points of uncertain position: over the surface below them, or a higher one within `reach` [m].
 
     Returns heights (n, S) [m] and where the ground was found that they are over, (3, n, S), FAR and anywhere for none.
     """
@@ -59,7 +59,7 @@ def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: fl
 
 
 def ground_at(surfaces: Sequence[Surface], point: Array, radius: float, reach: float) -> Plane | None:
-    """The plane that a sphere at `point` (3,) stands on, its own or one `reach` [m] beside it; None where is none."""
+    """The plane that a sphere at `point` (3,) rests on, or one `reach` [m] next to it; None if there is none."""
     height, where = grounds(surfaces, point[:, None, None], np.array([radius]), reach)
     if height[0, 0] >= FAR:
         return None

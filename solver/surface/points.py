@@ -159,7 +159,7 @@ def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
 def placed(figure: Figure, told: Mask, points: Sequence[Point]) -> Mask:
     """(n, K): whether a keyframe specifies every joint from the root to a point, and so the point's position.
 
-    told  (K, nq) what keyframes fix, or all that they tell
+    told  (K, nq) entries that keyframes fix, or determine
     """
     entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
     whole = [told[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]

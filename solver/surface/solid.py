@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..array import Array, Index
 
 TINY = 1e-12  # [m]: no direction at all
-LEAST_RISE = 0.05  # of a normal that one can still speak of standing on
+LEAST_RISE = 0.05  # minimum z of a normal of a surface to stand on
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from .plane import Plane
 from .surface import GROUNDED, UPRIGHT, Surface
 from .touch import LEVEL, solids
 
-DOWN = 10.0  # [m] by which what stands on the floor goes on below it: no way out downwards
+DOWN = 10.0  # [m] by which solids on the floor extend below it: no way out downwards
 
 
 def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
@@ -68,7 +68,7 @@ def _solid(model: mujoco.MjModel, geom: int, centre: Array, axes: Array, floor: 
 
 
 def _cylinder(name: str, centre: Array, axis: Array, size: Array, floor: float) -> Cylinder:
-    """A cylinder; one that stands on the floor goes on below it."""
+    """A cylinder; one that stands on the floor extends below it."""
     radius, half = float(size[0]), float(size[1])
     upward = axis if axis[2] > 0 else -axis
     bottom = centre[2] - half * upward[2] - radius * np.sqrt(max(1 - upward[2] ** 2, 0))

@@ -1,9 +1,9 @@
 """Which geoms can touch which: what of a model is solid, and what is bolted together.
 
-Models bring geoms that are only to be seen (contype = conaffinity = 0) beside those that collide. Where anything that
-moves collides, only what collides is kept clear; where anything collides, only what does is in the way. A model of
-which nothing collides is looked at with all of its geoms. What always is in the way: planes of the world, which are
-floors and walls, and what a clip adds, floor, step and obstacles, which say so by a bit of their own (`SCENERY`).
+Models contain visual geoms (contype = conaffinity = 0) besides colliding ones. If any moving geom collides, only
+colliding geoms of the figure are kept clear; if any geom collides, only colliding ones are obstacles. In a model
+without colliding geoms all of them are used. Always included are planes of the world, which are floors and walls, and
+the clip's floor, step and obstacles, which have a separate bit (`SCENERY`).
 
 A limb that hangs on the world by its joints and is in a static geom at rest is meant to be there: an arm in its socket.
 """

@@ -1,4 +1,4 @@
-"""The paper's own figures, drawn anew: what each shows, in charts and pictures, each with its caption beneath.
+"""New versions of the paper's figures, as charts and pictures, each with its caption.
 
 captioned  a picture with words under it
 scenes     figures 6, 7, 11 and 12: figures in a scene

@@ -24,7 +24,7 @@ MARGIN = 1.0  # round the caption, in letter heights
 
 
 def captioned(picture: Picture, label: str, text: str) -> Picture:
-    """The picture on white, (H + h, W, 3), with "label: text" under it; as wide as it was."""
+    """The picture on white, (H + h, W, 3), with "label: text" under it; same width."""
     width = picture.shape[1]
     letters = max(LEAST_LETTERS, round(width / LETTERS))
     margin, leading = round(MARGIN * letters), round(LEADING * letters)

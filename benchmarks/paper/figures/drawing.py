@@ -1,7 +1,7 @@
 """All the paper's figures that show a result, drawn into a folder, each with its caption in words of our own.
 
 Figures 6, 11 and 12 are of the clip `run_and_step`; 7, 9 and 10 of `tumble`, one run through seven orientations as in
-the paper. Whatever a caption says in numbers was measured on what its figure shows.
+the paper. All numbers in captions are measured on the figure's motion.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ MILLIMETRES = 1000.0  # a metre
 
 @dataclass(frozen=True)
 class Drawn:
-    """A figure of the paper as it was drawn: its number, the file, and the caption that stands in it."""
+    """A figure as drawn: its number, the file, and its caption."""
 
     number: int
     file: Path
@@ -74,7 +74,7 @@ def draw(folder: Path, graphics: Graphics, progress: Progress) -> list[Drawn]:
 
 
 class Results:
-    """The two clips, solved once each, and what several figures know of them."""
+    """The two clips, solved once each, and data shared by several figures."""
 
     def __init__(self, graphics: Graphics, progress: Progress) -> None:
         self.graphics, self.progress = graphics, progress
@@ -89,7 +89,7 @@ class Results:
 
     @cached_property
     def orientations(self) -> list[Frame]:
-        """The tumbling body's keyframes, without where it is: the translation is there for clarity."""
+        """The tumbling body's keyframes, without positions: the translation is for clarity only."""
         saved = self.tumbler
         (columns,) = saved.figure.tables.quaternion_columns.T
         return [Frame.key(key.time, key.state[columns]) for key in saved.keys]

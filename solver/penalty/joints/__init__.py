@@ -2,6 +2,6 @@
 
 bend     knees and elbows          joint_range   the model's ranges
 coupled  joints that follow        closed        loops that stay closed
-upright  a trunk as it was posed   level         bodies kept upright
+upright  a trunk at its posed tilt level         bodies kept upright
 self_contact  limbs out of each other
 """

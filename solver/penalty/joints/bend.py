@@ -65,7 +65,7 @@ class BendLimits(Penalty):
     normalization = Normalization(float(np.radians(1) ** 2), is_violation=True)
 
     def allowing(self, figure: Figure, keys: Timeline) -> BendLimits:
-        """The same that lets pass how far joints that keyframes fix are beyond their bounds in them."""
+        """The same, with tolerances for joints that keyframes fix beyond their bounds."""
         if not self.joints:
             return self
         samples = Samples.still(figure, keys.states)

@@ -1,4 +1,4 @@
-"""Coupled joints: one hinge or slide follows another as a polynomial of it, or stays, as equality constraints say.
+"""Coupled joints: equality constraints that make a hinge or slide a polynomial of another, or constant.
 
 MuJoCo's q₁ − q₁⁰ = a₀ + a₁ (q₂ − q₂⁰) + … + a₄ (q₂ − q₂⁰)⁴, the references at rest: fingers of a gripper, double knees.
 A coupling of degree one that all frames of a spline keep holds everywhere between them.

@@ -30,7 +30,7 @@ from ..penalty import Normalization, Penalty, Role
 NEAR = 0.03  # [m] within which capsules may touch after one step of the search
 GAP = 0.008  # [m] by which spheres may leave a geom unfilled
 HAIR = 0.015  # [m] by which what is left out may stick out of a thicker shape
-PARALLEL = 1e-16  # squared sine of an angle below which it cannot be told where along them two segments are nearest
+PARALLEL = 1e-16  # squared sine of an angle below which two segments count as parallel
 CROSSING = 1e-12  # [m] between axes that meet: any way apart is as good as another
 FARTHEST = 0.01  # [m] up to which MuJoCo is asked how far two geoms are apart, of which the sign counts
 

@@ -1,4 +1,4 @@
-"""Upright: where the trunk's rotation is unspecified, it leans as it was posed over standing feet.
+"""Upright: where the trunk's rotation is unspecified, it keeps the tilt of its pose over the feet.
 
 Without it a squat leans far back: that spares the hips a part of their way, and nothing else of the objective minds.
 Beyond the paper.

@@ -3,6 +3,6 @@
 covariant  angular acceleration      root     acceleration of the root and of slides
 unit       quaternions' length       posture  angular velocity beside acceleration
 peak       the largest acceleration  torque   what joints must do, by inverse dynamics
-cycle      the walking or running cycle that keyframes tell
+cycle      the gait cycle inferred from keyframes
 near       the motion that was recorded
 """

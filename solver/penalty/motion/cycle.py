@@ -1,6 +1,6 @@
 """Cycle: joints are where the clip's own walking or running cycle has them, as far as that is known.
 
-Keyframes half a period apart tell little of what is between them, but all of them together tell the cycle (see
+Keyframes half a period apart contain little information on the motion between them, but together they determine it (see
 `rhythm`). How far a joint is off counts by how certain the cycle is there: least where no keyframe has the same phase.
 """
 
@@ -98,7 +98,7 @@ class Cycle(Guide):
         return Timeline(tuple(sorted(frames, key=lambda frame: frame.time)), timeline.end_slope, timeline.ends)
 
     def _states(self, plain: Array, times: Array) -> Array:
-        """The cycle's states at times (T,) [s], all that it does not tell as in `plain` (T, N)."""
+        """The cycle's states at times (T,) [s], with unknown entries as in `plain` (T, N)."""
         found, qpos = self.rhythm.poses.map, self.figure.to_qpos(plain)
         target = self._at(times)[0]
         qpos[:, found.columns.T] = target[:, : self._turns].reshape(times.size, found.links.size, 4)

@@ -1,4 +1,4 @@
-"""Near: the motion that was recorded, in all that nothing else asks for. Beyond the paper."""
+"""Near: the recorded motion, as a tracking term. Beyond the paper."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ EASED = 0.01  # of its weight that a pose keeps where a keyframe edits it
 COARSE, FINEST = 0.2, 1 / 60  # [s] between frames that what was recorded is followed by
 DETAIL = 30.0  # f over a segment, of what may be left out
 NODES = 4  # a span, of Gauss's rule
-REMEMBERED = 20_000  # samples, of 3 kB for a person: a window's few sets of times are asked for again and again
+REMEMBERED = 20_000  # samples, of 3 kB for a human figure: a window evaluates few sets of times repeatedly
 SHORTEST = 0.05  # [m] of a limb
 
 
@@ -47,7 +47,7 @@ class Near(Guide):
     """Σ over the state's entries of w₀ (y − ŷ)² + w₁ (y' − ŷ')² + w₂ (y'' − ŷ'')², ŷ what was recorded,
     and of squared distances of limbs' ends from where they were.
 
-    eased  (time, width) [s]: round these times, less and less until so far away, it asks for the recording's velocities
+    eased  (time, width) [s]: around these times, fading out with the distance, it tracks the recording's velocities
            and accelerations, and hardly for its poses
     """
 
@@ -151,7 +151,7 @@ class Near(Guide):
         return self._at(t).weights
 
     def _at(self, t: Array) -> _Target:
-        """What was recorded at times t (S,); kept, for a search asks for the same times again and again."""
+        """The recorded states at times t (S,); cached, because a search evaluates the same times repeatedly."""
         key = (float(t[0]), float(t[-1]), t.size)
         known = self._seen.get(key)
         if known is not None and np.array_equal(known.t, t):

@@ -1,4 +1,4 @@
-"""Peaks of joints' angular accelerations: a high power of them, for which the largest is all but all that counts.
+"""Peaks of joints' angular accelerations: a high power of them, which the largest one dominates.
 
 Squares spread an effort over time, but where a foot strikes or leaves they leave a spike; this takes off its top.
 """

@@ -22,7 +22,7 @@ from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 
-SETTLING = 0.3  # [s] unless told
+SETTLING = 0.3  # [s] by default
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 
-EPSILON = 1e-3  # unless told
+EPSILON = 1e-3  # by default
 
 
 @dataclass(frozen=True)
