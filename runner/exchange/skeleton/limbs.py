@@ -30,15 +30,16 @@ TURNING = [int(kind) for kind in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.m
 @dataclass(frozen=True)
 class Limb:
     """bodies, from the one that hangs on the trunk to hand or foot; about (T, 3) [m] where that is to be, from the
-    first; turns {body: (T, 4)} how bodies should be turned in the world."""
+    first, or None for anywhere; turns {body: (T, 4)} how bodies should be turned in the world."""
 
     bodies: Sequence[int]
-    about: Array
+    about: Array | None
     turns: Mapping[int, Array]
 
     def during(self, run: slice) -> Limb:
         """In some images."""
-        return Limb(self.bodies, self.about[run], {body: turn[run] for body, turn in self.turns.items()})
+        about = None if self.about is None else self.about[run]
+        return Limb(self.bodies, about, {body: turn[run] for body, turn in self.turns.items()})
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,8 +74,10 @@ def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arr
     for _ in range(STEPS):
         now = qpos[going]
         seen = _bent(model, now, limb.bodies, carried[going])
-        off = [(limb.about[going] - seen.end) / PLACE]
-        rows = [np.cross(seen.axes, seen.end[:, None] - seen.anchors) / PLACE]
+        off, rows = list[Array](), list[Array]()
+        if limb.about is not None:
+            off.append((limb.about[going] - seen.end) / PLACE)
+            rows.append(np.cross(seen.axes, seen.end[:, None] - seen.anchors) / PLACE)
         for body, wanted in limb.turns.items():
             short = quat.product(wanted[going], quat.conjugate(seen.turn[body]))
             off.append(quat.rotation_vector(short) / spread[body])

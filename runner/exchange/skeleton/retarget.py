@@ -56,7 +56,6 @@ LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
 SHORTEST = 1e-9  # [m] of a limb
-STEPS, STILL = 40, 1e-6  # of Gauss-Newton on hinges, at most; [rad] a step that is none
 STUCK = 0.02  # [rad] more than this off, it is tried again
 RETRIES = 4
 
@@ -527,57 +526,28 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
         qpos[:, at : at + 4] = quat.aligned(quat.normalised(turned))
         return
     hinges = [joint for joint in joints if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE]
-    columns = [int(model.jnt_qposadr[joint]) for joint in hinges]
-    low, high = np.full(len(hinges), -np.inf), np.full(len(hinges), np.inf)
-    for i, joint in enumerate(hinges):
-        if model.jnt_limited[joint]:
-            low[i], high[i] = model.jnt_range[joint]
     if not hinges:
         return
-    short = _descend(model, qpos, chain, start, wanted, (hinges, columns, low, high))
+
+    def turned(qpos: Array, rows: Index | slice) -> tuple[Array, Array]:
+        """qpos with the hinges turned, and the angles (T,) [rad] that are left."""
+        there = bend(model, qpos, Limb(chain, None, {chain[-1]: wanted[rows]}), start[rows])
+        short = quat.product(wanted[rows], quat.conjugate(_forward(model, there, chain, start[rows])))
+        return there, np.linalg.norm(quat.rotation_vector(short), axis=1)
+
+    columns = model.jnt_qposadr[hinges]
+    qpos[:], short = turned(qpos, slice(None))
     for _ in range(RETRIES):  # from where a neighbouring image came to
-        far = np.linalg.norm(short, axis=1) > STUCK
+        far = short > STUCK
         if not far.any() or far.all():
             return
-        near = np.flatnonzero(~far)
-        rows = np.flatnonzero(far)
+        near, rows = np.flatnonzero(~far), np.flatnonzero(far)
         donor = near[np.argmin(np.abs(rows[:, None] - near), axis=1)]
         again = qpos[rows]
         again[:, columns] = qpos[donor][:, columns]
-        left = _descend(model, again, chain, start[rows], wanted[rows], (hinges, columns, low, high))
-        better = np.linalg.norm(left, axis=1) < np.linalg.norm(short[rows], axis=1)
+        again, left = turned(again, rows)
+        better = left < short[rows]
         qpos[rows[better]], short[rows[better]] = again[better], left[better]
-
-
-def _descend(
-    model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array,
-    what: tuple[list[int], list[int], Array, Array],
-) -> Array:  # fmt: skip
-    """Gauss-Newton on hinges, their columns of qpos, and their least and greatest; (T, 3) what is left to turn."""
-    hinges, columns, low, high = what
-    for _ in range(STEPS):
-        short = quat.rotation_vector(quat.product(wanted, quat.conjugate(_forward(model, qpos, chain, start))))
-        axes = np.stack([_axis(model, qpos, chain, start, joint) for joint in hinges], axis=-1)
-        normal = np.swapaxes(axes, 1, 2) @ axes + 1e-6 * np.eye(len(hinges))
-        step = np.linalg.solve(normal, np.swapaxes(axes, 1, 2) @ short[..., None])[..., 0]
-        before = qpos[:, columns]
-        qpos[:, columns] = np.clip(before + np.clip(step, -0.5, 0.5), low, high)
-        if np.abs(qpos[:, columns] - before).max(initial=0.0) < STILL:
-            break
-    return quat.rotation_vector(quat.product(wanted, quat.conjugate(_forward(model, qpos, chain, start))))
-
-
-def _axis(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, hinge: int) -> Array:
-    """(T, 3) a hinge's axis in the world: what stands before it in the chain turns it."""
-    body = int(model.jnt_bodyid[hinge])
-    above = chain[: chain.index(body)]
-    turn = quat.product(_forward(model, qpos, above, start) if above else start, model.body_quat[body])
-    for joint in hierarchy.joints(model, [body]):
-        if joint == hinge:
-            break
-        angle = qpos[:, model.jnt_qposadr[joint]] - model.qpos0[model.jnt_qposadr[joint]]
-        turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
-    return quat.rotated(turn, model.jnt_axis[hinge])
 
 
 def _placed(captured: Captured, standing: _Standing, root: Root, qpos: Array, scale: float) -> tuple[Array, Array]:
