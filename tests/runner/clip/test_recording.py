@@ -187,7 +187,7 @@ sites.left_toe = ["free", 0.09, 0.12]
 time = 2.86
 root.position = [3.37, -0.015, 1.03]
 sites.right_heel = [3.45, -0.09, 0.12]
-sites.right_toe = ["free", -0.09, 0.12]
+sites.right_toe = ["free", -0.11, 0.12]
 [[keyframe]]
 time = 3.24
 root.position = [3.85, 0, 1.01]
