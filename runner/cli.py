@@ -161,30 +161,30 @@ Source = Annotated[str, typer.Argument(metavar="CLIP|MOTION.npz", help=Anything)
 Clip = Annotated[str, typer.Argument(metavar="CLIP", help="Name of a shipped clip, or a .toml or .xml file")]
 Recording = Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion, or a file that `import` reads")]
 Overwrite = Annotated[bool, _flag("--overwrite", "Overwrite an existing output file")]
-Strict = Annotated[bool, _flag("--strict", "Exit with code 3 if there are violations")]
-NoCache = Annotated[bool, _flag("--no-cache", "--fresh", "Solve again, even if the clip has not changed")]
-Outside = Annotated[bool, _flag("--allow-outside", "Let a model read files outside its folder", callback=_prepare)]
+Strict = Annotated[bool, _flag("--strict", "Exit with code 3 if the motion has violations")]
+NoCache = Annotated[bool, _flag("--no-cache", "--fresh", "Solve again instead of using the cached solution")]
+Outside = Annotated[bool, _flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
 AsJson = Annotated[bool, _flag("--json", "Print JSON")]
-SkipRest = Annotated[bool, _flag("--skip-rest", "Leave out the T-pose before the motion")]
-Repeat = Annotated[int | None, _number("N", "Play a loop N times, without a seam", 1, math.inf, "once", kind=int)]
+SkipRest = Annotated[bool, _flag("--skip-rest", "Remove a T-pose before the motion")]
+Repeat = Annotated[int | None, _number("N", "Repeat a loop N times without a seam", 1, math.inf, "once", kind=int)]
 Rate = Annotated[float | None, _number("HZ", "Samples per second", 0.01, 100_000, "the clip's, or 30")]
-Figure = Annotated[str | None, _value("MODEL", "Figure of the recording, shipped or MJCF", "the file's")]
+Figure = Annotated[str | None, _value("MODEL", "Figure of the recording: shipped name or MJCF file", "the file's")]
 Format = Annotated[str | None, _value("FORMAT", "Format of the recording", "by the file's ending", "--from")]
 Fps = Annotated[float | None, _number("HZ", "Frames per second of the recording", 0.01, 1000, "the file's")]
 Scale = Annotated[float | None, _number("METRES", "Unit of length of the file, 0.01 for cm", 1e-6, 10**6, "inferred")]
 Scene = Annotated[Path | None, _value("FILE", "TOML file with the [scene] of the recording", "a flat floor")]
 Within = Annotated[
     float | None,
-    _quantity("length", "Bound on how far limbs are moved, as 3cm", "--max-displacement", "--within"),
+    _quantity("length", "Maximum displacement of limbs, such as 3cm", "--max-displacement", "--within"),
 ]
-Speed = Annotated[float | None, _quantity("speed", "Bound on joints, as 20rad/s or 1200deg/s", "--speed-limit")]
+Speed = Annotated[float | None, _quantity("speed", "Maximum joint speed, as 20rad/s or 1200deg/s", "--speed-limit")]
 Contacts = Annotated[Path | None, _value("FILE", "TOML file with [[contact]] tables", "inferred")]
-WriteMap = Annotated[bool, _flag("--write-map", "Write the bone map that is used to --map")]
-Model = Annotated[str | None, _value("MODEL", "Figure of --keys, shipped or MJCF", "the clip's")]
+WriteMap = Annotated[bool, _flag("--write-map", "Write the inferred bone map to the file of --map")]
+Model = Annotated[str | None, _value("MODEL", "Figure of --keys: shipped name or MJCF file", "the clip's")]
 Keys = Annotated[str | None, _value("FILE", ".npz with time (K,) and qpos (K, nq) of --model", "the clip's")]
 Edited = Annotated[Path | None, _output("SOURCE_EDIT.npz, or .toml of a clip")]
-OverSource = Annotated[bool, _flag("--overwrite", "Let -o be the file that is edited")]
-Map = Annotated[Path | None, _value("FILE", "Bone map, TOML, or a map that ships: g1, human", "inferred", "--map")]
+OverSource = Annotated[bool, _flag("--overwrite", "Allow -o to overwrite the input file")]
+Map = Annotated[Path | None, _value("FILE", "Bone map (TOML), or a shipped one: g1, human", "inferred", "--map")]
 
 
 def main() -> None:
@@ -236,8 +236,8 @@ def new_clip(
     overwrite: Overwrite = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Write a commented clip for a model, to be edited.
-    It has the model's keyframes, or a pose and a move. Comments list the joints, sites and options."""
+    """Write a commented starting clip for a model.
+    It has the model's keyframes, or a pose and a movement. Comments list the joints, sites and options."""
     target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
     notes: list[str] = []
     text = starter.starter(model, target, notes.append)
@@ -282,15 +282,17 @@ def solve(
 def render(
     source: Source = "",
     output: Annotated[Path | None, _output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
-    only: Annotated[Only | None, _value("before|after|keys", "Draw one; keys without solving", "both")] = None,
-    ghosts: Annotated[bool, _flag("--ghosts", "Draw the keyframes darkest, as the paper's figure 6")] = False,
-    size: Annotated[Any, _value("WIDTHxHEIGHT", "Size of the picture in pixels", parser=_size)] = "1280x720",
+    only: Annotated[
+        Only | None, _value("before|after|keys", "Render one side, or the keyframes unsolved", "both")
+    ] = None,
+    ghosts: Annotated[bool, _flag("--ghosts", "Draw all frames into one picture, keyframes darkest")] = False,
+    size: Annotated[Any, _value("WIDTHxHEIGHT", "Size in pixels", parser=_size)] = "1280x720",
     fps: Annotated[float | None, _number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
-    camera: Annotated[str, _value("NAME", "side, left, front, three_quarter, back, or of the model")] = "side",
-    slow: Annotated[float, _number("FACTOR", "Factor of slow motion", 0.01, 1000)] = 1.0,
-    at: Annotated[float | None, _seconds("Draw one picture, at this time", "all")] = None,
+    camera: Annotated[str, _value("NAME", "side, left, front, three_quarter, back, or the model's")] = "side",
+    slow: Annotated[float, _number("FACTOR", "Slow-motion factor", 0.01, 1000)] = 1.0,
+    at: Annotated[float | None, _seconds("Render a single frame at this time", "all")] = None,
     workers: Annotated[
-        int | None, _number("N", "Processes that draw", 1, 60, "1; without OpenGL one per core", kind=int)
+        int | None, _number("N", "Render processes", 1, 60, "1; without OpenGL one per core", kind=int)
     ] = None,
     repeat: Repeat = None,
     strict: Strict = False,
@@ -299,7 +301,7 @@ def render(
     keys: Keys = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Draw a clip or a motion as a film or a picture.
+    """Render a clip or a motion as a video or a picture.
     The ending of -o selects .mp4, .webm, .gif, or .png for a contact sheet. A clip is solved first."""
     target = output or Path(f"{_name(source, model, keys)}.{'png' if ghosts or at is not None else 'mp4'}")
     width, height = size
@@ -327,12 +329,12 @@ def studio(
     source: Annotated[str, typer.Argument(metavar="CLIP|MOTION|RECORDING|MODEL.xml", help=Anything)] = "run_and_step",
     figure: Figure = None,
     port: Annotated[int, _number("PORT", "TCP port, 0 for a free one", 0, 65535, kind=int)] = 0,
-    host: Annotated[str, _value("ADDRESS", "Address to serve; any but this needs --allow-remote")] = "127.0.0.1",
+    host: Annotated[str, _value("ADDRESS", "Address to listen on; others need --allow-remote")] = "127.0.0.1",
     browser: Annotated[bool, _flag("--browser/--no-browser", "Open the page in a browser")] = True,
-    allow_remote: Annotated[bool, _flag("--allow-remote", "Let other machines edit and write files")] = False,
+    allow_remote: Annotated[bool, _flag("--allow-remote", "Let other machines edit the clip and write files")] = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Edit and solve a motion live, on a page in the browser."""
+    """Edit and solve a clip live in the browser."""
     from importlib.util import find_spec
 
     for name in ("starlette", "uvicorn", "websockets", "tomlkit"):
@@ -345,7 +347,7 @@ def studio(
 
 @app.command(rich_help_panel="Create")
 def clips(show: Annotated[str | None, _value("NAME", "Print the text of one, to be edited", "none")] = None) -> None:
-    """List the clips that ship, or print one."""
+    """List the shipped clips, or print one."""
     if show is None:
         print(*(f"{name:16} {line}" for name, line in models.clips().items()), sep="\n")
     elif show in models.clips():
@@ -356,7 +358,7 @@ def clips(show: Annotated[str | None, _value("NAME", "Print the text of one, to 
 
 @app.command("models", rich_help_panel="Create")
 def list_models() -> None:
-    """List the figures that ship."""
+    """List the shipped figures."""
     print(*(f"{name:16} {line}" for name, line in models.figures().items()), sep="\n")
 
 
@@ -385,7 +387,7 @@ def mirror(
     fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Exchange left and right of a motion or a clip."""
+    """Swap left and right in a motion or a clip."""
     _edit(files.mirrored(), output, overwrite, fresh, source)
 
 
@@ -393,13 +395,13 @@ def mirror(
 def retime(
     source: Source,
     output: Edited = None,
-    speed: Annotated[float | None, _number("FACTOR", "Factor of the speed", -math.inf, math.inf, "none")] = None,
+    speed: Annotated[float | None, _number("FACTOR", "Speed factor, such as 1.5", -math.inf, math.inf, "none")] = None,
     duration: Annotated[float | None, _seconds("New duration", "none")] = None,
     overwrite: OverSource = False,
     fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Play a motion or a clip faster or slower."""
+    """Change the speed of a motion or a clip."""
     _edit(files.retimed(speed, duration), output, overwrite, fresh, source)
 
 
@@ -413,7 +415,7 @@ def trim(
     fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Cut a motion to an interval of time, unchanged inside it."""
+    """Cut a motion to a time interval, unchanged inside it."""
     _edit(files.trimmed(first, last), output, overwrite, fresh, source)
 
 
@@ -438,8 +440,8 @@ def thin(
     output: Annotated[Path | None, _output("SOURCE_thin.toml")] = None,
     max_error: Annotated[str, _value("LENGTH", "Maximum displacement of any body or site")] = "2cm",
     max_angle: Annotated[float, _number("DEGREES", "Maximum rotation of any body", 0, 180)] = 5.0,
-    solve: Annotated[bool, _flag("--solve", "Bound the solved motion, not only the spline")] = False,
-    exact: Annotated[bool, _flag("--exact", "Write settings that leave the spline as it is")] = False,
+    solve: Annotated[bool, _flag("--solve", "Apply the bound to the solved motion, not to the spline")] = False,
+    exact: Annotated[bool, _flag("--exact", "Write settings that keep the spline, without a search")] = False,
     skip_rest: SkipRest = False,
     figure: Figure = None,
     kind: Format = None,
@@ -489,7 +491,7 @@ def plot(
     keys: Keys = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Draw charts of a motion and of its search.
+    """Plot charts of a motion and of its search.
     Foot height, unit magnitude, Euler-Lagrange deviation and penalties per evaluation, as .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
@@ -503,19 +505,19 @@ def plot(
 @app.command(rich_help_panel="Exchange")
 def export(
     source: Source,
-    to: Annotated[str | None, _value("FORMAT", "Format, of `dynsplines formats`", "by the ending of -o")] = None,
+    to: Annotated[str | None, _value("FORMAT", "Format, see `dynsplines formats`", "by the ending of -o")] = None,
     output: Annotated[Path | None, _output("SOURCE with the format's ending")] = None,
     fps: Rate = None,
     columns: Annotated[
-        str, _value("COLUMNS", "Of csv: velocities,torques,wrench,ground or all", "none", "--with")
+        str, _value("COLUMNS", "Columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
     ] = "",
-    simulate: Annotated[bool, _flag("--simulate", "Of mjcf: add actuators; implied by -o X.simulate.xml")] = False,
+    simulate: Annotated[bool, _flag("--simulate", "For mjcf: write a scene for simulation with actuators")] = False,
     repeat: Repeat = None,
     overwrite: Overwrite = False,
     fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Write a motion in the format of another program."""
+    """Export a motion to the format of another program."""
     form, wishes = formats.chosen(to, output), take.Wishes(simulate, quantities.named(columns))
     formats.check_wishes(form, wishes)
     target = output or formats.target_of(formats.stem(Path(source)), form, wishes)
@@ -542,11 +544,11 @@ def import_motion(
     overwrite: Overwrite = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Read a recorded motion and report its violations.
-    Every sample becomes a keyframe; nothing is solved."""
+    """Import a recorded motion and report its violations.
+    Every sample becomes a keyframe; there is no search."""
     target = _target(output, f"{formats.stem(source)}.npz", "motion")
     if target.exists() and source.exists() and target.samefile(source):
-        raise UserError(f"'{target}' is what is read; give another -o")
+        raise UserError(f"'{target}' is the input file; give another -o")
     outputs.check_new(target, overwrite=overwrite)
     with terminal.Progress() as progress:
         recording = imported.imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
@@ -560,9 +562,9 @@ def import_motion(
 @app.command("formats", rich_help_panel="Exchange")
 def list_formats() -> None:
     """List the formats that export writes and import reads."""
-    for each in formats.FORMATS:
-        uses = " and ".join(word for word, can in (("reads", each.reads), ("writes", each.writes)) if can)
-        print(f"{each.name:12} {each.ending:15} {uses:16} {each.says}")
+    for form in formats.FORMATS:
+        uses = " and ".join(word for word, can in (("reads", form.reads), ("writes", form.writes)) if can)
+        print(f"{form.name:12} {form.ending:15} {uses:16} {form.says}")
 
 
 @app.command(rich_help_panel="Recordings")
@@ -583,7 +585,7 @@ def clean(
     allow_outside: Outside = False,
 ) -> None:
     """Make a recording physically plausible.
-    Feet keep their stances, and nothing sinks, jumps or floats. The rest of the motion is kept."""
+    Feet keep their stances, and nothing sinks, jumps or floats. The motion stays close to the recording."""
     place = _map(map_file, write_map)
     recording = running.Source(source, figure, kind, fps, scale, scene, contacts, place, write_map, False, speed_limit)
     _clean(recording, output, within, overwrite)
@@ -607,7 +609,7 @@ def retarget(
     allow_outside: Outside = False,
 ) -> None:
     """Transfer a skeleton's motion to a figure, and clean it.
-    Joint ranges of the figure are kept, and its limbs stay out of each other."""
+    Joints stay within the figure's ranges, and its limbs do not collide."""
     target = output or Path(f"{formats.stem(source)}.{Path(to).stem}.npz")
     place = _map(map_file, write_map)
     recording = running.Source(source, to, kind, fps, scale, scene, contacts, place, write_map, True, speed_limit)
@@ -617,7 +619,7 @@ def retarget(
 @app.command(rich_help_panel="Batch")
 def batch(
     clips: Annotated[list[str] | None, typer.Argument(help="Clips, folders, patterns, or recordings")] = None,
-    output: Annotated[Path, _value("DIR", "Folder of results and manifest", True, "-o", "--output")] = Path("batch"),
+    output: Annotated[Path, _value("DIR", "Folder for results and manifest", True, "-o", "--output")] = Path("batch"),
     listed: Annotated[str | None, _value("FILE", "More clips, one per line; - is stdin", "none", "--list")] = None,
     workers: Annotated[int | None, _number("N", "Processes on this machine", 1, 1000, "one per core", kind=int)] = None,
     scheduler: Annotated[str | None, _value("tcp://HOST:PORT", "Dask cluster to use instead", "none")] = None,
@@ -625,10 +627,10 @@ def batch(
     fps: Rate = None,
     limit_time: Annotated[float, _number("SECONDS", "Maximum time of a clip", 0.1, 10**6)] = 3600.0,
     limit_memory: Annotated[float | None, _number("MB", "Maximum memory of a clip", 256, 10**7, "its share")] = None,
-    measure: Annotated[bool, _flag("--report/--no-report", "Measure at 1 kHz; takes longer than solving")] = False,
-    retry_failed: Annotated[bool, _flag("--retry-failed", "Retry clips that failed before")] = False,
+    measure: Annotated[bool, _flag("--report/--no-report", "Measure motions at 1 kHz; slower than solving")] = False,
+    retry_failed: Annotated[bool, _flag("--retry-failed", "Retry clips that failed in an earlier run")] = False,
     strict: Strict = False,
-    clean_all: Annotated[bool, _flag("--clean", "Clean recordings")] = False,
+    clean_all: Annotated[bool, _flag("--clean", "Clean recordings, see `dynsplines clean`")] = False,
     onto: Annotated[str | None, _value("MODEL", "Retarget recordings to this figure", "none", "--retarget")] = None,
     figure: Figure = None,
     map_file: Map = None,
@@ -638,7 +640,7 @@ def batch(
     allow_outside: Outside = False,
 ) -> None:
     """Solve many clips in parallel.
-    Runs on every core or on a Dask cluster. Repeating the command resumes an interrupted run."""
+    Uses all cores, or a Dask cluster. Repeat the command to resume an interrupted run."""
     cleaning = recordings.asked(
         clean=clean_all, onto=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, within=within
     )
