@@ -1,13 +1,13 @@
-"""dynamic-splines: a few keyframes of a MuJoCo figure into smooth motion. Everything that users of Python need is here.
+"""dynamic-splines: smooth motion of a MuJoCo figure through a few keyframes. This module is the Python API.
 
     from dynsplines import load, inbetween
 
     motion = inbetween(load("run_and_step"))
     qpos = motion.at(1.5)
 
-clips, figures                             what ships, by name
-load, build                      -> Clip   a problem: keyframes of a figure, in Keyframe's words, and soft constraints
-inbetween                        -> Motion the verb
+clips, figures                             names of shipped clips and figures
+load, build                      -> Clip   a problem: keyframes of a figure (`Keyframe`), and soft constraints
+inbetween                        -> Motion its solution
 load_motion, import_motion       -> Motion from files
 UserError                                  raised for every error that the caller can correct
 
@@ -50,9 +50,9 @@ else:
 
         if name not in _HOMES:
             raise AttributeError(f"module 'dynsplines' has no attribute '{name}'; it has: {', '.join(sorted(_HOMES))}")
-        found = getattr(import_module(_HOMES[name]), name)
-        globals()[name] = found
-        return found
+        value = getattr(import_module(_HOMES[name]), name)
+        globals()[name] = value
+        return value
 
     def __dir__():
         return sorted({*globals(), *_HOMES})

@@ -1,4 +1,4 @@
-"""A clip without a file: keyframes in Python, in the words of the clip's file, and `build`, which makes them a Clip."""
+"""Clips without a file: keyframes as Python objects, with the keys of the clip file, and `build`."""
 
 from __future__ import annotations
 
@@ -30,20 +30,21 @@ Table = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Keyframe:
-    """The figure at one time, as much of it as is given; everything means what it means in a clip's file.
+    """A keyframe, complete or partial; its entries are those of the clip file.
 
-    time    [s]
-    root    {"position": [x, y, z], "rotation": ...}, in the world; metres, any axis may be "free"
-    joints  by name: a rotation relative to the parent for a ball joint, degrees for a hinge, metres for a slide
-    sites   by name: [x, y, z], metres in the world; a pose is found for it
-    bodies  by name: {"flat": True}, or a rotation in the world
-    roots   the same of further free bodies, by the names of their joints
-    others  what becomes of the rest: "free" for the search to fill in, "rest", "hold" as in the keyframe before, or
-            "key:NAME" as in a <key> of the model
-    qpos    (nq,) the whole configuration in MuJoCo's order; what else is given goes over it
+    Rotations are {"rotvec": [x, y, z]} or {"euler": [...], "order": "xyz"} in degrees, {"quat": [w, x, y, z]}, or a
+    scipy Rotation.
 
-    A rotation is {"rotvec": [x, y, z]}, {"euler": [...], "order": "xyz"}, both in degrees, {"quat": [w, x, y, z]}, or
-    a scipy Rotation.
+    Args:
+        time: Time [s].
+        root: {"position": [x, y, z], "rotation": ...} in the world [m]; any axis may be "free".
+        joints: By name: a rotation relative to the parent (ball joint), degrees (hinge) or metres (slide), or "free".
+        sites: Target positions in the world by name, [x, y, z] [m]; a pose is solved for them.
+        bodies: By name: {"flat": True}, or a rotation in the world.
+        roots: As `root`, for further free bodies by the names of their joints.
+        others: Unspecified joints and root: "free", "rest", "hold" (as in the keyframe before), or "key:NAME" (a <key>
+            of the model).
+        qpos: (nq,) complete configuration in MuJoCo's order, overridden by the other arguments.
     """
 
     time: float
@@ -72,20 +73,30 @@ def build(
     own: Own = (),
     allow_outside: bool = False,
 ) -> Clip:
-    """A clip from keyframes in Python.
+    """Build a clip from keyframes.
 
-    figure     the name of a figure that ships (see `figures()`), a path to MJCF or URDF, MJCF text, an MjSpec, or
-               the MjModel that was read last
-    scene      as the file's [scene]: {"step": {"x": 0.3, "height": 0.27}, "box": [{...}, ...]}
-    contacts   as [[contact]]: {"point": "right_heel", "from": 0.0, "to": 0.8}
-    holds      as [[hold]]: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}
-    penalties  what differs from the defaults: {"torque": 0.1, "collision": {"weight": 100, "margin": 0.002}}
-    solve      as [solve]: {"ends": "periodic", "variable": 3}
-    recording  as [recording]: {"file": "walk.npz", "blend": 0.4}, from this folder; keyframes edit it
-    own        soft constraints of your own with their weights: [(Calm(), 0.1)]; no file holds them
-    allow_outside  let the figure's model read files that lie outside the model's own folder
+    Args:
+        figure: Name of a shipped figure (see `figures()`), path of an MJCF or URDF file, MJCF text, an MjSpec, or the
+            most recently compiled MjModel.
+        keyframes: Two or more, in order of time.
+        name: Name of the clip and of output files.
+        fps: Samples per second [1/s] of outputs.
+        scene: The clip file's [scene]: {"step": {"x": 0.3, "height": 0.27}, "box": [{...}, ...]}.
+        contacts: Its [[contact]] tables: {"point": "right_heel", "from": 0.0, "to": 0.8}, times in s.
+        holds: Its [[hold]] tables: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}, times in s.
+        penalties: Changes of the default soft constraints: {"torque": 0.1, "collision": {"weight": 100, "margin":
+            0.002}}.
+        solve: Its [solve] table: {"ends": "periodic", "variable": 3}.
+        recording: Its [recording] table: {"file": "walk.npz", "blend": 0.4}, relative to the current folder; keyframes
+            then edit the recording.
+        own: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
+        allow_outside: Let the figure's model read files outside its folder.
 
-    Raises UserError, in one line that names the keyframe and the key, for what does not fit the figure.
+    Returns:
+        The clip, for `inbetween`.
+
+    Raises:
+        UserError: For entries that do not fit the figure; one line with the keyframe and the key.
     """
     with outside.allowed(allow_outside):
         spec, called = spec_of(figure)
@@ -111,9 +122,9 @@ def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
 
 def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
     """The keyframe as a table of a clip's file; `figure` is needed for qpos."""
-    said = {"root": key.root, "joints": key.joints, "sites": key.sites, "bodies": key.bodies, "roots": key.roots}
+    entries = {"root": key.root, "joints": key.joints, "sites": key.sites, "bodies": key.bodies, "roots": key.roots}
     out: dict[str, Any] = {"time": _plain(key.time)}
-    out |= {name: _plain(value) for name, value in said.items() if value}
+    out |= {name: _plain(value) for name, value in entries.items() if value}
     if key.others != "free":
         out["others"] = key.others
     if key.qpos is None or figure is None:
@@ -145,11 +156,11 @@ def _penalty(kind: str, said: float | Table) -> dict[str, Any]:
 def _plain(value: Any) -> Any:
     """Arrays, numpy's numbers and scipy's rotations as a file has them."""
     if isinstance(value, Mapping):
-        return {str(key): _plain(each) for key, each in value.items()}
+        return {str(key): _plain(item) for key, item in value.items()}
     if isinstance(value, Rotation):
         return {"quat": value.as_quat(scalar_first=True).tolist()}
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
     if isinstance(value, list | tuple):
-        return [_plain(each) for each in value]
+        return [_plain(item) for item in value]
     return value

@@ -1,4 +1,4 @@
-"""From files: `load` a clip, `load_motion` a solved one, `import_motion` what another program recorded."""
+"""From files: `load` a clip, `load_motion` a solved motion, `import_motion` a recording of another program."""
 
 from __future__ import annotations
 
@@ -24,15 +24,20 @@ if TYPE_CHECKING:
 def load(
     source: str | os.PathLike[str], *, fps: float | None = None, own: Own = (), allow_outside: bool = False
 ) -> Clip:
-    """A clip, ready to be in-betweened.
+    """Load a clip.
 
-    source  the name of a clip that ships (see `clips()`), a .toml file, an MJCF file with <keyframe> elements, or the
-            text of either: of TOML with a line break in it
-    fps     samples a second of what is made of it, instead of the clip's own
-    own     soft constraints of your own with their weights: [(Calm(), 0.1)]; no file holds them
-    allow_outside  let its model read files that lie outside the model's own folder
+    Args:
+        source: Name of a shipped clip (see `clips()`), path of a .toml file or of an MJCF file with <keyframe>
+            elements, or the text of either; TOML text contains a line break.
+        fps: Samples per second [1/s] of outputs, instead of the clip's.
+        own: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
+        allow_outside: Let the model read files outside its folder.
 
-    Raises UserError, in one line that names the file, the keyframe and the key.
+    Returns:
+        The clip, for `inbetween`.
+
+    Raises:
+        UserError: For an invalid clip; one line with the file, the keyframe and the key.
     """
     if not isinstance(source, str | os.PathLike):
         raise UserError(
@@ -53,7 +58,17 @@ def load(
 
 @as_python_warnings()
 def load_motion(source: str | os.PathLike[str]) -> Motion:
-    """A motion that `Motion.save` or `dynsplines solve` wrote, .npz; raises UserError for any other file."""
+    """Load a motion.
+
+    Args:
+        source: A motion file (.npz) of `Motion.save` or `dynsplines solve`.
+
+    Returns:
+        The motion.
+
+    Raises:
+        UserError: For any other file.
+    """
     return Motion(clips.load_motion(Path(source)))
 
 
@@ -68,17 +83,23 @@ def import_motion(
     skip_rest: bool = False,
     allow_outside: bool = False,
 ) -> Motion:
-    """A recording of another program; every instant of it is a keyframe, and nothing is searched.
+    """Import a recording of another program. Every sample becomes a keyframe; there is no search.
 
-    figure  the figure of the motion, where the file contains none: the name of a shipped figure, or a path to MJCF
-    format  by name (`dynsplines formats` lists them), where the file's ending is ambiguous; or a custom
-        reader, an object with read(path, model, fps)
-    fps     frames per second, where the file has no rate
-    scale   the file's unit of length [m], where it would be inferred
-    skip_rest  leave out a T-pose, or the figure's rest pose, that stands before the motion
-    allow_outside  let the figure's model read files that lie outside the model's own folder
+    Args:
+        source: The recording.
+        figure: Name of a shipped figure, or path of an MJCF file, if the recording contains no figure.
+        format: Name of the format (see `dynsplines formats`), if the file's ending is ambiguous; or a custom reader, an
+            object with read(path, model, fps).
+        fps: Samples per second [1/s], if the file has no rate.
+        scale: Unit of length of the file [m], instead of the inferred one.
+        skip_rest: Remove a T-pose, or the figure's rest pose, before the motion.
+        allow_outside: Let the figure's model read files outside its folder.
 
-    Raises UserError, in one line, for a file that does not fit.
+    Returns:
+        The motion.
+
+    Raises:
+        UserError: For an invalid file, or one that does not fit the figure; one line.
     """
     from ..clean import lead_in
     from ..exchange.imported import imported
@@ -87,5 +108,5 @@ def import_motion(
         raise UserError(f"figure is a name or a path to MJCF, not of type {type(figure).__name__}")
     figure = None if figure is None else str(os.fspath(figure))
     with outside.allowed(allow_outside):
-        found = imported(Path(source), format, figure=figure, fps=fps, scale=scale)
-    return Motion(lead_in.without(found) if skip_rest else found)
+        motion = imported(Path(source), format, figure=figure, fps=fps, scale=scale)
+    return Motion(lead_in.without(motion) if skip_rest else motion)

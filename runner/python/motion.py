@@ -1,4 +1,4 @@
-"""Motion: what in-betweening gives. It is never changed: every edit gives a new one."""
+"""Motion, the result of in-betweening. It is immutable: every edit returns a new one."""
 
 from __future__ import annotations
 
@@ -45,15 +45,22 @@ PLAYER_HEIGHT = 480  # pixels, in a notebook
 
 @as_python_warnings()
 def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) -> Motion:
-    """Smooth motion through a clip's keyframes that keeps to its soft constraints.
+    """Compute smooth motion through a clip's keyframes that minimises the violation of its soft constraints.
 
-    clip      of `load` or `build`, or what `load` takes: the name of one that ships, a path, TOML text
-    progress  print progress on stderr
+    Ctrl-C, or a notebook's interrupt, stops the search and returns the best motion so far; every iterate meets the
+    keyframes.
 
-    Ctrl-C (in a notebook: interrupt) stops the search and keeps the best motion so far; the keyframes are met exactly
-    whenever it stops.
+    Args:
+        clip: A clip, or an argument of `load`: a shipped name, a path, or TOML text.
+        progress: Print progress on stderr.
+
+    Returns:
+        The motion.
+
+    Raises:
+        UserError: For an invalid clip.
     """
-    from .loading import load  # only here: it gives motions too
+    from .loading import load  # imported here: it imports this module
 
     heard = Progress() if progress else _silent()
     solved = work.solve(clip if isinstance(clip, Clip) else load(clip), heard)
@@ -61,7 +68,7 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
 
 
 class Report(dict[str, Any]):
-    """What a motion is like, measured at 1 kHz: plain numbers by name, and as text two tables to read."""
+    """Measurements of a motion at 1 kHz: plain numbers by name and unit. Printed, it is two tables."""
 
     def __str__(self) -> str:
         out = io.StringIO()
@@ -76,9 +83,10 @@ class Report(dict[str, Any]):
 
 @dataclass(frozen=True)
 class Apart:
-    """How far two motions are apart at most.
+    """The largest differences of two motions.
 
-    distance, angle  [m] of a body's origin or a site, [degrees] of a body's rotation
+    distance, where, time        [m] of a body's origin or a site, its name, and when [s]
+    angle, turned, turned_time   [degrees] of a body's rotation, its name, and when [s]
     """
 
     distance: float
@@ -97,9 +105,9 @@ class Apart:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Motion:
-    """A motion of a figure over time, with the keyframes that it goes through and its scene.
+    """A motion of a figure over time, with its keyframes and its scene.
 
-    saved  all of it, as its file holds it
+    saved  the content of its file
     """
 
     saved: Saved
@@ -114,52 +122,52 @@ class Motion:
 
     @property
     def name(self) -> str:
-        """What files made of it are called."""
+        """The name of the motion and of output files."""
         return self.saved.name
 
     @property
     def start(self) -> float:
-        """When it begins [s], at the first keyframe's time."""
+        """Start time [s], that of the first keyframe."""
         return float(self.saved.timeline.times[0])
 
     @property
     def end(self) -> float:
-        """When it ends [s]."""
+        """End time [s]."""
         return float(self.saved.timeline.times[-1])
 
     @property
     def duration(self) -> float:
-        """How long it lasts [s]."""
+        """Duration [s]."""
         return self.end - self.start
 
     @property
     def fps(self) -> float:
-        """Samples a second, by default."""
+        """Default samples per second [1/s]."""
         return self.saved.fps
 
     @property
     def is_loop(self) -> bool:
-        """Whether its end continues at its start."""
+        """Whether the motion is a loop."""
         return self.saved.timeline.ends == "periodic"
 
     @property
     def key_times(self) -> Array:
-        """(K,) the times of the keyframes [s]."""
+        """(K,) times of the keyframes [s]."""
         return np.array([key.time for key in self.saved.keys])
 
     @property
     def model(self) -> mujoco.MjModel:
-        """The figure in its scene."""
+        """The figure in its scene, as a compiled model."""
         return self.saved.figure.model
 
     @property
     def mjcf(self) -> str:
-        """The same as MJCF text."""
+        """The figure in its scene, as MJCF text."""
         return self.saved.mjcf
 
     @cached_property
     def clip(self) -> Clip:
-        """The problem that it answers, to be in-betweened again; warns of soft constraints that no file holds."""
+        """The clip that was solved; warns of custom soft constraints, which files do not store."""
         if self._solved is not None:
             return self._solved.clip
         if names := self.saved.search.get("own penalties"):
@@ -170,27 +178,44 @@ class Motion:
 
     @cached_property
     def before(self) -> Motion:
-        """The raw spline through the same keyframes, nothing searched: what it is compared with."""
+        """The raw spline through the same keyframes."""
         return self._edited(replace(self.saved, timeline=self.saved.raw))
 
     def at(self, t: ArrayLike) -> Array:
-        """MuJoCo configurations at times t [s]: (nq,) for one time, (S, nq) for S; quaternions wxyz and unit."""
+        """Return configurations at given times.
+
+        Args:
+            t: One time, or (S,) times [s], from `start` to `end`.
+
+        Returns:
+            (nq,) or (S, nq) MuJoCo's qpos, with unit quaternions wxyz.
+
+        Raises:
+            UserError: For times outside the motion.
+        """
         times = np.asarray(t, float)
         if times.ndim > 1:
             raise UserError(f"{self.name}: times are one number or a list of them, not {times.shape}")
         if times.size and not (self.start - 1e-9 <= times.min() and times.max() <= self.end + 1e-9):
-            raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; nothing is outside")
+            raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; give a time within")
         qpos = self.saved.figure.to_qpos(path_of(self.saved.timeline).at(times.ravel()))
         return qpos.reshape(*times.shape, self.model.nq)
 
     def sampled(self, fps: float | None = None) -> Sampled:
-        """time (T,) [s], qpos (T, nq), qvel and qacc (T, nv), `fps` a second; MuJoCo's order, units and axes."""
+        """Return samples at equal time steps.
+
+        Args:
+            fps: Samples per second [1/s]; default: those of the motion.
+
+        Returns:
+            time (T,) [s], qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order, units and axes.
+        """
         if fps is not None and not 0 < fps < np.inf:
             raise UserError(f"{self.name}: {fps} samples a second; give a number above 0")
         return files.sampled(self.saved.figure, self.saved.timeline, fps or self.fps)
 
     def report(self) -> Report:
-        """Before and after, measured between the samples that the optimiser saw; takes some seconds, the first time."""
+        """Return measurements before and after, also between the search's samples; the first call takes seconds."""
         return self._report
 
     @cached_property
@@ -205,12 +230,12 @@ class Motion:
 
     @property
     def _kept(self) -> Saved:
-        """What its file holds: its report, if it has been measured."""
+        """The content of its file, with the report if it has been computed."""
         return replace(self.saved, report=dict(self._report)) if "_report" in self.__dict__ else self.saved
 
     @property
     def problems(self) -> list[Flaw]:
-        """What is wrong with it, worst first, a record each; empty if all is well. Looked for once, in a moment."""
+        """The violations, worst first; empty if there are none. Computed once."""
         return list(self._problems)
 
     @cached_property
@@ -219,7 +244,14 @@ class Motion:
         return problems.of_motion(self.saved) if self._solved is None else self._solved.problems
 
     def apart(self, other: Motion) -> Apart:
-        """How far another motion of the same figure is from this, at this one's instants."""
+        """Return the largest distance and angle to another motion of the same figure.
+
+        Args:
+            other: A motion that covers this one's interval; compared at this one's samples.
+
+        Raises:
+            UserError: For another figure, or a shorter motion.
+        """
         edits.check_alike(self.saved, other.saved)
         recorded = thinning.recorded_of(self.saved, 1.0, 1.0)
         first, last = recorded.times[[0, -1]]
@@ -246,17 +278,26 @@ class Motion:
         workers: int | None = None,
         progress: bool = False,
     ) -> Path:
-        """Draws it into .mp4, .webm, .gif, or .png for a contact sheet, and gives the file's path.
+        """Render the motion as a video or a picture.
 
-        path     output file; default NAME.mp4, or NAME.png for a still
-        only     "" for before and after side by side, or one of them alone, or the keyframes
-        camera   "side", "left", "front", "three_quarter", "back", or one of the model's own
-        size     (width, height) of the whole picture [pixels]
-        slow     how many times slower than life
-        ghosts   in a .png: keyframes darkest, variable frames lighter, in-betweens lightest
-        at       one image, at this time [s]
-        workers  processes that draw; more than one need a script's main part behind
-                 `if __name__ == "__main__":`
+        Args:
+            path: Output file: .mp4, .webm, .gif, or .png for a contact sheet; default NAME.mp4, or NAME.png for a
+                still.
+            only: "" for before and after side by side, or "before", "after", or "keys" (the keyframes).
+            camera: "side", "left", "front", "three_quarter", "back", or a camera of the model.
+            size: Width and height [pixels].
+            fps: Video frames per second [1/s]; default: the motion's.
+            slow: Slow-motion factor.
+            ghosts: Draw all frames into one .png: keyframes darkest, variable frames lighter, in-betweens lightest.
+            at: Render a single frame at this time [s].
+            workers: Number of render processes; with more than one, a script needs `if __name__ == "__main__":`.
+            progress: Print progress on stderr.
+
+        Returns:
+            The path of the file.
+
+        Raises:
+            UserError: For invalid arguments, or if the file cannot be written.
         """
         from ..picture.graphics import choose
         from ..picture.rendering import draw
@@ -280,12 +321,21 @@ class Motion:
         columns: str | Sequence[str] = (),
         simulate: bool = False,
     ) -> Path:
-        """Writes it in the format of another program, by the path's ending or by name, and gives the file's path.
+        """Export the motion to the format of another program. An existing file is overwritten.
 
-        to        a format's name, or a writer of your own: anything with write(take, path)
-        columns   of a table: "velocities", "torques", "wrench", "ground", several of them, or "all"
-        simulate  of MJCF: a scene that collides, actuators on every joint, and the motion as their targets;
-                  a path that ends in .simulate.xml implies it
+        Args:
+            path: Output file.
+            to: Name of a format, default by the ending of `path`; or a custom writer, an object with write(take, path).
+            fps: Samples per second [1/s]; default: the motion's.
+            columns: Of a table: "velocities", "torques", "wrench", "ground", several of these, or "all".
+            simulate: Of MJCF: write a scene for simulation, with collisions, and actuators on every joint whose
+                targets are the motion. A path that ends in .simulate.xml implies it.
+
+        Returns:
+            The path of the file.
+
+        Raises:
+            UserError: For an unknown format, or data that it cannot hold.
         """
         from ..exchange import formats, quantities
         from ..exchange.take import Wishes
@@ -297,18 +347,27 @@ class Motion:
         return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, wishes=wishes)
 
     def save(self, path: str | os.PathLike[str], *, exact: bool = False, overwrite: bool = False) -> Path:
-        """Writes it as a motion, .npz, which `load_motion` opens, or as a clip, .toml, of its keyframes.
+        """Save the motion (.npz, for `load_motion`), or a clip of its keyframes (.toml).
 
-        A report goes into the file if there is one already; nothing is measured for it. Warns of soft constraints of
-        your own, which no file holds.
+        The motion file contains the report if it has been computed. Custom soft constraints are not stored; a
+        warning lists them.
 
-        exact      the clip's [solve] leaves the spline through its keyframes as it is; else it is searched as ever
-        overwrite  a scene that lies beside the clip and is another one
+        Args:
+            path: Output file.
+            exact: Write a [solve] table that keeps the spline through the keyframes; otherwise solving the clip
+                searches.
+            overwrite: Overwrite a different scene next to the clip.
+
+        Returns:
+            The path of the file.
+
+        Raises:
+            UserError: For another ending, or if the file cannot be written.
         """
         target = Path(path)
         if names := self.saved.search.get("own penalties"):
             warnings.warn(
-                f"{target}: a file holds no code: {', '.join(names)} will have to be given again", stacklevel=2
+                f"{target}: custom penalties are not stored: {', '.join(names)}; pass them again as own=", stacklevel=2
             )
         if target.suffix == ".toml":
             clip_file.write(replace(self.saved, name=target.stem), target, exact=exact, overwrite=overwrite)
@@ -323,11 +382,16 @@ class Motion:
 
     @as_python_warnings()
     def mirrored(self) -> Motion:
-        """Left and right exchanged, in the x-z plane; the scene stays."""
+        """Return the motion with left and right swapped, mirrored in the x-z plane; the scene is unchanged."""
         return self._edited(edits.mirrored(self.saved))
 
     def retimed(self, speed: float | None = None, *, duration: float | None = None) -> Motion:
-        """Played `speed` times as fast, or so that it lasts `duration` [s]."""
+        """Return the motion at another speed.
+
+        Args:
+            speed: Speed factor; or give `duration`.
+            duration: New duration [s].
+        """
         if (speed is None) == (duration is None):
             raise UserError("give speed, such as 1.5, or duration, in seconds: one of them")
         if duration is not None and not 0 < duration < np.inf:
@@ -336,25 +400,37 @@ class Motion:
         return self._edited(edits.retimed(self.saved, rate))
 
     def trimmed(self, first: float | None = None, last: float | None = None) -> Motion:
-        """The part from one time to another [s]; inside it stays the same."""
+        """Return a part of the motion, unchanged within the interval.
+
+        Args:
+            first: Start [s]; default: the motion's.
+            last: End [s]; default: the motion's.
+        """
         begin, end = self.start if first is None else first, self.end if last is None else last
         return self._edited(edits.trimmed(self.saved, begin, end))
 
     @as_python_warnings()
     def repeated(self, count: int) -> Motion:
-        """A loop played so many times over, without a seam."""
+        """Return a loop repeated `count` times, without a seam."""
         return self._edited(edits.repeated(self.saved, count))
 
     @as_python_warnings()
     def joined(self, other: Motion, transition: float = 0.4) -> Motion:
-        """The motion followed by another one, moved to continue it, with a transition [s] between them."""
+        """Return the motion followed by another one, which is moved to continue it.
+
+        Args:
+            other: The second motion, of the same figure.
+            transition: Duration of the transition between them [s].
+        """
         return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
 
     @as_python_warnings()
     def cleaned(self, within: str | float | None = None) -> Motion:
-        """A recording made physical: repaired, smoothed by its own noise, with feet that stay where they stand.
+        """Return a cleaned recording: repaired, smoothed by its estimated noise, with planted feet.
 
-        within  how far hands, feet and pelvis may be moved, where their stances allow it: "3cm", "30mm", or metres
+        Args:
+            within: Maximum displacement of hands, feet and pelvis, where their stances allow it: "3cm", "30mm", or
+                metres.
         """
         from ..clean.running import motion_cleaned
 
@@ -363,12 +439,13 @@ class Motion:
 
     @as_python_warnings()
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:
-        """The fewest keyframes found that keep it within a bound of what it is, at every instant looked at.
+        """Return a motion with the fewest keyframes found that stays within an error bound of this one.
 
-        max_error  of any body's origin, any site and any limb's tip: metres, or text such as "2cm"; a quarter of it for
-                   hands and feet, or whatever ends a limb, while they stand still
-        max_angle  of any body's rotation [degrees]
-        solve      let the in-between through the keyframes keep the bound, and not only the spline
+        Args:
+            max_error: Largest displacement of a body's origin, a site or the tip of a limb: metres, or text such as
+                "2cm". A quarter of it applies to hands, feet and other end effectors while they rest.
+            max_angle: Largest rotation of a body [degrees].
+            solve: Apply the bound to the solved motion, not to the spline through the keyframes.
         """
         if not 0 < max_angle <= 180:
             raise UserError(f"max_angle = {max_angle:g}: give degrees, above 0 and up to 180")
@@ -380,7 +457,7 @@ class Motion:
 
     @as_python_warnings()
     def _repr_html_(self) -> str:
-        """The motion playing, before and after, in a notebook: a page that needs nothing from elsewhere."""
+        """A player of the motion before and after, for notebooks: a page without external content."""
         from ..exchange.format.html import page
         from ..exchange.take import Take
 

@@ -114,7 +114,7 @@ def test_what_is_none_is_refused(own: object, says: str) -> None:
 
 @pytest.mark.parametrize("ending", ["npz", "toml"])
 def test_saving_says_that_no_file_holds_it(calm: Motion, tmp_path: Path, ending: str) -> None:
-    with pytest.warns(UserWarning, match="a file holds no code: calm will have to be given again"):
+    with pytest.warns(UserWarning, match="custom penalties are not stored: calm; pass them again as own="):
         calm.save(tmp_path / f"up.{ending}")
 
 
