@@ -44,7 +44,7 @@ def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]
         return first, last
     ends = source.timeline.ends if isinstance(source, Saved) else source.ends
     if ends != "periodic":
-        raise UserError(f"--repeat: '{source.name}' is no loop; its ends are '{ends}', not 'periodic'")
+        raise UserError(f"--repeat: '{source.name}' is not a loop; its ends are '{ends}', not 'periodic'")
     if repeat * (last - first) > LONGEST:
         raise UserError(f"--repeat {repeat}: give a number of periods that last {LONGEST:g} s at most")
     return first, first + repeat * (last - first)

@@ -59,15 +59,15 @@ def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
     if folder is None:
         return work.solve(clip, progress)
     file = folder / f"{key_of(clip)}.npz"
-    found = None if fresh else read(file, clip)
-    if found is None:
-        found = work.solve(clip, progress)
-        if found.motion.stop is not Stop.ASKED:
-            write(found, file)
-        return found
+    solution = None if fresh else read(file, clip)
+    if solution is None:
+        solution = work.solve(clip, progress)
+        if solution.motion.stop is not Stop.ASKED:
+            write(solution, file)
+        return solution
     work.tell_notes(clip, progress)
-    progress.say(f"solved before: {work.course(found.motion) or 'nothing to search'}; --no-cache solves it again")
-    return found
+    progress.say(f"solved before: {work.course(solution.motion) or 'nothing to search'}; --no-cache solves it again")
+    return solution
 
 
 def saved(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
@@ -92,9 +92,9 @@ def _parts(clip: Clip) -> Iterator[bytes]:
     for name, data in sorted(clip.scene.assets.items()):
         yield name.encode()
         yield data
-    said = tables(table_of(clip.text, clip.name)) if clip.text else {}
-    said = {key: value for key, value in said.items() if key not in APART}
-    yield json.dumps(said, sort_keys=True, default=str).encode()
+    content = tables(table_of(clip.text, clip.name)) if clip.text else {}
+    content = {key: value for key, value in content.items() if key not in APART}
+    yield json.dumps(content, sort_keys=True, default=str).encode()
     for key in clip.keys:
         yield np.float64(key.time).tobytes()
         yield key.state.tobytes()
@@ -151,12 +151,12 @@ def read(file: Path, clip: Clip) -> Solved | None:
     if not file.is_file():
         return None
     try:
-        found = _restored(clip, read_arrays(file), file.stem)
+        solution = _restored(clip, read_arrays(file), file.stem)
     except Exception:  # of a damaged file nearly anything
         return None
     with suppress(OSError):
         os.utime(file)  # so that it stays
-    return found
+    return solution
 
 
 def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
@@ -168,7 +168,7 @@ def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
         (int(n), int(turn), float(value), dict(parts)) for n, turn, value, parts in json.loads(str(data["trace"]))
     )
     quaternions = [timeline.states[:, columns] for columns in clip.figure.tables.quaternion_columns.T]
-    lengths = [np.linalg.norm(some, axis=1).min() for some in quaternions]
+    lengths = [np.linalg.norm(block, axis=1).min() for block in quaternions]
     if (
         str(data["key"]) != key
         or not np.isfinite(timeline.rows).all()

@@ -106,8 +106,8 @@ def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     count = sample_count(last - first, fps)
     time, path = first + np.arange(count) / fps, path_of(timeline)
-    found = [_configurations(samples_at(figure, path, time[i : i + AT_ONCE])) for i in range(0, count, AT_ONCE)]
-    qpos, qvel, qacc = (np.concatenate(rows) for rows in zip(*found, strict=True))
+    chunks = [_configurations(samples_at(figure, path, time[i : i + AT_ONCE])) for i in range(0, count, AT_ONCE)]
+    qpos, qvel, qacc = (np.concatenate(rows) for rows in zip(*chunks, strict=True))
     return Sampled(time, continuous(figure, qpos), qvel, qacc)
 
 
@@ -213,7 +213,7 @@ def assets_in(data: Mapping[str, np.ndarray]) -> dict[str, bytes]:
     """The files by name; raises ValueError."""
     names = data.get("asset_names", np.array([], str))
     if names.ndim != 1 or names.dtype.kind != "U":
-        raise ValueError("'asset_names' is no list of names")
+        raise ValueError("'asset_names' is not a list of names")
     files = [data[f"asset_{i}"] for i in range(names.size)]
     if any(file.dtype != np.uint8 for file in files):
         raise ValueError("an asset is not of bytes")
@@ -236,7 +236,7 @@ def load(source: Path) -> Saved:
             raise UserError(f"{source}: not a motion of dynsplines: '{name}' holds {data[name].dtype.name}")
     version = data["format_version"]
     if version.shape != () or version.dtype.kind not in "iu" or data["fps"].shape != ():
-        raise UserError(f"{source}: not a motion of dynsplines: its format_version or fps is no single number")
+        raise UserError(f"{source}: not a motion of dynsplines: its format_version or fps is not a single number")
     if not 1 <= int(version) <= FORMAT_VERSION:
         raise UserError(f"{source}: format {int(version)} is not this program's {FORMAT_VERSION}; is it newer?")
     try:
@@ -267,7 +267,7 @@ def read_arrays(source: Path) -> Arrays:
             raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
     foreign = [name for name, array in data.items() if not isinstance(array, np.ndarray)]
     if foreign:
-        raise UserError(f"{source}: '{foreign[0]}' in it is no array")
+        raise UserError(f"{source}: '{foreign[0]}' in it is not an array")
     return data
 
 
@@ -277,8 +277,8 @@ def _check(saved: Saved, data: Arrays) -> None:
     shapes = {"time": (times,), "key_time": (keys,)}
     shapes |= {f"{prefix}qpos": (times, model.nq) for prefix in ("", "raw_")}
     shapes |= {f"{prefix}{part}": (times, model.nv) for prefix in ("", "raw_") for part in ("qvel", "qacc")}
-    own = {"key_qpos", "key_fixed", "key_posed"} & data.keys()  # older files have nothing posed
-    shapes |= dict.fromkeys(sorted(own), (keys, model.nq))
+    optional = {"key_qpos", "key_fixed", "key_posed"} & data.keys()  # older files have nothing posed
+    shapes |= dict.fromkeys(sorted(optional), (keys, model.nq))
     _check_arrays(data, shapes)
     if not saved.fps > 0:
         raise ValueError(f"fps is {saved.fps:g}")
@@ -310,8 +310,8 @@ def _restored(data: Arrays) -> Saved:
     scene = Scene.received(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
     posed = data.get("key_posed", np.zeros_like(data["key_fixed"]))
-    said = zip(data["key_time"], data["key_qpos"], data["key_fixed"], posed, strict=True)
-    keys = tuple(Frame(*row) for row in said)
+    key_rows = zip(data["key_time"], data["key_qpos"], data["key_fixed"], posed, strict=True)
+    keys = tuple(Frame(*row) for row in key_rows)
     ends = str(data["ends"])
     timelines = []
     for prefix in ("", "raw_"):

@@ -29,13 +29,13 @@ NUMBER = 500_000  # [bytes] of one without matrices for every number; 380,000 wh
 @contextmanager
 def _unhurried() -> Iterator[threading.Event]:
     """Ctrl-C only sets the event in here, so that what has been solved is not lost."""
-    asked = threading.Event()
+    interrupted = threading.Event()
     if threading.current_thread() is not threading.main_thread():
-        yield asked
+        yield interrupted
         return
-    before = signal.signal(signal.SIGINT, lambda *_: asked.set())
+    before = signal.signal(signal.SIGINT, lambda *_: interrupted.set())
     try:
-        yield asked
+        yield interrupted
     finally:
         signal.signal(signal.SIGINT, before)
 
@@ -73,7 +73,7 @@ class Solved:
         """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
         clip, motion = self.clip, self.motion
         data = {}
-        with _unhurried() as asked:
+        with _unhurried() as interrupted:
             if motion.stop is Stop.ASKED:
                 progress.say("stopped; the best path so far is kept")
             if with_report:
@@ -81,7 +81,7 @@ class Solved:
 
                 def told(i: int, count: int) -> None:
                     progress.step("measuring", i / count, f"segment {i} of {count}")
-                    if asked.is_set():
+                    if interrupted.is_set():
                         raise KeyboardInterrupt
 
                 from .measure.curves import curves  # only here: most commands measure nothing
@@ -122,11 +122,11 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
             raise StopSearch
 
     begin = time.perf_counter()
-    found = inbetween(clip.problem, improved=improved)
+    solution = inbetween(clip.problem, improved=improved)
     seconds = time.perf_counter() - begin
-    if found.trace:
-        progress.step("solving", 1.0, course(found), force=True)
-    return Solved(clip, found, seconds)
+    if solution.trace:
+        progress.step("solving", 1.0, course(solution), force=True)
+    return Solved(clip, solution, seconds)
 
 
 def tell_notes(clip: Clip, progress: Progress) -> None:

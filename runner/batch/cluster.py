@@ -60,7 +60,7 @@ def connected(address: str, progress: Progress) -> Iterator[Workers]:
         try:
             client = Client(address, timeout=CONNECT_SECONDS, set_as_default=False, direct_to_workers=False)
         except (OSError, ValueError) as error:
-            raise UserError(f"no Dask scheduler answers at '{address}': {one_line(error)}") from None
+            raise UserError(f"no Dask scheduler answers at '{address}': {one_line(error)}; check the address") from None
         try:
             services = client.scheduler_info(n_workers=0).get("services", {})
             dashboard = f", dashboard {client.dashboard_link}" if "dashboard" in services else ""
@@ -69,7 +69,7 @@ def connected(address: str, progress: Progress) -> Iterator[Workers]:
                 client.register_plugin(_Processes(batch))
             except Exception as error:
                 text = f"{type(error).__name__}: {one_line(error)}"
-                raise UserError(f"a worker of {address} cannot help ({text}); is dynamic-splines installed?") from None
+                raise UserError(f"a worker of {address} cannot solve ({text}); install dynamic-splines there") from None
             executor = client.get_executor(pure=False)
             try:
                 yield Workers(partial(executor.submit, _run, batch), partial(_count, client))

@@ -54,8 +54,8 @@ class Tally:
 
     @property
     def line(self) -> str:
-        kept = len(self.entries) - self.solved - len(self.failed)
-        return f"{self.solved} solved{f', {kept} already there' if kept else ''}, {len(self.failed)} failed"
+        unchanged = len(self.entries) - self.solved - len(self.failed)
+        return f"{self.solved} solved{f', {unchanged} already there' if unchanged else ''}, {len(self.failed)} failed"
 
     @property
     def problems(self) -> list[str]:
@@ -78,9 +78,9 @@ def run(words: list[str], folder: Path, options: Options, progress: Progress, *,
     A clip that fails is recorded and stops nothing; Ctrl-C stops the batch and leaves no incomplete file. Raises
     UserError for words that name no clip, and for a folder that another batch uses.
     """
-    found = sources(words, options.listed, recordings=options.cleaning is not None)
+    clips = sources(words, options.listed, recordings=options.cleaning is not None)
     if options.cleaning is not None:  # the outputs are recordings too
-        found = [source for source in found if source.path is None or not lies_in(source.path, folder)]
+        clips = [source for source in clips if source.path is None or not lies_in(source.path, folder)]
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -90,7 +90,7 @@ def run(words: list[str], folder: Path, options: Options, progress: Progress, *,
         clear_below(folder)
         batch = Batch(Manifest.of(folder), options, progress, do)
         try:
-            names = batch.plan(found)
+            names = batch.plan(clips)
             if batch.waiting and options.scheduler is not None:
                 from .cluster import connected
 
@@ -121,15 +121,15 @@ class Batch:
     def plan(self, found: list[Source]) -> list[str]:
         """Queue every clip that is new, changed, not done, or whose output is missing; return all names."""
         entries, names = self.manifest.entries, []
-        known = {entry.source: entry.clip for entry in entries.values()}
-        fresh = [source for source in found if source.place(self.folder) not in known]
-        known |= {source.place(self.folder): str(source.name) for source in named_apart(fresh, entries.keys())}
+        clip_of = {entry.source: entry.clip for entry in entries.values()}
+        fresh = [source for source in found if source.place(self.folder) not in clip_of]
+        clip_of |= {source.place(self.folder): str(source.name) for source in named_apart(fresh, entries.keys())}
         changed = []
         for number, source in enumerate(found, 1):
             if number % READING_EVERY == 0:
                 self.progress.step("reading", number / len(found), f"{number} of {len(found)} clips")
             place = source.place(self.folder)
-            name = known[place]
+            name = clip_of[place]
             names.append(name)
             try:
                 digest = self.options.digest(files_of(source, self.figures, self.options.cleaning))
@@ -220,7 +220,7 @@ class Batch:
             size=len(files.get(output, b"")),
             sha256=hashes.pop(output, ""),
             beside=hashes,
-            **{each.name: getattr(outcome, each.name) for each in fields(Result)},
+            **{member.name: getattr(outcome, member.name) for member in fields(Result)},
         )
         if not outcome.cause:
             self.manifest.record([entry], firmly=False)
@@ -242,9 +242,9 @@ class Batch:
         over, spent = self.solved + self.failed, time.monotonic() - self.begin
         text = f"{self.solved} done, {self.failed} failed, {len(self.running)} running of {self.total}"
         if over:
-            left = round((self.total - over) * spent / over)
+            remaining = round((self.total - over) * spent / over)
             pace = f"{over / spent:.1f} clips/s" if over >= spent else f"{spent / over:.1f} s a clip"
-            note = f", {pace}, {left // 3600}:{left // 60 % 60:02}:{left % 60:02} left"
+            note = f", {pace}, {remaining // 3600}:{remaining // 60 % 60:02}:{remaining % 60:02} left"
         self.progress.step("batch", over / self.total, text + note, force=force)
 
 

@@ -53,18 +53,18 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
 
     Raises UserError for what does not exist.
     """
-    found: dict[object, Source] = {}
+    unique: dict[object, Source] = {}
     for word in (*words, *(_lines(listed) if listed else ())):
         for source in _named(word, recordings):
             path = str(source.path or source.name)
             if path != path.encode("utf-8", "replace").decode():  # the manifest and the workers need text
                 shown = path.encode("utf-8", "backslashreplace").decode()
                 raise UserError(f"'{shown}': its name is not UTF-8 text; rename it")
-            found.setdefault(source.path or source.name, source)
-    if not found:
+            unique.setdefault(source.path or source.name, source)
+    if not unique:
         kind, names = ("recordings", "") if recordings else ("clips", "names, .toml or .xml ")
         raise UserError(f"no {kind}; give {names}files, folders, patterns, or --list FILE")
-    return list(found.values())
+    return list(unique.values())
 
 
 def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:
@@ -104,9 +104,9 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Cleaning |
         return Files(str(source.name), {f"{source.name}.toml": models.clip_text(str(source.name)).encode()})
     if cleaning is not None:
         roles = {"figure": cleaning.figure, "scene": cleaning.scene, "map": cleaning.map}
-        own = {role: name for role, name in roles.items() if name is not None and name not in models.figures()}
-        others = {role: _absolute(Path(name)) for role, name in own.items()}
-        files = {each: each.read_bytes() for each in (path, *others.values())}
+        referenced = {role: name for role, name in roles.items() if name is not None and name not in models.figures()}
+        others = {role: _absolute(Path(name)) for role, name in referenced.items()}
+        files = {place: place.read_bytes() for place in (path, *others.values())}
         files |= _model(others["figure"], figures) if "figure" in others else {}
     elif path.suffix.lower() == ".xml":
         files = _model(path, figures)
@@ -177,7 +177,7 @@ def _named(word: str, recordings: bool) -> Iterator[Source]:
             if (_is_recording(file) if recordings else file.suffix.lower() in endings) and file.is_file()
         ]
         if not chosen and recordings:
-            raise UserError(f"'{word}': no recording's ending is there; `dynsplines formats` lists them")
+            raise UserError(f"'{word}': it contains no recordings; `dynsplines formats` lists the endings")
         if not chosen:
             which = "file in it or below" if path.is_dir() else "or .xml file is called so"
             raise UserError(f"'{word}': no .toml {which}")

@@ -32,7 +32,7 @@ def _below(name: str) -> str:
     """A path that leads down from the manifest's folder; raises ValueError for others."""
     parts = name.replace("\\", "/").split("/")
     if PurePosixPath(name).is_absolute() or PureWindowsPath(name).drive or ".." in parts or "\0" in name:
-        raise ValueError(f"'{name}' is no path in this folder")
+        raise ValueError(f"'{name}' is not a path in this folder")
     return name
 
 
@@ -159,6 +159,6 @@ def _read(path: Path) -> dict[str, Entry]:
             first = error.errors()[0]
             place = "".join(f"{key}: " for key in first["loc"] if first["type"] != "value_error")
             why = place + first["msg"].removeprefix("Value error, ")
-            raise UserError(f"{path}: line {number} is not what became of a clip ({why}); remove it") from None
+            raise UserError(f"{path}: line {number} is not an entry of a clip ({why}); remove it") from None
         entries[entry.clip] = entry
     return entries

@@ -37,12 +37,12 @@ def asked(
 ) -> Cleaning | None:
     """What the options of the command mean; None for clips. Raises UserError for those that do not go together."""
     if clean and onto is not None:
-        raise UserError("--clean and --retarget: give one of them; what is brought on to a figure is cleaned there")
+        raise UserError("--clean and --retarget: give one of them; --retarget also cleans")
     more = {"--figure": figure, "--map": map_file, "--from": kind, "--scene": scene, "--max-displacement": within}
-    given = [name for name, value in more.items() if value is not None]
+    options = [name for name, value in more.items() if value is not None]
     if not clean and onto is None:
-        if given:
-            raise UserError(f"{' and '.join(given)}: of recordings; give --clean or --retarget MODEL, too")
+        if options:
+            raise UserError(f"{' and '.join(options)}: of recordings; give --clean or --retarget MODEL, too")
         return None
     if onto is not None and figure is not None:
         raise UserError(f"--figure {figure}: the figure is the one to --retarget to, '{onto}'")
@@ -70,12 +70,12 @@ def tell(tally: Tally, progress: Progress) -> None:
 
 def table(good: Iterable[Entry]) -> Table:
     """The median recording and the worst, before and after, of everything that was measured."""
-    kept = [entry for entry in good if entry.figures]
+    measured = [entry for entry in good if entry.figures]
     out = Table(box=None, pad_edge=False)
-    for heading in (f"{len(kept)} recordings", "median before", "after", "worst before", "after"):
+    for heading in (f"{len(measured)} recordings", "median before", "after", "worst before", "after"):
         out.add_column(heading, justify="right" if out.columns else "left")
-    for says in dict.fromkeys(name for entry in kept for name in entry.figures):
-        pairs = np.array([entry.figures[says] for entry in kept if says in entry.figures], float)
+    for says in dict.fromkeys(name for entry in measured for name in entry.figures):
+        pairs = np.array([entry.figures[says] for entry in measured if says in entry.figures], float)
         shown = [*np.median(pairs, axis=0), *pairs.max(axis=0)]
         out.add_row(Text(says), *(f"{value:.3g}" for value in shown))
     return out

@@ -79,13 +79,13 @@ def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outco
     from .. import motion
     from ..exchange import formats
 
-    made = folder / ".made"  # a folder that no clip's file is in
-    made.mkdir()
-    target = made / task.output
+    staging = folder / ".made"  # a folder that no clip's file is in
+    staging.mkdir()
+    target = staging / task.output
     notes: list[str] = []
     if task.options.to == NPZ:
         motion.save(saved, target)
     else:
         formats.export(saved, task.options.to, target, fps=fps, tell=notes.append)
-    files = {path.name: path.read_bytes() for path in [target, *sorted(made.iterdir())]}
-    return Outcome(files=files, notes=tuple(note for note in notes if not note.startswith(f"wrote {made}{os.sep}")))
+    files = {path.name: path.read_bytes() for path in [target, *sorted(staging.iterdir())]}
+    return Outcome(files=files, notes=tuple(note for note in notes if not note.startswith(f"wrote {staging}{os.sep}")))

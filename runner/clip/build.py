@@ -108,10 +108,10 @@ class Clip:
     def __repr__(self) -> str:
         """ "<Clip run_and_step: 2.20 s, 12 keyframes (3 partial), 15 penalties, 39 DOF>" """
         seconds, partial = self.keys[-1].time - self.keys[0].time, sum(not key.is_key for key in self.keys)
-        some = f" ({partial} partial)" if partial else ""
+        partial_note = f" ({partial} partial)" if partial else ""
         loop = ", loop" if self.ends == "periodic" else ""
         return (
-            f"<Clip {self.name}: {seconds:.2f} s{loop}, {len(self.keys)} keyframes{some}, "
+            f"<Clip {self.name}: {seconds:.2f} s{loop}, {len(self.keys)} keyframes{partial_note}, "
             f"{len(self.penalties)} penalties, {self.figure.model.nv} DOF>"
         )
 
@@ -134,10 +134,10 @@ def build(
     surfaces = static_surfaces(figure.model)
     context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.hold)
     broken = complaints(figure, problem.raw, keys)
-    found = constraints(context, source.options)
-    problem = replace(problem, penalties=found.penalties)
-    notes = (*broken, *found.notes, *_too_many(problem))
-    return Clip(source.name, source.text, scene, fps, problem, found.context, notes)
+    soft_constraints = constraints(context, source.options)
+    problem = replace(problem, penalties=soft_constraints.penalties)
+    notes = (*broken, *soft_constraints.notes, *_too_many(problem))
+    return Clip(source.name, source.text, scene, fps, problem, soft_constraints.context, notes)
 
 
 def build_following(
@@ -157,8 +157,8 @@ def build_following(
     """
     figure, where = recording.recorded.figure, source.where
     ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
-    given = rests_of(ground, source.table.contact, recording.recorded.path.span, where)
-    rests = recording.stances(ground, edits, given) if known is None else stances_in(known, ground, where)
+    given_rests = rests_of(ground, source.table.contact, recording.recorded.path.span, where)
+    rests = recording.stances(ground, edits, given_rests) if known is None else stances_in(known, ground, where)
     problem, factors = recording.problem(ground, edits, rests), weight_factors(source.options)
     problem = replace(problem, penalties=tuple((p, w * factors.get(p.name, 1.0)) for p, w in problem.penalties))
     _check_timeline(problem, where)
@@ -178,8 +178,8 @@ def _check_timeline(problem: Problem, where: str) -> None:
 
 def edits_of(keys: Sequence[Frame], table: ClipTable) -> tuple[Frame, ...]:
     """Return the keys at times of a clip's keyframe tables."""
-    given = [row.time for row in table.keyframe]
-    return tuple(key for key in keys if np.isclose(key.time, given, rtol=0, atol=NEXT).any())
+    times = [row.time for row in table.keyframe]
+    return tuple(key for key in keys if np.isclose(key.time, times, rtol=0, atol=NEXT).any())
 
 
 def solve_of(saved: Saved, solve: SolveTable) -> SolveTable:
@@ -208,7 +208,7 @@ def with_own(clip: Clip, own: Own) -> Clip:
     Raises:
         UserError: for an entry that is no soft constraint with a weight, and for a name that exists already.
     """
-    taken = {penalty.name for penalty, _ in clip.penalties} | {k.term(part) for k in KINDS.values() for part in k.parts}
+    names = {penalty.name for penalty, _ in clip.penalties} | {k.term(part) for k in KINDS.values() for part in k.parts}
     where = f"{clip.name}: own"
     for entry in own:
         if not (isinstance(entry, tuple) and len(entry) == 2 and isinstance(entry[0], Penalty)):
@@ -216,9 +216,9 @@ def with_own(clip: Clip, own: Own) -> Clip:
         penalty, weight = entry
         if isinstance(weight, bool) or not isinstance(weight, int | float) or not 0 <= weight < np.inf:
             raise UserError(f"{where}: the weight of '{penalty.name}' is a number from 0 on, not {weight!r}")
-        if penalty.name in taken:
+        if penalty.name in names:
             raise UserError(f"{where}: a soft constraint called '{penalty.name}' already exists; give it another name")
-        taken.add(penalty.name)
+        names.add(penalty.name)
     more = tuple((penalty, float(weight)) for penalty, weight in own if weight > 0)
     return replace(clip, own=(*clip.own, *more), problem=replace(clip.problem, penalties=(*clip.penalties, *more)))
 

@@ -96,12 +96,12 @@ def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
     table, replaced = _replacement(new.kind, entries)
     lines = ", ".join(assignment(*item) for item in tables(table).items())
     gone = [
-        f"{key} of '{each.kind}'"
-        for each in replaced
-        for key in sorted(each.said.keys() - {"weight"} - _now(each).options.keys())
+        f"{key} of '{old.kind}'"
+        for old in replaced
+        for key in sorted(old.said.keys() - {"weight"} - _now(old).options.keys())
     ]
     part = f"part '{new.part}' of " if new.part else ""
-    names = ", ".join(f"'{each.kind}'" for each in replaced)
+    names = ", ".join(f"'{old.kind}'" for old in replaced)
     return f"penalty '{entry.kind}' is {part}'{new.kind}' now; replace {names} by [[penalty]] {lines}" + (
         f"; leave out {', '.join(gone)}, which no longer exists" if gone else ""
     )

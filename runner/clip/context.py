@@ -80,10 +80,18 @@ class Context:
         """What keyframes and tables specify, independent of the [[penalty]] tables."""
         whole = [frame.state for frame in keys.frames if frame.fixed.all()]
         points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
-        given = contacts(figure, keys, tables, where, points, surfaces)
+        given_contacts = contacts(figure, keys, tables, where, points, surfaces)
         bends = tuple(knees_and_elbows(figure))
         return cls(
-            figure, keys, surfaces, where, points, bends, given, holds(figure, keys, held, where, points), placed
+            figure,
+            keys,
+            surfaces,
+            where,
+            points,
+            bends,
+            given_contacts,
+            holds(figure, keys, held, where, points),
+            placed,
         )
 
     @property
@@ -120,8 +128,8 @@ class Context:
     @property
     def stances(self) -> tuple[Stance, ...]:
         """The stances inferred from keyframes, except for points that the clip's contacts already cover."""
-        found = stances(self.figure, self.keys, self.points, self.surfaces)
-        return tuple(stance for stance in found if not self.contacts.overlaps(stance))
+        inferred = stances(self.figure, self.keys, self.points, self.surfaces)
+        return tuple(stance for stance in inferred if not self.contacts.overlaps(stance))
 
     @cached_property
     def held_joints(self) -> tuple[Range, ...]:
@@ -150,23 +158,23 @@ class Context:
         figure, keys = self.figure, self.keys
         if not figure.tables.free_links.size:
             return None
-        found = free_root(figure, self.points)
-        root = int(figure.tables.free_links[0]) if found is None else found
+        root_link = free_root(figure, self.points)
+        root = int(figure.tables.free_links[0]) if root_link is None else root_link
         points, body = hanging(figure, root, self.points), hanging(figure, root, self.own(body_points(figure)))
         every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
-        held = tuple(stance for stance in every if figure.tables.path[stance.point.link, root])
-        carriers = footings(figure, keys, points, self.surfaces, held, body)
+        supports = tuple(stance for stance in every if figure.tables.path[stance.point.link, root])
+        carriers = footings(figure, keys, points, self.surfaces, supports, body)
         if intervals is not None:
             aloft = tuple(intervals)
         elif asked and not self.surfaces:
             aloft = ((float(keys.times[0]), float(keys.times[-1])),)
         else:
-            aloft = flights(figure, root, keys, points, self.surfaces, held, body)
+            aloft = flights(figure, root, keys, points, self.surfaces, supports, body)
         for first, last in aloft:
             if not keys.times[0] <= first < last <= keys.times[-1]:
-                given, span = f"[{first:g}, {last:g}]", f"{keys.times[0]:g} to {keys.times[-1]:g} s"
+                interval, span = f"[{first:g}, {last:g}]", f"{keys.times[0]:g} to {keys.times[-1]:g} s"
                 raise UserError(
-                    f"{self.where}: penalty 'flight': {given} is no interval of the clip, which runs from {span}"
+                    f"{self.where}: penalty 'flight': {interval} is not an interval of the clip, which runs from {span}"
                 )
         return Support.of(figure, root, carriers, aloft)
 
@@ -179,26 +187,26 @@ class Context:
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
         """Points by name. Raises UserError for one that the figure has not."""
-        places, found = Places(self.figure, self.points), list[Point]()
+        places, result = Places(self.figure, self.points), list[Point]()
         for name in names:
             point = places.point(name)
             if point is None:
                 raise UserError(f"{self.where}: penalty 'collision': {unknown('site', name, places.points_listed)}")
-            found.append(point)
-        return tuple(found)
+            result.append(point)
+        return tuple(result)
 
     def limbs(self, names: Sequence[str]) -> tuple[Bend, ...]:
         """Knees and elbows by the name of their joint. Raises UserError for one that the figure has not."""
-        known = {bend.name: bend for bend in self.bends}
+        bends = {bend.name: bend for bend in self.bends}
         for name in names:
-            if name not in known:
-                raise UserError(f"{self.where}: penalty 'limits': {unknown('joint', name, known)}")
-        return tuple(known[name] for name in names)
+            if name not in bends:
+                raise UserError(f"{self.where}: penalty 'limits': {unknown('joint', name, bends)}")
+        return tuple(bends[name] for name in names)
 
 
 def knees_and_elbows(figure: Figure) -> list[Bend]:
     """Ball joints that are knees or elbows by their own name or their body's, of a figure that faces x."""
-    found, rest = [], _turned_at_rest(figure)
+    bends, rest = [], _turned_at_rest(figure)
     for i, link in enumerate(figure.links[1:], start=1):
         names = f"{link.name} {figure.model.body(link.body).name}".lower()
         lateral = 1.0 if any(w in names for w in KNEES) else -1.0 if any(w in names for w in ELBOWS) else 0.0
@@ -207,16 +215,16 @@ def knees_and_elbows(figure: Figure) -> list[Bend]:
             down[1] = 0.0
             if np.linalg.norm(down) > 1e-6:
                 axes = np.array([[0.0, lateral, 0.0], _principal(down)])
-                found.append(Bend(link.name, i, *quat.rotated(quat.inverse(rest[link.parent]), axes)))
-    return found
+                bends.append(Bend(link.name, i, *quat.rotated(quat.inverse(rest[link.parent]), axes)))
+    return bends
 
 
 def _turned_at_rest(figure: Figure) -> list[Array]:
     """(4,) of every link, the world first: how it is turned in the world at rest."""
-    found = [np.array([1.0, 0, 0, 0])]
+    rotations = [np.array([1.0, 0, 0, 0])]
     for link in figure.links[1:]:
-        found.append(quat.product(found[link.parent], link.turn))
-    return found
+        rotations.append(quat.product(rotations[link.parent], link.turn))
+    return rotations
 
 
 def _principal(direction: Array) -> Array:

@@ -73,15 +73,15 @@ def standing_alone(saved: Saved) -> Saved:
     everything = [[True] * timeline.width] * timeline.times.size
     keys = tuple(Frame.many(timeline.times, figure.to_qpos(timeline.states), everything))
     frames = tuple(Frame.many(timeline.times, timeline.states, everything))
-    kept = {key: value for key, value in table.given.items() if key in OF_MOTIONS}
-    text = written(ClipTable.unchecked(**kept, solve=_ends(saved), keyframe=keyframe_tables(figure, keys)))
+    entries = {key: value for key, value in table.given.items() if key in OF_MOTIONS}
+    text = written(ClipTable.unchecked(**entries, solve=_ends(saved), keyframe=keyframe_tables(figure, keys)))
     return replace(saved, text=text, keys=keys, timeline=Timeline(frames, timeline.end_slope, timeline.ends))
 
 
 def _follows_shipped(saved: Saved) -> bool:
     """Whether the recording that a motion follows, if any, is found from everywhere."""
-    said = table_of(saved.text, saved.name).recording if saved.text else None
-    return said is None or said.file in models.clips()
+    recording = table_of(saved.text, saved.name).recording if saved.text else None
+    return recording is None or recording.file in models.clips()
 
 
 def searching(solve: SolveTable) -> SolveTable:

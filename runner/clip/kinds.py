@@ -117,7 +117,7 @@ class UprightOptions(Options):
 
     bodies: list[str] | None = Field(default=None, description="bodies")
     axis: tuple[Number, Number, Number] | None = Field(
-        default=None, description="in the bodies' axes, else what is up at rest"
+        default=None, description="in the bodies' axes, default: vertical at rest"
     )
 
 
@@ -384,11 +384,11 @@ def _trunk(context: Context, options: UprightOptions) -> Penalty | None:
 
 
 def _bodies(context: Context, options: UprightOptions) -> Penalty | None:
-    known, links = moving_bodies(context.figure), list[int]()
+    movable, links = moving_bodies(context.figure), list[int]()
     for name in options.bodies or ():
-        if name not in known:
-            raise UserError(f"{context.where}: penalty 'upright': {unknown('body', name, known)}")
-        links.append(known[name])
+        if name not in movable:
+            raise UserError(f"{context.where}: penalty 'upright': {unknown('body', name, movable)}")
+        links.append(movable[name])
     return Level.of(context.figure, links, options.axis)
 
 

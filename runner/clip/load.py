@@ -214,16 +214,16 @@ def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> 
         spec.assets = dict(taken_along(spec))  # MuJoCo 3.2.7 keeps meshes of such names
     except UserError as error:
         raise UserError(_placed(error, where)) from None
-    own = [np.array(key.qpos) for key in spec.keys]
+    configurations = [np.array(key.qpos) for key in spec.keys]
     try:
         with quietly():
             model = spec.compile()
     except ValueError as error:
         raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
-    if not own:
+    if not configurations:
         raise UserError(f"{where}: the model has no <keyframe> elements to go through")
-    time, qpos = np.array(model.key_time)[: len(own)], np.array(model.key_qpos)[: len(own)]
-    for i, values in enumerate(own):
+    time, qpos = np.array(model.key_time)[: len(configurations)], np.array(model.key_qpos)[: len(configurations)]
+    for i, values in enumerate(configurations):
         if values.size not in (0, model.nq):
             at = called(i + 1, time[i])
             raise UserError(f"{where}: {at}: qpos has {values.size} numbers, not the figure's {model.nq}")
@@ -319,9 +319,9 @@ def answered(saved: Saved) -> Clip:
     except UserError:
         clip, table = of_motion(saved), source.table
         points = clip.context.points
-        given = Contacts(given=requested_rests(saved.figure, table.contact, points))
-        held = requested_holds(saved.figure, table.hold, points)
-        return replace(clip, context=replace(clip.context, contacts=given, holds=held))
+        given_contacts = Contacts(given=requested_rests(saved.figure, table.contact, points))
+        held_sites = requested_holds(saved.figure, table.hold, points)
+        return replace(clip, context=replace(clip.context, contacts=given_contacts, holds=held_sites))
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
@@ -333,5 +333,5 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     keys = [replace(key, posed=None) for key in keys]
     if clip.text:
         keys = stander_of(source, clip.figure).stood(keys, placed)
-    found = build(source, clip.scene, clip.figure, keys, placed, clip.fps)
-    return replace(found.asking(penalties=(*found.penalties, *clip.own)), own=clip.own)
+    rebuilt = build(source, clip.scene, clip.figure, keys, placed, clip.fps)
+    return replace(rebuilt.asking(penalties=(*rebuilt.penalties, *clip.own)), own=clip.own)

@@ -76,10 +76,10 @@ class _Sides:
             return self._nearest(name, list(self.places.soles)) or other if is_sole else other
         if not self.places.alike(name):  # the name of a joint
             return self.figure.links[self.mirror.partner[self.link(name)]].name
-        found = self._nearest(name, self.places.alike(name))
-        if found is None:
-            raise UserError(f"'{name}': nothing like it on the other side; mirror the solved motion instead")
-        return found
+        counterpart = self._nearest(name, self.places.alike(name))
+        if counterpart is None:
+            raise UserError(f"'{name}': it has no counterpart on the other side; mirror the solved motion instead")
+        return counterpart
 
     def _nearest(self, name: str, names: list[str]) -> str | None:
         """Of names the point that is nearest to a point's image, on the partner of its link; None without any."""
@@ -114,7 +114,7 @@ def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTabl
     for others in dict.fromkeys(row.others for row in clip.keyframe):
         _check_symmetric(others, figure, mirror)
     if clip.recording is not None:
-        raise UserError("recording: what a clip follows has no mirror image; mirror the solved motion: -o NAME.npz")
+        raise UserError("recording: such a clip cannot be mirrored; mirror the solved motion: -o NAME.npz")
     sides = _Sides.of(figure, mirror)
     return clip.changed(
         scene=_scene(clip.scene),
@@ -146,7 +146,7 @@ def _check_symmetric(others: str, figure: Figure, mirror: Mirror) -> None:
     qpos = figure.model.qpos0 if others == "rest" else figure.model.key(others.removeprefix(KEY)).qpos
     if not _is_symmetric(np.array(qpos), mirror):
         what = "the figure's rest" if others == "rest" else f"the model's key '{others.removeprefix(KEY)}'"
-        raise UserError(f"{what} is no mirror image of itself: specify every joint instead of others = '{others}'")
+        raise UserError(f"{what} is not symmetric: specify every joint instead of others = '{others}'")
 
 
 def _is_symmetric(qpos: Array, mirror: Mirror) -> bool:
@@ -196,7 +196,7 @@ def _penalty(entry: PenaltyTable, sides: _Sides) -> PenaltyTable:
         axis = np.array(options["axis"], float)
         axes = [(sides.reflection(name) @ axis).tolist() for name in entry.said["bodies"]]
         if not np.allclose(axes, axes[0], atol=1e-9):
-            raise UserError(f"penalty '{entry.kind}': bodies that are turned differently share no mirrored axis")
+            raise UserError(f"penalty '{entry.kind}': bodies with different orientations have no common mirrored axis")
         options["axis"] = axes[0]
     return PenaltyTable.of(entry.kind, **options)
 

@@ -70,5 +70,5 @@ def _first(table: ClipTable, name: str) -> RootTable:
 
 def _is_carried(table: ClipTable, name: str, first: float, last: float) -> bool:
     """Whether something holds an object at a time between two."""
-    held = (hold for hold in table.hold if hold.body == name)
-    return any(max(hold.start, first) < min(hold.end, last) - ROUNDING for hold in held)
+    holds = (hold for hold in table.hold if hold.body == name)
+    return any(max(hold.start, first) < min(hold.end, last) - ROUNDING for hold in holds)

@@ -193,9 +193,9 @@ def _misplaced(table: ClipTable) -> Iterator[str]:
         weight = entry.said.get("weight")
         terms = [f"{entry.kind}.{part}" for part in weight] if isinstance(weight, dict) else []
         unfit = [term for term in terms if term not in WEIGHTS]
-        known = [term for term in WEIGHTS if term != "near"]
-        if entry.kind not in {term.split(".")[0] for term in known} or unfit or entry.said.keys() - {"weight"}:
-            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(known)}"
+        usable = [term for term in WEIGHTS if term != "near"]
+        if entry.kind not in {term.split(".")[0] for term in usable} or unfit or entry.said.keys() - {"weight"}:
+            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(usable)}"
 
 
 def called(number: int, time: float) -> str:

@@ -62,11 +62,11 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
     stander, missed = stander_of(source, figure), list[str]()
     if any(want.goals for want in wants):
         for k, (row, want, here) in enumerate(zip(rows, wants, places, strict=True)):
-            held = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # holds what is solved by now
-            keys[k] = _based(held, base)
+            partial = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # holds what is solved by now
+            keys[k] = _based(partial, base)
             if want.goals:
-                among, own = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
-                keys[k], lines = with_pose(figure, among, own, want.goals, stander, here)
+                among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
+                keys[k], lines = with_pose(figure, among, index, want.goals, stander, here)
                 missed += [f"{called(k + 1, row.time)}: {line}" for line in lines]
                 keys[k] = _based(keys[k], base)
     for key, want, here in zip(keys, wants, places, strict=True):

@@ -82,17 +82,17 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
     except (FigureError, ValueError) as error:
         raise UserError(f"{Path(source).name}: {first_line(error)}") from None
     soles = sole_points(figure, poses)
-    own = bool(len(poses))
+    has_keys = bool(len(poses))
     equalities = Equalities(figure.model)
     notes = [line] if (line := fixed_base(source, figure.model)) else []
-    if not own:
+    if not has_keys:
         times, poses = np.zeros(1), _within(figure)[None]
-    given, poses = poses, np.array([_settled(figure, qpos) for qpos in poses])
+    given_poses, poses = poses, np.array([_settled(figure, qpos) for qpos in poses])
     for k, qpos in enumerate(poses):
         poses[k], lines = _closed(figure, qpos, equalities)
         notes += [f"keyframe {k + 1}: {line}" for line in lines]
     settled = poses
-    lifted = [_raised(figure, qpos) if own else _stood(figure, qpos, bool(soles)) for qpos in poses]
+    lifted = [_raised(figure, qpos) if has_keys else _stood(figure, qpos, bool(soles)) for qpos in poses]
     poses = np.array(
         [  # bodies attached to the world or a mocap body are not lifted off it
             qpos if equalities.open(up) and not equalities.open(qpos) else up
@@ -112,7 +112,13 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
         rows += _moved(figure, poses[0], float(times[0]))
     head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
     blocks = [
-        _head(source, own, len(poses), float(np.abs(poses - settled).max()), float(np.abs(settled - given).max())),
+        _head(
+            source,
+            has_keys,
+            len(poses),
+            float(np.abs(poses - settled).max()),
+            float(np.abs(settled - given_poses).max()),
+        ),
         written(head).rstrip("\n"),
         *([_noted(notes)] if notes else []),
         _named(figure, poses[0], soles),
@@ -127,7 +133,7 @@ def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
 
     Where the times do not rise they are half a second apart.
     """
-    own = [np.array(key.qpos) for key in spec.keys]
+    configurations = [np.array(key.qpos) for key in spec.keys]
     try:
         with quietly():
             model = spec.compile()
@@ -135,11 +141,12 @@ def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
         raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
     if not model.njnt:
         raise UserError(f"{where}: the model has no joints: nothing can move")
-    poses = np.array(model.key_qpos).reshape(-1, model.nq)[: len(own)]  # <size nkey> may exceed the number of keys
-    for pose, said in zip(poses, own, strict=True):
-        if said.size == model.nq:
-            pose[:] = said
-    times = np.array(model.key_time)[: len(own)]
+    count = len(configurations)  # <size nkey> may exceed it
+    poses = np.array(model.key_qpos).reshape(-1, model.nq)[:count]
+    for pose, configuration in zip(poses, configurations, strict=True):
+        if configuration.size == model.nq:
+            pose[:] = configuration
+    times = np.array(model.key_time)[: len(configurations)]
     if wrong := first_wrong(model, times, poses):
         raise UserError(f"{where}: keyframe {wrong[0] + 1}: {wrong[1]}")
     if times.size and not np.all(np.diff(times) >= 1e-3):
@@ -226,11 +233,11 @@ def _mount(figure: Figure, qpos: Array, root: int) -> None:
     model, data = figure.model, mujoco.MjData(figure.model)
     endless = (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD))
     solids = [geom for geom in solids_of(model) if model.geom_type[geom] not in endless]
-    own = [geom for geom in movers(model) if figure.tables.path[figure.body_link[model.geom_bodyid[geom]], root]]
+    geoms = [geom for geom in movers(model) if figure.tables.path[figure.body_link[model.geom_bodyid[geom]], root]]
     for _ in solids:
         data.qpos[:] = qpos
         mujoco.mj_kinematics(model, data)
-        under = [s for s in solids if any(_depth(model, data, geom, s) > TOUCHING for geom in own)]
+        under = [s for s in solids if any(_depth(model, data, geom, s) > TOUCHING for geom in geoms)]
         low = lowest_point(figure, qpos, root)
         if not under or low is None:
             return
@@ -268,9 +275,9 @@ def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:
         rounded = round(there, 0 if link.kind is JointKind.HINGE else 3)
         there = rounded if min(back, there) < rounded < max(back, there) else there
     loops = [figure.links[i] for i in sorted(_loops(figure))]
-    loops = loops if any(each is link for each in loops) else []  # the search closes the loops again
-    free = {each.name: "free" for each in loops if each is not link}
-    closed = {each.name: _joint(each, qpos) for each in loops}
+    loops = loops if any(loop is link for loop in loops) else []  # the search closes the loops again
+    free = {loop.name: "free" for loop in loops if loop is not link}
+    closed = {loop.name: _joint(loop, qpos) for loop in loops}
     return [
         KeyframeTable.unchecked(time=start + APART, joints={link.name: there, **free}, others="hold"),
         KeyframeTable.unchecked(time=start + 2 * APART, joints={link.name: back, **closed}, others="hold"),
@@ -287,10 +294,10 @@ def _joint(link: Link, qpos: Array) -> RotationTable | float:
 
 def _loops(figure: Figure) -> set[int]:
     """The links of closed loops."""
-    path, found = figure.tables.path > 0, set()
+    path, links = figure.tables.path > 0, set()
     for closure in closures(figure):
-        found |= set(np.flatnonzero(path[closure.one.link] != path[closure.two.link]).tolist())
-    return {i for i in found if figure.links[i].kind is not JointKind.FREE}
+        links |= set(np.flatnonzero(path[closure.one.link] != path[closure.two.link]).tolist())
+    return {i for i in links if figure.links[i].kind is not JointKind.FREE}
 
 
 def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
@@ -339,8 +346,8 @@ def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
     low, high = (here - most / ROOM, here + most / ROOM)
     if figure.model.jnt_limited[link.joint]:
         low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
-    room = [min(most, ROOM * max(high - here, 0.0)), -min(most, ROOM * max(here - low, 0.0))]
-    return [here + step for step in room if step != 0]
+    steps = [min(most, ROOM * max(high - here, 0.0)), -min(most, ROOM * max(here - low, 0.0))]
+    return [here + step for step in steps if step != 0]
 
 
 def _shift(model: mujoco.MjModel, data: mujoco.MjData, before: Array, after: Array) -> float:
@@ -378,12 +385,12 @@ def _short(value: float) -> float | int:
 
 def _head(source: str, own: bool, count: int, raised: float, settled: float) -> str:
     name = Path(source).name
-    said = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
+    content = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
     more = "" if count > 1 else ", and one joint moved"
     up = f" Raised by up to {1000 * raised:.1f} mm, out of what it stood in.\n" if raised >= TOLD else "\n"
     off = "# Joints that follow others are where these take them, not where the model's keyframes have them.\n"
     return (
-        f"# A clip for {name}: {said}{more}.{up}{off if own and settled >= TOLD else ''}"
+        f"# A clip for {name}: {content}{more}.{up}{off if own and settled >= TOLD else ''}"
         "# Angles in degrees, lengths in metres, times in seconds. Unspecified degrees of freedom are free, unless\n"
         '# the keyframe has others = "hold" (as in the keyframe before), "rest" or "key:NAME" (of the model). '
         "See it: dynsplines render THIS_FILE"
@@ -424,18 +431,18 @@ def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
     places = Places(figure, soles)
     names = [*(point.name for point in soles), *posable_sites(figure.model)]
     points = [point for name in dict.fromkeys(names) if (point := places.point(name)) is not None and point.link]
-    said = [(f"sites.{_key(p.name)}", "{}", p) for p in points]
+    positions = [(f"sites.{_key(p.name)}", "{}", p) for p in points]
     busy = {point.link for point in points}
     for body in _ends(figure):
         name, link = str(figure.model.body(body).name), int(figure.body_link[body])
         if name and link not in busy:
-            said.append(
+            positions.append(
                 (f"bodies.{_key(name)}", "{{position = {}}}", Point(name, *figure.point_on_link(body, np.zeros(3))))
             )
-    if not said:
+    if not positions:
         return []
     lines = [f"# {AT_REST}"]
-    for (key, form, point), place in zip(said, places_at(figure, qpos, [p for *_, p in said]).T, strict=True):
+    for (key, form, point), place in zip(positions, places_at(figure, qpos, [p for *_, p in positions]).T, strict=True):
         thick = f"  # the middle of a ball of radius {point.radius:.3g} m" if point.radius else ""
         where = ", ".join(f"{round(float(x), 4) + 0.0:g}" for x in place)
         lines.append(f"#   {key} = {form.format(f'[{where}]')}{thick}")
@@ -466,9 +473,9 @@ def _joint_line(figure: Figure, link: Link) -> str:
 
 def _along(link: Link) -> str:
     """Which of the world's axes a slide goes along at rest, in words; nothing if none."""
-    way = quat.rotated(link.turn, link.axis)
-    axis = int(np.abs(way).argmax())
-    return f" along {'-' if way[axis] < 0 else ''}{'xyz'[axis]}" if abs(way[axis]) > STRAIGHT else ""
+    direction = quat.rotated(link.turn, link.axis)
+    axis = int(np.abs(direction).argmax())
+    return f" along {'-' if direction[axis] < 0 else ''}{'xyz'[axis]}" if abs(direction[axis]) > STRAIGHT else ""
 
 
 def _key(name: str) -> str:

@@ -44,8 +44,8 @@ class Table(BaseModel):
 
     def changed(self, **values: object) -> Self:
         """Return a copy with other values, unchecked; a key that is left out stays so unless its value changes."""
-        given = {k: v for k, v in values.items() if k in self.model_fields_set or v != getattr(self, k)}
-        return self.model_copy(update=given)
+        changes = {k: v for k, v in values.items() if k in self.model_fields_set or v != getattr(self, k)}
+        return self.model_copy(update=changes)
 
     def without(self, *names: str) -> Self:
         """Return a copy that leaves keys out."""
@@ -80,8 +80,8 @@ class RotationTable(Table):
         if self.is_heading:
             return
         if len(notations) != 1:
-            given = " and ".join(notations) or "none"
-            raise ValueError(f"give exactly one of rotvec, euler, quat, not {given}")
+            names = " and ".join(notations) or "none"
+            raise ValueError(f"give exactly one of rotvec, euler, quat, not {names}")
         if self.order is not None and self.euler is None:
             raise ValueError(f"order goes with euler, not with {notations[0]}")
         if self.quat is not None and math.hypot(*self.quat) < 1e-6:

@@ -44,7 +44,7 @@ def describe(
     complaints = error.errors()
     telling = ("finite_number", "extra_forbidden")
     first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
-    names, words, given = _walked((*inside, *first["loc"]), raw)
+    names, words, actual = _walked((*inside, *first["loc"]), raw)
     where = "".join(f"{word}: " for word in words)
     key = ".".join(names)
     kind = first["type"]
@@ -57,14 +57,14 @@ def describe(
     if kind == "value_error":
         return f"{where}{key + ': ' if key else ''}{first.get('ctx', {}).get('error')}"
     if kind == "finite_number":
-        return f"{where}{key or 'number'} must be a finite number, not {given}"
+        return f"{where}{key or 'number'} must be a finite number, not {actual}"
     for start, bound in (("greater_than_equal", "at least"), ("greater_than", "above"), ("less_than", "at most")):
         if kind.startswith(start):
             limit = next(iter(first.get("ctx", {}).values()))
-            return f"{where}{key} must be {bound} {limit:g}, not {given}"
+            return f"{where}{key} must be {bound} {limit:g}, not {actual}"
     plain = "a table" if kind.endswith(("model_type", "dict_type")) else first["msg"].removeprefix("Input should be ")
     expected = _EXPECTED.get(_role(words, names), plain)
-    return f"{where}{key + ' ' if key else ''}must be {expected}, not {_shown(given)}"
+    return f"{where}{key + ' ' if key else ''}must be {expected}, not {_shown(actual)}"
 
 
 def _walked(location: tuple[int | str, ...], raw: object) -> tuple[list[str], list[str], object]:
@@ -84,8 +84,8 @@ def _walked(location: tuple[int | str, ...], raw: object) -> tuple[list[str], li
                 names.clear()
             if i == 1:
                 time = here.get("time") if isinstance(here, dict) else None
-                known = isinstance(time, int | float) and not isinstance(time, bool) and abs(time) <= LARGEST
-                words.append(f"{names.pop()} {part + 1}" + (f" (t = {time:g} s)" if known else ""))
+                is_time = isinstance(time, int | float) and not isinstance(time, bool) and abs(time) <= LARGEST
+                words.append(f"{names.pop()} {part + 1}" + (f" (t = {time:g} s)" if is_time else ""))
         elif isinstance(here, dict) and part in here:
             names.append(str(part))
             here = here[part]

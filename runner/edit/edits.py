@@ -147,10 +147,10 @@ def repeated(saved: Saved, count: int) -> Saved:
     if count * period > LONGEST:
         raise UserError(f"{saved.name}: {count} periods of {period:g} s are over {LONGEST:g} s")
     with _told(saved.name):
-        timeline, raw = (retime.repeated(saved.figure, each, count) for each in (saved.timeline, saved.raw))
+        timeline, raw = (retime.repeated(saved.figure, path, count) for path in (saved.timeline, saved.raw))
     times = [key.time + period * i for i in range(count) for key in saved.keys[1 if i else 0 :]]
-    said = [(key.fixed, key.posed) for i in range(count) for key in saved.keys[1 if i else 0 :]]
-    fixed, posed = zip(*said, strict=True)
+    masks = [(key.fixed, key.posed) for i in range(count) for key in saved.keys[1 if i else 0 :]]
+    fixed, posed = zip(*masks, strict=True)
     keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed, posed)
     seam = Seam.of(saved.figure, saved.timeline)
     table, flown = _table(saved), _flights(saved) or ()
@@ -161,8 +161,8 @@ def repeated(saved: Saved, count: int) -> Saved:
         [(first + shift, last + shift) for _, shift in rounds for first, last in flown],
     )
     displacement = around(replace(saved, timeline=timeline))
-    known = [name for name in AROUND if getattr(_table(saved).solve, name) is not None]
-    back = {name: getattr(displacement, name) or 0.0 for name in known}
+    names = [name for name in AROUND if getattr(_table(saved).solve, name) is not None]
+    back = {name: getattr(displacement, name) or 0.0 for name in names}
     text = _keyed(saved, keys, _table(saved).solve.changed(**back), more)
     return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={}, search={})
 
@@ -173,7 +173,7 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     check_alike(before, after)
     before, after = standing_alone(before), standing_alone(after)
     figure = before.figure
-    one, two = (retime.trimmed(each.timeline, *each.timeline.times[[0, -1]].tolist()) for each in (before, after))
+    one, two = (retime.trimmed(part.timeline, *part.timeline.times[[0, -1]].tolist()) for part in (before, after))
     place = join.following(figure, one, two, transition)
     two = join.signed_like(figure, one, place.timeline(figure, two))
     shift = float(one.times[-1]) + transition - float(two.times[0])
@@ -250,8 +250,8 @@ def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
     if clip.settings.renormalise:
         objective = renormalised(objective, saved.raw)
     evaluations = saved.search.get("evaluations", 0)
-    found = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
-    again = Solved(clip, found, saved.search.get("seconds")).saved(progress)
+    solution = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
+    again = Solved(clip, solution, saved.search.get("seconds")).saved(progress)
     return replace(saved, report=again.report | {"stopped because": saved.search.get("stopped because", edit)})
 
 
@@ -304,8 +304,8 @@ def _flying(penalty: PenaltyTable, more: Sequence[Span] | None, span: Span) -> P
     if more is None:
         return _left_to_keyframes(penalty)
     inside = [(max(first, span[0]), min(last, span[1])) for first, last in [*intervals, *more]]
-    kept = [[first, last] for first, last in inside if last - first >= SHORTEST]
-    return PenaltyTable.of(penalty.kind, **{**penalty.said, "intervals": kept})
+    flights = [[first, last] for first, last in inside if last - first >= SHORTEST]
+    return PenaltyTable.of(penalty.kind, **{**penalty.said, "intervals": flights})
 
 
 def _without_flights(clip: ClipTable) -> ClipTable:

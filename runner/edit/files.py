@@ -53,16 +53,16 @@ def run(
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
     target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
     _check_target(target, sources, overwrite)
-    found = [load_motion(Path(each)) if motion.is_motion(each) else recordings.load(each) for each in sources]
-    edit.check(found)
-    one, is_clip = found[0], target.suffix == ".toml"
+    inputs = [load_motion(Path(item)) if motion.is_motion(item) else recordings.load(item) for item in sources]
+    edit.check(inputs)
+    one, is_clip = inputs[0], target.suffix == ".toml"
     if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
         _write_clip(edit.clip(table_of(one.text, sources[0]), one), sources[0], target)
         return target, ()
-    saved = edit.motions([kept.saved(each, progress, fresh=fresh) for each in found], progress)
+    saved = edit.motions([kept.saved(item, progress, fresh=fresh) for item in inputs], progress)
     if is_clip:
         if not saved.text:
-            raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
+            raise UserError(f"{target}: '{sources[0]}' has no clip file to edit; write an .npz")
         if isinstance(one, Clip):
             _write_clip(table_of(saved.text, sources[0]), sources[0], target)
         else:
@@ -71,8 +71,8 @@ def run(
     search = {"stopped because": f"not searched: {edit.word}"}
     saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
     motion.save(saved, target)
-    told = problems.of_motion(saved)
-    return target, tuple(f for f in told if f.keyframe is None) if any(map(_is_sampled, found)) else told
+    violations = problems.of_motion(saved)
+    return target, tuple(f for f in violations if f.keyframe is None) if any(map(_is_sampled, inputs)) else violations
 
 
 def _is_sampled(found: Clip | Saved) -> bool:
@@ -87,9 +87,9 @@ def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
     check_target(target)
-    for each in sources:
-        if target.exists() and Path(each).exists() and target.samefile(each) and not overwrite:
-            raise UserError(f"'{target}' is what is edited; give another -o, or --overwrite")
+    for source in sources:
+        if target.exists() and Path(source).exists() and target.samefile(source) and not overwrite:
+            raise UserError(f"'{target}' is the input file; give another -o, or --overwrite")
 
 
 def _write_clip(table: ClipTable, source: str, target: Path) -> None:

@@ -45,11 +45,11 @@ class ToThin:
         return lead_in.told(self._read(progress), progress, skip=self.skip_rest)
 
     def _read(self, progress: Progress) -> Saved:
-        told = self.figure is not None or self.kind is not None
+        is_foreign_file = self.figure is not None or self.kind is not None
         path = Path(self.source)
-        if not told and motion.is_motion(self.source) and not is_foreign(path):
+        if not is_foreign_file and motion.is_motion(self.source) and not is_foreign(path):
             return load_motion(path)
-        if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
+        if not is_foreign_file and (self.source in models.clips() or path.suffix.lower() == ".toml"):
             return kept.saved(recordings.load(self.source), progress, fresh=self.fresh)
         return imported(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
 
@@ -82,18 +82,18 @@ def run(
     target = target or Path(f"{stem(source)}_thin.toml")
     thinning.check(target)
     if target.exists() and source.exists() and target.samefile(source) and not overwrite:
-        raise UserError(f"'{target}' is what is read; give another -o, or --overwrite")
+        raise UserError(f"'{target}' is the input file; give another -o, or --overwrite")
     check_new(target, overwrite=overwrite)
     saved = recording.read(progress)
-    found = thinning.thinned(saved, *bound, solve=solve, progress=progress)
-    written = thinning.write(found, target, exact=exact, overwrite=overwrite)
-    told = [found.line]
+    result = thinning.thinned(saved, *bound, solve=solve, progress=progress)
+    written = thinning.write(result, target, exact=exact, overwrite=overwrite)
+    lines = [result.line]
     if target.suffix == ".toml":
         solved = kept.solved(recordings.load(str(target)), progress, fresh=recording.fresh).motion.timeline
-        after = thinning.measured(thinning.recorded_of(saved, *bound), replace(found.motion, timeline=solved))
-        told = [after.line] if solve or exact else [f"{found.line}: the spline", _as_solved(after)]
-        thinning.write(found, target, exact=exact, note="; ".join(told), overwrite=True)
-    for line in told:
+        after = thinning.measured(thinning.recorded_of(saved, *bound), replace(result.motion, timeline=solved))
+        lines = [after.line] if solve or exact else [f"{result.line}: the spline", _as_solved(after)]
+        thinning.write(result, target, exact=exact, note="; ".join(lines), overwrite=True)
+    for line in lines:
         progress.say(line)
     progress.say(f"wrote {' and '.join(map(str, written))}")
     return target

@@ -88,11 +88,11 @@ def thinned(
         return work.solve(problem(keys), progress).motion.timeline
 
     loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
-    found = refined(recorded, thin(loosely, told).kept, solved, told) if solve else thin(recorded, told)
-    keys = tuple(recorded.frames(found.kept))
+    reduced = refined(recorded, thin(loosely, told).kept, solved, told) if solve else thin(recorded, told)
+    keys = tuple(recorded.frames(reduced.kept))
     raw = recorded.spline(keys)
-    left = replace(saved, text=text.of(keys), keys=keys, timeline=found.timeline, raw=raw, trace=[], report={})
-    return measured(recorded, left)
+    compact = replace(saved, text=text.of(keys), keys=keys, timeline=reduced.timeline, raw=raw, trace=[], report={})
+    return measured(recorded, compact)
 
 
 def measured(recorded: Recorded, motion: Saved) -> ThinnedMotion:

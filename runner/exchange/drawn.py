@@ -32,12 +32,12 @@ def drawn(model: mujoco.MjModel, reach: float) -> dict[str, Any]:
     """
     meshes: dict[int, int] = {}
     pictures: dict[int, int] = {}
-    seen = pieces(model)
-    told = [_piece(model, piece, reach, meshes, pictures) for piece in seen]
+    visible = pieces(model)
+    described = [_piece(model, piece, reach, meshes, pictures) for piece in visible]
     return {
-        "pieces": told,
-        "meshes": [_mesh(model, next(p for p in seen if p.geom == geom)) for geom in meshes],
-        "pictures": ["data:image/png;base64," + base64.b64encode(png(model, each)).decode() for each in pictures],
+        "pieces": described,
+        "meshes": [_mesh(model, next(p for p in visible if p.geom == geom)) for geom in meshes],
+        "pictures": ["data:image/png;base64," + base64.b64encode(png(model, picture)).decode() for picture in pictures],
     }
 
 
@@ -71,5 +71,5 @@ def _piece(
 
 
 def _mesh(model: mujoco.MjModel, piece: Piece) -> dict[str, str]:
-    found = triangles(model, piece)
-    return {"points": packed(found.points), "normals": packed(found.normals), "faces": packed(found.faces, "<u4")}
+    mesh = triangles(model, piece)
+    return {"points": packed(mesh.points), "normals": packed(mesh.normals), "faces": packed(mesh.faces, "<u4")}

@@ -120,10 +120,10 @@ class Forces:
 
     def _foot(self, link: int) -> Foot:
         assert self.support is not None and self._reactions is not None
-        found, count, figure = self._reactions, self.samples.count, self.take.figure
-        own = np.flatnonzero(self._links[found.footing] == link)
-        at, place, force = found.at[own], found.place[:, own], found.force[:, own]
-        normals = np.array([self.support.footings[i].normal for i in found.footing[own]]).reshape(-1, 3).T
+        reactions, count, figure = self._reactions, self.samples.count, self.take.figure
+        indices = np.flatnonzero(self._links[reactions.footing] == link)
+        at, place, force = reactions.at[indices], reactions.place[:, indices], reactions.force[:, indices]
+        normals = np.array([self.support.footings[i].normal for i in reactions.footing[indices]]).reshape(-1, 3).T
         press = np.maximum(np.sum(normals * force, axis=0), 0)
         total = np.bincount(at, press, count)
         whole = np.array([np.bincount(at, part, count) for part in force])
@@ -144,20 +144,20 @@ class Forces:
     def torques(self) -> Array:
         """(T, nv) MuJoCo's qfrc_inverse less the ground's reactions; at a free root what is left over."""
         out = self.inverse.copy()
-        found, model = self._reactions, self.take.model
-        if self.support is None or found is None:
+        reactions, model = self._reactions, self.take.model
+        if self.support is None or reactions is None:
             return out
         data, jacobian = mujoco.MjData(model), np.zeros((3, model.nv))
         bodies = [self.take.figure.links[link].body for link in self._links]
-        order = np.argsort(found.at, kind="stable")
+        order = np.argsort(reactions.at, kind="stable")
         posed = -1
         for i in order:
-            t = int(found.at[i])
+            t = int(reactions.at[i])
             if t != posed:
                 data.qpos[:] = self.take.qpos[t]
                 mujoco.mj_kinematics(model, data)
                 mujoco.mj_comPos(model, data)
                 posed = t
-            mujoco.mj_jac(model, data, jacobian, None, found.place[:, i], bodies[found.footing[i]])
-            out[t] -= found.force[:, i] @ jacobian
+            mujoco.mj_jac(model, data, jacobian, None, reactions.place[:, i], bodies[reactions.footing[i]])
+            out[t] -= reactions.force[:, i] @ jacobian
         return np.where(self.known[:, None], out, np.nan)

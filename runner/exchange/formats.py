@@ -116,12 +116,12 @@ FORMATS = (
 
 def writers() -> dict[str, Format]:
     """The formats that a motion can be exported to, by name."""
-    return {each.name: each for each in FORMATS if each.writes}
+    return {form.name: form for form in FORMATS if form.writes}
 
 
 def readers() -> dict[str, Format]:
     """The formats that a motion can be imported from, by name."""
-    return {each.name: each for each in FORMATS if each.reads}
+    return {form.name: form for form in FORMATS if form.reads}
 
 
 def stem(source: Path) -> str:
@@ -138,12 +138,12 @@ def stem(source: Path) -> str:
 
 def writer(name: str) -> Format:
     """The format to export to; raises UserError that lists them."""
-    known = writers()
-    if name not in known and name in readers():
-        raise UserError(f"the format '{name}' is read only; written are: {', '.join(known)}")
-    if name not in known:
-        raise UserError(unknown("format", name, known))
-    return known[name]
+    available = writers()
+    if name not in available and name in readers():
+        raise UserError(f"the format '{name}' is read only; written are: {', '.join(available)}")
+    if name not in available:
+        raise UserError(unknown("format", name, available))
+    return available[name]
 
 
 def chosen(name: str | None, target: Path | None) -> Format:
@@ -153,13 +153,13 @@ def chosen(name: str | None, target: Path | None) -> Format:
         if target is not None:
             form.check_name(target)
         return form
-    known = writers()
+    available = writers()
     if target is None:
-        raise UserError(f"name the format, --to, or a file with its ending, -o; formats: {', '.join(known)}")
+        raise UserError(f"name the format, --to, or a file with its ending, -o; formats: {', '.join(available)}")
     form = by_ending(target)
     if form is None:
         raise UserError(
-            f"'{target}': its ending is of no known format; give --to, or to= in Python, one of: {', '.join(known)}"
+            f"'{target}': its ending is of no known format; give --to, or to= in Python, one of: {', '.join(available)}"
         )
     return writer(form.name)
 
@@ -172,7 +172,7 @@ def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None
 
 def by_ending(path: Path) -> Format | None:
     """The format of a name's whole ending, such as .loco.npz; None for a plain .npz, which is a motion."""
-    return _longest(path, [(ending, each) for each in FORMATS for ending in each.told_by])
+    return _longest(path, [(ending, form) for form in FORMATS for ending in form.told_by])
 
 
 def is_foreign(path: Path) -> bool:
@@ -198,9 +198,9 @@ def asked_by(target: Path | None, wishes: Wishes) -> Wishes:
 
 def check_wishes(form: Format, wishes: Wishes) -> None:
     """Raises UserError for what a format cannot hold."""
-    for name, said in (("simulate", wishes.simulate), ("columns", bool(wishes.columns))):
-        if said and name not in form.wishes:
-            able = ", ".join(each.name for each in FORMATS if name in each.wishes)
+    for name, is_requested in (("simulate", wishes.simulate), ("columns", bool(wishes.columns))):
+        if is_requested and name not in form.wishes:
+            able = ", ".join(other.name for other in FORMATS if name in other.wishes)
             raise UserError(f"the format '{form.name}' cannot hold {WISHES[name]}; those that can: {able}")
 
 
@@ -258,12 +258,12 @@ def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = N
 
 def _beside(module: Module, take: Take, target: Path) -> dict[Path, bytes]:
     """What is to lie beside a motion's file."""
-    found = {} if module.beside is None else module.beside(take)
+    companions = {} if module.beside is None else module.beside(take)
     return {
         target.with_suffix(name) if name.startswith(".") else target.parent / name: (
             content if isinstance(content, bytes) else content.encode()
         )
-        for name, content in found.items()
+        for name, content in companions.items()
     }
 
 
@@ -279,10 +279,10 @@ def recording(
 
     model  the figure of the motion; fps [1/s] for files without a rate; scale [m], their unit of length, likewise
     """
-    known = readers()
-    if kind is not None and kind not in known:
-        raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, known))
-    fitting = [known[kind]] if kind is not None else _fitting(source)
+    available = readers()
+    if kind is not None and kind not in available:
+        raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, available))
+    fitting = [available[kind]] if kind is not None else _fitting(source)
     _check_file(source)
     recordings: dict[str, Recording] = {}
     failure: UserError | None = None
@@ -305,19 +305,19 @@ def _read(
     if form.scales:
         return gaps.as_far_as_it_goes(lambda: read(source, model, fps, scale=scale))
     if scale is not None:
-        raise UserError(f"{source}: lengths of the format '{form.name}' are metres; a scale is not for it")
+        raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
     return gaps.as_far_as_it_goes(lambda: read(source, model, fps))
 
 
 def read_by(own: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """`recording` by a reader of a program's own; raises UserError if what it gives is none, or needs a figure."""
     _check_file(source)
-    found = own.read(source, model, fps)
-    if not isinstance(found, Recording):
-        raise UserError(f"{source}: a reader's read gives a Recording, not {type(found).__name__}")
-    if found.mjcf is None and model is None:
+    result = own.read(source, model, fps)
+    if not isinstance(result, Recording):
+        raise UserError(f"{source}: a reader's read gives a Recording, not {type(result).__name__}")
+    if result.mjcf is None and model is None:
         raise UserError(f"{source}: its reader gives no figure; name one, figure=")
-    return found
+    return result
 
 
 def _write_only(name: str) -> str:
@@ -332,16 +332,16 @@ def _check_file(source: Path) -> None:
 
 def _fitting(source: Path) -> list[Format]:
     """The formats that a file can be of, by its ending, or where several share it by what is in the file."""
-    name, known = source.name.lower(), readers().values()
-    own = by_ending(source)
-    if own is not None and not own.reads:
-        raise UserError(f"'{source}': {_write_only(own.name)}")
-    if own is not None:
-        return [own, *(form for form in known if form.shares == own.ending and _recognises(form, source))]
-    sharing = [form for form in known if name.endswith(form.read_by)]
+    name, available = source.name.lower(), readers().values()
+    selected = by_ending(source)
+    if selected is not None and not selected.reads:
+        raise UserError(f"'{source}': {_write_only(selected.name)}")
+    if selected is not None:
+        return [selected, *(form for form in available if form.shares == selected.ending and _recognises(form, source))]
+    sharing = [form for form in available if name.endswith(form.read_by)]
     fitting = [form for form in sharing if _recognises(form, source)]
     if not fitting:
-        names = ", ".join(form.name for form in sharing or known)
+        names = ", ".join(form.name for form in sharing or available)
         raise UserError(f"'{source}': its ending is of no known format; {unsaid.FORMAT}, one of: {names}")
     return fitting
 
@@ -365,12 +365,12 @@ class Module:
 def _module(form: Format) -> Module:
     """A format's module; raises UserError with the installation command if a package is missing."""
     try:
-        found = import_module(f".format.{form.module}", __package__)
+        code = import_module(f".format.{form.module}", __package__)
     except ModuleNotFoundError as error:
         if form.extra is None:
             raise
         raise UserError(
             f"the format '{form.name}' needs '{error.name}'; install it: pip install 'dynamic-splines[{form.extra}]'"
         ) from None
-    write, read, beside, recognises = (getattr(found, name, None) for name in ("write", "read", "beside", "recognises"))
+    write, read, beside, recognises = (getattr(code, name, None) for name in ("write", "read", "beside", "recognises"))
     return Module(write, read, beside, recognises)

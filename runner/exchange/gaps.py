@@ -66,12 +66,12 @@ class Gaps:
         if self.missing is None or not self.missing.any():
             return found
         if self.missing.size != found.time.size:
-            raise UserError(f"{where}: some of its numbers are not finite, and they are of no samples")
+            raise UserError(f"{where}: some of its numbers are not finite, and no single samples can be removed")
         count, first = int(self.missing.sum()), float(found.time[self.missing][0])
         many = "samples hold" if count > 1 else "sample holds"
         note = f"{count} {many} no numbers, first at {first:.3f} s: left out"
-        kept = ~self.missing
-        return replace(found, time=found.time[kept], qpos=found.qpos[kept], notes=(*found.notes, note))
+        is_present = ~self.missing
+        return replace(found, time=found.time[is_present], qpos=found.qpos[is_present], notes=(*found.notes, note))
 
 
 _now: ContextVar[Gaps | None] = ContextVar("gaps", default=None)
@@ -120,7 +120,7 @@ def as_far_as_it_goes(read: Callable[[], Recording]) -> Recording:
         gaps.most = None
     while True:
         try:
-            found = read()
+            result = read()
         except UnequalSamples as error:
             if gaps is None or error.count < FEWEST:
                 raise
@@ -128,6 +128,6 @@ def as_far_as_it_goes(read: Callable[[], Recording]) -> Recording:
         else:
             break
     if unequal is None:
-        return found
+        return result
     note = f"the file is cut short, samples of its arrays: {unequal.counts}; the first {unequal.count} are used"
-    return noted(found, (note,))
+    return noted(result, (note,))

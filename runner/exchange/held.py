@@ -56,8 +56,8 @@ class Held:
         fits = array.ndim == len(shape)
         sizes = list(zip(wanted, array.shape, strict=False))[is_sampled:]
         if not fits or any(isinstance(w, int) and w != n for w, n in sizes):
-            told = ", ".join(map(str, wanted)) + ("," if len(wanted) == 1 else "")
-            raise UserError(f"{self.where}: '{name}' has the shape {array.shape}, not ({told})")
+            expected = ", ".join(map(str, wanted)) + ("," if len(wanted) == 1 else "")
+            raise UserError(f"{self.where}: '{name}' has the shape {array.shape}, not ({expected})")
         if is_sampled:
             array = array[: self.check_samples(name, array.shape)]
         self.sizes |= {size: n for size, n in zip(shape, array.shape, strict=True) if isinstance(size, str)}
@@ -107,16 +107,16 @@ class Held:
     def texts(self, name: str) -> list[str]:
         """A list of names."""
         array = self._array(name, 1)
-        if array.ndim != 1 or array.dtype.kind not in "UO" or not all(isinstance(each, str) for each in array.tolist()):
+        if array.ndim != 1 or array.dtype.kind not in "UO" or not all(isinstance(item, str) for item in array.tolist()):
             raise UserError(f"{self.where}: '{name}' is not a list of names")
         return array.tolist()
 
     def _array(self, name: str, axes: int) -> Any:
         """An entry as an array; raises UserError for lists that are nested deeper or not of equal lengths."""
-        found = self.of(name)
-        largest.check(self.where, NUMBER * self._items(name, found, axes), f"'{name}'")
+        value = self.of(name)
+        largest.check(self.where, NUMBER * self._items(name, value, axes), f"'{name}'")
         try:
-            return np.asarray(found)
+            return np.asarray(value)
         except ValueError:
             raise UserError(f"{self.where}: '{name}' has rows of different lengths") from None
 
@@ -126,11 +126,11 @@ class Held:
             return found.size if isinstance(found, np.ndarray) else 1
         if axes == 0:
             raise UserError(f"{self.where}: '{name}' has lists in lists, deeper than it should")
-        if axes == 1 and not any(isinstance(each, list | tuple | np.ndarray) for each in found):
+        if axes == 1 and not any(isinstance(item, list | tuple | np.ndarray) for item in found):
             return len(found)
         total, most = 0, largest.bound() // NUMBER
-        for each in found:
-            total += 1 + self._items(name, each, axes - 1)
+        for item in found:
+            total += 1 + self._items(name, item, axes - 1)
             if total > most:
                 break
         return total
@@ -162,12 +162,12 @@ def held(source: Path) -> Held:
             stream.seek(0)
             archive_sizes.check(stream, source)
             with np.load(stream, allow_pickle=False) as archive:
-                found = {name: _unpickled(archive, name) for name in archive.files}
+                arrays = {name: _unpickled(archive, name) for name in archive.files}
     except UserError:
         raise
     except Exception as error:  # a damaged zip raises nearly anything
         raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
-    return Held(source, {name: array for name, array in found.items() if isinstance(array, np.ndarray)})
+    return Held(source, {name: array for name, array in arrays.items() if isinstance(array, np.ndarray)})
 
 
 def _single(source: Path) -> Held:

@@ -62,19 +62,19 @@ def taken(
         spec.assets = dict(taken_along(spec))  # under the names that compose assigns, so that MuJoCo finds the meshes
     model = None if spec is None else _compiled(spec, str(figure))
     if kind is None or isinstance(kind, str):
-        told = recording(source, kind, model=model, fps=fps, scale=scale)
+        record = recording(source, kind, model=model, fps=fps, scale=scale)
     else:
-        told = read_by(kind, source, model, fps)
-    told = gaps.left_out(told, source)
-    if told.mjcf is not None:
-        spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets))
+        record = read_by(kind, source, model, fps)
+    record = gaps.left_out(record, source)
+    if record.mjcf is not None:
+        spec = mujoco.MjSpec.from_string(record.mjcf, assets=dict(record.assets))
         model = _compiled(spec, str(source))
     assert spec is not None and model is not None, "a reader returns a figure or requires one"
-    qpos, notes = winding.unwrapped(model, told.time, told.qpos)
-    for note in (*told.notes, *notes):
+    qpos, notes = winding.unwrapped(model, record.time, record.qpos)
+    for note in (*record.notes, *notes):
         progress.say(f"note: {note}")
-    rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
-    return Taken(stem(source), spec, model, told.time, qpos, rate, told.loops)
+    rate = record.fps or (float(np.round(1 / np.median(np.diff(record.time)), 6)) if record.time.size > 1 else 30.0)
+    return Taken(stem(source), spec, model, record.time, qpos, rate, record.loops)
 
 
 def _compiled(spec: mujoco.MjSpec, figure: str) -> mujoco.MjModel:
@@ -102,11 +102,13 @@ def imported(
     Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
     progress = progress or Progress()
-    told = taken(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-    found = clips.from_qpos(told.name, compose(told.spec, bare=told.model), told.time, told.qpos, told.fps, source.name)
-    if told.loops:
+    record = taken(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
+    clip = clips.from_qpos(
+        record.name, compose(record.spec, bare=record.model), record.time, record.qpos, record.fps, source.name
+    )
+    if record.loops:
         try:
-            return unsolved(found.asking(ends="periodic")).saved(progress, with_report=False)
+            return unsolved(clip.asking(ends="periodic")).saved(progress, with_report=False)
         except TimelineError:
             progress.say("note: marked as a loop, but its last pose differs from its first: read without a loop")
-    return unsolved(found).saved(progress, with_report=False)
+    return unsolved(clip).saved(progress, with_report=False)

@@ -159,7 +159,7 @@ def _most_plausible(
     best = _best(documented)
     if len(best) > 1:
         raise UserError(f"{where}: {_equally(best)}")
-    other = next(each for each in documented if each is not best[0])
+    other = next(entry for entry in documented if entry is not best[0])
     return best[0][1][1], (_decided(best[0], other),)
 
 
@@ -168,7 +168,7 @@ def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjMode
     if first[0].is_evident:
         return []
     axes = [other for candidate in candidates for other in _axes(model, candidate)]
-    others = _judged([each for each in (*candidates, *axes) if len(each[1].layout) > least], model)
+    others = _judged([entry for entry in (*candidates, *axes) if len(entry[1].layout) > least], model)
     return [judged for judged in others if first[0].is_doubted_by(judged[0])]
 
 

@@ -47,14 +47,14 @@ def torques(take: Take, forces: Forces) -> Columns:
 
 def wrench(take: Take, forces: Forces) -> Columns:
     """At the free root that carries the figure; raises UserError where none does, whatever objects are free."""
-    found, root = forces.wrench, take.figure.root
-    if found is None or root is None or not root.is_free:
+    root_wrench, root = forces.wrench, take.figure.root
+    if root_wrench is None or root is None or not root.is_free:
         raise UserError(f"{take.name}: the figure has no free root, so no wrench moves it from outside")
-    name = take.figure.links[found.root].name
+    name = take.figure.links[root_wrench.root].name
     return (
-        _vector(f"{name}.f", "N", found.force)
-        | _vector(f"{name}.m", "N m", found.moment)
-        | _vector("com.", "m", found.centre)
+        _vector(f"{name}.f", "N", root_wrench.force)
+        | _vector(f"{name}.m", "N m", root_wrench.moment)
+        | _vector("com.", "m", root_wrench.centre)
     )
 
 

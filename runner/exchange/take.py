@@ -80,7 +80,7 @@ class Take:
     def is_wrapped(self) -> bool:
         """Whether it is a loop for a format that translates it but does not rotate it; otherwise a note is added."""
         if self.turns:
-            self.notes.append("a loop that turns is none there: it is written as one period that does not repeat")
+            self.notes.append("the format has no loops that rotate: one period is written, without a loop")
         return self.is_loop
 
     @cached_property

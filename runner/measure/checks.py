@@ -186,8 +186,8 @@ def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Ma
     ]
 
     def hits(samples: Samples) -> Hits:
-        found = Hits.of(limits.beyond(samples))
-        return replace(found, amount=np.where(slides[found.row], found.amount, np.degrees(found.amount)))
+        excess = Hits.of(limits.beyond(samples))
+        return replace(excess, amount=np.where(slides[excess.row], excess.amount, np.degrees(excess.amount)))
 
     return Check.each(kinds[0], rows, hits, fixed)
 
@@ -370,15 +370,15 @@ def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fi
     bunched = [bunches(part.points) for part in parts]
 
     def hits(samples: Samples) -> Hits:
-        found, first = [], 0
+        hits_of_bunches, first = [], 0
         for part, limbs in zip(parts, bunched, strict=True):
             for surface in part.surfaces:
                 for bunch, at, deep in depths(limbs, surface, samples):
                     row, sample = np.nonzero(deep > 0)
                     if row.size:
-                        found.append(Hits(first + bunch.which[row], at[sample], deep[row, sample]))
+                        hits_of_bunches.append(Hits(first + bunch.which[row], at[sample], deep[row, sample]))
                 first += len(part.points)
-        return Hits.joined(found)
+        return Hits.joined(hits_of_bunches)
 
     def row(index: int) -> Row:
         point, surface = pairs[index]

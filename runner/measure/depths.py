@@ -41,8 +41,8 @@ def _bunches(points: Sequence[Point]) -> Iterator[Bunch]:
     links = np.array([point.link for point in points], np.intp)
     for link in np.unique(links).tolist():
         which = np.flatnonzero(links == link)
-        own = [points[i] for i in which.tolist()]
-        places, radii = np.array([point.position for point in own]).T, np.array([point.radius for point in own])
+        members = [points[i] for i in which.tolist()]
+        places, radii = np.array([point.position for point in members]).T, np.array([point.radius for point in members])
         middle = places.mean(axis=1)
         reach = float((np.linalg.norm(places - middle[:, None], axis=0) + radii).max())
         yield Bunch(link, which, places, radii, middle, reach)

@@ -49,8 +49,8 @@ def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
 
 def _label_and_unit(name: str, unit: str) -> tuple[str, str]:
     """A name without its unit, and the unit, that of what contains it if it has none."""
-    label, comma, own = name.rpartition(", ")
-    return (label, own) if comma and own in UNITS else (name, unit)
+    label, comma, own_unit = name.rpartition(", ")
+    return (label, own_unit) if comma and own_unit in UNITS else (name, unit)
 
 
 UNITS = {
@@ -70,5 +70,5 @@ def _value(name: str, value: Any, unit: str) -> str:
     if isinstance(value, str | bool):
         return str(value)
     if isinstance(value, list):
-        return ", ".join(_value(name, each, unit) for each in value)
+        return ", ".join(_value(name, item, unit) for item in value)
     return UNITS.get(_label_and_unit(name, unit)[1], lambda number: f"{number:.4g}")(value)

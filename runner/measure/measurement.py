@@ -115,12 +115,12 @@ class Measurement:
 
 def _as_keyed(clip: Clip) -> Clip:
     """Of a recording's frames, which are not user keyframes: the first, the last and the keyframes."""
-    said, ends = {key.time for key in clip.said}, (0, len(clip.keys) - 1)
+    key_times, ends = {key.time for key in clip.said}, (0, len(clip.keys) - 1)
     nothing = np.zeros(clip.figure.width, bool)
     keys = tuple(
-        key if key.time in said else replace(key, fixed=nothing)
+        key if key.time in key_times else replace(key, fixed=nothing)
         for k, key in enumerate(clip.keys)
-        if key.time in said or k in ends
+        if key.time in key_times or k in ends
     )
     return clip if len(keys) == len(clip.keys) else replace(clip, problem=replace(clip.problem, keys=keys))
 
@@ -149,8 +149,8 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
         yield checks.hovering(rests, context.surfaces, _groups(rests, feet), fixed)
     joints = joint_ranges(figure)
     if joints:
-        own = fixed.joints([joint.link for joint in joints])
-        yield checks.ranges(joints, ("range", "travel"), "{joint.name} is {} beyond its range", own)
+        fixed_joints = fixed.joints([joint.link for joint in joints])
+        yield checks.ranges(joints, ("range", "travel"), "{joint.name} is {} beyond its range", fixed_joints)
     if context.held_joints and not clip.follows:
         during = "the keyframes at {joint.first:g} and {joint.last:g} s both specify"
         text = f"{{joint.name}} swings {{}} off the value that {during}"
@@ -224,14 +224,14 @@ def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
 def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
     """The clip's contacts, and the stances inferred from its keyframes, each with the number of its group."""
     figure, feet = clip.figure, _feet(clip.figure, clip.context.points)
-    known = [stance for part in _parts(clip) if isinstance(part, Planted) for stance in part.stances]
+    specified = [stance for part in _parts(clip) if isinstance(part, Planted) for stance in part.stances]
     rests = clip.context.contacts.given
     if rests:
         middle = samples_at(figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))
         spots = np.diagonal(places_of([rest.point for rest in rests], middle)[0], axis1=1, axis2=2)
         for k, (rest, group) in enumerate(zip(rests, _groups(rests, feet).tolist(), strict=True)):
             rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
-            for stance in _pieces(rest, known, spots[:, k]):
+            for stance in _pieces(rest, specified, spots[:, k]):
                 text = f"contact {stance.point.name} moves {{}} while it should rest"
                 yield Stay("contact", stance, text, rolling), group
     free = [stance for stance in inferred(clip, timeline) if not any(_same(stance, rest) for rest in rests)]

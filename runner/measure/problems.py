@@ -106,18 +106,18 @@ def is_recording(saved: Saved) -> bool:
 
 def lines(found: Sequence[Flaw], file: object = None) -> list[str]:
     """For the terminal: a line each of the worst, and how many more there are."""
-    told: dict[tuple[str, int], int] = {}
+    counts: dict[tuple[str, int], int] = {}
     first: list[Flaw] = []
     for problem in found:
         if problem.keyframe is not None:
             place = problem.kind, problem.keyframe
-            told[place] = told.get(place, 0) + 1
-            if told[place] > 1:
+            counts[place] = counts.get(place, 0) + 1
+            if counts[place] > 1:
                 continue
         first.append(problem)
     out = []
     for problem in first[:MOST_TOLD]:
-        others = told.get((problem.kind, problem.keyframe or 0), 1) - 1
+        others = counts.get((problem.kind, problem.keyframe or 0), 1) - 1
         out.append(f"problem: {problem.text}" + (f"; {others} more like it there" if others else ""))
     more = len(first) - MOST_TOLD
     return [*out, f"... and {more} more" + (f": dynsplines report {file}" if file else "")] if more > 0 else out

@@ -143,8 +143,8 @@ def _most(worst: Worst, what: str) -> dict[str, Any]:
 
 def _equalities(joints: Worst, loops: Worst) -> dict[str, Any]:
     """How far joints are off what they follow, and ends of closed loops apart."""
-    found = {"coupled": _most(joints, "joint")} if joints else {}
-    return found | ({"closed": {"loop": loops[0][0].name, "most, m": loops[0][1]}} if loops else {})
+    result = {"coupled": _most(joints, "joint")} if joints else {}
+    return result | ({"closed": {"loop": loops[0][0].name, "most, m": loops[0][1]}} if loops else {})
 
 
 def _holds(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
@@ -189,9 +189,9 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
 
 def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, and its slide."""
-    found = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > LEAST_STANCE]
+    long_stances = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > LEAST_STANCE]
     groups: dict[tuple[float, float, int], list[Any]] = {}
-    for stance in found:
+    for stance in long_stances:
         groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)
     out = []
     for (first, last, link), group in groups.items():
@@ -223,8 +223,8 @@ def _contacts(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
         path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
         speed = path / (rest.last - rest.first)
-        told = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
-        out.append(told | {"moved, m": moved, "path, m": path, "speed, m/s": speed})
+        interval = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
+        out.append(interval | {"moved, m": moved, "path, m": path, "speed, m/s": speed})
     return out
 
 

@@ -83,8 +83,8 @@ def _cycle_report(clip: Clip) -> dict[str, float]:
     rhythm = next((penalty.rhythm for penalty, _ in clip.penalties if isinstance(penalty, Cycle)), None)
     if rhythm is None:
         return {}
-    found = {"period, s": rhythm.period, "gain": rhythm.gain, "trust": float(rhythm.trust.mean())}
-    return found | ({} if np.isnan(rhythm.slip) else {"slip": rhythm.slip})
+    result = {"period, s": rhythm.period, "gain": rhythm.gain, "trust": float(rhythm.trust.mean())}
+    return result | ({} if np.isnan(rhythm.slip) else {"slip": rhythm.slip})
 
 
 def _centre_of_mass(samples: Samples) -> Array:
@@ -120,7 +120,7 @@ def _left_to_gain(motion: Solution) -> dict[str, float]:
 def _segments(clip: Clip, motion: Solution, told: Callable[[int, int], None] | None) -> list[dict[str, float]]:
     """Per segment between keyframes: EL deviation before and after, δ and the decrease by a local solve (app. C)."""
     try:
-        left = displacement(
+        remaining = displacement(
             motion.objective,
             motion.timeline,
             max_evaluations=LOCAL_EVALUATIONS,
@@ -132,18 +132,18 @@ def _segments(clip: Clip, motion: Solution, told: Callable[[int, int], None] | N
     after = residual(motion.objective, path_of(motion.timeline)).deviation()
     before = residual(motion.objective, path_of(motion.raw)).deviation()
     times = np.array([key.time for key in clip.keys])
-    own = np.clip(np.searchsorted(times, motion.timeline.times[:-1] + 1e-9) - 1, 0, times.size - 2)
+    segment_of = np.clip(np.searchsorted(times, motion.timeline.times[:-1] + 1e-9) - 1, 0, times.size - 2)
     sums = {
         "deviation after": after,
-        "delta": left.distance,
-        "delta · EL": left.gap,
-        "left": left.found,
+        "delta": remaining.distance,
+        "delta · EL": remaining.gap,
+        "left": remaining.found,
     }
     rows = []
     for i in range(times.size - 1):
         row = {"from, s": float(times[i]), "to, s": float(times[i + 1]), "deviation before": float(before[i])}
-        row |= {name: float(values[own == i].sum()) for name, values in sums.items()}
-        row["variable frames"] = float((own == i).sum() - 1)
+        row |= {name: float(values[segment_of == i].sum()) for name, values in sums.items()}
+        row["variable frames"] = float((segment_of == i).sum() - 1)
         rows.append(row)
     return rows
 
@@ -173,8 +173,8 @@ def tables(data: dict[str, Any]) -> Group:
             *(f"{row[key]:.3g}" for key in ("deviation before", "deviation after", "delta", "delta · EL", "left")),
             f"{row['variable frames']:.0f}",
         )
-    told = data.get("problems", [])
-    wrong = [Text(f"problem: {text}") for text in ([p["text"] for p in told] if searched else _worst_of_each(told))]
+    listed = data.get("problems", [])
+    wrong = [Text(f"problem: {text}") for text in ([p["text"] for p in listed] if searched else _worst_of_each(listed))]
     return Group(*wrong, head, main, *([segments] if data["segments"] else []))
 
 

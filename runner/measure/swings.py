@@ -22,19 +22,19 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
     if not clip.context.points or not clip.context.surfaces:
         return {}
     model, links = clip.figure.model, clip.figure.links
-    found: dict[str, list[dict[str, float]]] = {}
+    by_foot: dict[str, list[dict[str, float]]] = {}
     for link in sorted({point.link for point in clip.context.points}):
         points = tuple(point for point in clip.context.points if point.link == link)
         radii = np.array([point.radius for point in points])
         over, _ = heights(clip.context.surfaces, places_of(points, samples)[0], radii)
         lowest = over.min(axis=0)
         name = model.body(links[link].body).name or links[link].name
-        found[name] = [
+        by_foot[name] = [
             {"from, s": float(samples.t[a]), "to, s": float(samples.t[b - 1]), "height, m": float(lowest[a:b].max())}
             for a, b in runs(lowest > DOWN)
             if samples.t[b - 1] - samples.t[a] >= SHORTEST and lowest[a:b].max() < FAR
         ]
-    return found
+    return by_foot
 
 
 def runs(mask: np.ndarray) -> list[tuple[int, int]]:

@@ -79,11 +79,11 @@ class Faces:
             )
             with np.errstate(divide="ignore", invalid="ignore"):
                 place = -rest / slope - at[0]
-            left = np.ceil(np.where(slope > 0, place, -np.inf).max(axis=1, initial=0)).clip(low[face, 0])
+            begin = np.ceil(np.where(slope > 0, place, -np.inf).max(axis=1, initial=0)).clip(low[face, 0])
             right = np.floor(np.where(slope < 0, place, np.inf).min(axis=1, initial=width)).clip(None, high[face, 0])
             right[((slope == 0) & (rest < 0)).any(axis=1)] = -1
-            run, column = _runs((right - left + 1).astype(int))
-            column += left.astype(int)[run]
+            run, column = _runs((right - begin + 1).astype(int))
+            column += begin.astype(int)[run]
             face, row = face[run], row[run]
             along, down, start_value = self.closeness[face].T
             closeness = along * (column + at[0]) + (down * (row + at[1]) + start_value)

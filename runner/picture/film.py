@@ -198,8 +198,8 @@ def _store(path: Path, images: Iterator[Picture], rate: Fraction) -> av.VideoFra
     first = next(images)
     height, width = first.shape[:2]
     graph = av.filter.Graph()
-    seen = graph.add_buffer(width=width, height=height, format=av.VideoFormat("rgb24"), time_base=1 / rate)
-    graph.link_nodes(seen, graph.add("palettegen", "stats_mode=full"), graph.add("buffersink")).configure()
+    branch = graph.add_buffer(width=width, height=height, format=av.VideoFormat("rgb24"), time_base=1 / rate)
+    graph.link_nodes(branch, graph.add("palettegen", "stats_mode=full"), graph.add("buffersink")).configure()
     with av.open(str(path), "w", format="matroska") as container:
         stream = container.add_stream("ffv1", rate, options={"level": "3"})
         stream.height, stream.width = height, width
@@ -219,10 +219,10 @@ def _paint(path: Path, waiting: Path, palette: av.VideoFrame, rate: Fraction) ->
     import av.filter
 
     with av.open(str(waiting)) as source, av.open(str(path), "w", format="gif") as container:
-        kept = source.streams.video[0]
+        stored = source.streams.video[0]
         graph = av.filter.Graph()
         bgr0 = av.VideoFormat("bgr0")
-        pictures = graph.add_buffer(width=kept.width, height=kept.height, format=bgr0, time_base=1 / rate)
+        pictures = graph.add_buffer(width=stored.width, height=stored.height, format=bgr0, time_base=1 / rate)
         colours = graph.add_buffer(width=16, height=16, format=palette.format, time_base=1 / rate)
         reduced = graph.add("paletteuse", "dither=sierra2_4a:diff_mode=rectangle")
         end = graph.add("buffersink")
@@ -231,12 +231,12 @@ def _paint(path: Path, waiting: Path, palette: av.VideoFrame, rate: Fraction) ->
         reduced.link_to(end)
         graph.configure()
         stream = container.add_stream("gif", rate)
-        stream.height, stream.width = kept.height, kept.width
+        stream.height, stream.width = stored.height, stored.width
         stream.pix_fmt = "pal8"
         palette.pts, palette.time_base = 0, 1 / rate
         colours.push(palette)
         colours.push(None)
-        for index, picture in enumerate(source.decode(kept)):
+        for index, picture in enumerate(source.decode(stored)):
             picture.pts, picture.time_base = index, 1 / rate
             pictures.push(picture)
             _drain(graph, stream, container)
@@ -288,8 +288,8 @@ def _grid(tiles: list[Picture]) -> Picture:
     pitch_y, pitch_x = height + SHEET_MARGIN, width + SHEET_MARGIN
     sheet = np.full((rows * pitch_y + SHEET_MARGIN, columns * pitch_x + SHEET_MARGIN, 3), 255, np.uint8)
     for index, tile in enumerate(tiles):
-        top, left = SHEET_MARGIN + index // columns * pitch_y, SHEET_MARGIN + index % columns * pitch_x
-        sheet[top : top + height, left : left + width] = tile
+        top, x0 = SHEET_MARGIN + index // columns * pitch_y, SHEET_MARGIN + index % columns * pitch_x
+        sheet[top : top + height, x0 : x0 + width] = tile
     return sheet
 
 

@@ -109,20 +109,20 @@ def _forced(name: str) -> Graphics:
     name = "software" if name == "rays" else name  # its name up to 0.2
     if name not in _NAMES:
         raise GraphicsError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
-    asked = f"{OVERRIDE}={name}"
+    setting = f"{OVERRIDE}={name}"
     if name == "software":
         if not _imported():
             os.environ.pop("MUJOCO_GL", None)
-        return Graphics("software", _line("software", asked))
+        return Graphics("software", _line("software", setting))
     if _imported():
         backends = [backend for backend in [_imported_backend()] if _kind_of(backend) == name]
     else:
         backends = [_DISPLAY if name == "display" else name]
     for backend in backends:
         if _works(backend):
-            return _settle(_kind_of(backend), backend, asked)
+            return _settle(_kind_of(backend), backend, setting)
     raise GraphicsError(
-        f"{asked}: {name} does not work here; unset it to let a working renderer be chosen, or use software"
+        f"{setting}: {name} does not work here; unset it to let a working renderer be chosen, or use software"
     )
 
 

@@ -48,11 +48,11 @@ def caption(image: Picture, text: str, *, place: Place = "top", size: int | None
     rows, columns = pill.shape[:2]
     top = margin if place.startswith("top") else height - margin - rows
     across = place.partition(" ")[2]
-    left = {"left": margin, "right": width - margin - columns}.get(across, (width - columns) // 2)
+    x0 = {"left": margin, "right": width - margin - columns}.get(across, (width - columns) // 2)
     out = image.copy()
-    under = out[top : top + rows, left : left + columns].astype(np.float32)
+    under = out[top : top + rows, x0 : x0 + columns].astype(np.float32)
     alpha = pill[..., 3:]
-    out[top : top + rows, left : left + columns] = np.rint(under * (1 - alpha) + pill[..., :3] * alpha).astype(np.uint8)
+    out[top : top + rows, x0 : x0 + columns] = np.rint(under * (1 - alpha) + pill[..., :3] * alpha).astype(np.uint8)
     return out
 
 
@@ -60,16 +60,16 @@ def caption(image: Picture, text: str, *, place: Place = "top", size: int | None
 def _pill(text: str, letters: int) -> NDArray[np.float32]:
     """(h, w, 4) rounded plate with its text: colour 0..255, alpha 0..1, edges smooth."""
     font = ImageFont.load_default(letters)
-    left, _, right, _ = font.getbbox(text)
+    x0, _, right, _ = font.getbbox(text)
     # The plate's height comes from letters that reach up and down, so plates of different words are alike.
     _, top, _, bottom = font.getbbox("Ahgy0")
     pad_x, pad_y = round(0.7 * letters), round(0.38 * letters)
-    width, height = round(right - left) + 2 * pad_x, round(bottom - top) + 2 * pad_y
+    width, height = round(right - x0) + 2 * pad_x, round(bottom - top) + 2 * pad_y
     big = Image.new("L", (width * _SUPERSAMPLING, height * _SUPERSAMPLING), 0)
     ImageDraw.Draw(big).rounded_rectangle((0, 0, big.width - 1, big.height - 1), radius=big.height // 2, fill=255)
     plate = np.asarray(big.resize((width, height), Image.Resampling.BOX), dtype=np.float32)[..., None] / 255
     ink = Image.new("L", (width, height), 0)
-    ImageDraw.Draw(ink).text((pad_x - left, pad_y - top), text, fill=255, font=font)
+    ImageDraw.Draw(ink).text((pad_x - x0, pad_y - top), text, fill=255, font=font)
     cover = np.asarray(ink, dtype=np.float32)[..., None] / 255
     alpha = np.maximum(plate * _OPACITY, cover)
     colour = np.asarray(_PAPER, np.float32) * cover + np.asarray(_INK, np.float32) * (1 - cover)

@@ -138,25 +138,25 @@ class Raster:
 
     def _eye(self) -> Eye:
         """The camera of the scene, midway between those for the two eyes of a person."""
-        left, right = self.scene.camera
-        forward, up = np.array(left.forward, float), np.array(left.up, float)
-        focus = self._height * left.frustum_near / (left.frustum_top - left.frustum_bottom)
-        position = (np.array(left.pos, float) + right.pos) / 2
+        left_eye, right = self.scene.camera
+        forward, up = np.array(left_eye.forward, float), np.array(left_eye.up, float)
+        focus = self._height * left_eye.frustum_near / (left_eye.frustum_top - left_eye.frustum_bottom)
+        position = (np.array(left_eye.pos, float) + right.pos) / 2
         axes = np.stack([np.cross(forward, up), -up, forward])
-        return Eye(position, axes, focus, self._width, self._height, float(left.frustum_near))
+        return Eye(position, axes, focus, self._width, self._height, float(left_eye.frustum_near))
 
     def _shape_of(self, geom: int) -> Surface:
         """A geom of the model in its frame."""
-        found = triangles(self._model, piece_of(self._model, geom), FAR)
+        shape = triangles(self._model, piece_of(self._model, geom), FAR)
         if self._model.geom_type[geom] == _KINDS.mjGEOM_HFIELD:
             field = self._model.geom_dataid[geom]
             depth = float(self._model.hfield_size[field][3])
-            found = joined([found, _sides(found.points.reshape(-1, int(self._model.hfield_ncol[field]), 3), depth)])
-        faces, count = found.faces.astype(int), len(found.points)
+            shape = joined([shape, _sides(shape.points.reshape(-1, int(self._model.hfield_ncol[field]), 3), depth)])
+        faces, count = shape.faces.astype(int), len(shape.points)
         ends = faces[:, [0, 0]].ravel(), faces[:, 1:].ravel()
         patches = connected_components(coo_array((np.ones(len(ends[0])), ends), (count, count)), directed=False)[1]
         geoms = np.zeros(len(faces), int)
-        return Surface(found.points[faces], found.normals[faces], patches[faces[:, 0]].astype(int), geoms)
+        return Surface(shape.points[faces], shape.normals[faces], patches[faces[:, 0]].astype(int), geoms)
 
     def _surface(self, geoms: list[Any]) -> Surface:
         """All of the scene, in the world."""

@@ -221,14 +221,14 @@ def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BE
     timeline = saved.raw if look.only == "before" else saved.timeline
     keys = {key.time for key in saved.keys}
     qpos = figure.to_qpos(timeline.states)
-    own = np.array([any(abs(t - k) < 1e-9 for k in keys) for t in timeline.times])
+    is_key = np.array([any(abs(t - k) < 1e-9 for k in keys) for t in timeline.times])
     between = sampled(figure, timeline, rate).qpos
     ghosts = [Ghost(q, shade=BETWEEN_SHADE, opacity=BETWEEN_OPACITY) for q in between]
     if look.only != "keys":
-        ghosts += [Ghost(q, shade=VARIABLE_SHADE, opacity=VARIABLE_OPACITY) for q in qpos[~own]]
+        ghosts += [Ghost(q, shade=VARIABLE_SHADE, opacity=VARIABLE_OPACITY) for q in qpos[~is_key]]
     else:
         ghosts = []
-    ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[own]]
+    ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[is_key]]
     view = still(root_path(saved, qpos), look.width / look.height, look.camera, **_lens(saved))
     with _stage(saved.scene, look, graphics, 1) as stage:
         return stage.picture(None, view, ghosts=ghosts)

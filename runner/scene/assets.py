@@ -39,7 +39,7 @@ class Scene:
         """Raises ValueError for names that are more than names: they become files beside others some day."""
         for name in self.assets:
             if not is_plain(name):
-                raise ValueError(f"its file '{name}' is no plain name of a file")
+                raise ValueError(f"its file '{name}' is not a plain file name")
 
     @classmethod
     def received(cls, mjcf: str, assets: Assets) -> Scene:
@@ -47,13 +47,13 @@ class Scene:
         scene = cls(mjcf, assets)
         if outside.is_allowed():
             return scene
-        for tag, said in elements(mjcf):
+        for tag, attrs in elements(mjcf):
             if tag == "include":
-                raise ValueError(f"its model includes '{said.get('file', '')}'; a file brings its whole model along")
-            folder = next((name for name in FOLDERS if tag == "compiler" and said.get(name)), None)
+                raise ValueError(f"its model includes '{attrs.get('file', '')}'; a file brings its whole model along")
+            folder = next((name for name in FOLDERS if tag == "compiler" and attrs.get(name)), None)
             if folder is not None:
-                raise ValueError(f"its model has a {folder}, '{said[folder]}'; a file brings its model's files along")
-            for file in (value for key, value in said.items() if key.startswith("file") and value):
+                raise ValueError(f"its model has a {folder}, '{attrs[folder]}'; a file brings its model's files along")
+            for file in (value for key, value in attrs.items() if key.startswith("file") and value):
                 if file not in assets:
                     raise ValueError(f"its model refers to '{file}', which it does not bring along")
         return scene
@@ -82,21 +82,21 @@ class _Reference:
 
 def taken_along(spec: mujoco.MjSpec) -> Assets:
     """The files that a model refers to, under the new names that the model then uses; raises UserError."""
-    found: dict[str, bytes] = {}
+    assets: dict[str, bytes] = {}
     names: dict[str, str] = {}
-    own = dict(spec.assets)
+    embedded = dict(spec.assets)
     base = Path(spec.modelfiledir)
     for reference in list(_references(spec)):
-        where, data = _read(reference, base, own)
+        where, data = _read(reference, base, embedded)
         if where not in names:
-            names[where] = _fresh(_plain(Path(reference.file.replace("\\", "/")).name), found)
-            found[names[where]] = data
+            names[where] = _fresh(_plain(Path(reference.file.replace("\\", "/")).name), assets)
+            assets[names[where]] = data
         reference.rename(names[where])
-    largest.check("the model", sum(map(len, found.values())), "what the files it refers to hold")
+    largest.check("the model", sum(map(len, assets.values())), "what the files it refers to hold")
     spec.meshdir = spec.texturedir = spec.modelfiledir = ""
     spec.strippath = False
     spec.assets = {}
-    return found
+    return assets
 
 
 def check_places(spec: mujoco.MjSpec, models: Sequence[Model]) -> None:
@@ -114,8 +114,8 @@ def check_places(spec: mujoco.MjSpec, models: Sequence[Model]) -> None:
         for place in [*places, *theirs] or [base / folder / file]:
             outside.check(place, base, reference.file)
         if len({place.read_bytes() for place in [*places, *theirs]}) > 1:
-            known = " and ".join(f"'{place}'" for place in [*places, *theirs])
-            raise UserError(f"models that are attached use different files of one name: {known}; rename one")
+            listed = " and ".join(f"'{place}'" for place in [*places, *theirs])
+            raise UserError(f"models that are attached use different files of one name: {listed}; rename one")
         if theirs and not places:
             reference.rename(str(theirs[0].absolute()))
 

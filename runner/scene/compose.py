@@ -78,16 +78,16 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
 
 def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
     """What the joints of a model are called, as `joint_names` calls them, before it is compiled."""
-    given: list[str] = []
+    names: list[str] = []
     bodies: list[tuple[str, int]] = []
     waiting = list(spec.worldbody.bodies)[::-1]
     while waiting:  # depth first, as MuJoCo numbers them
         body = waiting.pop()
         joints = list(body.joints)
-        given += [joint.name for joint in joints]
+        names += [joint.name for joint in joints]
         bodies.append((body.name, len(joints)))
         waiting += list(body.bodies)[::-1]
-    return names_of_joints(given, bodies)
+    return names_of_joints(names, bodies)
 
 
 def compose(

@@ -16,7 +16,7 @@ QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # w
 def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, str] | None:
     """The first of some keyframes, time (K,) [s] and qpos (K, nq), that is wrong, and what is; None if all are well."""
     entries = np.column_stack([time, qpos])
-    found = [
+    checks = [
         (np.isfinite(entries).all(axis=1), "an entry is not a finite number"),
         ((np.abs(entries) <= LARGEST).all(axis=1), "an entry is too large"),
     ]
@@ -25,7 +25,7 @@ def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, s
         if kind in QUATERNION:
             start = int(model.jnt_qposadr[joint]) + QUATERNION[kind]
             with np.errstate(over="ignore"):
-                told = np.linalg.norm(qpos[:, start : start + 4], axis=1) >= SHORTEST
-            found.append((told, f"the quaternion of '{model.joint(joint).name or f'joint {joint}'}' is zero"))
-    wrong = [(int(np.argmin(well)), said) for well, said in found if not well.all()]
+                is_unit = np.linalg.norm(qpos[:, start : start + 4], axis=1) >= SHORTEST
+            checks.append((is_unit, f"the quaternion of '{model.joint(joint).name or f'joint {joint}'}' is zero"))
+    wrong = [(int(np.argmin(well)), problem) for well, problem in checks if not well.all()]
     return min(wrong, key=lambda each: each[0], default=None)

@@ -20,13 +20,13 @@ def box(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
     """Lowest and highest corner (3,) [m] of what moves and of the fixed bodies that carry it, where `data` has them."""
     moving = moves(model)
     carrier = np.isin(model.geom_bodyid, _carriers(model)) & (model.geom_bodyid != 0)
-    some = np.flatnonzero((moving | carrier) & (model.geom_type != int(mujoco.mjtGeom.mjGEOM_PLANE)))
-    if not some.size:
+    geoms = np.flatnonzero((moving | carrier) & (model.geom_type != int(mujoco.mjtGeom.mjGEOM_PLANE)))
+    if not geoms.size:
         centres = data.xipos[model.body_weldid != 0] if model.njnt else data.xipos
         return centres.min(axis=0), centres.max(axis=0)
-    middle, half = np.split(model.geom_aabb[some], 2, axis=1)
-    turn = data.geom_xmat[some].reshape(-1, 3, 3)
-    centre = data.geom_xpos[some] + np.einsum("nij,nj->ni", turn, middle)
+    middle, half = np.split(model.geom_aabb[geoms], 2, axis=1)
+    turn = data.geom_xmat[geoms].reshape(-1, 3, 3)
+    centre = data.geom_xpos[geoms] + np.einsum("nij,nj->ni", turn, middle)
     reach = np.einsum("nij,nj->ni", np.abs(turn), half)
     return (centre - reach).min(axis=0), (centre + reach).max(axis=0)
 

@@ -39,12 +39,12 @@ def brightness(model: mujoco.MjModel) -> Array:
     sides = np.array([[0.0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
     ground = np.append((low + high)[:2] / 2, low[2]) + reach * sides
     head = model.vis.headlight
-    found = np.full(len(ground), float(bool(head.active)) * float((head.ambient + SIDEWAYS * head.diffuse).mean()))
+    light = np.full(len(ground), float(bool(head.active)) * float((head.ambient + SIDEWAYS * head.diffuse).mean()))
     for lamp in np.flatnonzero(model.light_active).tolist():
-        found += model.light_ambient[lamp].mean() + model.light_diffuse[lamp].mean() * _reaching(
+        light += model.light_ambient[lamp].mean() + model.light_diffuse[lamp].mean() * _reaching(
             model, data, lamp, ground
         )
-    return found
+    return light
 
 
 def _reaching(model: mujoco.MjModel, data: mujoco.MjData, lamp: int, ground: Array) -> Array:
@@ -52,9 +52,9 @@ def _reaching(model: mujoco.MjModel, data: mujoco.MjData, lamp: int, ground: Arr
     ahead = data.light_xdir[lamp] / np.linalg.norm(data.light_xdir[lamp])
     if kind_of(model, lamp) is Lamp.DIRECTIONAL:
         return np.full(len(ground), max(-float(ahead[2]), 0.0))
-    way = ground - data.light_xpos[lamp]
-    way /= np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-9)
-    along = way @ ahead
+    ray = ground - data.light_xpos[lamp]
+    ray /= np.maximum(np.linalg.norm(ray, axis=1, keepdims=True), 1e-9)
+    along = ray @ ahead
     inside = along >= np.cos(np.radians(model.light_cutoff[lamp]))
     cone = inside * np.maximum(along, 0) ** model.light_exponent[lamp] if model.light_cutoff[lamp] < 90 else 1.0
-    return np.maximum(-way[:, 2], 0) * cone
+    return np.maximum(-ray[:, 2], 0) * cone

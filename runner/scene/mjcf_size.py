@@ -144,22 +144,22 @@ def _tags(text: str) -> Iterator[tuple[str, dict[str, str], bool, bool]]:
         if skipped is not None:
             place = text.find(skipped, place)
         else:
-            found = TAG.match(text, place)
-            if found is None:
+            match = TAG.match(text, place)
+            if match is None:
                 return
-            closes, tag, inside = found.groups()
+            closes, tag, inside = match.groups()
             attributes = {name: html.unescape(a or b) for name, a, b in ATTRIBUTE.findall(inside)} if inside else {}
             yield tag, attributes, bool(closes), inside.endswith("/")
-            place = found.end()
+            place = match.end()
         if place >= 0:
             place = text.find("<", place)
 
 
 def _number(text: str) -> float:
     """The number that a text begins with, with its unit of bytes; nought for none."""
-    found = LEADING.match(text)
+    match = LEADING.match(text)
     try:
-        return max(0.0, float(found[1])) * 2.0 ** UNITS[found[2]] if found else 0.0
+        return max(0.0, float(match[1])) * 2.0 ** UNITS[match[2]] if match else 0.0
     except ValueError:
         return 0.0
 

@@ -41,9 +41,9 @@ def is_there(path: Path) -> bool:
 
 def models_in(path: Path) -> list[Model]:
     """A model and those that it brings along; raises UserError for text that lies outside its folder."""
-    found = [Model(path.parent)]
-    _walk(path, found[0], found, path.parent, {path})
-    return found
+    models = [Model(path.parent)]
+    _walk(path, models[0], models, path.parent, {path})
+    return models
 
 
 def paths_read(path: Path) -> list[Path]:
@@ -51,9 +51,9 @@ def paths_read(path: Path) -> list[Path]:
 
     Raises UserError for a file that exists outside the model's folder alone, unless that is allowed.
     """
-    found = {path}
+    paths = {path}
     for model in models_in(path):
-        found |= model.texts
+        paths |= model.texts
         folders = [*(model.folder / folder for folder in model.folders), *(text.parent for text in model.texts)]
         for file in sorted(model.files):
             names = {file, Path(file).name}
@@ -61,21 +61,25 @@ def paths_read(path: Path) -> list[Path]:
             inside = {place for place in places if outside.is_allowed() or outside.lies_in(place, path.parent)}
             for place in sorted(places) if not inside else ():
                 outside.check(place, path.parent, file)
-            found |= inside
-    return sorted({Path(os.path.normpath(place)) for place in found})
+            paths |= inside
+    return sorted({Path(os.path.normpath(place)) for place in paths})
 
 
 def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path]) -> None:
     """Through a model's text and all text that it includes; `own` gets the files, `found` the models."""
     own.texts.add(path)
-    for tag, said in list(elements(path.read_bytes().decode("utf-8-sig", errors="replace"))):
-        own.folders |= {said[name].replace("\\", "/") for name in FOLDERS if tag == "compiler" and name in said}
-        named = [value.replace("\\", "/") for key, value in said.items() if key.startswith("file") and value]
+    for tag, attrs in list(elements(path.read_bytes().decode("utf-8-sig", errors="replace"))):
+        own.folders |= {attrs[name].replace("\\", "/") for name in FOLDERS if tag == "compiler" and name in attrs}
+        named = [value.replace("\\", "/") for key, value in attrs.items() if key.startswith("file") and value]
         if tag not in ("include", "model", "flexcomp"):
             own.files |= set(named)
             continue
         for file in named:
-            places = [path.parent / file, own.folder / file, *(own.folder / each / file for each in own.folders)]
+            places = [
+                path.parent / file,
+                own.folder / file,
+                *(own.folder / sub / file for sub in own.folders),
+            ]
             there = [place for place in places if is_there(place)] or places[:1]
             for place in there:
                 outside.check(place, home, file)
@@ -92,7 +96,7 @@ def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path
 def elements(text: str) -> Iterator[tuple[str, Mapping[str, str]]]:
     """Name and attributes of every element. Of invalid XML, which MuJoCo may still read, everything similar to one."""
     try:
-        yield from [(each.tag, each.attrib) for each in ElementTree.fromstring(text).iter()]
+        yield from [(element.tag, element.attrib) for element in ElementTree.fromstring(text).iter()]
     except ElementTree.ParseError:
         for tag, attributes in TAG.findall(text):
             yield tag, {name: html.unescape(a or b) for name, a, b in ATTRIBUTE.findall(attributes)}

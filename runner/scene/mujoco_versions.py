@@ -41,7 +41,7 @@ def _lamp_of(kind: int) -> Lamp:
         kinds.mjLIGHT_POINT: Lamp.POINT,
         kinds.mjLIGHT_IMAGE: Lamp.IMAGE,
     }
-    return {int(each): name for each, name in named.items()}.get(int(kind), Lamp.SPOT)
+    return {int(value): name for value, name in named.items()}.get(int(kind), Lamp.SPOT)
 
 
 def drawn_lamp(light: Any) -> Lamp:
@@ -148,12 +148,12 @@ def _turns_height_fields() -> bool:
 
 def _upright(tag: str) -> str:
     """A height field's element with its rows in the other order."""
-    found = re.search(r'elevation="([^"]*)"', tag)
+    elevation = re.search(r'elevation="([^"]*)"', tag)
     columns = re.search(r'ncol="(\d+)"', tag)
-    if found is None or columns is None:
+    if elevation is None or columns is None:
         return tag
-    rows = np.array(found[1].split()).reshape(-1, int(columns[1]))[::-1]
-    return tag.replace(found[0], f'elevation="{" ".join(rows.ravel())}"')
+    rows = np.array(elevation[1].split()).reshape(-1, int(columns[1]))[::-1]
+    return tag.replace(elevation[0], f'elevation="{" ".join(rows.ravel())}"')
 
 
 def mesh_folder(spec: mujoco.MjSpec, element: Any) -> str:

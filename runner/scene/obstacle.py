@@ -66,7 +66,7 @@ class Obstacle:
 def add_bodies(spec: mujoco.MjSpec, parts: Sequence[Obstacle]) -> None:
     """The bodies of the parts that have one, each with a free joint of its name, at the world's origin at rest."""
     for name in dict.fromkeys(part.body for part in parts if part.body is not None):
-        known = {body.name for body in spec.bodies} | {joint.name for joint in spec.joints}
-        if name in known:
+        names = {body.name for body in spec.bodies} | {joint.name for joint in spec.joints}
+        if name in names:
             raise UserError(f"the scene has a body '{name}', but the model already has a body or joint of that name")
         spec.worldbody.add_body(name=name).add_freejoint(name=name)

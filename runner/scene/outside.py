@@ -42,9 +42,9 @@ def check(place: Path, folder: Path, said: str) -> None:
     if not is_allowed() and not lies_in(place, folder):
         home = os.path.realpath(folder)
         real = os.path.realpath(place)
-        way = "" if said == real else f" ('{real}')"
+        resolved = "" if said == real else f" ('{real}')"
         raise UserError(
-            f"the model refers to '{said}'{way}, outside its folder '{home}'; if it may read that file, "
+            f"the model refers to '{said}'{resolved}, outside its folder '{home}'; if it may read that file, "
             "--allow-outside lets it (allow_outside=True in Python)"
         )
 

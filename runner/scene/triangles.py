@@ -60,8 +60,8 @@ class Triangles:
 def pieces(model: mujoco.MjModel) -> list[Piece]:
     """Every visible geom, in the model's order."""
     shown = [g for g in range(model.ngeom) if model.geom_group[g] < HIDDEN_GROUP]
-    found = [piece_of(model, geom) for geom in shown]
-    return [piece for piece in found if piece.colour[3] > 0]
+    all_pieces = [piece_of(model, geom) for geom in shown]
+    return [piece for piece in all_pieces if piece.colour[3] > 0]
 
 
 def is_still(model: mujoco.MjModel, piece: Piece) -> bool:
@@ -200,8 +200,8 @@ def _lathe(radius: Array, height: Array, normal: Array, count: int) -> Triangles
 
 def _used(found: Triangles) -> Triangles:
     """Without points that no face has."""
-    kept, faces = np.unique(found.faces, return_inverse=True)
-    return Triangles(found.points[kept], found.normals[kept], faces.reshape(-1, 3).astype(np.uint32))
+    used, faces = np.unique(found.faces, return_inverse=True)
+    return Triangles(found.points[used], found.normals[used], faces.reshape(-1, 3).astype(np.uint32))
 
 
 def _arc(count: int, *, top: bool) -> Array:
@@ -263,10 +263,10 @@ def _mesh(model: mujoco.MjModel, mesh: int) -> Triangles:
     length = np.linalg.norm(normals, axis=-1, keepdims=True)
     normals = np.where(np.sum(normals * flat, axis=-1, keepdims=True) > 0.5, normals / np.maximum(length, 0.5), flat)
     corners = np.concatenate([points[faces[whole]], normals], axis=-1).reshape(-1, 6)
-    kept, index = np.unique(corners.astype(np.float32), axis=0, return_inverse=True)
-    unit = kept[:, 3:].astype(float)
+    vertices, index = np.unique(corners.astype(np.float32), axis=0, return_inverse=True)
+    unit = vertices[:, 3:].astype(float)
     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
-    return Triangles(kept[:, :3].astype(float), unit, index.reshape(-1, 3).astype(np.uint32))
+    return Triangles(vertices[:, :3].astype(float), unit, index.reshape(-1, 3).astype(np.uint32))
 
 
 def _height_field(model: mujoco.MjModel, field: int) -> Triangles:

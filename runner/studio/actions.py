@@ -42,7 +42,7 @@ class Actions:
         poser = await self.poser()
         if len(self._home) != poser.figure.width:
             await self.cancel()
-            raise UserError("the figure has other joints by now; take hold of it again")
+            raise UserError("the figure has changed; grab it again")
         return poser
 
     async def grip(
@@ -69,15 +69,15 @@ class Actions:
     async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
         """The pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
         if self._grip is None:
-            raise UserError("nothing is held; press the mouse on a limb first")
+            raise UserError("no limb is grabbed; press the mouse on one first")
         self._moves_on()
         poser = await self._same_poser()
         begin = time.perf_counter()
-        found = await asyncio.to_thread(poser.pulled, self._grip, position, self._last)
-        self._last = found.qpos
-        told = _bodies(poser, found.qpos)
+        pose = await asyncio.to_thread(poser.pulled, self._grip, position, self._last)
+        self._last = pose.qpos
+        bodies = _bodies(poser, pose.qpos)
         self._rests()
-        return {**told, "missed": round(found.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
+        return {**bodies, "missed": round(pose.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
     async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> dict[str, Any]:
         """The pose with one joint rotated, as `drag` returns it."""
@@ -110,18 +110,18 @@ class Actions:
     def _meant(self, poser: Poser) -> tuple[str, dict[str, Any], int | None] | None:
         """The edit that ending the drag now would make, as `Session.edit` takes it; None where nothing has moved."""
         home, last, index = self._home, self._last, self.key_at(self._time)
-        said = poser.said(last, home)
-        if not any(said.values()):
+        entries = poser.said(last, home)
+        if not any(entries.values()):
             return None
         if index is None:
-            moved = self._whole_limb(poser, said, last) if self._is_partial else poser.said(last)
+            moved = self._whole_limb(poser, entries, last) if self._is_partial else poser.said(last)
             return "add_key", {"said": {**moved, "time": self._time}}, None
-        if "root" in said:  # the whole pose: everything attached to the root moves along
-            said = self._kept_free(index, poser.said(last), home, last, poser)
-            told = {"places": self._placed(index), **said}
+        if "root" in entries:  # the whole pose: everything attached to the root moves along
+            entries = self._kept_free(index, poser.said(last), home, last, poser)
+            arguments = {"places": self._placed(index), **entries}
         else:
-            told = self._let_go(index, _named(said, poser), last, poser, said)
-        return "set_pose", {"key": index, **told}, self.session.document.revision
+            arguments = self._let_go(index, _named(entries, poser), last, poser, entries)
+        return "set_pose", {"key": index, **arguments}, self.session.document.revision
 
     def _moves_on(self, time: float | None = None, partial: bool = False) -> None:
         """Mark the pose as changed and drop pending speculation."""
@@ -142,11 +142,16 @@ class Actions:
         self._rest = asyncio.get_running_loop().call_later(RESTS, self._foresee)
 
     def _foresee(self) -> None:
-        known = self.session.poser
-        if self._last is None or self._home is None or known is None or known[0] != self.session.stages:
+        prepared_poser = self.session.poser
+        if (
+            self._last is None
+            or self._home is None
+            or prepared_poser is None
+            or prepared_poser[0] != self.session.stages
+        ):
             return
         with suppress(UserError, LookupError):  # the keyframe no longer exists
-            edit = self._meant(known[1]) if len(self._home) == known[1].figure.width else None
+            edit = self._meant(prepared_poser[1]) if len(self._home) == prepared_poser[1].figure.width else None
             if edit is not None:
                 self.session.foresee(*edit)
 
@@ -173,8 +178,8 @@ class Actions:
     def _whole_limb(self, poser: Poser, said: dict[str, Any], qpos: Any) -> dict[str, Any]:
         """The moved joints with all other joints of the dragged or rotated limb."""
         limb = poser.limb_names(self._body)
-        own = {name: value for name, value in poser.said(qpos)["joints"].items() if name in limb}
-        return {**said, "joints": {**own, **said["joints"]}}
+        limb_joints = {name: value for name, value in poser.said(qpos)["joints"].items() if name in limb}
+        return {**said, "joints": {**limb_joints, **said["joints"]}}
 
     def _kept_free(self, index: int, said: Any, home: Any, last: Any, poser: Poser) -> Any:
         """Remove joints that the keyframe leaves free and that the drag did not move."""
@@ -194,48 +199,48 @@ class Actions:
     async def key(self, *, time: float, limb: Sequence[str] | None = None) -> str:
         """Add a keyframe from the present path; of the given joints only, if any."""
         poser = await self.poser()
-        said = poser.said(self.at(time))
+        entries = poser.said(self.at(time))
         if limb is not None:
-            said = poser.among(said, limb)
-            if not any(said.values()):
+            entries = poser.among(entries, limb)
+            if not any(entries.values()):
                 raise UserError("none of these joints can be set on its own; select another limb")
-        return await self.session.edit("add_key", {"said": {"time": time, **said}})
+        return await self.session.edit("add_key", {"said": {"time": time, **entries}})
 
     async def rest(self, *, key: int, revision: int | None = None) -> str:
         """Set a keyframe's joints to the rest pose; the root keeps its position."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         joints = poser.said(poser.figure.model.qpos0)["joints"]
-        told = self._let_go(key, set(joints), self._state(key), poser, {"joints": joints})
-        told["places"] = self._placed(key)
-        return await self.session.edit("set_pose", {"key": key, **told, "words": "pose as at rest"}, revision)
+        arguments = self._let_go(key, set(joints), self._state(key), poser, {"joints": joints})
+        arguments["places"] = self._placed(key)
+        return await self.session.edit("set_pose", {"key": key, **arguments, "words": "pose as at rest"}, revision)
 
     async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Fix joints of a keyframe at their values on the present path."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         row = self._row(key)
-        said = poser.among(poser.said(self.at(float(row["time"]))), joints)
-        given = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
-        places = [name for name in self._placed(key) if poser.ways(name)[0] <= given]  # their joints are fixed now
+        entries = poser.among(poser.said(self.at(float(row["time"]))), joints)
+        determined = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
+        places = [name for name in self._placed(key) if poser.ways(name)[0] <= determined]  # their joints are fixed now
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, **said, "places": places, "words": words}, revision)
+        return await self.session.edit("set_pose", {"key": key, **entries, "places": places, "words": words}, revision)
 
     async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Leave joints of a keyframe to the optimiser, along with the targets that determine them."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
-        said: dict[str, Any] = {"joints": {}, "root": {}, "roots": {}}
+        entries: dict[str, Any] = {"joints": {}, "root": {}, "roots": {}}
         whole = {"position": "free", "rotation": "free"}
         for link in poser.figure.links[1:]:
             if link.name == poser.root and link.name in joints:
-                said["root"] = whole
+                entries["root"] = whole
             elif link.name in joints:
                 is_body = link.kind.name == "FREE"
-                said["roots" if is_body else "joints"][link.name] = whole if is_body else "free"
-        told = self._let_go(key, set(joints), self._state(key), poser, said)
+                entries["roots" if is_body else "joints"][link.name] = whole if is_body else "free"
+        arguments = self._let_go(key, set(joints), self._state(key), poser, entries)
         words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, **told, "words": words}, revision)
+        return await self.session.edit("set_pose", {"key": key, **arguments, "words": words}, revision)
 
     async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Swap left and right in keyframes."""
@@ -253,9 +258,9 @@ class Actions:
             raise UserError(str(error)) from None
         keys, revision = self._now(revision, keys=keys)["keys"], self.session.document.revision
         rows = table_of(self.session.document.text, self.session.document.place).keyframe
-        said = {str(index): tables(mirrored_keyframe(rows[index], poser.figure, mirror)) for index in keys}
+        entries = {str(index): tables(mirrored_keyframe(rows[index], poser.figure, mirror)) for index in keys}
         words = "mirror a keyframe" if len(keys) == 1 else f"mirror {len(keys)} keyframes"
-        return await self.session.edit("replace_keys", {"keys": said, "words": words}, revision)
+        return await self.session.edit("replace_keys", {"keys": entries, "words": words}, revision)
 
     async def copy(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Copy keyframes to the clipboard that all pages share."""
@@ -290,7 +295,7 @@ class Actions:
     def key_at(self, time: float) -> int | None:
         """The index of the keyframe at a time."""
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
-        return next((i for i, each in enumerate(times) if abs(each - time) < AT), None)
+        return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
 
     def _now(self, revision: int | None, **said: Any) -> dict[str, Any]:
         """Convert indices of a revision into those of the present one."""
@@ -305,9 +310,9 @@ class Actions:
 
 def prepared(session: Session) -> Poser:
     """The poser of a session's figure, created once per stage."""
-    known = session.poser
-    if known is not None and known[0] == session.stages:
-        return known[1]
+    present = session.poser
+    if present is not None and present[0] == session.stages:
+        return present[1]
     import numpy as np
 
     from dynsplines.solver.figure.figure import Figure
@@ -322,9 +327,9 @@ def prepared(session: Session) -> Poser:
     figure = Figure(scene.model(), place)
     whole = [key["qpos"] for key in session.loaded.get("keys", ()) if all(key["fixed"])]
     table = table_of(session.document.text, session.document.place)
-    made = Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))
-    session.poser = stages, made
-    return made
+    poser = Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))
+    session.poser = stages, poser
+    return poser
 
 
 def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:

@@ -87,8 +87,12 @@ class Document:
         """The text in blocks, to be changed; raises UserError for what is no TOML."""
         from .edits.tables import Blocks  # only here: what takes texts apart is not needed to show one
 
-        known = self._plain
-        return Blocks.of(self.text, self.place, known[1] if known is not None and known[0] == self.revision else None)
+        parsed_text = self._plain
+        return Blocks.of(
+            self.text,
+            self.place,
+            parsed_text[1] if parsed_text is not None and parsed_text[0] == self.revision else None,
+        )
 
     def tree_rows(self) -> list[dict[str, Any]]:
         """The [[keyframe]] tables as plain ones; of a text that has none, none."""
@@ -163,10 +167,10 @@ class Document:
 
     def since(self, revision: int) -> list[str] | None:
         """The texts from a revision on to the present one; None for one that is not known, or no more."""
-        known = [text for number, text in self._seen if number >= revision]
-        if not self._seen or len(known) != self.revision - revision:
+        texts = [text for number, text in self._seen if number >= revision]
+        if not self._seen or len(texts) != self.revision - revision:
             return None
-        return [*(zlib.decompress(text).decode() for text in known), self.text]
+        return [*(zlib.decompress(text).decode() for text in texts), self.text]
 
     def _put(self, text: str) -> None:
         self._seen.append((self.revision, zlib.compress(self.text.encode())))

@@ -94,7 +94,7 @@ class Files:
         """A film of the present motion."""
         target = self._target(name, overwrite)
         if target.suffix.lower() not in FILMS:
-            raise UserError(f"'{name}': a film's name ends in {', '.join(FILMS)}")
+            raise UserError(f"'{name}': a video's name ends in {', '.join(FILMS)}")
         with scratch() as folder:
             motion = folder / f"{self.session.document.name}.npz"
             await self.session.kept(motion)
@@ -119,7 +119,7 @@ class Files:
     async def _run(self, words: Sequence[str], what: str) -> None:
         """Run one of this program's commands and show its progress on every page; raises UserError with its message."""
         if self._running is not None:
-            raise UserError("something is being written already; wait for it, or stop it")
+            raise UserError("another file is being written; wait for it, or stop it")
         command = [sys.executable, "-c", COMMAND, *words]
         pipe = asyncio.subprocess.PIPE
         self._running = await asyncio.create_subprocess_exec(*command, stdout=pipe, stderr=pipe, cwd=self.folder)

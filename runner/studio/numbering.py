@@ -19,29 +19,29 @@ BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` is 
 
 def renumbered(document: Document, revision: int | None, said: Mapping[str, Any], edit: str = "") -> dict[str, Any]:
     """A page's arguments, with indices of a revision replaced by present ones; raises UserError for unknown ones."""
-    told = dict(said)
+    arguments = dict(said)
     if revision is None or revision == document.revision:
-        return told
+        return arguments
     texts = document.since(revision)
     if texts is None:
-        raise UserError("the clip is another one by now; look again")
+        raise UserError("another clip is open now; reload the page")
 
     def now(kind: str, number: Any) -> Any:
         return _followed(texts, kind, number)
 
-    if "key" in told:
-        told["key"] = now("keyframe", told["key"])
-    keys = told.get("keys")
+    if "key" in arguments:
+        arguments["key"] = now("keyframe", arguments["key"])
+    keys = arguments.get("keys")
     if isinstance(keys, list | tuple):
-        told["keys"] = [now("keyframe", each) for each in keys]
+        arguments["keys"] = [now("keyframe", index_) for index_ in keys]
     elif isinstance(keys, Mapping):
-        told["keys"] = {str(now("keyframe", int(each))): row for each, row in keys.items()}
-    if "moves" in told:
-        told["moves"] = [[now("keyframe", index), time] for index, time in told["moves"]]
-    kind = BARS.get(edit, told.get("kind"))
-    if isinstance(told.get("index"), int) and kind != "step":
-        told["index"] = now(str(kind), told["index"])
-    return told
+        arguments["keys"] = {str(now("keyframe", int(index_))): row for index_, row in keys.items()}
+    if "moves" in arguments:
+        arguments["moves"] = [[now("keyframe", index), time] for index, time in arguments["moves"]]
+    kind = BARS.get(edit, arguments.get("kind"))
+    if isinstance(arguments.get("index"), int) and kind != "step":
+        arguments["index"] = now(str(kind), arguments["index"])
+    return arguments
 
 
 def _followed(texts: list[str], kind: str, number: Any) -> Any:
@@ -54,15 +54,15 @@ def _followed(texts: list[str], kind: str, number: Any) -> Any:
         there = _rows(text, kind)
         if len(there) != len(rows):
             blocks = SequenceMatcher(None, rows, there, autojunk=False).get_matching_blocks()
-            found = next((b + here - a for a, b, size in blocks if a <= here < a + size), None)
-            if found is None:
-                raise UserError(f"{kind} {number + 1} is gone, or was changed from elsewhere meanwhile; look again")
-            here = found
+            position = next((b + here - a for a, b, size in blocks if a <= here < a + size), None)
+            if position is None:
+                raise UserError(f"{kind} {number + 1} was deleted or changed on another page; check and try again")
+            here = position
         rows = there
     return here
 
 
 def _rows(text: str, kind: str) -> list[str]:
-    said = parsed(text)
-    found = said.get(kind, said.get("scene", {}).get(kind, []))
-    return [json.dumps(row, sort_keys=True, default=str) for row in found] if isinstance(found, list) else []
+    content = parsed(text)
+    tables = content.get(kind, content.get("scene", {}).get(kind, []))
+    return [json.dumps(row, sort_keys=True, default=str) for row in tables] if isinstance(tables, list) else []

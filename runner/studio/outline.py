@@ -15,23 +15,23 @@ from .document import FILMS
 def outline(text: str, where: str) -> dict[str, Any]:
     """A clip's text as the page has it; raises UserError for one that no clip can be."""
     table = table_of(text, where)
-    said = tables(table)
-    scene = said.get("scene", {})
+    content = tables(table)
+    scene = content.get("scene", {})
     return {
         "figure": table.figure,
         "fps": table.fps,
-        "keys": [_key(row) for row in said.get("keyframe", [])],
-        "contacts": said.get("contact", []),
-        "holds": said.get("hold", []),
+        "keys": [_key(row) for row in content.get("keyframe", [])],
+        "contacts": content.get("contact", []),
+        "holds": content.get("hold", []),
         "weights": weights(table, where),
-        "options": {entry["kind"]: entry for entry in said.get("penalty", [])},
+        "options": {entry["kind"]: entry for entry in content.get("penalty", [])},
         "obstacles": [
-            {"kind": kind, "index": index, **each}
+            {"kind": kind, "index": index, **obstacle}
             for kind, rows in scene.items()
-            for index, each in enumerate([rows] if kind == "step" else rows)
+            for index, obstacle in enumerate([rows] if kind == "step" else rows)
         ],
-        "solve": said.get("solve", {}),
-        "recording": said.get("recording"),
+        "solve": content.get("solve", {}),
+        "recording": content.get("recording"),
     }
 
 
@@ -41,10 +41,10 @@ def weights(table: ClipTable, where: str) -> dict[str, float]:
         return weight_factors(chosen(table.penalty, where))
     listed: dict[str, float] = {}
     for name, options in chosen(table.penalty, where).items():
-        kind, given = KINDS[name], options.weight
-        weights = {} if given is None else kind.weights(options)
+        kind, weight = KINDS[name], options.weight
+        weights = {} if weight is None else kind.weights(options)
         for part in kind.parts:
-            if part.name in weights and (not isinstance(given, dict) or part.name in given):
+            if part.name in weights and (not isinstance(weight, dict) or part.name in weight):
                 listed[kind.term(part)] = weights[part.name]
     return listed
 
@@ -62,7 +62,7 @@ def formats() -> dict[str, Any]:
     """What can be written."""
     from ..exchange.formats import FORMATS  # only here: the figure is on the page by now
 
-    rows = [{"name": each.name, "ending": each.ending, "says": each.says} for each in FORMATS if each.writes]
+    rows = [{"name": entry.name, "ending": entry.ending, "says": entry.says} for entry in FORMATS if entry.writes]
     return {"formats": rows, "films": list(FILMS)}
 
 

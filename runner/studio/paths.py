@@ -35,8 +35,15 @@ def packed(figure: Figure, timeline: Timeline, header: dict[str, Any]) -> bytes:
     rate = rate_of(last - first)
     time = np.append(np.arange(first, last - 0.25 / rate, 1 / rate), last)
     qpos = figure.to_qpos(path_of(timeline).at(time))
-    told = {**header, "first": first, "last": last, "rate": rate, "count": len(time), "bodies": figure.model.nbody}
-    return framed(told, *poses(figure.model, qpos))
+    full_header = {
+        **header,
+        "first": first,
+        "last": last,
+        "rate": rate,
+        "count": len(time),
+        "bodies": figure.model.nbody,
+    }
+    return framed(full_header, *poses(figure.model, qpos))
 
 
 def framed(header: dict[str, Any], *arrays: Array | NDArray[np.float32]) -> bytes:

@@ -69,8 +69,8 @@ class Door:
             return "this page may not connect to the studio; open the address that the command prints"
         if connection.scope["type"] == "websocket" and origin is None:
             return "a line to the studio needs an origin"
-        given = connection.query_params.get("token", "")
-        if with_token and not hmac.compare_digest(given.encode(), self.token.encode()):
+        token = connection.query_params.get("token", "")
+        if with_token and not hmac.compare_digest(token.encode(), self.token.encode()):
             return "the address lacks the studio's token; use the one that the command printed"
         return None
 
@@ -168,8 +168,13 @@ class _Page:
         """Perform a page's request; the answer describes the edit, or the reason for its rejection."""
         number = message.pop("id", None)
         try:
-            told = await self._done(str(message.pop("do", "")), message)
-            answer = {"is": "answer", "id": number, "ok": True, **(told if isinstance(told, dict) else {"words": told})}
+            result = await self._done(str(message.pop("do", "")), message)
+            answer = {
+                "is": "answer",
+                "id": number,
+                "ok": True,
+                **(result if isinstance(result, dict) else {"words": result}),
+            }
         except UserError as error:
             answer = {"is": "answer", "id": number, "ok": False, "words": one_line(error)}
         except (TypeError, ValueError, KeyError, IndexError) as error:
@@ -186,10 +191,10 @@ class _Page:
     @property
     def _deeds(self) -> dict[str, Callable[..., Awaitable[Any]]]:
         session, actions, writer = self.session, self.actions, self.writer
-        own = {name: getattr(self, f"_{name}") for name in ("edit", "go", "stop", "curves", "offer", "files")}
+        methods = {name: getattr(self, f"_{name}") for name in ("edit", "go", "stop", "curves", "offer", "files")}
         posing = ("grip", "drag", "turn", "drop", "cancel", "key", "rest", "pin", "free", "mirror", "copy", "paste")
         return {
-            **own,
+            **methods,
             **{name: getattr(actions, name) for name in posing},
             "undo": session.undo,
             "redo": session.redo,

@@ -94,11 +94,11 @@ class Session:
 
     def start(self) -> None:
         """Start the process and load the clip; messages are queued until the session listens."""
-        seen = glimpse.read(glimpse.file_of(self.document))
-        self.solver.start(is_seen=seen is not None)
+        view = glimpse.read(glimpse.file_of(self.document))
+        self.solver.start(is_seen=view is not None)
         self._load(self.document.text, self.document.revision, first=True)
-        if seen is not None:
-            self._is_glimpse, self._stage, self._paths["found"] = True, _told_stage(seen[0]), seen[1]
+        if view is not None:
+            self._is_glimpse, self._stage, self._paths["found"] = True, _told_stage(view[0]), view[1]
 
     def begin(self) -> None:
         """Listen to the process, and start it if necessary."""
@@ -116,17 +116,17 @@ class Session:
     def enter(self, number: int, send: Send) -> None:
         """Add a new page and send it the present state."""
         self.pages[number] = send
-        for known in (self._kinds, self._formats):
-            if known is not None:
-                send(json.dumps(known))
+        for listing in (self._kinds, self._formats):
+            if listing is not None:
+                send(json.dumps(listing))
         for data in filter(None, (self._stage, *(self._paths.get(kind) for kind in LATEST))):
             send(data)
         if self.loaded:
             send(self._outline())
             send(json.dumps(self.loaded))
-        for told in (self._settled, self.status):
-            if told is not None:
-                send(json.dumps(told))
+        for message in (self._settled, self.status):
+            if message is not None:
+                send(json.dumps(message))
         if self.offer is not None:
             send(json.dumps({"is": "offer", "words": self._offering()}))
 
@@ -142,8 +142,8 @@ class Session:
             send(text)
 
     def _outline(self) -> str:
-        told = {**self.document.told(), **self.outline, "copied": len(self.clipboard)}
-        return json.dumps({"is": "document", **told})
+        state = {**self.document.told(), **self.outline, "copied": len(self.clipboard)}
+        return json.dumps({"is": "document", **state})
 
     def _offering(self) -> str:
         return f"work on {self.document.place} that was not saved is still there, from a studio that ended"
@@ -156,9 +156,13 @@ class Session:
         revision  the revision of its indices, where this may not be the present one
         """
         async with self._lock:
-            asked = self.document.revision, name, said, revision
-            known, self._foreseen = self._foreseen, None
-            text, words = known[1] if known is not None and known[0] == asked else self._edited(name, said, revision)
+            request = self.document.revision, name, said, revision
+            prepared_edit, self._foreseen = self._foreseen, None
+            text, words = (
+                prepared_edit[1]
+                if prepared_edit is not None and prepared_edit[0] == request
+                else self._edited(name, said, revision)
+            )
             if text != self.document.text:
                 verdict = await self._tried(text)
                 self.document.commit(text, words)
@@ -206,13 +210,13 @@ class Session:
 
     async def _stepped(self, seen: Callable[[], tuple[str, str] | None], step: Callable[[], None], verb: str) -> str:
         async with self._lock:
-            found = seen()
-            if found is None:
+            target = seen()
+            if target is None:
                 raise UserError(f"nothing to {verb}")
-            verdict = await self._tried(found[1])
+            verdict = await self._tried(target[1])
             step()
             self._changed(verdict)
-            return f"{verb}: {found[0]}"
+            return f"{verb}: {target[0]}"
 
     async def replace(self, text: str, words: str) -> str:
         """Replace the whole text."""
@@ -320,7 +324,7 @@ class Session:
             try:
                 await asyncio.wait_for(self._kept, VERDICT)
             except TimeoutError:
-                raise UserError("the motion could not be had from the process that solves") from None
+                raise UserError("the solver process did not return the motion; try again") from None
             finally:
                 self._kept = None
 
@@ -377,7 +381,7 @@ class Session:
     def _heard_path(self, message: Message) -> None:
         if message["kind"] != "raw":
             self._timeline, self._pathed = message["timeline"], message["revision"]
-            for waiting in [each for each in self._waiting if not each.done()]:
+            for waiting in [future for future in self._waiting if not future.done()]:
                 waiting.set_result(None)
         if message["kind"] == "carried" and self._is_glimpse:
             self._paths["carried"] = message["data"]

@@ -49,7 +49,7 @@ class Solver:
             with ctrl_c_blocked():
                 self._process.start()
         except OSError as error:
-            raise UserError(f"the process that solves cannot be started: {error.strerror or error}") from None
+            raise UserError(f"the solver process cannot be started: {error.strerror or error}") from None
         theirs.close()
 
     def listen(self) -> None:
@@ -101,7 +101,7 @@ class Solver:
         self._losses += 1
         how = f"was ended by signal {-code}" if code is not None and code < 0 else f"ended with code {code}"
         if self._losses > MOST_LOSSES:
-            self.heard({"is": "gone", "words": f"the process that solves {how}, again and again; too little memory?"})
+            self.heard({"is": "gone", "words": f"the solver process {how} repeatedly; free memory, then reload"})
             return
         self.start()
         self.listen()

@@ -94,8 +94,8 @@ def _text_in(path: Path, saved: Saved) -> str:
         table = table_of(saved.text, saved.name)
     if _is_there(table.figure, models.figures(), path.parent):
         return saved.text
-    said = {key: value for key, value in tables(table).items() if key != "scene"}
-    return written(said | {"figure": _scene_beside(path, saved.scene)})
+    entries = {key: value for key, value in tables(table).items() if key != "scene"}
+    return written(entries | {"figure": _scene_beside(path, saved.scene)})
 
 
 def _is_there(name: str, shipped: Collection[str], folder: Path) -> bool:

@@ -13,11 +13,11 @@ OFF = ("off", "0", "no", "false")
 
 def place() -> Path | None:
     """The folder, whether or not it is there; None where nothing is to be kept."""
-    asked = os.environ.get(PLACE, "").strip()
-    if asked.lower() in OFF:
+    setting = os.environ.get(PLACE, "").strip()
+    if setting.lower() in OFF:
         return None
-    if asked:
-        return Path(asked)
+    if setting:
+        return Path(setting)
     from platformdirs import user_cache_path
 
     return user_cache_path("dynsplines", appauthor=False)
@@ -31,9 +31,9 @@ def make_room(folder: Path, own: re.Pattern[str], most: int) -> None:
             with suppress(OSError):  # another command may have taken it away
                 about = path.stat()
                 files.append((about.st_mtime, about.st_size, path))
-    left = sum(size for _, size, _ in files)
+    total = sum(size for _, size, _ in files)
     for _, size, path in sorted(files):
-        if left <= most:
+        if total <= most:
             return
         path.unlink(missing_ok=True)
-        left -= size
+        total -= size

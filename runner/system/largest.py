@@ -13,12 +13,12 @@ MEGABYTE = 1_000_000
 
 def bound() -> int:
     """[bytes], the default or the environment's value in MB; raises UserError if that is not a number."""
-    said = os.environ.get(VARIABLE, "").strip()
-    if not said:
+    setting = os.environ.get(VARIABLE, "").strip()
+    if not setting:
         return USUAL * MEGABYTE
-    if not (said.isascii() and said.isdigit() and 0 < len(said) <= 9 and int(said)):
-        raise UserError(f"{VARIABLE}={said}: give a number of MB, such as {4 * USUAL}")
-    return int(said) * MEGABYTE
+    if not (setting.isascii() and setting.isdigit() and 0 < len(setting) <= 9 and int(setting)):
+        raise UserError(f"{VARIABLE}={setting}: give a number of MB, such as {4 * USUAL}")
+    return int(setting) * MEGABYTE
 
 
 def check(where: object, size: float, what: str) -> None:

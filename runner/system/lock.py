@@ -55,9 +55,9 @@ def _taken(path: Path) -> int | None:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise UserError(f"'{path.parent}' is being worked on by {who}; wait for it, or end it") from None
+            raise UserError(f"'{path.parent}' is in use by {who}; wait for it, or end it") from None
         if owner.get("host", socket.gethostname()) != socket.gethostname():
-            raise UserError(f"'{path.parent}' was being worked on by {who}; if that has ended, remove '{path}'")
+            raise UserError(f"'{path.parent}' was in use by {who}; if that has ended, remove '{path}'")
         if path.exists() and os.path.samestat(path.stat(), os.fstat(handle)):
             return handle
     except BaseException:

@@ -100,7 +100,7 @@ def real_target(target: Path) -> Path:
     """The file that is to be replaced: where a link leads; raises UserError for what is no plain file."""
     older = _older(target)
     if older is not None and not stat.S_ISREG(older.st_mode):
-        raise UserError(f"cannot write '{target}': {REFUSED.get(stat.S_IFMT(older.st_mode), 'it is no plain file')}")
+        raise UserError(f"cannot write '{target}': {REFUSED.get(stat.S_IFMT(older.st_mode), 'it is not a plain file')}")
     return Path(os.path.realpath(target))
 
 

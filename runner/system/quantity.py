@@ -26,15 +26,15 @@ def speed(given: str | float, what: str) -> float:
 
 def _quantity(given: str | float, what: str, units: Mapping[str, float], such: str) -> float:
     """In the unit that is 1."""
-    found = re.fullmatch(rf"\s*([0-9.eE+-]+?)\s*({'|'.join(units)}|)\s*", str(given))
+    match = re.fullmatch(rf"\s*([0-9.eE+-]+?)\s*({'|'.join(units)}|)\s*", str(given))
     try:
-        number = float(found[1]) if found else math.nan
+        number = float(match[1]) if match else math.nan
     except ValueError:
         number = math.nan
     if not (math.isfinite(number) and number > 0):
         raise UserError(f"{what} {given}: give {such}")
-    unit = found[2] if found else ""
+    unit = match[2] if match else ""
     if isinstance(given, str) and not unit:
-        *some, last = (f"{number:g}{each}" for each in units)
-        raise UserError(f"{what} {given}: of what? give {', '.join(some)} or {last}")
+        *examples, last = (f"{number:g}{unit_name}" for unit_name in units)
+        raise UserError(f"{what} {given}: the unit is missing; give {', '.join(examples)} or {last}")
     return number * (units[unit] if unit else 1.0)

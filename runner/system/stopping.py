@@ -22,7 +22,7 @@ def heed() -> None:
     """Sets the handlers, but for signals that this process was started to ignore."""
     global _received
     _received = None
-    _terminals[:] = [each for each in TERMINALS if _is_terminal(each)]
+    _terminals[:] = [stream for stream in TERMINALS if _is_terminal(stream)]
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)  # Windows has no SIGHUP
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
@@ -52,11 +52,11 @@ def _stop(number: int, frame: FrameType | None) -> None:
     _received = number
     if number == getattr(signal, "SIGHUP", None):
         nowhere = os.open(os.devnull, os.O_WRONLY)
-        for each in _terminals:
-            os.dup2(nowhere, each)
-    asked = signal.getsignal(signal.SIGINT)
-    if callable(asked) and asked is not _stop:
-        asked(number, frame)
+        for stream in _terminals:
+            os.dup2(nowhere, stream)
+    handler = signal.getsignal(signal.SIGINT)
+    if callable(handler) and handler is not _stop:
+        handler(number, frame)
         return
     raise KeyboardInterrupt
 

@@ -57,7 +57,7 @@ def in_order(
 def _by_several(
     opened: Opened[Tool], work: Work[Tool, Item, Result], items: Iterable[Item], count: int
 ) -> Generator[Result, None, None]:
-    left = enumerate(items)
+    remaining = enumerate(items)
     results: dict[int, Result] = {}
     shown = 0
     idle: list[Worker[Tool, Item, Result]] = []
@@ -66,7 +66,7 @@ def _by_several(
         for _ in range(count):
             idle.append(Worker(opened, work))
         while True:
-            while idle and len(results) < AHEAD * count and (following := next(left, None)) is not None:
+            while idle and len(results) < AHEAD * count and (following := next(remaining, None)) is not None:
                 number, item = following
                 worker = idle.pop(0)
                 busy[worker.line] = number, worker

@@ -189,7 +189,9 @@ def test_a_clip_that_ships_is_shown_to_be_changed(run, tmp_path):
 
 
 def test_a_bound_says_its_unit(run, motion_file):
-    assert_refused(run("thin", motion_file, "--max-error", "2"), "--max-error 2: of what? give 2cm, 2mm or 2m")
+    assert_refused(
+        run("thin", motion_file, "--max-error", "2"), "--max-error 2: the unit is missing; give 2cm, 2mm or 2m"
+    )
 
 
 def test_ghosts_make_a_still_of_the_size_asked_for(run, motion_file, tmp_path):
@@ -815,8 +817,8 @@ def test_a_travelling_loop_is_solved_repeated_and_rendered(run, tmp_path):
 def test_what_is_no_loop_is_not_repeated(run, motion_file, tmp_path):
     (tmp_path / "loop.toml").write_text(LOOP, encoding="utf-8")
     with nothing_written(tmp_path):
-        assert_refused(run("solve", "tiny.toml", "--repeat", 2), "--repeat", "'tiny' is no loop", "'periodic'")
-        assert_refused(run("render", motion_file, *SMALL, "--repeat", 2), "is no loop")
+        assert_refused(run("solve", "tiny.toml", "--repeat", 2), "--repeat", "'tiny' is not a loop", "'periodic'")
+        assert_refused(run("render", motion_file, *SMALL, "--repeat", 2), "is not a loop")
         assert_refused(run("solve", "loop.toml", "--repeat", 0), "--repeat 0: give a whole number, 1 or more")
         assert_refused(run("solve", "loop.toml", "--repeat", 5000), "600 s at most")
 
@@ -871,7 +873,7 @@ def test_edits_that_cannot_be_are_told_in_one_line(run, motion_file, tmp_path):
         assert_refused(run("mirror", "lopsided.toml", "-o", "out.npz"), refusal)
         assert_refused(run("join", motion_file, motion_file, "--transition", 0), "a transition lasts")
         assert_refused(run("join", motion_file, "run_and_step"), "of different figures; they differ in")
-        assert_refused(run("trim", "tiny.toml", "--to", 0.3, "-o", "tiny.toml"), "is what is edited", "--overwrite")
+        assert_refused(run("trim", "tiny.toml", "--to", 0.3, "-o", "tiny.toml"), "is the input file", "--overwrite")
         assert_refused(run("retime", "none.npz", "--speed", 2), "no file 'none.npz'")
 
 

@@ -114,13 +114,13 @@ def test_a_motion_writes_no_file_that_its_names_lead_to(run: Run, meshed: Saved,
     words = ("thin", "evil.npz", "-o", "x.toml") if to == "thin" else ("export", "evil.npz", "--to", to)
     code, said = run(*words, "--overwrite")
     assert code == 2
-    assert "evil.npz" in said and ("no plain name of a file" in said or "does not bring along" in said)
+    assert "evil.npz" in said and ("not a plain file name" in said or "does not bring along" in said)
     assert tree(tmp_path) == before
 
 
 @pytest.mark.parametrize("name", ["../x.stl", "/x.stl", "a/b.stl", ".x", "a\nb", "nul\0", "x" * 300])
 def test_a_scene_has_plain_names_wherever_it_comes_from(name: str):
-    with pytest.raises(ValueError, match="no plain name"):
+    with pytest.raises(ValueError, match="not a plain file name"):
         Scene("<mujoco/>", {name: b""})
     assert Scene("<mujoco/>", {"Größe 2.stl": b""}).assets
 
@@ -318,7 +318,7 @@ def test_a_manifest_leads_nowhere_but_into_its_folder(tmp_path: Path, key: str, 
     entry = Entry(clip="walk", source="../walk.toml", state="done", output="walk.npz", size=1)
     line = json.dumps({**json.loads(entry.line()), key: name})
     (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}\n', encoding="utf-8")
-    with pytest.raises(UserError, match=r"line 2 is not what became of a clip \('.*prey' is no path in this folder\)"):
+    with pytest.raises(UserError, match=r"line 2 is not an entry of a clip \('.*prey' is not a path in this folder\)"):
         Manifest.of(tmp_path)
 
 

@@ -113,9 +113,9 @@ class Ground:
 
 def ground_of(figure: Figure, qpos: Array) -> Ground:
     """What a figure stands with and on, by poses (T, nq)."""
-    some = qpos[:: max(1, len(qpos) // LOOKED_AT)]
-    soles = tuple(rounded(figure, point) for point in sole_points(figure, some))
-    return Ground(figure, soles, tuple(static_surfaces(figure.model)), bends=_bends(figure, some))
+    sampled = qpos[:: max(1, len(qpos) // LOOKED_AT)]
+    soles = tuple(rounded(figure, point) for point in sole_points(figure, sampled))
+    return Ground(figure, soles, tuple(static_surfaces(figure.model)), bends=_bends(figure, sampled))
 
 
 def _bends(figure: Figure, qpos: Array) -> BendLimits | None:
@@ -135,19 +135,19 @@ def _bends(figure: Figure, qpos: Array) -> BendLimits | None:
 
 def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], where: str) -> tuple[Rest, ...]:
     """The stances of [[contact]] tables for a recording over a span [s]; where is the label used in errors."""
-    places, found = Places(ground.figure, ground.points), list[Rest]()
-    own = {point.name: point for point in ground.points}
+    places, rests = Places(ground.figure, ground.points), list[Rest]()
+    sole_points_by_name = {point.name: point for point in ground.points}
     for number, table in enumerate(tables, start=1):
         name = f"{where}: contact {number} ('{table.point}')"
-        point = own.get(table.point) or places.point(table.point)
+        point = sole_points_by_name.get(table.point) or places.point(table.point)
         if point is None:
             raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
         if not span[0] - ROUNDING <= table.start < table.end <= span[1] + ROUNDING:
             raise UserError(
                 f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span[0]:g} to {span[1]:g} s"
             )
-        found.append(Rest(point, table.start, table.end, rolls=True))
-    return tuple(found)
+        rests.append(Rest(point, table.start, table.end, rolls=True))
+    return tuple(rests)
 
 
 def stances_of(rests: Sequence[Rest]) -> list[dict[str, object]]:
@@ -177,7 +177,7 @@ def stances_in(stances: object, ground: Ground, where: str) -> tuple[Rest, ...]:
     for row in rows:
         point = soles.get(row.point) or places.point(row.point)
         if point is None or not row.start < row.end:
-            raise UserError(f"{where}: its stances are none of this figure's; solve the clip again")
+            raise UserError(f"{where}: its stances belong to another figure; solve the clip again")
         on = None if row.on is None else Plane("ground", np.array(row.on[:3]), np.array(row.on[3:]))
         rests.append(Rest(point, row.start, row.end, on, rolls=True))
     return tuple(rests)
@@ -214,26 +214,26 @@ def _clear(times: Array, given: Array) -> Array:
 def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
     """All constraints that are kept while following the recording."""
     figure, surfaces = ground.figure, ground.surfaces
-    found: list[Penalty] = []
+    penalties: list[Penalty] = []
     if figure.tables.quaternion_columns.size:
-        found.append(UnitMagnitude())
+        penalties.append(UnitMagnitude())
     if surfaces and ground.points:
-        found.append(Contact(ground.points, surfaces))
+        penalties.append(Contact(ground.points, surfaces))
     if surfaces and (body := ground.clear):
-        found.append(Contact(body, surfaces, called="collision.body"))
+        penalties.append(Contact(body, surfaces, called="collision.body"))
     if rests:
-        found.append(Resting(tuple(rests), surfaces))
+        penalties.append(Resting(tuple(rests), surfaces))
         footings = [Footing(rest.point, rest.first, rest.last, np.array([0.0, 0, 1])) for rest in rests]
         if figure.tables.free_links.size:
-            found.append(Support.of(figure, int(figure.tables.free_links[0]), footings, ()))
+            penalties.append(Support.of(figure, int(figure.tables.free_links[0]), footings, ()))
     if ranges := joint_ranges(figure):
-        found.append(JointRange(tuple(map(_inside, ranges))))
+        penalties.append(JointRange(tuple(map(_inside, ranges))))
     if ground.bends is not None:
-        found.append(ground.bends)
+        penalties.append(ground.bends)
     if ground.speed is not None:
-        found.append(Speed.of(figure, SLOWER * ground.speed))
-    own = SelfContact.of(figure, 0.0) if ground.apart else None
-    return [*found, own] if own is not None and own.pairs.size else found
+        penalties.append(Speed.of(figure, SLOWER * ground.speed))
+    self_contact = SelfContact.of(figure, 0.0) if ground.apart else None
+    return [*penalties, self_contact] if self_contact is not None and self_contact.pairs.size else penalties
 
 
 def _inside(whole: Range) -> Range:

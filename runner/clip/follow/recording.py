@@ -82,17 +82,17 @@ class Followed:
 
     def stances(self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]) -> tuple[Rest, ...]:
         """The recording's stances, except for points that a contact covers or a keyframe moves; and the given ones."""
-        own = (Rest(*one, rolls=True) for one in stood(self.recorded, ground.points, ground.surfaces))
-        return (*(rest for rest in own if not self._is_void(rest, edits, given)), *given)
+        recorded_rests = (Rest(*one, rolls=True) for one in stood(self.recorded, ground.points, ground.surfaces))
+        return (*(rest for rest in recorded_rests if not self._is_void(rest, edits, given)), *given)
 
     def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Rest]) -> Problem:
         """What is to be solved, with these stances."""
         near = Near(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
-        asked = problem(near, ground, rests, self._times(near, edits), edits)
-        weights = [(p, self.table.weight * w if p is near else w) for p, w in asked.penalties]
-        keys = [self._kept(frame, edits) for frame in asked.keys]
-        settings = replace(asked.settings, tolerance=TOLERANCE)
-        return replace(asked, keys=tuple(keys), penalties=tuple(weights), settings=settings)
+        unweighted = problem(near, ground, rests, self._times(near, edits), edits)
+        weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
+        keys = [self._kept(frame, edits) for frame in unweighted.keys]
+        settings = replace(unweighted.settings, tolerance=TOLERANCE)
+        return replace(unweighted, keys=tuple(keys), penalties=tuple(weights), settings=settings)
 
     def _warped(self, edits: Sequence[Frame]) -> Recorded:
         """The recording warped through the poses of keyframes, and back to itself before and after them (A. Witkin and
@@ -101,14 +101,14 @@ class Followed:
         if not edits:
             return recorded
         keys = sorted(edits, key=lambda edit: edit.time)
-        times, known = np.array([key.time for key in keys]), np.array([key.known for key in keys], bool)
+        times, is_known = np.array([key.time for key in keys]), np.array([key.known for key in keys], bool)
         wanted = recorded.figure.to_state(np.array([key.state for key in keys]))
-        ways = between(recorded.figure, recorded.path.at(times), wanted, known)
+        displacements = between(recorded.figure, recorded.path.at(times), wanted, is_known)
         reach = EASE if self.table.blend is None else INNER * self.table.blend
-        ends = [t for way in (-reach, reach) for t in times + way if np.abs(times - t).min() >= reach - ROUNDING]
+        ends = [t for offset in (-reach, reach) for t in times + offset if np.abs(times - t).min() >= reach - ROUNDING]
         every = np.concatenate([times, ends])
         order = np.argsort(every)
-        curve = _smooth(every[order], np.vstack([ways, np.zeros((len(ends), ways.shape[1]))])[order])
+        curve = _smooth(every[order], np.vstack([displacements, np.zeros((len(ends), displacements.shape[1]))])[order])
         return recorded.bent(curve(np.clip(recorded.times, every.min(), every.max())))
 
     def _times(self, near: Near, edits: Sequence[Frame]) -> Array:
@@ -119,12 +119,12 @@ class Followed:
         reach = INNER * self.table.blend
         first, last = self.recorded.path.span
         margin = np.linspace(reach, self.table.blend, MARGIN)
-        beside = [first + FINEST, last - FINEST, *(e.time + way for e in edits for way in (*margin, *-margin))]
-        own = np.concatenate([self.knots, np.clip(beside, first, last)])
-        far = [np.all([np.abs(t - edit.time) >= reach - ROUNDING for edit in edits], axis=0) for t in (times, own)]
-        found = np.unique(np.concatenate([times[~far[0]], own[far[1]]])) if edits else own
-        found = np.unique(np.clip(np.concatenate([[first], found, [last]]), first, last))
-        return found[np.append(True, np.diff(found) > CLOSE)]
+        beside = [first + FINEST, last - FINEST, *(e.time + offset for e in edits for offset in (*margin, *-margin))]
+        knots = np.concatenate([self.knots, np.clip(beside, first, last)])
+        far = [np.all([np.abs(t - edit.time) >= reach - ROUNDING for edit in edits], axis=0) for t in (times, knots)]
+        frames = np.unique(np.concatenate([times[~far[0]], knots[far[1]]])) if edits else knots
+        frames = np.unique(np.clip(np.concatenate([[first], frames, [last]]), first, last))
+        return frames[np.append(True, np.diff(frames) > CLOSE)]
 
     def _kept(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
         """A frame of the recording that no keyframe reaches by its blend, fixed."""
@@ -165,7 +165,7 @@ def followed(said: RecordingTable, figure: Figure, motion: Moving | None, where:
     here = f"{where}: recording"
     if motion is None:
         raise UserError(f"{here}: the motion of '{said.file}' is missing; load the clip with `dynsplines.load`")
-    joints = [[link.name for link in each.links[1:]] for each in (figure, motion.figure)]
+    joints = [[link.name for link in model.links[1:]] for model in (figure, motion.figure)]
     if joints[0] != joints[1] or motion.figure.width != figure.width:
         raise UserError(f"{here}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
     try:

@@ -48,16 +48,16 @@ def _driven(coupling: Coupling, follower: float) -> float | None:
 def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[str]:
     """One note for every constraint that keyframes violate, and for those that are ignored."""
     samples = Samples.still(figure, keys.states)
-    found = []
+    notes = []
     joined = couplings(figure)
     if joined:
         away, _ = Coupled(joined).away(samples)
         for coupling, off in zip(joined, away, strict=True):
-            known = keys.fixed[:, coupling.follower] & ((coupling.driver < 0) | keys.fixed[:, coupling.driver])
-            k = int(np.argmax(np.abs(off) * known))
-            if known[k] and abs(off[k]) > BROKEN[coupling.unit]:
+            is_fixed = keys.fixed[:, coupling.follower] & ((coupling.driver < 0) | keys.fixed[:, coupling.driver])
+            k = int(np.argmax(np.abs(off) * is_fixed))
+            if is_fixed[k] and abs(off[k]) > BROKEN[coupling.unit]:
                 far = np.degrees(off[k]) if coupling.unit == "degrees" else off[k]
-                found.append(
+                notes.append(
                     f"keyframe {k + 1} (t = {frames[k].time:g} s) has '{coupling.name}' {abs(far):.3g} {coupling.unit} "
                     "off where the model's equality constraint requires it"
                 )
@@ -67,16 +67,16 @@ def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[
         both = placed(figure, keys.fixed, [c.one for c in loops]) & placed(figure, keys.fixed, [c.two for c in loops])
         n, k = (int(i) for i in np.unravel_index(np.argmax(apart * both), apart.shape))
         if both[n, k] and apart[n, k] > TORN:
-            found.append(
+            notes.append(
                 f"keyframe {k + 1} (t = {frames[k].time:g} s) tears the loop of {loops[n].name} "
                 f"apart by {1000 * apart[n, k]:.3g} mm"
             )
-    return found + _unseen(figure.model)
+    return notes + _unseen(figure.model)
 
 
 def _unseen(model: mujoco.MjModel) -> list[str]:
     """Equality constraints of other kinds."""
-    known = [int(kind) for kind in (mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD)]
-    others = [i for i in range(model.neq) if model.eq_active0[i] and int(model.eq_type[i]) not in known]
+    handled = [int(kind) for kind in (mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD)]
+    others = [i for i in range(model.neq) if model.eq_active0[i] and int(model.eq_type[i]) not in handled]
     names = ", ".join(f"'{model.equality(i).name or i}'" for i in others)
     return [f"equality constraints of tendons are not looked at: {names}"] if others else []

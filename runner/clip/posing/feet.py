@@ -96,8 +96,10 @@ def _round(figure: Figure, link: int, kinds: Sequence[int]) -> Iterator[tuple[Ar
         if not wanted[geom]:
             continue
         half = 0.0 if model.geom_type[geom] == ROUND[0] else float(model.geom_size[geom, 1])
-        way = half * quat.rotated(model.geom_quat[geom], np.eye(3)[2])
-        _, ends = figure.point_on_link(int(model.geom_bodyid[geom]), model.geom_pos[geom] + np.stack([-way, way]))
+        half_axis = half * quat.rotated(model.geom_quat[geom], np.eye(3)[2])
+        _, ends = figure.point_on_link(
+            int(model.geom_bodyid[geom]), model.geom_pos[geom] + np.stack([-half_axis, half_axis])
+        )
         yield ends, float(model.geom_size[geom, 0])
 
 
@@ -146,17 +148,17 @@ def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, 
     """Those of one pose, where points are at places (3, n) [m]; none if what carries the figure is as low."""
     links, bottom = arrays_of(points)[0], places[2] - radii
     height = float((places[2] + radii).max() - bottom.min())
-    found: list[Point] = []
+    feet: list[Point] = []
     for foot in np.unique(links):
-        own = np.flatnonzero(links == foot)
+        members = np.flatnonzero(links == foot)
         beyond = bottom[(figure.tables.path[links, foot] > 0) & (links != foot)]
-        least = float(bottom[own].min())
+        least = float(bottom[members].min())
         carries = beyond.size and beyond.min() < least - LEVEL
         if not carries and least <= bottom.min() + LOW * height:
             if foot == root:
                 return []
-            found += _corners(figure, points, _sole(own, bottom[own], places[:2], height), places)
-    return found
+            feet += _corners(figure, points, _sole(members, bottom[members], places[:2], height), places)
+    return feet
 
 
 def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
@@ -170,9 +172,9 @@ def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
     axes = np.linalg.svd(places[:, thick] - middle)[0]
     extent = np.ptp(axes.T @ places[:, thick], axis=1)
     for share in THIN:
-        some = own[above <= share * height]
-        if np.all(np.ptp(axes.T @ places[:, some], axis=1) >= HALF * extent):
-            return some
+        touching = own[above <= share * height]
+        if np.all(np.ptp(axes.T @ places[:, touching], axis=1) >= HALF * extent):
+            return touching
     return thick
 
 
@@ -180,12 +182,13 @@ def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array
     """Of a foot's lowest points those that reach farthest to its four corners, each with a name of its own."""
     angle = np.pi * (0.25 + 0.5 * np.arange(CORNERS)) + 0.05
     reach = places[:2, some].T @ np.array([np.cos(angle), np.sin(angle)])
-    kept = sorted({int(some[i]) for i in reach.argmax(axis=0)})
-    names = [_called(figure, points[i]) for i in kept]
-    if len(kept) == 1:
-        return [replace(points[kept[0]], name=names[0])]
+    corners = sorted({int(some[i]) for i in reach.argmax(axis=0)})
+    names = [_called(figure, points[i]) for i in corners]
+    if len(corners) == 1:
+        return [replace(points[corners[0]], name=names[0])]
     return [
-        replace(points[i], name=f"{name} {number}") for number, (i, name) in enumerate(zip(kept, names, strict=True), 1)
+        replace(points[i], name=f"{name} {number}")
+        for number, (i, name) in enumerate(zip(corners, names, strict=True), 1)
     ]
 
 
@@ -196,5 +199,5 @@ def _called(figure: Figure, point: Point) -> str:
         return point.name
     stem, _, number = point.name.rpartition(" ")
     body = stem if number.isdigit() else point.name
-    known = mujoco.mj_name2id(model, int(kinds.mjOBJ_BODY), body) >= 0
-    return body if known else figure.links[point.link].name
+    is_named = mujoco.mj_name2id(model, int(kinds.mjOBJ_BODY), body) >= 0
+    return body if is_named else figure.links[point.link].name

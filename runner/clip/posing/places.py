@@ -110,10 +110,10 @@ class Places:
         figure = self.figure
         link, position = figure.point_on_link(body, np.zeros(3))
         origin = Point(name, link, position)
-        own = [point for point in body_points(figure) if point.link == link]
-        if not own or not link:
+        points = [point for point in body_points(figure) if point.link == link]
+        if not points or not link:
             return origin
-        height, *bottoms = heights_at_rest(figure, [origin, *own])
+        height, *bottoms = heights_at_rest(figure, [origin, *points])
         return replace(origin, radius=max(float(height - min(bottoms)), 0.0))
 
 
@@ -126,5 +126,5 @@ def places_at(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
     """(3, n) [m] where points are in a pose (nq,)."""
     state = figure.to_state(qpos[None])
     links, positions, _ = arrays_of(points)
-    found, _ = Samples.still(figure, state).links.points(links, positions)
-    return found[:, :, 0]
+    positions_in_world, _ = Samples.still(figure, state).links.points(links, positions)
+    return positions_in_world[:, :, 0]

@@ -84,12 +84,12 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
         body = places.body(name)
         if body is None:
             raise UserError(f"{where}: {unknown('body', name, places.bodies_listed)}")
-        own = _body_goals(name, body, table, f"{where}: bodies.{name}")
-        _check_moves(figure, own[0], f"{where}: body '{name}'")
-        goals += own
+        body_goals = _body_goals(name, body, table, f"{where}: bodies.{name}")
+        _check_moves(figure, body_goals[0], f"{where}: body '{name}'")
+        goals += body_goals
         points += [
             (Point(name, *figure.point_on_link(body, goal.offset)), goal.position)
-            for goal in own
+            for goal in body_goals
             if isinstance(goal, PointGoal)
         ]
     for root, position in posed_roots(figure, row):
@@ -130,12 +130,12 @@ def with_pose(
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
     also = stander.beside(path, key, k, goals)
-    found = posed(figure, home, ~key.fixed, [*goals, *also], stander.bends) if also else None
-    if found is None or not found.is_met:
-        found = posed(figure, home, ~key.fixed, goals, stander.bends)
-    pose = in_winding(figure, found.qpos, path.states[k - 1] if k else home, ~key.fixed)
+    best = posed(figure, home, ~key.fixed, [*goals, *also], stander.bends) if also else None
+    if best is None or not best.is_met:
+        best = posed(figure, home, ~key.fixed, goals, stander.bends)
+    pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
-    return posed_key, [] if found.is_met else _complaints(figure, key, goals, found)
+    return posed_key, [] if best.is_met else _complaints(figure, key, goals, best)
 
 
 def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: str) -> None:
@@ -161,7 +161,7 @@ def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal
 
 def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
     if not chain(figure, goal.body(figure.model)):
-        raise UserError(f"{what} is no part of the figure: no joint moves it")
+        raise UserError(f"{what} is not part of the figure: no joint moves it")
 
 
 def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], where: str) -> None:
@@ -169,13 +169,13 @@ def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], where: s
     for (a, to), (b, there) in itertools.combinations(points, 2):
         if a.link != b.link or np.isnan([to, there]).any():
             continue
-        given = float(np.linalg.norm(to - there))
+        given_distance = float(np.linalg.norm(to - there))
         real = float(np.linalg.norm(a.position - b.position))
-        if abs(given - real) > MET:
+        if abs(given_distance - real) > MET:
             body = figure.model.body(figure.links[a.link].body).name
             raise UserError(
                 f"{where}: sites '{a.name}' and '{b.name}' are {_metres(real)} apart on the figure, not "
-                f'{_metres(given)}; give one of them a "free" axis, or one site and bodies.{body}'
+                f'{_metres(given_distance)}; give one of them a "free" axis, or one site and bodies.{body}'
             )
 
 

@@ -60,12 +60,12 @@ class Standing:
 
     def goals(self, figure: Figure) -> list[Goal]:
         """The middle of the points in its place; and turned as they are, if they are several."""
-        link, own = self.points[0].link, np.array([point.position for point in self.points])
+        link, positions = self.points[0].link, np.array([point.position for point in self.points])
         body, spot = figure.links[link].body, self.spots.mean(axis=0)
-        middle = Point(self.points[0].name, link, own.mean(axis=0))
+        middle = Point(self.points[0].name, link, positions.mean(axis=0))
         goals: list[Goal] = [PointGoal.of(figure, middle, spot)]
         if len(self.points) > 1:
-            turn = fitted(own - middle.position, self.spots - spot, self.turn)
+            turn = fitted(positions - middle.position, self.spots - spot, self.turn)
             rotation = quat.product(turn, figure.body_turn[body])
             goals.append(BodyGoal(self.points[0].name, rotation, body))
         return goals
@@ -77,9 +77,9 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
     spread = OWN_TURN * float(np.sum(own * own))
     rotation = quat.matrices(turn)
     for _ in range(TURNS):
-        left, _, right = np.linalg.svd(seen.T @ own + spread * rotation)
-        handed = np.diag([1.0, 1.0, np.linalg.det(left @ right)])
-        rotation = left @ handed @ right
+        u, _, right = np.linalg.svd(seen.T @ own + spread * rotation)
+        handed = np.diag([1.0, 1.0, np.linalg.det(u @ right)])
+        rotation = u @ handed @ right
     return _quaternion(rotation)
 
 
@@ -132,19 +132,22 @@ class Stander:
         if all(key.is_key for key in keys):
             return list(keys)
         try:
-            seen = self.seen(self.timeline(keys))
+            inferred = self.seen(self.timeline(keys))
         except TimelineError:  # which the clip complains of
             return list(keys)
         count = len(keys) - (self.ends == "periodic")  # the last keyframe of a loop is the first
-        found = [
-            self._posed(keys[k], seen, k, left) if k < count and not keys[k].is_key else keys[k]
+        posed_keys = [
+            self._posed(keys[k], inferred, k, left) if k < count and not keys[k].is_key else keys[k]
             for k in range(len(keys))
         ]
-        grounding = Grounding.of(self.figure, seen.soles, self.surfaces, self.aloft)
-        if grounding is None or not grounding.is_asked(found):
-            return found
-        timeline = self.timeline(found)
-        return [*grounding.leaping(timeline).put_down(found[:count], timeline, seen.staying), *found[count:]]
+        grounding = Grounding.of(self.figure, inferred.soles, self.surfaces, self.aloft)
+        if grounding is None or not grounding.is_asked(posed_keys):
+            return posed_keys
+        timeline = self.timeline(posed_keys)
+        return [
+            *grounding.leaping(timeline).put_down(posed_keys[:count], timeline, inferred.staying),
+            *posed_keys[count:],
+        ]
 
     def beside(self, timeline: Timeline, key: Frame, k: int, goals: Sequence[Goal]) -> list[Goal]:
         """Goals of the feet in a stance at keyframe k of a timeline, for limbs other than those with goals of their
@@ -153,30 +156,30 @@ class Stander:
         Only of feet that those goals move too: of others `stood` takes care.
         """
         figure, free = self.figure, ~key.fixed
-        own = reached(figure, goals)
+        is_reached = reached(figure, goals)
         busy = {link for goal in goals for link in limb(figure, goal.body(figure.model))}
-        if not free[own].any():
+        if not free[is_reached].any():
             return []
-        seen = self.seen(timeline)
-        found: list[Goal] = []
-        for foot in seen.standing(k):
+        inferred = self.seen(timeline)
+        result: list[Goal] = []
+        for foot in inferred.standing(k):
             more = foot.goals(figure)
-            if foot.points[0].link not in busy and (reached(figure, more) & own & free).any():
-                found += more
-        for goal in seen.holding(k):
+            if foot.points[0].link not in busy and (reached(figure, more) & is_reached & free).any():
+                result += more
+        for goal in inferred.holding(k):
             links = limb(figure, goal.body(figure.model))
-            if not busy.intersection(links) and (reached(figure, [goal]) & own & free).any():
-                found.append(goal)
-        return found
+            if not busy.intersection(links) and (reached(figure, [goal]) & is_reached & free).any():
+                result.append(goal)
+        return result
 
     def seen(self, timeline: Timeline) -> _Seen:
         """The stances of feet that keyframes determine."""
         whole = [frame.state for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, self.figure.to_qpos(np.reshape(whole, (-1, self.figure.width))))
         tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))
-        found = contacts(self.figure, timeline, tables, self.where, soles, self.surfaces)
-        held = holds(self.figure, timeline, self.held, self.where, soles)
-        return _Seen(self.figure, timeline, soles, self.surfaces, found, held)
+        contact_rests = contacts(self.figure, timeline, tables, self.where, soles, self.surfaces)
+        held_sites = holds(self.figure, timeline, self.held, self.where, soles)
+        return _Seen(self.figure, timeline, soles, self.surfaces, contact_rests, held_sites)
 
     def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
         """The pose with the trunk oriented as at home, from the root to where limbs branch off, or else with all
@@ -190,8 +193,8 @@ class Stander:
         legs = {link for goal in goals for link in limb(self.figure, goal.body(self.figure.model))}
         for link in legs:
             trunk[entries(self.figure, link)] = False
-        found = posed(self.figure, home, free & ~trunk, goals, self.bends, 3)
-        return found if found.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
+        pose = posed(self.figure, home, free & ~trunk, goals, self.bends, 3)
+        return pose if pose.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
 
     def _posed(self, key: Frame, seen: _Seen, k: int, left: Sequence[Placed]) -> Frame:
         """Keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
@@ -203,31 +206,35 @@ class Stander:
             if abs(point.time - key.time) < ROUNDING:
                 groups.append([PointGoal.of(self.figure, point.point, point.target)])
         home, count = figure.to_qpos(frame.state), len(groups)
-        told, missed = np.zeros(figure.width, bool), list[Goal]()
+        is_determined, missed = np.zeros(figure.width, bool), list[Goal]()
         while groups:
             goals = [goal for group in groups for goal in group]
-            found = self._upright(home, ~frame.fixed, goals)
-            if found.worst > NEARLY and len(groups) == count:
-                found = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
-            if found.worst <= NEARLY:
-                home, told = found.qpos, found.fixed & ~frame.fixed
+            pose = self._upright(home, ~frame.fixed, goals)
+            if pose.worst > NEARLY and len(groups) == count:
+                pose = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
+            if pose.worst <= NEARLY:
+                home, is_determined = pose.qpos, pose.fixed & ~frame.fixed
                 break
             of_group = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
-            missed += groups.pop(int(of_group[np.argmax(found.missed)]))
-        home, more = self._reaching(home, ~frame.fixed & ~told, missed)
-        told |= more
-        home = in_winding(figure, home, seen.timeline.states[k - 1] if k else home, told)
-        return Frame(key.time, np.where(told, home, key.state), key.fixed, told) if told.any() else key
+            missed += groups.pop(int(of_group[np.argmax(pose.missed)]))
+        home, more = self._reaching(home, ~frame.fixed & ~is_determined, missed)
+        is_determined |= more
+        home = in_winding(figure, home, seen.timeline.states[k - 1] if k else home, is_determined)
+        return (
+            Frame(key.time, np.where(is_determined, home, key.state), key.fixed, is_determined)
+            if is_determined.any()
+            else key
+        )
 
     def _reaching(self, home: Array, free: Mask, missed: Sequence[Goal]) -> tuple[Array, Mask]:
         """A pose with the sites that cannot reach their goals as near to them as they get, which of these are near
         enough, and the entries (N,) that determine it."""
         goals = [goal for goal in missed if isinstance(goal, HoldGoal)]
         while goals:
-            found = posed(self.figure, home, free, goals, self.bends, STARTS)
-            if found.worst <= REACH:
-                return found.qpos, found.fixed & free
-            del goals[int(np.argmax(found.missed))]
+            pose = posed(self.figure, home, free, goals, self.bends, STARTS)
+            if pose.worst <= REACH:
+                return pose.qpos, pose.fixed & free
+            del goals[int(np.argmax(pose.missed))]
         return home, np.zeros(self.figure.width, bool)
 
 
@@ -274,7 +281,7 @@ class _Seen:
 
     def standing(self, k: int) -> list[Standing]:
         """The feet in a stance at keyframe k, and the other points with a specified contact."""
-        own: dict[int, list[tuple[Point, Array, Array]]] = {}
+        by_link: dict[int, list[tuple[Point, Array, Array]]] = {}
         for i, point in enumerate(self.points):
             if self.told[i, k]:
                 continue
@@ -283,29 +290,29 @@ class _Seen:
             if spot is None and not self._spoken_of(point, k):
                 spot = self._planted(i, k, near)
             if spot is not None:
-                own.setdefault(point.link, []).append((point, spot, self._turn(point.link, k, near)))
+                by_link.setdefault(point.link, []).append((point, spot, self._turn(point.link, k, near)))
         return [
-            Standing(tuple(p for p, _, _ in some), np.array([spot for _, spot, _ in some]), some[0][2])
-            for some in own.values()
+            Standing(tuple(p for p, _, _ in members), np.array([spot for _, spot, _ in members]), members[0][2])
+            for members in by_link.values()
         ]
 
     def holding(self, k: int) -> list[HoldGoal]:
         """Goals of the sites that hold something at keyframe k, where they are specified elsewhere."""
-        t, known, found = self.timeline.times[k], self.timeline.known[k : k + 1], list[HoldGoal]()
+        t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[HoldGoal]()
         for hold in self.holds:
             spot = hold.spot(np.array([t]))
             ends = (hold.point, Point(hold.body, hold.link, np.zeros(3)))
-            is_told = placed(self.figure, known, ends).all()
+            is_told = placed(self.figure, is_known, ends).all()
             if spot is not None and hold.first - ROUNDING <= t <= hold.last + ROUNDING and not is_told:
-                found.append(HoldGoal.of(self.figure, hold.point, hold.link, spot[:, 0]))
-        return found
+                goals.append(HoldGoal.of(self.figure, hold.point, hold.link, spot[:, 0]))
+        return goals
 
     def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:
         """The nearest keyframes before and after keyframe k that give the position of point i, of those unrolled."""
         count = self.times.size // 3 if self.timeline.ends == "periodic" else self.times.size
         at = k + (count if self.timeline.ends == "periodic" else 0)
-        told = self.told[i, :count] if self.timeline.ends != "periodic" else np.tile(self.told[i, :count], 3)
-        before, after = np.flatnonzero(told[:at]), np.flatnonzero(told[at + 1 :])
+        is_told = self.told[i, :count] if self.timeline.ends != "periodic" else np.tile(self.told[i, :count], 3)
+        before, after = np.flatnonzero(is_told[:at]), np.flatnonzero(is_told[at + 1 :])
         return (int(before[-1]) if before.size else None), (int(at + 1 + after[0]) if after.size else None)
 
     def _planted(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
@@ -325,11 +332,11 @@ class _Seen:
         """The stance position of a point: between coinciding positions in the keyframes before and after; in the first
         and last keyframes without a position, that of the only neighbour."""
         before, after = near
-        some = [n for n in near if n is not None]
-        if not some or not all(self.low[i, n] for n in some):
+        neighbours = [n for n in near if n is not None]
+        if not neighbours or not all(self.low[i, n] for n in neighbours):
             return None
         if before is None or after is None:
-            return self.centres[i, some[0]]
+            return self.centres[i, neighbours[0]]
         spot, landed = self.centres[i, before], self.centres[i, after]
         if np.linalg.norm(landed - spot) >= SAME_SPOT:
             return None
@@ -364,13 +371,13 @@ class _Seen:
 
     def _turn(self, link: int, k: int, near: tuple[int | None, int | None]) -> Array:
         """(4,) the orientation of a link in the nearer neighbour that determines it, or else at keyframe k."""
-        some = [n for n in near if n is not None]
-        nearest = min(some, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if some else k
-        if self.timeline.ends != "periodic" or not some:
+        neighbours = [n for n in near if n is not None]
+        nearest = min(neighbours, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if neighbours else k
+        if self.timeline.ends != "periodic" or not neighbours:
             return _quaternion(self.samples.links.rotation[:, :, link, nearest])
         number, nearest = divmod(nearest, self.times.size // 3)  # of the periods before, of and after the loop
-        own = _quaternion(self.samples.links.rotation[:, :, link, nearest])
-        return quat.product(Seam.of(self.figure, self.timeline).turn(number - 1), own)
+        rotation = _quaternion(self.samples.links.rotation[:, :, link, nearest])
+        return quat.product(Seam.of(self.figure, self.timeline).turn(number - 1), rotation)
 
 
 def _quaternion(rotation: Array) -> Array:

@@ -75,19 +75,19 @@ def recognises(path: Path) -> bool:
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """The motion of SMPL's body on a figure, or as a figure of its own."""
-    found = _arrays(path)
-    position, poses = _motion(found)
-    name = _first(found, RATES)
+    arrays = _arrays(path)
+    position, poses = _motion(arrays)
+    name = _first(arrays, RATES)
     if name is None and fps is None:
         raise UserError(f"{path}: it has no '{RATES[0]}'; {unsaid.RATE}")
-    rate = fps if name is None and fps is not None else found.rate(name or RATES[0])
+    rate = fps if name is None and fps is not None else arrays.rate(name or RATES[0])
     local = quat.from_rotation_vector(poses)
     position, local, turned = smpl.z_up(position, local)
-    position, scaled = (position, ()) if SCALE in found else smpl.in_metres(position, local)
+    position, scaled = (position, ()) if SCALE in arrays else smpl.in_metres(position, local)
     notes = turned + scaled
     person = None if model is None else _person(model)
     if person is None:
-        notes += _on_shape(found)
+        notes += _on_shape(arrays)
         return bvh.of_captured(smpl.captured(position, local), rate, path, model, notes)
     qpos = _on_person(person, position, local)
     return Recording(times(len(qpos), rate), qpos, fps=rate, notes=notes)

@@ -53,30 +53,30 @@ def recognises(path: Path) -> bool:
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Raises UserError for arrays that are missing, of other shapes, or for another figure."""
-    found = held(path)
+    arrays = held(path)
     mjcf = None
     if model is None:
-        if "mjcf" not in found:
+        if "mjcf" not in arrays:
             raise UserError(f"{path}: it has no 'mjcf', the figure; {unsaid.FIGURE}")
-        mjcf = str(found.of("mjcf"))
+        mjcf = str(arrays.of("mjcf"))
     try:
-        assets = assets_in(found.entries)
+        assets = assets_in(arrays.entries)
         scene = None if mjcf is None else Scene.received(mjcf, assets)
     except (ValueError, KeyError) as error:
         raise UserError(f"{path}: the files of its figure: {error}") from None
     figure = _compiled(scene, path) if scene is not None else needs_figure(model, path)
     names = [figure.joint(i).name for i in range(figure.njnt)]
-    if "joint_names" in found and found.texts("joint_names") != names:
+    if "joint_names" in arrays and arrays.texts("joint_names") != names:
         raise UserError(
-            f"{path}: its joints are {', '.join(found.texts('joint_names'))}; the figure's {', '.join(names)}"
+            f"{path}: its joints are {', '.join(arrays.texts('joint_names'))}; the figure's {', '.join(names)}"
         )
-    qpos = found.numbers("qpos", "samples", figure.nq)
-    rate = found.rate("fps") if "fps" in found else fps
-    time = _time(found, len(qpos), rate)
+    qpos = arrays.numbers("qpos", "samples", figure.nq)
+    rate = arrays.rate("fps") if "fps" in arrays else fps
+    time = _time(arrays, len(qpos), rate)
     result = layouts.recording(
-        figure, time, {(): lambda: qpos}, scalar_last=None if "mjcf" in found else False,
-        has_names="joint_names" in found,
-        bodies=body_poses(found), fps=rate,
+        figure, time, {(): lambda: qpos}, scalar_last=None if "mjcf" in arrays else False,
+        has_names="joint_names" in arrays,
+        bodies=body_poses(arrays), fps=rate,
     )  # fmt: skip
     return result if mjcf is None else replace(result, mjcf=mjcf, assets=assets, others=())
 

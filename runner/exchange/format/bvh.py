@@ -38,8 +38,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
 
     fps is unused: the files contain their rate. scale [m]: the file's unit of length, inferred if not given
     """
-    found, rate = bvh_file.read(path)
-    return recording(found, rate, path, model, scale)
+    skeleton, rate = bvh_file.read(path)
+    return recording(skeleton, rate, path, model, scale)
 
 
 def recording(

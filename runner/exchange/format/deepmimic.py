@@ -65,13 +65,13 @@ def write(take: Take, path: Path) -> None:
         if name == "neck":
             columns.append(np.tile([1.0, 0, 0, 0], (len(steps), 1)))
             continue
-        own = person.rotation(whole.qpos, OURS.get(name, name))
+        rotations = person.rotation(whole.qpos, OURS.get(name, name))
         if width == 4:
-            columns.append(_their_rotation(own))
+            columns.append(_their_rotation(rotations))
             continue
-        angle = 2 * np.arctan2(own[:, 2], own[:, 0])
+        angle = 2 * np.arctan2(rotations[:, 2], rotations[:, 0])
         bent = quat.from_rotation_vector(angle[:, None] * np.array([0, 1.0, 0]))
-        lost[name] = float(quat.angle_between(bent, own).max())
+        lost[name] = float(quat.angle_between(bent, rotations).max())
         columns.append(-np.unwrap(angle)[:, None])
     worst = max(lost, key=lambda name: lost[name])
     if lost[worst] > LOST:
@@ -95,8 +95,8 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Their humanoid's motion on a person; raises UserError for other skeletons, of other numbers a frame."""
     person = Person.of(needs_figure(model, path), NAME)
-    found = Held(path, _parsed(path))
-    frames = found.numbers("Frames", "frames", "numbers")
+    content = Held(path, _parsed(path))
+    frames = content.numbers("Frames", "frames", "numbers")
     if frames.shape[1] != WIDTH:
         names = ", ".join(name for name, _ in JOINTS)
         raise UserError(f"{path}: {frames.shape[1]} numbers a frame, not the humanoid's {WIDTH}: time, root, {names}")
@@ -118,7 +118,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     steps = frames[:-1, 0]
     rate = float(1 / steps.mean()) if steps.size and np.ptp(steps) < 1e-9 else None
     return Recording(
-        np.concatenate([[0.0], np.cumsum(steps)]), qpos, fps=rate, loops=found.entries.get("Loop") == "wrap"
+        np.concatenate([[0.0], np.cumsum(steps)]), qpos, fps=rate, loops=content.entries.get("Loop") == "wrap"
     )
 
 
@@ -130,9 +130,9 @@ def _our_rotation(part: Array, name: str, path: Path) -> Array:
 
 def _parsed(path: Path) -> dict[str, Any]:
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
+        content = json.loads(path.read_text(encoding="utf-8"))
     except (ValueError, RecursionError) as error:
         raise UserError(f"{path}: not JSON: {' '.join(str(error).split())}") from None
-    if not isinstance(found, dict):
+    if not isinstance(content, dict):
         raise UserError(f"{path}: a list, not an object with 'Loop' and 'Frames'")
-    return found
+    return content

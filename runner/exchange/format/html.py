@@ -53,8 +53,8 @@ def content(take: Take) -> dict[str, Any]:
     changed = any(
         np.abs(getattr(before, part) - getattr(take.bodies, part)).max() > SAME for part in ("position", "rotation")
     )
-    seen = pieces(model)
-    moving = sorted({piece.body for piece in seen if not is_still(model, piece)}) or list(range(1, model.nbody))
+    visible = pieces(model)
+    moving = sorted({piece.body for piece in visible if not is_still(model, piece)}) or list(range(1, model.nbody))
     places = take.bodies.position[:, moving]
     extent = float(np.ptp(places, axis=(0, 1))[:2].max())
     return {

@@ -87,33 +87,33 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     Raises UserError for files of several motions, and for other joints than the figure's.
     """
     model = needs_figure(model, path)
-    found = held(path)
-    if "qpos" not in found and any(name.startswith(BEFORE) for name in found.entries):
-        return _before_1_0(found, model, path, fps)
-    if "qpos" not in found and "states" in found:
+    arrays = held(path)
+    if "qpos" not in arrays and any(name.startswith(BEFORE) for name in arrays.entries):
+        return _before_1_0(arrays, model, path, fps)
+    if "qpos" not in arrays and "states" in arrays:
         raise UserError(
             f"{path}: a data set of observations for imitation learning, which leave out the root's place; load the "
             "trajectory that it was made of with LocoMuJoCo 1.0, and save that"
         )
-    declared = _declared(found, path)
-    names, kinds = found.texts("joint_names"), found.numbers("jnt_type", "joints").astype(int).tolist()
+    declared = _declared(arrays, path)
+    names, kinds = arrays.texts("joint_names"), arrays.numbers("jnt_type", "joints").astype(int).tolist()
     if len(kinds) != len(names) or not set(kinds) <= WIDTHS.keys() or kinds.count(0) != 1:
         raise UserError(f"{path}: 'jnt_type' must list one free joint and one hinge for each of 'joint_names'")
     starts = np.cumsum([0, *(WIDTHS[kind] for kind in kinds)]).tolist()
-    qpos = found.numbers("qpos", "samples", starts[-1])
+    qpos = arrays.numbers("qpos", "samples", starts[-1])
     if declared > len(qpos):
-        found.check_samples("split_points", (declared,))
+        arrays.check_samples("split_points", (declared,))
     root = starts[kinds.index(0)]
     hinges = [i for i, kind in enumerate(kinds) if kind != 0]
     rotation = Held(path, {"qpos (the root's quaternion)": qpos[:, root + 3 : root + 7]})
     turned = rotation.quaternions("qpos (the root's quaternion)", "samples", 4)
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
-    rate = found.rate("frequency", fps)
+    rate = arrays.rate("frequency", fps)
     readings: dict[tuple[str, ...], layouts.Reading] = {
         (): partial(configurations, model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
     }
     return layouts.recording(
-        model, times(len(qpos), rate), readings, scalar_last=False, bodies=body_poses(found), fps=rate
+        model, times(len(qpos), rate), readings, scalar_last=False, bodies=body_poses(arrays), fps=rate
     )
 
 

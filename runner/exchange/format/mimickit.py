@@ -52,10 +52,10 @@ class Part:
 
     def numbers(self, qpos: Array) -> Array:
         """(T, width) of a frame, of configurations (T, nq)."""
-        own = qpos[:, self.columns] - (self.rest or 0.0)
+        values = qpos[:, self.columns] - (self.rest or 0.0)
         if len(self.columns) == 1:
-            return own
-        return quat.rotation_vector(own if self.order is None else rotation_of(own, self.order))
+            return values
+        return quat.rotation_vector(values if self.order is None else rotation_of(values, self.order))
 
     def configuration(self, numbers: Array) -> Array:
         """The columns of qpos, of (T, width) numbers."""
@@ -84,14 +84,14 @@ def parts(model: mujoco.MjModel) -> tuple[int, list[Part]]:
 
 
 def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
-    own = [int(model.jnt_type[joint]) for joint in joints]
+    types = [int(model.jnt_type[joint]) for joint in joints]
     columns = [int(model.jnt_qposadr[joint]) for joint in joints]
-    if own == [BALL]:
+    if types == [BALL]:
         return Part([columns[0] + n for n in range(4)])
     rest = tuple(model.qpos0[columns].tolist())
-    if own == [HINGE]:
+    if types == [HINGE]:
         return Part(columns, rest=rest)
-    if own == [HINGE] * 3:
+    if types == [HINGE] * 3:
         axes = [model.jnt_axis[joint] for joint in joints]
         order = "".join("xyz"[int(np.argmax(axis))] for axis in axes)
         if sorted(order) == list("xyz") and all(axis.max() > 1 - 1e-9 for axis in axes):
@@ -128,9 +128,9 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """The figure's joints in its order: the file has no names, only as many numbers."""
     figure = needs_figure(model, path)
     root, joints = parts(figure)
-    found = plain_pickle.load(path)
-    rate = found.rate("fps", fps)
-    frames = found.numbers("frames", "T", "numbers")
+    content = plain_pickle.load(path)
+    rate = content.rate("fps", fps)
+    frames = content.numbers("frames", "T", "numbers")
     width = 6 + sum(part.width for part in joints)
     if frames.shape[1] != width:
         raise UserError(
@@ -144,6 +144,6 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     for part in joints:
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
         start += part.width
-    loops = "loop_mode" in found and found.whole("loop_mode") == WRAP
+    loops = "loop_mode" in content and content.whole("loop_mode") == WRAP
     time = times(len(frames), rate)
     return layouts.recording(figure, time, {(): lambda: qpos}, has_names=False, fps=rate, loops=loops)

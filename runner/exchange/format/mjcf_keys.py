@@ -70,27 +70,27 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     written = [np.array(key.qpos) for key in spec.keys]
     try:
         with quietly():
-            own = spec.compile()
+            compiled = spec.compile()
     except ValueError as error:
         raise UserError(f"{path}: MuJoCo cannot compile it: {first_line(error)}") from None
-    if own.nkey < 2:
-        raise UserError(f"{path}: the model has {own.nkey or 'no'} <key> elements; a motion needs two or more")
-    qpos = np.array(own.key_qpos)
+    if compiled.nkey < 2:
+        raise UserError(f"{path}: the model has {compiled.nkey or 'no'} <key> elements; a motion needs two or more")
+    qpos = np.array(compiled.key_qpos)
     for i, row in enumerate(written):
-        if row.size not in (0, own.nq):
-            raise UserError(f"{path}: qpos of key {i + 1} has {row.size} numbers, not the figure's {own.nq}")
+        if row.size not in (0, compiled.nq):
+            raise UserError(f"{path}: qpos of key {i + 1} has {row.size} numbers, not the figure's {compiled.nq}")
         if row.size:
             qpos[i] = row  # as written: MuJoCo makes quaternions unit
-    found = Held(path, {"time": np.array(own.key_time), "qpos": qpos})
-    time = found.numbers("time", "keys")
+    keys = Held(path, {"time": np.array(compiled.key_time), "qpos": qpos})
+    time = keys.numbers("time", "keys")
     if not np.any(time != time[0]):
         raise UserError(f"{path}: all its keys are of the time {time[0]:g}; a motion's times rise")
-    wanted = own.nq if model is None else model.nq
-    if wanted != own.nq:
-        raise UserError(f"{path}: its qpos has {own.nq} numbers; the figure's {wanted}")
+    wanted = compiled.nq if model is None else model.nq
+    if wanted != compiled.nq:
+        raise UserError(f"{path}: its qpos has {compiled.nq} numbers; the figure's {wanted}")
     for key in list(spec.keys):
         remove(spec, key)
-    values = found.numbers("qpos", "keys", wanted)
+    values = keys.numbers("qpos", "keys", wanted)
     if model is not None:
         return Recording(time, values)
     assets = taken_along(spec)

@@ -65,13 +65,13 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Root and hinges, verified by the bodies; by name where the file has names, else in the figure's order."""
     model = needs_figure(model, path)
-    found = held(path)
-    rate = found.rate("fps", fps)
-    joints = found.numbers("joint_pos", "samples", "joints")
-    position = found.numbers("body_pos_w", "samples", "bodies", 3)
-    rotation = found.quaternions("body_quat_w", "samples", "bodies", 4)
-    names = found.texts("joint_names") if "joint_names" in found else None
-    body_names = found.texts("body_names") if "body_names" in found else None
+    arrays = held(path)
+    rate = arrays.rate("fps", fps)
+    joints = arrays.numbers("joint_pos", "samples", "joints")
+    position = arrays.numbers("body_pos_w", "samples", "bodies", 3)
+    rotation = arrays.quaternions("body_quat_w", "samples", "bodies", 4)
+    names = arrays.texts("joint_names") if "joint_names" in arrays else None
+    body_names = arrays.texts("body_names") if "body_names" in arrays else None
     readings: dict[tuple[str, ...], layouts.Reading] = {}
     for words, body in _roots(model, body_names, position.shape[1]).items():
         root = position[:, body], rotation[:, body]

@@ -130,7 +130,7 @@ class _File:
             if len(order) > count:
                 break
         if len(order) != count or len(set(order)) != count:
-            raise UserError(f"{self.path}: its nodes are no trees: some are their own ancestors, or have two parents")
+            raise UserError(f"{self.path}: its nodes are not trees: some are their own ancestors, or have two parents")
         return order, parents
 
     def _placed(

@@ -70,10 +70,10 @@ class _Unpickler(InPython):
 
     def find_class(self, module: str, name: str) -> Any:
         """The safe constructor of a name."""
-        found = CONSTRUCTORS.get((module, name))
-        if found is None:
+        constructor = CONSTRUCTORS.get((module, name))
+        if constructor is None:
             raise Refused(f"{module}.{name}")
-        return found
+        return constructor
 
     def count(self) -> None:
         """Count an instruction; raises UserError once they come to more memory than a file may."""
@@ -92,12 +92,12 @@ class _Unpickler(InPython):
     def load_build(self) -> None:
         """Complete an array or a type by its state; nothing else has one."""
         state = self.stack.pop()
-        made = self.stack[-1]
-        if not isinstance(made, Unfinished):
+        unfinished = self.stack[-1]
+        if not isinstance(unfinished, Unfinished):
             raise Refused("a state of an object without one")
-        made.value = made.complete(state)
-        if isinstance(made.value, Trailing):
-            made.value = made.value.read(self.stream, _Unpickler(self.stream, self.size, self.where).load)
+        unfinished.value = unfinished.complete(state)
+        if isinstance(unfinished.value, Trailing):
+            unfinished.value = unfinished.value.read(self.stream, _Unpickler(self.stream, self.size, self.where).load)
 
     def load_bytearray8(self) -> None:
         """As in Python, but without making room for bytes that are not there."""
@@ -107,8 +107,8 @@ class _Unpickler(InPython):
 def _checked(name: str) -> tuple[int, Callable[[_Unpickler], None]]:
     """An instruction's code, and what it does with its checks."""
     code = getattr(pickle, name)[0]
-    own = {"BUILD": _Unpickler.load_build, "BYTEARRAY8": _Unpickler.load_bytearray8}
-    run = own.get(name) or InPython.dispatch[pickle.REDUCE[0] if name == "NEWOBJ" else code]
+    overrides = {"BUILD": _Unpickler.load_build, "BYTEARRAY8": _Unpickler.load_bytearray8}
+    run = overrides.get(name) or InPython.dispatch[pickle.REDUCE[0] if name == "NEWOBJ" else code]
 
     def checked(unpickler: _Unpickler) -> None:
         unpickler.count()
@@ -122,7 +122,7 @@ class _Instructions(dict[int, Callable[[_Unpickler], None]]):
     """The instructions of plain data."""
 
     def __missing__(self, code: int) -> Any:
-        name = next((each.name for each in pickletools.opcodes if each.code == chr(code)), None)
+        name = next((opcode.name for opcode in pickletools.opcodes if opcode.code == chr(code)), None)
         if name is None:
             raise ValueError(f"no instruction {code}")
         raise Refused(name)

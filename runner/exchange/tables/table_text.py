@@ -142,9 +142,9 @@ def is_cut(cell: str, number: float, above: Sequence[tuple[str, float | None]]) 
     if match is None or not matches:
         return False
     if match["exponent"]:
-        return len(match["exponent"]) < min((len(each["exponent"]) for each in matches if each["exponent"]), default=2)
+        return len(match["exponent"]) < min((len(row["exponent"]) for row in matches if row["exponent"]), default=2)
     decimals = len(match["decimals"] or "")
-    least = min((len(each["decimals"] or "") for each in matches if not each["exponent"]), default=None)
+    least = min((len(row["decimals"] or "") for row in matches if not row["exponent"]), default=None)
     if least is None or decimals < min(least, PRECISE):
         return True
     values = np.array([value for _, value in above if value is not None and np.isfinite(value)])
@@ -160,7 +160,7 @@ def _lines(path: Path) -> tuple[list[str], list[str], str | None, bool]:
     except UnicodeDecodeError as error:
         raise UserError(f"{path}: not a table of text: {error}") from None
     if "\0" in text:
-        raise UserError(f"{path}: not a table of text: it holds bytes of nought")
+        raise UserError(f"{path}: not a table of text: it contains zero bytes")
     lines: list[str] = []
     comments: list[str] = []
     heading = None

@@ -18,17 +18,17 @@ def set_contact(
     tree: Blocks, *, point: str, begin: float, end: float, index: int | None = None, position: Any = None
 ) -> str:
     """A new contact of a point from one time to another [s], or an old one, by number, at other times."""
-    said: dict[str, Any] = {"point": point, **_span(begin, end, f"the contact of {point}")}
+    entries: dict[str, Any] = {"point": point, **_span(begin, end, f"the contact of {point}")}
     if position is not None:
-        said["position"] = numbers(position, f"where {point} rests")
-    _put(tree, "contact", said, index)
+        entries["position"] = numbers(position, f"where {point} rests")
+    _put(tree, "contact", entries, index)
     return f"{'change the' if index is not None else 'a'} contact of {point}"
 
 
 def set_hold(tree: Blocks, *, hand: str, body: str, begin: float, end: float, index: int | None = None) -> str:
     """A new hold of a hand on a body, or an old one, by number, at other times."""
-    said = {"hand": hand, "body": body, **_span(begin, end, f"the hold of {hand}")}
-    _put(tree, "hold", said, index)
+    entries = {"hand": hand, "body": body, **_span(begin, end, f"the hold of {hand}")}
+    _put(tree, "hold", entries, index)
     return f"{'change the' if index is not None else 'a'} hold of {hand} on {body}"
 
 
@@ -61,10 +61,10 @@ def set_weight(tree: Blocks, *, kind: str, weight: float | None, part: str = "")
     """The weight of a soft constraint, or of a part of it; None for its default."""
     if not part:
         return set_option(tree, kind=kind, option="weight", value=weight)
-    known, record = _penalty(tree, kind), KINDS.get(kind)
-    if record is None or part not in {each.name for each in record.parts}:
+    table, record = _penalty(tree, kind), KINDS.get(kind)
+    if record is None or part not in {available.name for available in record.parts}:
         raise UserError(f"'{kind}' has no part '{part}'")
-    listed = {} if known is None else known.unwrap()
+    listed = {} if table is None else table.unwrap()
     before = listed.get("weight", {})
     if not isinstance(before, dict):
         before = record.weights(record.options.model_validate({k: v for k, v in listed.items() if k != "kind"}))
@@ -92,12 +92,12 @@ def set_option(tree: Blocks, *, kind: str, option: str, value: Any) -> str:
     elif option in table:
         del table[option]
         if set(table) == {"kind"}:
-            remove(tree, "penalty", [each.table["kind"] for each in tree.rows("penalty")].index(kind))
+            remove(tree, "penalty", [row.table["kind"] for row in tree.rows("penalty")].index(kind))
     return what
 
 
 def _penalty(tree: Blocks, kind: str) -> Any:
-    return next((each.table for each in tree.rows("penalty") if each.table["kind"] == kind), None)
+    return next((row.table for row in tree.rows("penalty") if row.table["kind"] == kind), None)
 
 
 def set_solve(tree: Blocks, *, option: str, value: Any) -> str:

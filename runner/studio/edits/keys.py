@@ -74,9 +74,9 @@ def add_key(tree: Blocks, *, said: Mapping[str, Any]) -> str:
 
 def delete_keys(tree: Blocks, *, keys: Sequence[int]) -> str:
     """Fewer keyframes; raises UserError if fewer than two would be left, but for edits of a recording."""
-    left = len(times(tree)) - len(set(keys))
-    if left < 2 and tree.table("recording") is None:
-        raise UserError(f"a clip needs two keyframes; {left if left > 0 else 'none'} would be left")
+    remaining = len(times(tree)) - len(set(keys))
+    if remaining < 2 and tree.table("recording") is None:
+        raise UserError(f"a clip needs two keyframes; {remaining if remaining > 0 else 'none'} would be left")
     for index in sorted(set(keys), reverse=True):
         remove(tree, "keyframe", index)
     return "delete a keyframe" if len(keys) == 1 else f"delete {len(keys)} keyframes"
@@ -87,21 +87,21 @@ def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], at: float) 
     if not copied:
         raise UserError("nothing has been copied: select keyframes and press Ctrl-C first")
     begin = float(copied[0]["time"])
-    for said in copied:
-        add_key(tree, said={**said, "time": number(at, "the time") + float(said["time"]) - begin})
+    for key in copied:
+        add_key(tree, said={**key, "time": number(at, "the time") + float(key["time"]) - begin})
     return "paste a keyframe" if len(copied) == 1 else f"paste {len(copied)} keyframes"
 
 
 def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:
     """Replace the entries of keyframes by index, keeping their times; unchanged entries keep their lines."""
-    for index, said in keys.items():
+    for index, entries in keys.items():
         table = row(tree, "keyframe", int(index))
         for group in DOTTED:
-            for name in [each for each in table.get(group, {}) if each not in said.get(group, {})]:
+            for name in [old_name for old_name in table.get(group, {}) if old_name not in entries.get(group, {})]:
                 drop_dotted(table, group, name)
-        if "others" in table and "others" not in said:
+        if "others" in table and "others" not in entries:
             del table["others"]
-        for key, value in said.items():
+        for key, value in entries.items():
             _say(table, key, value)
     return words
 

@@ -22,18 +22,18 @@ def add_obstacle(tree: Blocks, *, kind: str, at: list[float] | None = None) -> s
     """Add an obstacle near a position [m]; there is at most one step."""
     if kind not in NEW:
         raise UserError(f"no obstacle '{kind}'; there are: {', '.join(NEW)}")
-    said = dict(NEW[kind])
-    if at is not None and "position" in said:
-        said["position"] = [*numbers(at, "the position", 2), said["position"][2]]
+    entries = dict(NEW[kind])
+    if at is not None and "position" in entries:
+        entries["position"] = [*numbers(at, "the position", 2), entries["position"][2]]
     if kind != "step":
         if kind in (tree.table("scene") or {}) and not tree.rows("scene", kind):
             raise UserError(f"'scene.{kind}' is written as a list; write [[scene.{kind}]] tables to add one here")
-        add(tree, ("scene", kind), said)
+        add(tree, ("scene", kind), entries)
         return f"add a {kind}"
     if tree.table("scene", "step") is not None:
         raise UserError("the clip already has a step, and at most one is allowed; add a box instead")
     scene = tree.table("scene", make=True)
-    scene.append("step", item({**said, "x": round(float(at[0]), 2) if at else said["x"]}))
+    scene.append("step", item({**entries, "x": round(float(at[0]), 2) if at else entries["x"]}))
     return "add a step"
 
 
@@ -51,7 +51,9 @@ def set_obstacle(tree: Blocks, *, kind: str, index: int, said: Mapping[str, Any]
 def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
     """Remove an obstacle."""
     _found(tree, kind, index)
-    block = next((each for each in tree.blocks if not each.is_row and each.path == ("scene", "step")), None)
+    block = next(
+        (candidate for candidate in tree.blocks if not candidate.is_row and candidate.path == ("scene", "step")), None
+    )
     if kind == "step" and block is None:
         del tree.table("scene")["step"]
     else:
@@ -62,10 +64,10 @@ def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
 def _found(tree: Blocks, kind: str, index: int) -> Any:
     """Its table; raises UserError if there is none."""
     if kind == "step":
-        found = tree.table("scene", "step")
+        table = tree.table("scene", "step")
     else:
-        known = tree.rows("scene", kind)
-        found = known[index].table if 0 <= index < len(known) else None
-    if found is None:
+        rows = tree.rows("scene", kind)
+        table = rows[index].table if 0 <= index < len(rows) else None
+    if table is None:
         raise UserError(f"there is no {kind} {index + 1} any more")
-    return found
+    return table

@@ -28,10 +28,10 @@ def _turned(value: Any, what: str) -> Any:
     if value == "free":
         return value
     if isinstance(value, Mapping):
-        said = {name: numbers(value[name], what, count) for name, count in ROTATIONS.items() if name in value}
-        if not said:
+        rotation = {name: numbers(value[name], what, count) for name, count in ROTATIONS.items() if name in value}
+        if not rotation:
             raise UserError(f"{what}: give a rotation, {', '.join(ROTATIONS)}")
-        return said
+        return rotation
     return number(value, what)
 
 
@@ -39,10 +39,10 @@ def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = No
     """Where the root is, each axis a number [m] or "free", and how it is turned; further free bodies by their joint."""
     table = row(tree, "keyframe", key)
     parts = {"position": position, "rotation": rotation}
-    said = {part: value for part, value in parts.items() if value is not None}
-    _put_body(table, joint, said)
+    entries = {part: value for part, value in parts.items() if value is not None}
+    _put_body(table, joint, entries)
     what = joint or "the root"
-    return f"free {what}" if all(value == "free" for value in said.values()) else f"place {what}"
+    return f"free {what}" if all(value == "free" for value in entries.values()) else f"place {what}"
 
 
 def _put_body(table: Any, joint: str, said: Mapping[str, Any]) -> None:
@@ -83,8 +83,8 @@ def set_pose(
     table = row(tree, "keyframe", key)
     for name, value in joints.items():
         put_dotted(table, "joints", name, _turned(value, name))
-    for joint, said in {"": root or {}, **(roots or {})}.items():
-        _put_body(table, joint, said)
+    for joint, pose in {"": root or {}, **(roots or {})}.items():
+        _put_body(table, joint, pose)
     for name in places:
         drop_dotted(table, "sites", name)
         drop_dotted(table, "bodies", name)

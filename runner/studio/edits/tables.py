@@ -44,10 +44,10 @@ class Block:
         """Its entries, to be changed."""
         if self.tree is None:
             self.tree = tomlkit.parse(self.text)
-        found: Any = self.tree
+        node: Any = self.tree
         for key in self.path:
-            found = found[key]
-        return found[0] if isinstance(found, AoT) else found
+            node = node[key]
+        return node[0] if isinstance(node, AoT) else node
 
     def written(self) -> str:
         """Its text as it is by now."""
@@ -74,11 +74,11 @@ class Blocks:
         except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
             raise UserError(f"{where}: not valid TOML: {error}") from None
         heads: list[tuple[int, tuple[str, ...], bool]] = [(0, (), False)]
-        for found in HEADER.finditer(text):
-            path = tuple(part.strip("\"'") for part in re.findall(KEY, found[2]))
-            is_row, (_, above, in_row) = len(found[1]) == 2, heads[-1]
-            if len(found[1]) == len(found[3]) and not (in_row and path[: len(above)] == above != path):
-                heads.append((found.start(), path, is_row))
+        for header in HEADER.finditer(text):
+            path = tuple(part.strip("\"'") for part in re.findall(KEY, header[2]))
+            is_row, (_, above, in_row) = len(header[1]) == 2, heads[-1]
+            if len(header[1]) == len(header[3]) and not (in_row and path[: len(above)] == above != path):
+                heads.append((header.start(), path, is_row))
         ends = [start for start, _, _ in heads[1:]] + [len(text)]
         out = cls([_block(path, is_row, text[at:end]) for (at, path, is_row), end in zip(heads, ends, strict=True)])
         out._check(said, where)
@@ -112,15 +112,15 @@ class Blocks:
             for block in self.blocks:
                 if block.is_row or block.path != path[:depth]:
                     continue
-                found: Any = block.table
+                node: Any = block.table
                 for key in path[depth:]:
-                    found = found.get(key) if found is not None else None
-                if found is not None:
-                    return found
+                    node = node.get(key) if node is not None else None
+                if node is not None:
+                    return node
         if not make:
             return None
         block = _block(path, False, f"[{'.'.join(path)}]\n\n")
-        at = next((i for i, each in enumerate(self.blocks) if i and each.path != ("scene",)), len(self.blocks))
+        at = next((i for i, block_ in enumerate(self.blocks) if i and block_.path != ("scene",)), len(self.blocks))
         self.insert(at, block)
         return block.table
 
@@ -148,10 +148,10 @@ def _block(path: tuple[str, ...], is_row: bool, text: str) -> Block:
 
 def row(blocks: Blocks, name: str, index: Any) -> Any:
     """One of the [[name]] tables; raises UserError for a number that is none of theirs."""
-    found = blocks.rows(name)
-    if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(found):
+    rows = blocks.rows(name)
+    if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(rows):
         raise UserError(f"there is no {name} {index if not isinstance(index, int) else index + 1} any more")
-    return found[index].table
+    return rows[index].table
 
 
 def number(value: Any, what: str) -> float:
@@ -233,13 +233,13 @@ def add(blocks: Blocks, path: tuple[str, ...], said: Mapping[str, Any], index: i
     fill(table, said)
     name = ".".join(item_key(key) for key in path)
     block = Block(path, True, f"[[{name}]]\n{table.as_string()}", "\n")
-    known = blocks.rows(*path)
-    if known and (index is None or index >= len(known)):
-        at = blocks.blocks.index(known[-1]) + 1
-    elif known:
-        at = blocks.blocks.index(known[index or 0])
+    rows = blocks.rows(*path)
+    if rows and (index is None or index >= len(rows)):
+        at = blocks.blocks.index(rows[-1]) + 1
+    elif rows:
+        at = blocks.blocks.index(rows[index or 0])
     else:
-        at = next((i for i, each in enumerate(blocks.blocks) if each.path == ("keyframe",)), len(blocks.blocks))
+        at = next((i for i, item in enumerate(blocks.blocks) if item.path == ("keyframe",)), len(blocks.blocks))
     blocks.insert(at, block)
 
 

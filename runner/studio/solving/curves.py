@@ -39,11 +39,11 @@ def curves(clip: Clip, found: Solution) -> dict[str, Any]:
     sides = {"after": found.timeline}
     if found.timeline is not found.raw:
         sides["before"] = found.raw
-    told = {side: _side(clip, timeline, time) for side, timeline in sides.items()}
+    by_side = {side: _side(clip, timeline, time) for side, timeline in sides.items()}
     groups = []
     for name, unit in (("angle", "°"), ("speed", "°/s"), ("height of feet", "m"), ("torque", "N m")):
-        names = list(told["after"][name])
-        series = [{"name": each, **{side: told[side][name].get(each, []) for side in told}} for each in names]
+        names = list(by_side["after"][name])
+        series = [{"name": label, **{side: by_side[side][name].get(label, []) for side in by_side}} for label in names]
         groups.append({"name": name, "unit": unit, "series": series})
     groups.append({"name": "E by segment", "unit": "1/s", "series": _by_term(clip, found, time)})
     groups += _deviation(clip, sides, time)
@@ -96,8 +96,8 @@ def _angle(figure: Figure, index: int, qpos: Array) -> Array:
 def _size(figure: Figure, index: int, values: Array) -> Array:
     """(T,) the length of a joint's share of velocities or forces (T, nv), of a free one its rotation's."""
     link = figure.links[index]
-    own = values[:, link.dof : link.dof + SIZE[link.kind]]
-    return np.linalg.norm(own[:, -3:], axis=1) if own.shape[1] > 1 else own[:, 0]
+    components = values[:, link.dof : link.dof + SIZE[link.kind]]
+    return np.linalg.norm(components[:, -3:], axis=1) if components.shape[1] > 1 else components[:, 0]
 
 
 def _heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
@@ -113,14 +113,14 @@ def _heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
 def _by_term(clip: Clip, found: Solution, time: Array) -> list[dict[str, Any]]:
     """Of every term what it adds to E a second, between frames."""
     objective, edges = clip.problem.objective, found.timeline.times
-    told: dict[str, dict[str, list[float]]] = {}
+    by_term: dict[str, dict[str, list[float]]] = {}
     for side, timeline in (("after", found.timeline), ("before", found.raw)):
         parts = segment_integrals(objective, path_of(timeline), edges) / np.diff(edges)[:, None]
         at = np.clip(np.searchsorted(edges, time, side="right") - 1, 0, edges.size - 2)
-        told.setdefault("all", {})[side] = _rounded(parts.sum(axis=1)[at])
+        by_term.setdefault("all", {})[side] = _rounded(parts.sum(axis=1)[at])
         for k, term in enumerate(objective.terms):
-            told.setdefault(term.penalty.name, {})[side] = _rounded(parts[at, k])
-    return [{"name": name, **sides} for name, sides in told.items()]
+            by_term.setdefault(term.penalty.name, {})[side] = _rounded(parts[at, k])
+    return [{"name": name, **sides} for name, sides in by_term.items()]
 
 
 def _rounded(values: Array, digits: int = DIGITS) -> list[float]:

@@ -27,7 +27,7 @@ def stage(clip: Clip) -> bytes:
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     places = data.xpos[moving or [0]]
-    told = {
+    description = {
         "bodies": hierarchy.names(model),
         "parents": model.body_parentid.tolist(),
         "still": [bool(model.body_weldid[body] == 0) for body in range(model.nbody)],
@@ -38,7 +38,7 @@ def stage(clip: Clip) -> bytes:
         "limbs": limbs(figure),
         **drawn(model, FLOOR),
     }
-    return json.dumps(told, separators=(",", ":")).encode()
+    return json.dumps(description, separators=(",", ":")).encode()
 
 
 def _joint(figure: Figure, index: int) -> dict[str, Any]:
@@ -61,13 +61,13 @@ def _joint(figure: Figure, index: int) -> dict[str, Any]:
 
 def _sites(figure: Figure) -> list[dict[str, Any]]:
     model = figure.model
-    found = []
+    entries = []
     for name in posable_sites(model):
         site = model.site(name).id
         body = int(model.site_bodyid[site])
         if model.body_weldid[body]:
-            found.append({"name": name, "body": body, "offset": [round(float(x), 5) for x in model.site_pos[site]]})
-    return found
+            entries.append({"name": name, "body": body, "offset": [round(float(x), 5) for x in model.site_pos[site]]})
+    return entries
 
 
 def _sole(figure: Figure, point: Any) -> dict[str, Any]:
@@ -87,24 +87,24 @@ def limbs(figure: Figure) -> list[dict[str, Any]]:
     """
     parents = figure.tables.parents
     carries = {int(parents[i]) for i in range(1, len(figure.links))}
-    found: list[dict[str, Any]] = []
-    taken: set[int] = set()
+    rows: list[dict[str, Any]] = []
+    assigned: set[int] = set()
     for i in range(1, len(figure.links)):
         if i in carries or figure.links[i].kind is JointKind.FREE:
             continue
         links = limb(figure, figure.links[i].body)
         body = figure.links[i].body
         joints = [figure.links[j].name for j in reversed(links)]
-        found.append({"name": _called(figure, links), "joints": joints, "end": int(body)})
-        taken |= set(links)
+        rows.append({"name": _called(figure, links), "joints": joints, "end": int(body)})
+        assigned |= set(links)
     bodies = [i for i in range(1, len(figure.links)) if figure.links[i].kind is JointKind.FREE and i not in carries]
-    bodies = [i for i in bodies if i not in taken and i != _root(figure)]
-    trunk = [i for i in range(1, len(figure.links)) if i not in taken and i not in bodies]
+    bodies = [i for i in bodies if i not in assigned and i != _root(figure)]
+    trunk = [i for i in range(1, len(figure.links)) if i not in assigned and i not in bodies]
     if trunk:
         names = [figure.links[i].name for i in trunk]
-        found.insert(0, {"name": "root and trunk", "joints": names, "end": int(figure.links[trunk[0]].body)})
-    own = [figure.links[i] for i in bodies]
-    return found + [{"name": link.name, "joints": [link.name], "end": int(link.body)} for link in own]
+        rows.insert(0, {"name": "root and trunk", "joints": names, "end": int(figure.links[trunk[0]].body)})
+    remaining = [figure.links[i] for i in bodies]
+    return rows + [{"name": link.name, "joints": [link.name], "end": int(link.body)} for link in remaining]
 
 
 def _root(figure: Figure) -> int:
@@ -116,7 +116,7 @@ def _called(figure: Figure, links: list[int]) -> str:
     """A limb by its names: what is common to them is its side."""
     first, last = figure.links[links[-1]].name, figure.links[links[0]].name
     words = f"{first} {last}".lower()
-    side = next((each for each in ("left", "right") if each in words), "")
+    side = next((word for word in ("left", "right") if word in words), "")
     kinds = {"arm": ("shoulder", "arm", "elbow", "wrist", "hand"), "leg": ("hip", "knee", "ankle", "foot", "leg")}
     kind = next((kind for kind, parts in kinds.items() if any(part in words for part in parts)), "")
     return f"{side} {kind}" if side and kind else (first if first == last else f"{first} … {last}")

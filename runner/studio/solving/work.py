@@ -147,20 +147,20 @@ class Work:
         """
         self._is_going, self._astray = go, None
         before, solution = self.clip, self.found
-        known, self._foreseen = self._foreseen, None
-        if known is not None and (first or found is not None or not known.is_of(text, before)):
-            known = None
-        clip = known.clip if known is not None else self._loaded(text, name, place, folder, None if first else before)
+        ahead, self._foreseen = self._foreseen, None
+        if ahead is not None and (first or found is not None or not ahead.is_of(text, before)):
+            ahead = None
+        clip = ahead.clip if ahead is not None else self._loaded(text, name, place, folder, None if first else before)
         has_ground = before is not None and clip.figure is before.figure
         self.clip, self.revision, self._is_cut = clip, revision, False
         if not has_ground:
             figure = pickle.dumps((clip.scene, clip.figure.coordinates))
             self._send({"is": "stage", "stage": stage(clip), "figure": figure})
-        said = outline(text, place)
-        self._tell("loaded", revision=revision, notes=list(clip.notes), outline=said, **_shape(clip))
+        content = outline(text, place)
+        self._tell("loaded", revision=revision, notes=list(clip.notes), outline=content, **_shape(clip))
         self._owes_raw = True
-        if known is not None:
-            self._take_up(known, go=go)
+        if ahead is not None:
+            self._take_up(ahead, go=go)
             return
         path = None if found is None else pickle.loads(found)  # data of this program only
         begin, between = self._begin(clip, before, solution, first=first, found=path)
@@ -191,25 +191,25 @@ class Work:
             begin, between = self._begin(clip, before, self.found, first=False, found=None)
             if clip.figure is before.figure and begin is not None:
                 ahead = self._foreseen = Foreseen(before, clip, begin, between)
-                found = self._lowered(clip, begin, between, lambda improvement: None)
-                if found is not None and found.evaluations > 1:  # the first evaluation is the initial guess
-                    self._foreseen = replace(ahead, found=found)
+                solution = self._lowered(clip, begin, between, lambda improvement: None)
+                if solution is not None and solution.evaluations > 1:  # the first evaluation is the initial guess
+                    self._foreseen = replace(ahead, found=solution)
 
     def do_wait(self) -> None:
         """Do nothing: the message itself has ended the speculative solve."""
 
     def _take_up(self, known: Foreseen, *, go: bool) -> None:
         """Continue with a speculatively solved clip and its result."""
-        clip, found = known.clip, known.found
-        if found is None:
+        clip, solution = known.clip, known.found
+        if solution is None:
             self.found = Solution(clip.figure, clip.problem.objective, known.begin, clip.problem.raw)
             self._send_path(known.begin, "carried")
         else:
             self._is_near = True
-            self._take(found)
-        stop = Stop.ASKED if found is None else found.stop
+            self._take(solution)
+        stop = Stop.ASKED if solution is None else solution.stop
         if go and stop is Stop.ASKED:
-            self._search(known.begin if found is None else found.timeline, known.between)
+            self._search(known.begin if solution is None else solution.timeline, known.between)
         else:
             self._judge(stop=stop.name if go else "paused")
 
@@ -217,9 +217,9 @@ class Work:
         self, clip: Clip, before: Clip | None, solution: Solution | None, *, first: bool, found: Timeline | None
     ) -> tuple[Timeline | None, tuple[float, float] | None]:
         """The initial guess for a clip, and the edited interval; none if everything is new."""
-        seen = self.seen.get(clip.text)
-        if seen is not None and not first:  # undo or redo
-            return seen, None if before is None else _edited(before, clip)
+        cached = self.seen.get(clip.text)
+        if cached is not None and not first:  # undo or redo
+            return cached, None if before is None else _edited(before, clip)
         timeline = found if found is not None else None if solution is None else solution.timeline
         keys = clip.keys if before is None else before.keys
         if (
@@ -244,14 +244,14 @@ class Work:
         from ... import kept  # imported late: the figure is already shown
 
         folder = cache()
-        known = None if folder is None else kept.read(folder / f"{kept.key_of(clip)}.npz", clip)
+        cached = None if folder is None else kept.read(folder / f"{kept.key_of(clip)}.npz", clip)
         raw = clip.problem.raw
-        self.found = Solution(clip.figure, clip.problem.plain_objective, raw, raw) if known is None else known.motion
-        if known is not None:
+        self.found = Solution(clip.figure, clip.problem.plain_objective, raw, raw) if cached is None else cached.motion
+        if cached is not None:
             self._send_path(
-                known.motion.timeline, "found", value=known.motion.trace[-1][2] if known.motion.trace else 0
+                cached.motion.timeline, "found", value=cached.motion.trace[-1][2] if cached.motion.trace else 0
             )
-            self._judge(stop=known.motion.stop.name)
+            self._judge(stop=cached.motion.stop.name)
         elif go:
             self._search(None, None)
         else:
@@ -279,14 +279,14 @@ class Work:
 
     def do_keep(self, file: str) -> None:
         """Write the present motion to a file for further use."""
-        clip, found = self.clip, self.found
-        if clip is None or found is None:
+        clip, solution = self.clip, self.found
+        if clip is None or solution is None:
             raise UserError("nothing has been solved yet")
         from ... import motion
         from ...system.progress import Progress
         from ...work import Solved
 
-        saved = Solved(clip, found, None).saved(Progress(), with_report=False)
+        saved = Solved(clip, solution, None).saved(Progress(), with_report=False)
         motion.save(saved, Path(file))
         self._tell("kept", file=file)
 
@@ -340,18 +340,18 @@ class Work:
                 self._send_path(improvement.build(), "found", **_course(improvement))
                 self._send_raw()
 
-        found = self._lowered(clip, begin, between, improved)
-        self._is_cut = found is None or found.stop is Stop.ASKED
-        if found is None:
+        solution = self._lowered(clip, begin, between, improved)
+        self._is_cut = solution is None or solution.stop is Stop.ASKED
+        if solution is None:
             self._judge(stop="ASKED")
             return
-        self._take(found)
-        if begin is None and found.stop is Stop.CONVERGED and (folder := cache()) is not None:
+        self._take(solution)
+        if begin is None and solution.stop is Stop.CONVERGED and (folder := cache()) is not None:
             from ... import kept
             from ...work import Solved
 
-            kept.write(Solved(clip, found, None), folder / f"{kept.key_of(clip)}.npz")
-        self._judge(stop=found.stop.name)
+            kept.write(Solved(clip, solution, None), folder / f"{kept.key_of(clip)}.npz")
+        self._judge(stop=solution.stop.name)
 
     def _lowered(
         self,
@@ -400,12 +400,12 @@ class Work:
 
     def _judge(self, stop: str) -> None:
         """Send the present path's problems, and why the search ended."""
-        clip, found = self.clip, self.found
-        assert clip is not None and found is not None
+        clip, solution = self.clip, self.found
+        assert clip is not None and solution is not None
         self._send_raw()
         from ...measure.problems import plain, problems
 
-        wrong = problems(clip, found.timeline, found.raw)
+        wrong = problems(clip, solution.timeline, solution.raw)
         self._astray = self._suspected(len(wrong)) if stop in (Stop.CONVERGED.name, Stop.STUCK.name) else None
         if not self._has_told:
             self._has_told = True
@@ -415,7 +415,7 @@ class Work:
             revision=self.revision,
             stop=stop,
             problems=plain(wrong),
-            frames=found.timeline.times.tolist(),
+            frames=solution.timeline.times.tolist(),
             astray=self._astray,
         )
         if self.has_curves:
@@ -423,18 +423,18 @@ class Work:
 
     def _suspected(self, wrong: int) -> str | None:
         """Why the minimum found from the path before may be a poor one; None if there is no sign of it."""
-        clip, found = self.clip, self.found
-        assert clip is not None and found is not None
-        if not found.trace:
+        clip, solution = self.clip, self.found
+        assert clip is not None and solution is not None
+        if not solution.trace:
             return None
-        value, parts = found.trace[-1][2:]
+        value, parts = solution.trace[-1][2:]
         before, reason = self._before, None
         if self._is_near and before is not None:
             if value > DEARER * before[0]:
                 reason = f"E rose to {value:.3g} from {before[0]:.3g}"
             elif wrong > before[1]:
                 reason = f"more is wrong than before, {wrong} instead of {before[1]}"
-            elif is_poor_minimum(clip.problem.objective, found.timeline, parts):
+            elif is_poor_minimum(clip.problem.objective, solution.timeline, parts):
                 reason = "what constraints cost exceeds what the motion does"
         if reason is None:
             self._before = value, wrong
@@ -450,19 +450,19 @@ class Work:
         """Search again from the raw spline in the background; the result is used if it is better. This is done once."""
         clip, now = self.clip, self.found
         assert clip is not None and now is not None
-        found: Solution | None = None
+        solution: Solution | None = None
         with self._searching():
             self._heed()
-            found = inbetween(clip.problem)
-        if found is None or found.stop is Stop.ASKED:
+            solution = inbetween(clip.problem)
+        if solution is None or solution.stop is Stop.ASKED:
             return
         self._is_near = False
         objective = clip.problem.objective
-        if select_best(objective, [now.timeline, found.timeline]) is found.timeline:
-            self._take(found)
-            value = found.trace[-1][2]
+        if select_best(objective, [now.timeline, solution.timeline]) is solution.timeline:
+            self._take(solution)
+            value = solution.trace[-1][2]
             self._tell("note", words=f"a restarted search found a better path: E {value:.3g}")
-        self._judge(stop=found.stop.name)
+        self._judge(stop=solution.stop.name)
 
     def _send_curves(self) -> None:
         if self.clip is not None and self.found is not None:
@@ -517,8 +517,8 @@ def _shape(clip: Clip) -> dict[str, Any]:
             for key in clip.said
         ],
         "stances": [
-            {"point": each.point.name, "from": float(each.first), "to": float(each.last)}
-            for each in clip.context.stances
+            {"point": stance.point.name, "from": float(stance.first), "to": float(stance.last)}
+            for stance in clip.context.stances
         ],
         "flights": [] if support is None else [[float(a), float(b)] for a, b in support.flights],
         "ends": clip.ends,
@@ -541,8 +541,8 @@ def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:
 
 def _apart(some: Sequence[Frame], others: Sequence[Frame]) -> list[float]:
     """[s] times of keyframes that are not among others."""
-    known = {key.time: key for key in others}
-    return [key.time for key in some if key.time not in known or not _same(key, known[key.time])]
+    by_time = {key.time: key for key in others}
+    return [key.time for key in some if key.time not in by_time or not _same(key, by_time[key.time])]
 
 
 def _same(a: Frame, b: Frame) -> bool:
@@ -556,6 +556,6 @@ def _but_keys(clip: Clip) -> dict[str, Any]:
 
 def _moved_contacts(before: Clip, clip: Clip) -> list[float]:
     """[s] ends of contacts that only one of two clips has."""
-    tables = [table_of(each.text, each.context.where).contact for each in (before, clip)]
-    rows = [row for some, others in (tables, tables[::-1]) for row in some if row not in others]
+    tables = [table_of(one.text, one.context.where).contact for one in (before, clip)]
+    rows = [row for listed, others in (tables, tables[::-1]) for row in listed if row not in others]
     return [time for row in rows for time in (row.start, row.end)]

@@ -236,7 +236,7 @@ def test_ctrl_c_stops_and_another_program_is_refused_meanwhile(tmp_path: Path, s
     second = start(*words)
     _, said = second.communicate(timeout=PATIENCE)
     assert second.returncode == 2
-    assert f"is being worked on by process {process.pid} on" in said
+    assert f"is in use by process {process.pid} on" in said
     until(lambda: len(solvers(process.pid)) == 2, "the processes that solve them")
     family = descendants(process.pid)
     os.killpg(process.pid, signal.SIGINT)

@@ -65,7 +65,7 @@ def test_a_mesh_comes_with_the_model_and_another_figures_is_not_written_over_it(
 
 
 def test_a_manifest_that_names_files_outside_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="no path in this folder"):
+    with pytest.raises(ValueError, match="not a path in this folder"):
         ENTRY.validate_python({"clip": "a", "source": "a.toml", "beside": {"../b": "0"}})
     for wrong in ({"beside": ["b"]}, {"beside": {"b": 1}}, {"notes": [1]}, {"notes": "words"}):
         with pytest.raises(ValueError):

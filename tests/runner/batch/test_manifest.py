@@ -65,7 +65,7 @@ def test_wherever_the_last_line_is_cut_what_came_before_it_stands(tmp_path: Path
 @pytest.mark.parametrize("line", ["nonsense", '{"clip": "a"}', '{"clip": "a", "source": "a", "state": "lost"}', "[]"])
 def test_a_line_that_is_none_is_named(tmp_path: Path, line: str):
     (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}\n{WALK.line()}', encoding="utf-8")
-    with pytest.raises(UserError, match=r"manifest\.jsonl: line 2 is not what became of a clip"):
+    with pytest.raises(UserError, match=r"manifest\.jsonl: line 2 is not an entry of a clip"):
         Manifest.of(tmp_path)
 
 

@@ -45,7 +45,7 @@ def test_a_folder_gives_what_its_endings_tell_by_the_path_below_it(folder: Path)
     assert [str(source.name) for source in sources([str(folder)], recordings=True)] == ["more/turn", "torn", "walk"]
     assert [str(source.name) for source in sources([str(folder / "w*")], recordings=True)] == ["walk"]
     assert [str(source.name) for source in sources([str(folder / "notes.txt")], recordings=True)] == ["notes"]
-    with pytest.raises(UserError, match=r"no recording's ending is there; `dynsplines formats` lists them"):
+    with pytest.raises(UserError, match=r"it contains no recordings; `dynsplines formats` lists the endings"):
         sources([str(folder / "*.txt")], recordings=True)
     with pytest.raises(UserError, match=r"no file .*absent\.bvh"):
         sources([str(folder / "absent.bvh")], recordings=True)

@@ -127,7 +127,7 @@ def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squ
         (["nowhere.bvh"], "no file 'nowhere.bvh'"),
         (["{f}/bobs.npz", "-o", "{f}/bobs.npz"], "is what is read; give another -o"),
         (["{f}/bobs.npz", "-o", "x.txt"], "is of no known format"),
-        (["{f}/bobs.npz", "--within", "3"], "of what? give 3cm"),
+        (["{f}/bobs.npz", "--within", "3"], "the unit is missing; give 3cm"),
         (["{f}/bobs.npz", "--scene", "s.toml"], "brings its scene along"),
         (["{f}/bobs.npz", "--contacts", "bad.toml"], "no key 'figure'. Keys: scene, contact"),
         (["{f}/bobs.npz", "--contacts", "far.toml"], "is not within the recording, 0 to 1.46667 s"),
@@ -159,5 +159,5 @@ def test_from_python_a_motion_is_cleaned_by_a_method(squats):
         mujoco.mj_kinematics(model, data)
         heel.append(data.site("left_heel").xpos.copy())
     assert np.ptp(heel, axis=0).max() < 0.01
-    with pytest.raises(UserError, match="within 3: of what"):
+    with pytest.raises(UserError, match="within 3: the unit is missing"):
         load_motion(squats / "bobs.npz").cleaned(within="3")

@@ -421,7 +421,9 @@ def test_a_clip_can_say_when_it_flies_itself(tmp_path):
     assert flight.intervals == support.flights == ((0.1, 0.2), (0.3, 0.4))
     assert (flight.angular, support.friction) == (0.5, 0.3)
     assert found["flight"][1] == 3.0
-    with pytest.raises(UserError, match=r"'flight': \[0.3, 0.2\] is no interval of the clip, which runs from 0 to 0.4"):
+    with pytest.raises(
+        UserError, match=r"'flight': \[0.3, 0.2\] is not an interval of the clip, which runs from 0 to 0.4"
+    ):
         hovering(tmp_path, '[[penalty]]\nkind = "flight"\nintervals = [[0.3, 0.2]]\n')
 
 

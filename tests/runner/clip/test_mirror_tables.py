@@ -89,5 +89,5 @@ def test_a_site_that_has_nothing_on_the_other_side_is_refused():
     text = TURNED.replace('<site name="toe_2" pos=".02688 .0193536 .0943552"/>', "")
     clip = clips.from_text(CLIP, name="one", spec=figure(text))
     table = table_of(CLIP + "sites.toe_1 = [0.3, 0.1, 0.4]\n", "one")
-    with pytest.raises(UserError, match="'toe_1': nothing like it on the other side"):
+    with pytest.raises(UserError, match="'toe_1': it has no counterpart on the other side"):
         mirrored_tables(table, clip.figure, Mirror.of(clip.figure))

@@ -105,7 +105,7 @@ def test_the_mirror_keeps_a_symmetric_key_and_refuses_another(folder: Path):
     made = clips.from_text(text, name="clip", folder=folder)
     mirror = Mirror.of(made.figure)
     assert mirrored_keyframe(KeyframeTable(time=0.0, others="key:home"), made.figure, mirror).others == "key:home"
-    with pytest.raises(UserError, match="the model's key 'step & go' is no mirror image of itself"):
+    with pytest.raises(UserError, match="the model's key 'step & go' is not symmetric"):
         mirrored_keyframe(KeyframeTable(time=0.0, others="key:step & go"), made.figure, mirror)
 
 

@@ -395,7 +395,7 @@ def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
     motion.save(saved, source)
     was = source.read_bytes()
     edit = edit_files.trimmed(0.1, None)
-    with pytest.raises(UserError, match="is what is edited; give another -o, or --overwrite"):
+    with pytest.raises(UserError, match="is the input file; give another -o, or --overwrite"):
         edit_files.run([str(source)], edit, source, overwrite=False, progress=progress())
     with pytest.raises(UserError, match=r"as a motion, \.npz, or as a clip, \.toml"):
         edit_files.run([str(source)], edit, tmp_path / "out.mp4", overwrite=False, progress=progress())

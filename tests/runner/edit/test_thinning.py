@@ -64,7 +64,7 @@ def test_lengths_are_read_as_people_write_them(text, metres):
 
 @pytest.mark.parametrize("text", ["2", "0.02", " 1e-3 "])
 def test_a_length_without_a_unit_is_asked_for_it(text):
-    with pytest.raises(UserError, match=rf"--max-error {text}: of what\? give {float(text):g}cm, .*mm or .*m$"):
+    with pytest.raises(UserError, match=rf"--max-error {text}: the unit is missing; give {float(text):g}cm, .*mm or .*m$"):
         length(text, "--max-error")
 
 
@@ -213,7 +213,7 @@ def test_plain_arrays_are_a_recording_as_their_ending_says(straight, tmp_path):
 def test_what_is_read_is_not_written_over(motion_file, tmp_path):
     copy = tmp_path / "own.npz"
     copy.write_bytes(motion_file.read_bytes())
-    with pytest.raises(UserError, match="is what is read"):
+    with pytest.raises(UserError, match="is the input file"):
         run(copy, copy)
     run(copy, copy, overwrite=True)
 

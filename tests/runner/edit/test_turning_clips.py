@@ -173,7 +173,7 @@ def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
 def test_formats_whose_loops_only_travel_get_no_loop_and_a_word_of_it(circle):
     take = Take.of(circle, 20.0)
     assert not take.is_wrapped
-    assert take.notes == ["a loop that turns is none there: it is written as one period that does not repeat"]
+    assert take.notes == ["the format has no loops that rotate: one period is written, without a loop"]
 
 
 def test_a_mirrored_clip_turns_the_other_way():

@@ -550,5 +550,5 @@ def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
     assert any("taken for centimetres" in text for text in said)
     small = Take.of(imported(path, scale=0.001))
     np.testing.assert_allclose(np.ptp(small.qpos[:, 0]), 0.1 * np.ptp(cartwheel.qpos[:, 0]), atol=1e-6)
-    with pytest.raises(UserError, match="a scale is not for it"):
+    with pytest.raises(UserError, match="--scale does not apply"):
         formats.recording(Path(formats.export(cartwheel.saved, "csv", tmp_path / "a.csv")), scale=0.1)

@@ -397,7 +397,7 @@ def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
     motion.export(tmp_path / "m.csv", fps=20)
     with pytest.raises(UserError, match="name the figure: --figure, or figure= in Python"):
         import_motion(tmp_path / "m.csv")
-    with pytest.raises(UserError, match="a scale is not for it"):
+    with pytest.raises(UserError, match="--scale does not apply"):
         import_motion(tmp_path / "m.csv", tmp_path / "arm.xml", scale=0.01)
     recorded = import_motion(tmp_path / "m.csv", tmp_path / "arm.xml")
     recorded.save(tmp_path / "m.toml")

@@ -67,7 +67,7 @@ def test_what_is_gone_is_told_and_nothing_else_is_changed(session):
     async def both():
         await session.edit("delete_keys", {"keys": [3]}, 0)
         before = session.document.text
-        with pytest.raises(UserError, match=r"keyframe 4 is gone, or was changed from elsewhere meanwhile; look again"):
+        with pytest.raises(UserError, match=r"keyframe 4 was deleted or changed on another page; check and try again"):
             await session.edit("move_keys", {"moves": [[3, 0.33]]}, 0)
         assert session.document.text == before
         await session.undo()
@@ -84,7 +84,7 @@ def test_a_revision_that_is_not_of_this_clip_is_refused(session, tmp_path):
         await session.edit("move_keys", {"moves": [[3, 0.33]]}, 0)
         seen = session.document.revision
         await session.reopen(other)
-        with pytest.raises(UserError, match="the clip is another one by now"):
+        with pytest.raises(UserError, match="another clip is open now"):
             await session.edit("delete_keys", {"keys": [1]}, seen)
 
     asyncio.run(opened())
