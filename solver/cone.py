@@ -36,13 +36,13 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
     w, edges = np.ascontiguousarray(w.T), np.ascontiguousarray(edges.transpose(2, 1, 0))
     rest, pull = w.copy(), np.matmul(edges, w[:, :, None])[:, :, 0]
     todo = np.flatnonzero((pull > 0).any(axis=1))
-    own, g, r, p = w[todo], edges[todo], w[todo], pull[todo]
-    size, identity = np.einsum("sn,sn->s", own, own), np.eye(w.shape[1])
+    w_left, g, r, p = w[todo], edges[todo], w[todo], pull[todo]
+    size, identity = np.einsum("sn,sn->s", w_left, w_left), np.eye(w.shape[1])
     for number in range(MOST_STEPS):
         if not todo.size:
             break
         pulls = p > 0
-        slope = r - own + np.matmul((p * pulls)[:, None], g)[:, 0] / softness
+        slope = r - w_left + np.matmul((p * pulls)[:, None], g)[:, 0] / softness
         step = -np.linalg.solve(identity + _squares(g, pulls) / softness, slope[:, :, None])[:, :, 0]
         change = np.matmul(g, step[:, :, None])[:, :, 0]
         there = p + change
@@ -50,7 +50,7 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
         promised = -np.einsum("sn,sn->s", slope, step)
         # where the same edges go on pulling, the step ends at the least value
         done = (pulling == pulls).all(axis=1) | (promised <= SETTLED * size)
-        rise = _rise(own, r, step, there, change, softness)
+        rise = _rise(w_left, r, step, there, change, softness)
         far = np.flatnonzero(~done & (rise > FAR * promised))
         if far.size:
             share = promised[far] / (promised[far] + rise[far])
@@ -60,8 +60,8 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
             there[far] = p[far] + share[:, None] * change[far]
         r += step
         rest[todo[done]], pull[todo[done]] = r[done], there[done]
-        left = np.flatnonzero(~done)
-        todo, own, g, r, p, size = todo[left], own[left], g[left], r[left], there[left], size[left]
+        go = np.flatnonzero(~done)
+        todo, w_left, g, r, p, size = todo[go], w_left[go], g[go], r[go], there[go], size[go]
     rest[todo], pull[todo] = r, p
     shares = np.maximum(pull, 0) / softness
     return Unsupplied(rest.T, shares.T, np.einsum("sn,sn->s", w, rest))

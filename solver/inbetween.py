@@ -192,8 +192,8 @@ class _Loop:
         self.since, self.until = cut.first, cut.last
         self.whole = cut.around(begin)
         self.elsewhere = cut.elsewhere(self.objective, begin, raw.times, parts)
-        room = None if budget is None else max(cut.part.variable_count, budget * cut.segments // (len(raw.frames) - 1))
-        return self.whole(self.run(cut.part, cut.segments, room)[-1].timeline)
+        limit = None if budget is None else max(cut.part.variable_count, budget * cut.segments // (len(raw.frames) - 1))
+        return self.whole(self.run(cut.part, cut.segments, limit)[-1].timeline)
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """The best timeline found from where one begins, and if that is a poor local minimum from the straight path

@@ -267,17 +267,17 @@ class Discretised:
         self.timeline = timeline
         self.spline = spline_of(timeline)
         self.unknowns = Unknowns.of(objective.figure, timeline)
-        t, self.weights, each = objective.nodes(self.spline.times)
+        t, self.weights, weights_by_term = objective.nodes(self.spline.times)
         self.sampling = Sampling.of(self.spline, t)
         self._pieces = self.sampling.pieces(run_of(objective.figure))
         factors = np.array([[term.factor] for term in objective.terms])
         self.instants = [
-            (term, Sampling.of(self.spline, t[own > 0]))
-            for term, own in zip(objective.terms, each, strict=True)
-            if instants_of(term.penalty).size and own.any()
+            (term, Sampling.of(self.spline, t[weight > 0]))
+            for term, weight in zip(objective.terms, weights_by_term, strict=True)
+            if instants_of(term.penalty).size and weight.any()
         ]
         self._last: tuple[Array, Sequence[Seen]] | None = None
-        self._shares = [factors * each[:, piece.which] for piece in self._pieces]
+        self._shares = [factors * weights_by_term[:, piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
         """Return the path for unknowns x (n,)."""
@@ -289,12 +289,12 @@ class Discretised:
         gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
         self._last = (x, [self._seen(coefficients, piece) for piece in self._pieces])
-        for seen, shares in zip(self._last[1], self._shares, strict=True):
-            cotangent = Cotangent(seen.samples)
-            for term, share, blocks in zip(self.objective.terms, shares, seen.blocks, strict=True):
-                part = float(share @ _valued(term, seen.samples, blocks, cotangent, share))
+        for evaluated, shares in zip(self._last[1], self._shares, strict=True):
+            cotangent = Cotangent(evaluated.samples)
+            for term, share, blocks in zip(self.objective.terms, shares, evaluated.blocks, strict=True):
+                part = float(share @ _valued(term, evaluated.samples, blocks, cotangent, share))
                 parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
-            seen.piece.add_pulled_back(gradient, cotangent.gradients())
+            evaluated.piece.add_pulled_back(gradient, cotangent.gradients())
         rows = self.sampling.coefficients_transposed(gradient)
         return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)
 

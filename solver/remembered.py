@@ -44,7 +44,7 @@ def content(value: Any) -> Hashable:
     if isinstance(value, np.ndarray):
         return value.dtype.str, value.shape, value.tobytes()
     if isinstance(value, list | tuple):
-        return type(value), *(content(each) for each in value)
+        return type(value), *(content(item) for item in value)
     if is_dataclass(value) and not isinstance(value, type):
-        return type(value), *(content(getattr(value, each.name)) for each in fields(value))
+        return type(value), *(content(getattr(value, item.name)) for item in fields(value))
     return value

@@ -38,7 +38,7 @@ def closed(figure: Figure, keys: list[Frame], travel: ArrayLike | None, turn: fl
     headings = _headings(figure, first, last, turn)
     seam = Seam.turned(figure, first.state, last.state, headings, "joint")
     seam = replace(seam, shift=_shift(figure, first, last, seam, _travelled(figure, first, last, travel)))
-    fixed, known = first.fixed | last.fixed, first.known | last.known
+    fixed, is_known = first.fixed | last.fixed, first.known | last.known
     from_first = first.fixed | (first.known & ~last.fixed)
     for x, heading in zip(figure.tables.position_columns[0], headings, strict=True):
         if heading:
@@ -52,7 +52,7 @@ def closed(figure: Figure, keys: list[Frame], travel: ArrayLike | None, turn: fl
             f"{_where(figure, int(np.argmax(difference)), seam)} by {difference.max():.3g}; "
             "they must agree, or leave it free in one of them"
         )
-    posed = known & ~fixed
+    posed = is_known & ~fixed
     ends = [replace(frame, state=at, fixed=fixed, posed=posed) for frame, at in ((first, begin), (last, end))]
     return [ends[0], *keys[1:-1], ends[1]], seam
 

@@ -184,11 +184,11 @@ def _basis_values(knots: Array, span: Index, t: Array) -> Array:
     The triangular scheme of de Boor (A Practical Guide to Splines, ch. X): lower-degree B-splines, then differences.
     """
     near = knots[span[:, None] + np.arange(1 - DEGREE, DEGREE + 1)]
-    left, right = near[:, :DEGREE], near[:, DEGREE:]
-    before, after = t[:, None] - left, right - t[:, None]
+    below, right = near[:, :DEGREE], near[:, DEGREE:]
+    before, after = t[:, None] - below, right - t[:, None]
 
     def share(lower: Array, degree: int) -> Array:
-        return lower / (right[:, :degree] - left[:, DEGREE - degree :])
+        return lower / (right[:, :degree] - below[:, DEGREE - degree :])
 
     def raised(part: Array, out: Array) -> Array:
         degree = part.shape[1]
@@ -205,7 +205,7 @@ def _basis_values(knots: Array, span: Index, t: Array) -> Array:
     raised(first, lower[:, 0])
     lower[:, 1:, :-1] -= change
     lower[:, 1:, 1:] += change
-    lower /= (right - left)[:, None]
+    lower /= (right - below)[:, None]
     out = np.zeros((t.size, 4, 4))
     raised(lower[:, 0], out[:, 0])
     lower *= DEGREE

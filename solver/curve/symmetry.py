@@ -32,7 +32,7 @@ SIDE = re.compile(
     rf"|(?<=(?<![A-Za-z]){ENDS_LEG})[LRlr](?![A-Za-z])"
 )
 WORDS = {"left": "right", "Left": "Right", "LEFT": "RIGHT", "l": "r", "L": "R"}
-OTHER = WORDS | {right: left for left, right in WORDS.items()}
+OTHER = WORDS | {right: word for word, right in WORDS.items()}
 
 
 MISFITS = {

@@ -268,13 +268,13 @@ def raw_timeline(
         if columns is None:
             gaps.fill(states, specified, slice(link.qpos, link.qpos + 1), rest)
             continue
-        known = specified[:, columns].all(axis=1)
+        fixed = specified[:, columns].all(axis=1)
         base = bases(figure, states, link)
-        states[known, columns] = quat.product(base[known], quat.normalised(states[known, columns]))
-        if not known.all():
-            states[~known, columns] = quat.product(base[~known], rest[columns])
-            if known.any():
-                states[known, columns] = _laid_along(link, plain.times[known], base[known], states[known, columns])
+        states[fixed, columns] = quat.product(base[fixed], quat.normalised(states[fixed, columns]))
+        if not fixed.all():
+            states[~fixed, columns] = quat.product(base[~fixed], rest[columns])
+            if fixed.any():
+                states[fixed, columns] = _laid_along(link, plain.times[fixed], base[fixed], states[fixed, columns])
                 gaps.fill(states, specified, columns, states[0])
                 states[:, columns] = quat.normalised(states[:, columns])
         if seam is not None and link.kind is JointKind.FREE:
@@ -333,15 +333,15 @@ class _Gaps:
 
         Beyond the ends of that spline the values are constant.
         """
-        known: Mask = np.asarray(specified[:, columns].all(axis=1))
-        if known.all():
+        is_specified: Mask = np.asarray(specified[:, columns].all(axis=1))
+        if is_specified.all():
             return
-        if not known.any():
+        if not is_specified.any():
             states[:, columns] = rest[columns]
-        elif known.sum() == 1:
-            states[~known, columns] = states[known, columns]
+        elif is_specified.sum() == 1:
+            states[~is_specified, columns] = states[is_specified, columns]
         else:
-            values, (between, sampling) = states[known, columns], self._between(known)
+            values, (between, sampling) = states[is_specified, columns], self._between(is_specified)
             t = sampling.spline.times
             states[between, columns] = sampling.samples(np.concatenate([values, natural_end_slopes(t, values)]))[0]
             states[self.times < t[0], columns], states[self.times > t[-1], columns] = values[0], values[-1]
@@ -363,9 +363,9 @@ def _check(figure: Figure, keys: list[Frame]) -> None:
         fixed = np.array([frame.fixed for frame in keys], bool).reshape(-1, figure.width)[:, columns]
         specified = np.array([frame.known for frame in keys], bool).reshape(-1, figure.width)[:, columns]
         q = np.array([frame.state for frame in keys]).reshape(-1, figure.width)[:, columns]
-        known = specified.all(axis=1)
+        is_specified = specified.all(axis=1)
         whole = all(np.array_equal(mask.all(axis=1), mask.any(axis=1)) for mask in (fixed, specified))
-        if whole and np.all(np.einsum("kin,kin->kn", q, q)[known] > SURELY_MORE):
+        if whole and np.all(np.einsum("kin,kin->kn", q, q)[is_specified] > SURELY_MORE):
             return
     for number, frame in enumerate(keys, start=1):
         _check_masks(figure, frame, number)

@@ -61,13 +61,13 @@ class Placement:
 
 def _carried(figure: Figure, coordinates: str) -> Mask:
     """Which quaternions rotate with a motion: those of free joints, in world coordinates all of their subtrees."""
-    found = []
+    rotates = []
     for i in figure.tables.quaternion_links:
         link = figure.links[i]
         while coordinates == "world" and figure.tables.in_world[i] and link.parent:
             link = figure.links[link.parent]
-        found.append(link.kind is JointKind.FREE)
-    return np.array(found, bool)
+        rotates.append(link.kind is JointKind.FREE)
+    return np.array(rotates, bool)
 
 
 def heading(rotation: Array) -> Array:

@@ -43,10 +43,10 @@ def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
     near = times[np.abs(times[:, None] - np.array([first, last])).argmin(axis=0)]
     edges = np.where(np.abs(near - np.array([first, last])) <= SAME_TIME, near, [first, last])
     path = path_of(timeline)
-    kept = [frame for frame in timeline.frames if edges[0] < frame.time < edges[1]]
+    inside = [frame for frame in timeline.frames if edges[0] < frame.time < edges[1]]
     whole = np.ones(timeline.width, bool)
     begin, end = (Frame(t, path.at(t)[0], whole) for t in edges.tolist())
-    return Timeline((begin, *kept, end), path.at(edges, 1))
+    return Timeline((begin, *inside, end), path.at(edges, 1))
 
 
 def repeated(figure: Figure, timeline: Timeline, count: int) -> Timeline:

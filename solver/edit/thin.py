@@ -84,11 +84,11 @@ class Recorded:
         """
         figure, model = self.figure, self.figure.model
         names = [model.body(i).name or f"body {i}" for i in range(model.nbody)]
-        found = [(name, figure.point_on_link(i, np.zeros(3))) for i, name in enumerate(names)]
+        located = [(name, figure.point_on_link(i, np.zeros(3))) for i, name in enumerate(names)]
         for i in range(model.nsite):
             place = figure.point_on_link(int(model.site_bodyid[i]), model.site_pos[i])
-            found.append((model.site(i).name or f"site {i} of {names[model.site_bodyid[i]]}", place))
-        moving = [(name, link, place) for name, (link, place) in found if link]
+            located.append((model.site(i).name or f"site {i} of {names[model.site_bodyid[i]]}", place))
+        moving = [(name, link, place) for name, (link, place) in located if link]
         moving += tips(figure, {int(model.site_bodyid[i]) for i in range(model.nsite)})
         called, links, places = zip(*moving, strict=True)
         return called, np.array(links, np.intp), np.array(places).T
@@ -136,7 +136,7 @@ class Recorded:
     def _misses(self, states: Array, instants: Index) -> tuple[Array, Array]:
         """The misses of states (R, N) at some instants (R,)."""
         places, turned = self._seen(states)
-        own_places, own_turned = (each.take(instants, axis=2) for each in self._own)
+        own_places, own_turned = (own_values.take(instants, axis=2) for own_values in self._own)
         apart = places - own_places
         sign = np.where(np.einsum("cls,cls->ls", turned, own_turned) < 0, -1.0, 1.0)
         chord = turned - sign * own_turned
@@ -158,16 +158,16 @@ class Recorded:
         of the recording; see `excess` for the definition. The sets have one length.
         """
         if self.ends == "clamped":
-            over = [self.excess(self.spline(self.frames(kept))) - 1 - FINE for kept in sets]
+            over = [self.excess(self.spline(self.frames(selection))) - 1 - FINE for selection in sets]
             return np.sum(np.maximum(over, 0) ** 2, axis=1)
         chosen, last = np.array(sets), len(self.times) - 1
         numbers, first, end = self._near(chosen.shape[1], at)
         turns, numbers = np.divmod(numbers, chosen.shape[1] - 1) if self.ends == "periodic" else (0 * numbers, numbers)
-        some = chosen[:, numbers] + turns * last  # instants, counted on through the turns of a loop
-        seen = [np.arange(row[first], row[end] + 1) for row in some]
-        owner = np.repeat(np.arange(len(sets)), [each.size for each in seen])
-        instants = np.concatenate(seen)
-        times, values = self._unrolled(some)
+        neighbours = chosen[:, numbers] + turns * last  # instants, counted on through the turns of a loop
+        spans = [np.arange(row[first], row[end] + 1) for row in neighbours]
+        owner = np.repeat(np.arange(len(sets)), [span.size for span in spans])
+        instants = np.concatenate(spans)
+        times, values = self._unrolled(neighbours)
         states = natural_splines(times, values, owner, self._unrolled(instants)[0])
         if self.ends == "periodic":
             turns, instants = np.divmod(instants, last)
@@ -199,11 +199,11 @@ class Recorded:
     def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
         """The point furthest off and the link turned most differently."""
         names = self.points[0], [link.name for link in self.figure.links]
-        found = []
+        largest = []
         for missed, called in zip(self.misses(timeline), names, strict=True):
             row, instant = np.unravel_index(int(missed.argmax()), missed.shape)
-            found.append(Worst(float(missed[row, instant]), int(instant), called[row]))
-        return found[0], found[1]
+            largest.append(Worst(float(missed[row, instant]), int(instant), called[row]))
+        return largest[0], largest[1]
 
     def slipped(self, timeline: Timeline) -> float:
         """[m] by how much what stands is off, at most."""
@@ -230,12 +230,12 @@ class Thinned:
 
 def thin(recorded: Recorded, told: Callable[[str], None] = lambda note: None) -> Thinned:
     """The fewest instants found whose raw spline keeps the bound at every instant of the recording."""
-    kept = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, told).kept
+    selection = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, told).kept
     while True:
-        fewer = _repaired(recorded, _without(recorded, list(kept), told), told)
-        if len(fewer) == len(kept):
+        fewer = _repaired(recorded, _without(recorded, list(selection), told), told)
+        if len(fewer) == len(selection):
             return Thinned(tuple(fewer), recorded.spline(recorded.frames(fewer)))
-        kept = tuple(fewer)
+        selection = tuple(fewer)
 
 
 def refined(
@@ -297,12 +297,12 @@ def natural_splines(times: Array, values: Array, owner: Index, t: Array) -> Arra
     bends = np.zeros(values.shape)
     bends[:, 1:-1] = 6 * np.diff(np.diff(values, axis=1) / h[:, :, None], axis=1)
     bends = np.linalg.solve(matrix, bends)
-    left = np.clip((times[owner] <= t[:, None]).sum(axis=1) - 1, 0, count - 2)
-    step = h[owner, left, None]
-    ahead = (t - times[owner, left])[:, None] / step
+    segment = np.clip((times[owner] <= t[:, None]).sum(axis=1) - 1, 0, count - 2)
+    step = h[owner, segment, None]
+    ahead = (t - times[owner, segment])[:, None] / step
     behind = 1 - ahead
-    straight = behind * values[owner, left] + ahead * values[owner, left + 1]
-    bent = (behind**3 - behind) * bends[owner, left] + (ahead**3 - ahead) * bends[owner, left + 1]
+    straight = behind * values[owner, segment] + ahead * values[owner, segment + 1]
+    bent = (behind**3 - behind) * bends[owner, segment] + (ahead**3 - ahead) * bends[owner, segment + 1]
     return straight + bent * step**2 / 6
 
 
@@ -355,10 +355,10 @@ def _moved(recorded: Recorded, kept: list[int], at: int) -> list[int] | None:
                 place = kept[n] + (round(share * (neighbour - kept[n])) or int(np.sign(neighbour - kept[n])))
                 if place != neighbour:
                     trials.append([*kept[:n], place, *kept[n + 1 :]])
-        left = recorded.breaches(trials, at) if trials else np.array([np.inf])
-        best = int(left.argmin())
-        if left[best] < GAIN * breach:
-            kept, breach = trials[best], float(left[best])
+        remaining = recorded.breaches(trials, at) if trials else np.array([np.inf])
+        best = int(remaining.argmin())
+        if remaining[best] < GAIN * breach:
+            kept, breach = trials[best], float(remaining[best])
         elif share > LEAST_STEP:
             share /= 2
         else:

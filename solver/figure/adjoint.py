@@ -72,8 +72,8 @@ class Cotangent:
 
         All who use it add to it; it is pulled back once, at the end.
         """
-        for known, buffer in self._deferred:
-            if known is source:
+        for origin, buffer in self._deferred:
+            if origin is source:
                 return buffer
         buffer = np.zeros((kinds, 3, len(self.samples.figure.links), self.samples.count))
         self._deferred.append((source, buffer))
@@ -133,11 +133,11 @@ class Cotangent:
         count, shape = self.samples.count, (3, len(self.samples.figure.links), self.samples.count)
         size = shape[1] * shape[2]
         for name, kind in ON_LINKS.items():
-            given = [(w, part) for w in self._wrenches if (part := getattr(w, kind)) is not None]
-            if given:
-                flat = np.concatenate([w.link * count + w.at for w, _ in given])
+            parts_of_kind = [(w, part) for w in self._wrenches if (part := getattr(w, kind)) is not None]
+            if parts_of_kind:
+                flat = np.concatenate([w.link * count + w.at for w, _ in parts_of_kind])
                 places = flat + size * np.arange(3)[:, None]
-                vectors = np.concatenate([part for _, part in given], axis=1)
+                vectors = np.concatenate([part for _, part in parts_of_kind], axis=1)
                 self.absorb(name, np.bincount(places.ravel(), vectors.ravel(), 3 * size).astype(float).reshape(shape))
 
     def gradients(self) -> tuple[Array, Array, Array]:
@@ -221,25 +221,25 @@ def _to_owners(into: Cotangent, name: Quantity, part: Array, owners: Index | Non
 def _origins_pulled_back(cotangent: Cotangent) -> None:
     """x, x', x'' -> positions of the free roots, slides, and turn, ω and swing of the links."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
-    own: list[Array | None] = []
+    gradients: list[Array | None] = []
     for y_name, _, name in OF_THE_STATE:
         whole = cotangent.get(name)
         g = None if whole is None else gathered(tables.beyond, whole)
-        own.append(g)
+        gradients.append(g)
         if g is not None and tables.free_links.size:
             columns = tables.position_columns.ravel()
             cotangent.buffer(y_name)[:, columns] += g[:, tables.free_links].reshape(-1, samples.count).T
-    g, g_d, g_dd = own
+    g, g_d, g_dd = gradients
     if g is None and g_d is None and g_dd is None:
         return
     links = samples.links
     swing = None if g_dd is None else links.parent_swing
     attached_pulled_back(cotangent, links.step, (g, g_d, g_dd), tables.parents, swing)
     if links.hang is not None:
-        x, x_d, x_dd = (None if part is None else -part for part in own)
+        x, x_d, x_dd = (None if part is None else -part for part in gradients)
         attached_pulled_back(cotangent, links.hang, (x, x_d, x_dd))
     if tables.slide_links.size:
-        _slides_pulled_back(cotangent, own)
+        _slides_pulled_back(cotangent, gradients)
 
 
 def _slides_pulled_back(cotangent: Cotangent, own: list[Array | None]) -> None:
@@ -321,8 +321,8 @@ def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[
         for i, parent in enumerate(parents):
             grads[:, :, parent] += up[:, :, i]
     if tables.has_turns and tables.levels:
-        some = np.concatenate(tables.levels)
-        grads[:, :, some] = hamilton(conjugated(tables.turn[:, None, some, None]), grads[:, :, some])
+        below = np.concatenate(tables.levels)
+        grads[:, :, below] = hamilton(conjugated(tables.turn[:, None, below, None]), grads[:, :, below])
     grads = grads.swapaxes(0, 1)
     _hinges_pulled_back(cotangent, [grad[:, tables.hinge_links] for grad in grads])
     return [grad[:, tables.quaternion_links] for grad in grads]

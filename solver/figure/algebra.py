@@ -119,10 +119,10 @@ def pure_product(v: Array, q: Array) -> Array:
     out[0] += np.multiply(y, b, out=other)
     out[0] += np.multiply(z, c, out=other)
     np.negative(out[0], out=out[0])
-    for part, (own, (one, two), (three, four)) in zip(
+    for part, (component, (one, two), (three, four)) in zip(
         out[1:], ((x, (y, c), (z, b)), (y, (z, a), (x, c)), (z, (x, b), (y, a))), strict=True
     ):
-        np.multiply(own, w, out=part)
+        np.multiply(component, w, out=part)
         part += np.multiply(one, two, out=other)
         part -= np.multiply(three, four, out=other)
     return out

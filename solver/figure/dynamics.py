@@ -76,9 +76,9 @@ class InverseDynamics:
         """
         buffer = into.deferred(self, 3)
         buffer[0] += moment_bar
-        for own, part in zip(buffer[1:], (force_bar, centre_bar), strict=True):
+        for target, part in zip(buffer[1:], (force_bar, centre_bar), strict=True):
             if part is not None:
-                own += part
+                target += part
 
     def settle(self, into: Cotangent, buffer: Array) -> None:
         """The backward sweep of all deferred contributions, (3, 3, L, S)."""

@@ -62,17 +62,17 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None, *, moment: boo
     moment  without it (S, 3, 3, N), of the force alone
     """
     samples, root, tables = wrench.samples, wrench.root, wrench.samples.figure.tables
-    own = tables.path[:, root]
-    links = _Links(samples, own, pushes, moment)
+    in_tree = tables.path[:, root]
+    links = _Links(samples, in_tree, pushes, moment)
     out = np.zeros((samples.y.shape[1], links.rows, 3, samples.count))
     for moves in (_Turns(links), _Shifts(links)):
-        joints = moves.joints[own[moves.joints] > 0]
+        joints = moves.joints[in_tree[moves.joints] > 0]
         if joints.size:
             change = moves.of(joints)
             if moment:
-                centre, held = wrench.centre - links.origin, links.held.sum(axis=1) / wrench.mass
+                centre, net_force = wrench.centre - links.origin, links.held.sum(axis=1) / wrench.mass
                 links.to_place(change, centre[:, None])
-                change[0, :, 3:] += _crosses(held[:, None], change[2, :, :3])  # the centre moves, too
+                change[0, :, 3:] += _crosses(net_force[:, None], change[2, :, :3])  # the centre moves, too
             moves.add(joints, change, np.tile(np.arange(links.rows)[:, None], joints.size), out)
     return out.transpose(3, 1, 2, 0)
 
@@ -94,16 +94,16 @@ def joint_rows(samples: Samples) -> Array:
     )
     for moves in (_Turns(links), _Shifts(links)):
         for joint, moved, change in _pairs(links, moves):
-            for some in chosen(np.isin(joint, balls)):
-                rows = np.searchsorted(balls, joint[some]) + balls.size * np.arange(3)[:, None]
-                moves.add(moved[some], change[:, :, 3:, some], rows, out)
+            for run in chosen(np.isin(joint, balls)):
+                rows = np.searchsorted(balls, joint[run]) + balls.size * np.arange(3)[:, None]
+                moves.add(moved[run], change[:, :, 3:, run], rows, out)
             for kind, axes, effort, part, first in along:
-                for some in chosen(np.isin(joint, kind)):
-                    own = joint[some]
-                    axis = axes[:, place[own]]
-                    felt = np.einsum("okcns,cns->okns", change[:, :, part, some], axis)
-                    felt[0] += moves.turned(own, moved[some])[:, None] * cross(axis, effort[:, own])
-                    moves.add(moved[some], felt[:, :, None], first + place[own][None], out)
+                for run in chosen(np.isin(joint, kind)):
+                    joints_of_run = joint[run]
+                    axis = axes[:, place[joints_of_run]]
+                    felt = np.einsum("okcns,cns->okns", change[:, :, part, run], axis)
+                    felt[0] += moves.turned(joints_of_run, moved[run])[:, None] * cross(axis, effort[:, joints_of_run])
+                    moves.add(moved[run], felt[:, :, None], first + place[joints_of_run][None], out)
     _add_armature(samples, out)
     return out.transpose(3, 1, 2, 0)
 
@@ -119,9 +119,9 @@ def _add_armature(samples: Samples, out: Array) -> None:
         at, link, axis = every_axis(balls[heavy], samples.count)
         parent, axis = tables.parents[link], axis * tables.armature[link]
         # of axis · (α − α_p − ω × (ω − ω_p))
-        own = Wrenches(at, link, torque_d=cross(omega[:, parent, at], axis), torque_dd=axis)
+        child = Wrenches(at, link, torque_d=cross(omega[:, parent, at], axis), torque_dd=axis)
         other = Wrenches(at, parent, torque_d=cross(axis, omega[:, link, at]), torque_dd=-axis)
-        rows = (own.rows(samples) + other.rows(samples)).reshape(3, heavy.size, samples.count, 3, -1)
+        rows = (child.rows(samples) + other.rows(samples)).reshape(3, heavy.size, samples.count, 3, -1)
         out[:, heavy + balls.size * np.arange(3)[:, None]] += rows.transpose(4, 0, 1, 3, 2)
 
 
@@ -176,12 +176,12 @@ class _Links:
     def by_turned_shifts(self, sets: Array, s: Array) -> Array:
         """The changes of sets of links (n, L) by their shifts φ × s; s (3, 3, n, S) with two derivatives."""
         out = self._empty(len(sets))
-        mass, first, held = sets @ self.mass, _summed(sets, self.first[0]), _summed(sets, self.held)
+        mass, first, force = sets @ self.mass, _summed(sets, self.first[0]), _summed(sets, self.held)
         _add_force(out, mass * s)
         if self.rows > 3:
             for order, factor in enumerate(PRODUCT):
                 out[order, :, 3:] = factor * _across(first, s[2 - order])
-            out[0, :, 3:] -= _across(held, s[0])
+            out[0, :, 3:] -= _across(force, s[0])
         return out
 
     def by_shifts(self, sets: Array) -> Array:
@@ -261,8 +261,8 @@ class _Turns:
         between = followers(links.figure)[joint, moved]
         nearest = np.where(between > 0, between, joint)
         change = links.carried(joint, anchors[:, :, nearest] - anchors[:, :, moved])
-        for some in chosen(between == 0):
-            change[:, :, :, some] += links.turned[:, :, :, joint[some]]
+        for run in chosen(between == 0):
+            change[:, :, :, run] += links.turned[:, :, :, joint[run]]
         return change
 
     def turned(self, joint: Index, moved: Index) -> Array:

@@ -151,10 +151,10 @@ class Figure:
             columns = quaternion_columns(link)
             if columns is None:
                 continue
-            own = state[..., columns]
+            rotation = state[..., columns]
             if self.tables.in_world[i] and link.kind is JointKind.BALL:
-                own = quat.product(quat.inverse(self._joint_base(state, link)), own)
-            qpos[..., columns] = quat.normalised(own)
+                rotation = quat.product(quat.inverse(self._joint_base(state, link)), rotation)
+            qpos[..., columns] = quat.normalised(rotation)
         return qpos
 
     def _joint_base(self, state: Array, link: Link) -> Array:
@@ -167,9 +167,9 @@ class Figure:
 
     def link_named(self, name: str) -> int | None:
         """Index of the link that a joint or a body of this name moves, or None."""
-        own = next((i for i, link in enumerate(self.links) if i and link.name == name), None)
+        by_joint = next((i for i, link in enumerate(self.links) if i and link.name == name), None)
         body = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name)
-        return int(self.body_link[body]) if own is None and body > 0 else own
+        return int(self.body_link[body]) if by_joint is None and body > 0 else by_joint
 
     def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
         """Points given in a body's frame (..., 3) [m], as (link, positions in the link's frame)."""
@@ -211,15 +211,15 @@ def joint_names(model: mujoco.MjModel) -> list[str]:
 
 def names_of_joints(given: Sequence[str], bodies: Sequence[tuple[str, int]]) -> list[str]:
     """What joints are called whose own names are given, "" for none, body by body: its name, and how many it has."""
-    own, taken, first = list(given), set(given), 0
+    names, used, first = list(given), set(given), 0
     for called, count in bodies:
-        nameless = [j for j in range(first, first + count) if not own[j]]
+        nameless = [j for j in range(first, first + count) if not names[j]]
         first += count
         for number, joint in enumerate(nameless, start=1):
             name = called if len(nameless) == 1 else f"{called}_{number}"
-            own[joint] = name if called and name not in taken else f"joint {joint}"
-            taken.add(own[joint])
-    return own
+            names[joint] = name if called and name not in used else f"joint {joint}"
+            used.add(names[joint])
+    return names
 
 
 def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array]:

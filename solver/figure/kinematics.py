@@ -287,35 +287,35 @@ class LinkMotion:
 
     @cached_property
     def x(self) -> Array:
-        own = self.step.copy() if self.hang is None else self.step - self.hang
+        steps = self.step.copy() if self.hang is None else self.step - self.hang
         slides = self.figure.tables.slide_links
         if slides.size:
-            own[:, slides] += self.slide(0) * self.slide_axis
-        return self._summed(own, 0)
+            steps[:, slides] += self.slide(0) * self.slide_axis
+        return self._summed(steps, 0)
 
     @cached_property
     def x_d(self) -> Array:
         parents, slides = self.figure.tables.parents, self.figure.tables.slide_links
-        own = cross(self.omega[:, parents], self.step)
+        steps = cross(self.omega[:, parents], self.step)
         if self.hang is not None:
-            own -= cross(self.omega, self.hang)
+            steps -= cross(self.omega, self.hang)
         if slides.size:
             e = self.slide_axis
-            own[:, slides] += self.slide(1) * e + self.slide(0) * cross(self.omega[:, slides], e)
-        return self._summed(own, 1)
+            steps[:, slides] += self.slide(1) * e + self.slide(0) * cross(self.omega[:, slides], e)
+        return self._summed(steps, 1)
 
     @cached_property
     def x_dd(self) -> Array:
         slides = self.figure.tables.slide_links
-        own = applied(self.parent_swing, self.step)
+        steps = applied(self.parent_swing, self.step)
         if self.hang is not None:
-            own -= applied(self.swing, self.hang)
+            steps -= applied(self.swing, self.hang)
         if slides.size:
             e, omega, swing = self.slide_axis, self.omega[:, slides], self.swing[:, :, slides]
-            own[:, slides] += (
+            steps[:, slides] += (
                 self.slide(2) * e + 2 * self.slide(1) * cross(omega, e) + self.slide(0) * applied(swing, e)
             )
-        return self._summed(own, 2)
+        return self._summed(steps, 2)
 
 
 # C = A ⊗ c and two derivatives are sums of these orders' products, A, A', A'' by c, c', c''
@@ -339,8 +339,8 @@ def from_parents(states: States) -> Array:
     """Each link's rotation c, c', c'' from its parent's axes, or the world's if that is in the state; (3, 4, L, S)."""
     tables, out = states.figure.tables, _local_quaternions(states)
     if tables.has_turns and tables.levels:
-        some = np.concatenate(tables.levels)
-        out[:, :, some] = hamilton(tables.turn[:, None, some, None], out[:, :, some].swapaxes(0, 1)).swapaxes(0, 1)
+        order = np.concatenate(tables.levels)
+        out[:, :, order] = hamilton(tables.turn[:, None, order, None], out[:, :, order].swapaxes(0, 1)).swapaxes(0, 1)
     return out
 
 

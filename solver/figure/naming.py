@@ -15,18 +15,18 @@ def geom_name(model: mujoco.MjModel, geom: int) -> str:
 @lru_cache(maxsize=8)
 def _names(model: mujoco.MjModel) -> tuple[str, ...]:
     """The names of all geoms, each once."""
-    own = [str(model.geom(geom).name) for geom in range(model.ngeom)]
+    names = [str(model.geom(geom).name) for geom in range(model.ngeom)]
     nameless: dict[str, list[int]] = {}
     for geom in range(model.ngeom):
-        if not own[geom]:
+        if not names[geom]:
             nameless.setdefault(_of_body(model, geom), []).append(geom)
-    taken = set(own)
+    used = set(names)
     for body, geoms in nameless.items():
         for number, geom in enumerate(geoms, start=1):
             name = body if len(geoms) == 1 else f"{body} {number}"
-            own[geom] = name if body and name not in taken else f"geom {geom}"
-            taken.add(own[geom])
-    return tuple(own)
+            names[geom] = name if body and name not in used else f"geom {geom}"
+            used.add(names[geom])
+    return tuple(names)
 
 
 def _of_body(model: mujoco.MjModel, geom: int) -> str:

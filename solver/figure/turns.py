@@ -73,11 +73,11 @@ def places(figure: Figure) -> tuple[Index, Index]:
     """(L,) the index of a link among the links of its kind, slides, hinges or quaternions; and (L,) that of one whose
     quaternion turns with its parent among those."""
     tables = figure.tables
-    own, base = np.zeros((2, len(figure.links)), np.intp)
+    index, base = np.zeros((2, len(figure.links)), np.intp)
     for links in (tables.slide_links, tables.hinge_links, tables.quaternion_links):
-        own[links] = np.arange(links.size)
+        index[links] = np.arange(links.size)
     base[relatives(figure)] = np.arange(relatives(figure).size)
-    return own, base
+    return index, base
 
 
 def relatives(figure: Figure) -> Index:
@@ -132,39 +132,39 @@ def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index
         return motion.omega[:, None, frames], motion.alpha[:, None, frames]
 
     is_hinge = np.isin(links, tables.hinge_links)
-    for some in chosen(is_hinge):
-        own = links[some]
-        axes = motion.hinge_axis[:, None, place[own]]
-        for order, moment in enumerate(on_moving_axes(list(changes[:, :, :, some]), *rates(own))):
+    for run in chosen(is_hinge):
+        joints = links[run]
+        axes = motion.hinge_axis[:, None, place[joints]]
+        for order, moment in enumerate(on_moving_axes(list(changes[:, :, :, run]), *rates(joints))):
             if moment is not None:
-                out[tables.hinge_columns[place[own]], row[:, some], order] = dot(axes, moment)
+                out[tables.hinge_columns[place[joints]], row[:, run], order] = dot(axes, moment)
     for kind, is_world in ((tables.in_world, True), (~tables.in_world, False)):
-        for some in chosen(~is_hinge & kind[links]):
-            own = links[some]
-            moments: Orders = list(changes[:, :, :, some])
+        for run in chosen(~is_hinge & kind[links]):
+            joints = links[run]
+            moments: Orders = list(changes[:, :, :, run])
             if not is_world:
-                axes = samples.once(bases)[:, :, None, base[own]]
-                moments = on_moving_axes(moments, *rates(tables.parents[own]))
+                axes = samples.once(bases)[:, :, None, base[joints]]
+                moments = on_moving_axes(moments, *rates(tables.parents[joints]))
                 moments = [turned_back(axes, part) for part in moments if part is not None]
-            totals = on_quaternions(moments, samples.once(ways)[:, :, None, place[own]])
+            totals = on_quaternions(moments, samples.once(ways)[:, :, None, place[joints]])
             for order, total in enumerate(totals):
-                out[tables.quaternion_columns[:, None, place[own]], row[:, some], order] = total
+                out[tables.quaternion_columns[:, None, place[joints]], row[:, run], order] = total
 
 
 def add_rows_of_shifts(samples: Samples, links: Index, changes: Array, row: Index, out: Array) -> None:
     """The same for shifts along the world's axes, of slides and free joints."""
     tables, motion, (place, _) = samples.figure.tables, samples.links, places(samples.figure)
     for free, columns in zip(tables.free_links, tables.position_columns.T, strict=True):
-        for some in chosen(links == free):
+        for run in chosen(links == free):
             for order in range(3):
-                out[columns[:, None, None], row[:, some], order] = changes[order][:, :, some]
-    for some in chosen(np.isin(links, tables.slide_links)):
-        own = links[some]
-        axes, frames = motion.slide_axis[:, None, place[own]], own[None]
-        forces = on_moving_axes(list(changes[:, :, :, some]), motion.omega[:, frames], motion.alpha[:, frames])
+                out[columns[:, None, None], row[:, run], order] = changes[order][:, :, run]
+    for run in chosen(np.isin(links, tables.slide_links)):
+        joints = links[run]
+        axes, frames = motion.slide_axis[:, None, place[joints]], joints[None]
+        forces = on_moving_axes(list(changes[:, :, :, run]), motion.omega[:, frames], motion.alpha[:, frames])
         for order, force in enumerate(forces):
             if force is not None:
-                out[tables.slide_columns[place[own]], row[:, some], order] = dot(axes, force)
+                out[tables.slide_columns[place[joints]], row[:, run], order] = dot(axes, force)
 
 
 def chosen(mask: Mask) -> Iterator[Index | slice]:

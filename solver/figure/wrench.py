@@ -72,5 +72,5 @@ def height(figure: Figure, root: int) -> float:
     inverse = Samples.still(figure, rest).once(InverseDynamics)
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
-    own = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2
-    return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + own / max(mass, MASSLESS))))
+    inertia = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2
+    return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + inertia / max(mass, MASSLESS))))

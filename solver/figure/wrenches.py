@@ -79,13 +79,13 @@ class Wrenches:
         if len(parts) == 1:
             return parts[0]
         at, link = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "link"))
-        found: dict[str, Array] = {}
+        vectors_by_name: dict[str, Array] = {}
         for name in VECTORS:
-            given = [getattr(part, name) for part in parts]
-            if any(vectors is not None for vectors in given):
-                filled = [np.zeros((3, p.at.size)) if v is None else v for p, v in zip(parts, given, strict=True)]
-                found[name] = np.concatenate(filled, axis=1)
-        return cls(at, link, **found)
+            all_vectors = [getattr(part, name) for part in parts]
+            if any(vectors is not None for vectors in all_vectors):
+                filled = [np.zeros((3, p.at.size)) if v is None else v for p, v in zip(parts, all_vectors, strict=True)]
+                vectors_by_name[name] = np.concatenate(filled, axis=1)
+        return cls(at, link, **vectors_by_name)
 
     def rows(self, samples: Samples) -> Array:
         """(P, 1 to 3, N): the gradients of the residuals with respect to y, and to y' and y'' as far as they matter."""
@@ -193,10 +193,10 @@ def _chains(figure: Figure) -> _Chains:
 
 def _padded(path: Mask, links: Index) -> Index:
     """(depth, L) those of some links on the way to every link."""
-    ways = [links[path[link, links]] for link in range(len(path))]
-    out = np.zeros((max(way.size for way in ways), len(path)), np.intp)
-    for link, way in enumerate(ways):
-        out[: way.size, link] = way
+    chains = [links[path[link, links]] for link in range(len(path))]
+    out = np.zeros((max(chain.size for chain in chains), len(path)), np.intp)
+    for link, chain in enumerate(chains):
+        out[: chain.size, link] = chain
     return out
 
 
@@ -255,8 +255,8 @@ class _Sweep:
 
     def _ends(self, places: Array, anchors: Array, pairs: _Pairs, after: Index | None) -> Array:
         """(3, Q) the next links' anchors where there are any, else the wrenches' places; or the velocities of these."""
-        own = places[:, self.link[pairs.wrench], pairs.at]
-        return own if after is None else np.where(after > 0, anchors[:, after, pairs.at], own)
+        points = places[:, self.link[pairs.wrench], pairs.at]
+        return points if after is None else np.where(after > 0, anchors[:, after, pairs.at], points)
 
     def _on_turns(self, wrenches: Wrenches) -> Orders:
         """What of the torques counts on δφ, δφ' and δφ'': τ + ω × τ₁ + ω' × τ₂, τ₁ + ω × τ₂ and τ₂."""

@@ -89,7 +89,7 @@ class Block:
             return cls(none, np.zeros(0), (Wrenches(none, none, np.zeros((3, 0))),), one_sided=True)
         at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
         changes = zip(*(part.changes for part in parts), strict=True)
-        return cls(at, value, tuple(Wrenches.joined(own) for own in changes), one_sided=True)
+        return cls(at, value, tuple(Wrenches.joined(parts_of_kind) for parts_of_kind in changes), one_sided=True)
 
     @cached_property
     def counted(self) -> Array:
@@ -104,15 +104,15 @@ class Block:
         """Adds the gradient of Σ_s scale_s f(s), scale (S,)."""
         bar = 2 * scale[self.at] * self.weight * self.counted
         bar = bar if self.of is None else bar[self.of]
-        some = np.flatnonzero(bar)
-        if not some.size:
+        nonzero = np.flatnonzero(bar)
+        if not nonzero.size:
             return
         for change in self.changes:
-            part = change if some.size == bar.size else change.taken(some)
+            part = change if nonzero.size == bar.size else change.taken(nonzero)
             if isinstance(part, Wrenches):
-                into.add_wrenches(part.scaled(bar[some]))
+                into.add_wrenches(part.scaled(bar[nonzero]))
             else:
-                part.pull_back(into, bar[some])
+                part.pull_back(into, bar[nonzero])
 
     def add_to(self, curvature: Curvature, scale: Array) -> None:
         """Adds the Gauss-Newton matrices of Σ_s scale_s f(s), those of one-sided residuals left out."""

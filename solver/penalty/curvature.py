@@ -59,8 +59,8 @@ class Curvature:
         """Residuals that are single entries of y, y' or y'', at samples (P,) in columns (P,), times scale (P,)."""
         width = self.width
         added = np.bincount(at * width + column, 2 * scale, self.samples.count * width).astype(float).reshape(-1, width)
-        known = self._diagonals[order]
-        self._diagonals[order] = added if known is None else known + added
+        present = self._diagonals[order]
+        self._diagonals[order] = added if present is None else present + added
 
     def add_sides(self, sides: OneSided, scale: Array) -> None:
         """One-sided residuals, those of them that count."""
@@ -78,8 +78,8 @@ class Curvature:
         without_y  leaves those out that depend on y alone
         """
         every = [one for one in self._rows if not (without_y and one[2] == (0,))]
-        seen = [(at, np.ascontiguousarray(phi[at][:, orders].swapaxes(1, 2)), rows) for at, rows, orders in every]
-        local = [(at, np.matmul(ways, rows)) for at, ways, rows in seen]
+        gathered = [(at, np.ascontiguousarray(phi[at][:, orders].swapaxes(1, 2)), rows) for at, rows, orders in every]
+        local = [(at, np.matmul(directions, rows)) for at, directions, rows in gathered]
         return [(at, rows.reshape(at.size, -1)) for at, rows in local]
 
     def squares(self) -> Iterator[tuple[Index, Array]]:
@@ -98,22 +98,22 @@ class Curvature:
         Those of every so many neighbouring samples `together` are summed, S is less by as much.
         """
         count, directions = len(phi) // together, phi.shape[2]
-        made = []
+        result = []
         pairs = phi[:, :, None, :, None] * phi[:, None, :, None, :]
         pairs = pairs.reshape(count, together * 9, -1).swapaxes(1, 2)
         for columns, blocks in self._blocks:
             n, k = columns.shape
             by_orders = blocks.transpose(0, 2, 4, 1, 3, 5).reshape(count, together * 9, -1)
             local = np.matmul(pairs, by_orders).reshape(count, directions, directions, n, k, k)
-            made.append((columns, local.transpose(0, 3, 1, 4, 2, 5)))
+            result.append((columns, local.transpose(0, 3, 1, 4, 2, 5)))
         for order, diagonal in enumerate(self._diagonals):
             if diagonal is not None:
                 used = np.flatnonzero(diagonal.any(axis=0))
                 one = phi[:, order].reshape(count, together, -1)
                 pairs = (one[:, :, :, None] * one[:, :, None, :]).reshape(count, together, -1)
                 parts = np.matmul(diagonal[:, used].reshape(count, together, -1).swapaxes(1, 2), pairs)
-                made.append((used[:, None], parts.reshape(count, used.size, directions, 1, directions, 1)))
-        return made
+                result.append((used[:, None], parts.reshape(count, used.size, directions, 1, directions, 1)))
+        return result
 
     def quadratic(self, phi: Array, first: int, last: int) -> Array:
         """(N, N): Σ over samples first ... last − 1 in the one direction phi (S, 3)."""
@@ -122,15 +122,15 @@ class Curvature:
             begin, end = np.searchsorted(at, [first, last])
             moved = np.einsum("po,pon->pn", phi[at[begin:end]][:, orders], rows[begin:end])
             out += moved.T @ moved
-        some = slice(first, last)
+        run = slice(first, last)
         for columns, blocks in self._blocks:
             n, k = columns.shape
-            pairs = (phi[some, :, None] * phi[some, None, :]).reshape(-1)
-            by_orders = blocks[some].transpose(0, 2, 4, 1, 3, 5).reshape(pairs.size, n * k * k)
+            pairs = (phi[run, :, None] * phi[run, None, :]).reshape(-1)
+            by_orders = blocks[run].transpose(0, 2, 4, 1, 3, 5).reshape(pairs.size, n * k * k)
             out[columns[:, :, None], columns[:, None, :]] += (pairs @ by_orders).reshape(n, k, k)
         for order, diagonal in enumerate(self._diagonals):
             if diagonal is not None:
-                out[np.diag_indices(self.width)] += phi[some, order] ** 2 @ diagonal[some]
+                out[np.diag_indices(self.width)] += phi[run, order] ** 2 @ diagonal[run]
         return out
 
     def acceleration(self) -> Array:
@@ -167,9 +167,9 @@ def add_differences(
     base = np.hstack([samples.y, samples.y_d, samples.y_dd])
 
     def gradients(moved: Array, copies: int) -> Array:
-        seen = Samples(samples.figure, *np.split(moved, 3, axis=1), t=np.tile(samples.t, copies))
-        cotangent = Cotangent(seen)
-        evaluate(seen, cotangent, np.tile(scale, copies))
+        shifted = Samples(samples.figure, *np.split(moved, 3, axis=1), t=np.tile(samples.t, copies))
+        cotangent = Cotangent(shifted)
+        evaluate(shifted, cotangent, np.tile(scale, copies))
         return np.hstack(cotangent.gradients()).reshape(copies, count, -1)
 
     here = gradients(base, 1)[0]

@@ -48,26 +48,26 @@ class Rows:
 
     def moved(self, change: Array) -> Array:
         """(P,): how the residuals change if y does by (S, N)."""
-        seen = np.empty(self.basis.shape[:2])
+        changes = np.empty(self.basis.shape[:2])
         few = max(1, ENTRIES_AT_ONCE // self.basis.shape[2])
-        for first in range(0, len(seen), few):
+        for first in range(0, len(changes), few):
             run = slice(first, first + few)
-            np.einsum("rkn,rn->rk", self.basis[run], change[self.at[run]], out=seen[run])
-        return seen[:, 0] if self.is_plain else np.einsum("pk,pk->p", self.shares, seen[self.of])
+            np.einsum("rkn,rn->rk", self.basis[run], change[self.at[run]], out=changes[run])
+        return changes[:, 0] if self.is_plain else np.einsum("pk,pk->p", self.shares, changes[self.of])
 
     def pulled_back(self, forces: Array, count: int) -> Array:
         """(S, N): the gradient of forces · residuals, forces (P,)."""
         out = np.zeros((count, self.basis.shape[2]))
-        some = np.flatnonzero(forces)
-        if not some.size:
+        nonzero = np.flatnonzero(forces)
+        if not nonzero.size:
             return out
         if self.is_plain:
-            felt, rows = some, forces[some, None] * self.basis[some, 0]
+            felt, rows = nonzero, forces[nonzero, None] * self.basis[nonzero, 0]
         else:
             total = np.zeros((len(self.basis), self.shares.shape[1]))
-            for k, share in enumerate(self.shares[some].T):
-                total[:, k] = np.bincount(self.of[some], forces[some] * share, len(self.basis))
-            felt = np.unique(self.of[some])
+            for k, share in enumerate(self.shares[nonzero].T):
+                total[:, k] = np.bincount(self.of[nonzero], forces[nonzero] * share, len(self.basis))
+            felt = np.unique(self.of[nonzero])
             rows = np.einsum("rk,rkn->rn", total[felt], self.basis[felt])
         at = self.at[felt]
         if np.any(at[1:] < at[:-1]):
@@ -151,17 +151,17 @@ class OneSided:
         if not plain:
             return self, np.arange(self.at.size)
         place = np.concatenate([np.arange(run.start, run.stop) for run, _ in plain])
-        own = np.argsort(self.at[place], kind="stable")
-        basis = np.concatenate([rows.basis[:, 0] for _, rows in plain])[own]
-        order = np.concatenate([place[own], *(np.arange(run.start, run.stop) for run, _ in others)])
-        rows = Rows.plain(self.at[place[own]], basis), *(rows for _, rows in others)
+        by_sample = np.argsort(self.at[place], kind="stable")
+        basis = np.concatenate([rows.basis[:, 0] for _, rows in plain])[by_sample]
+        order = np.concatenate([place[by_sample], *(np.arange(run.start, run.stop) for run, _ in others)])
+        rows = Rows.plain(self.at[place[by_sample]], basis), *(rows for _, rows in others)
         return OneSided(self.at[order], self.value[order], rows), order
 
     def taken(self, some: Index) -> Array:
         """(A, N) the gradients of some, which rise."""
-        found = []
+        gradients = []
         for run, rows in self.parts():
-            own = some[np.searchsorted(some, run.start) : np.searchsorted(some, run.stop)] - run.start
-            if own.size:
-                found.append(rows.taken(own))
-        return np.concatenate(found) if found else np.zeros((0, 0))
+            indices = some[np.searchsorted(some, run.start) : np.searchsorted(some, run.stop)] - run.start
+            if indices.size:
+                gradients.append(rows.taken(indices))
+        return np.concatenate(gradients) if gradients else np.zeros((0, 0))

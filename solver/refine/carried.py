@@ -54,9 +54,9 @@ def carried(
 
     times = raw.times
     was = old(times)
-    known = {key.time: key for key in before}
+    key_at = {key.time: key for key in before}
     qpos = figure.to_qpos(was)
-    warm = [_warm(key, known.get(key.time), pose) for key, pose in zip(keys, qpos, strict=True)]
+    warm = [_warm(key, key_at.get(key.time), pose) for key, pose in zip(keys, qpos, strict=True)]
     slope = None if raw.ends == "free" else raw.end_slope
     start = raw_timeline(figure, warm, raw.ends, slope if raw.ends == "clamped" else None, travel, turn)
     start = Timeline(start.frames, raw.end_slope, raw.ends) if raw.ends == "clamped" else start
@@ -95,8 +95,8 @@ def _stretched(times: Array, here: Array, there: Array) -> Array:
 def _warm(key: Frame, was: Frame | None, pose: Array) -> Frame:
     """Return a keyframe with unspecified degrees of freedom from the earlier path; as posed if it was edited."""
     same = was is not None and np.array_equal(was.fixed, key.fixed) and np.abs(was.state - key.state).max() < SAME
-    known = key.fixed if same else key.known
-    return Frame(key.time, np.where(known, key.state, pose), key.fixed, ~key.fixed)
+    is_known = key.fixed if same else key.known
+    return Frame(key.time, np.where(is_known, key.state, pose), key.fixed, ~key.fixed)
 
 
 def _signs(figure: Figure, states: Array, was: Array) -> Array:

@@ -64,12 +64,12 @@ class Cut:
         first = float(keys[inner[0]]) if outer[0] else -np.inf
         until = float(keys[inner[1]]) if outer[1] < last else np.inf
         frames = [frame for frame in timeline.frames if begin <= frame.time <= end]
-        held = [frame if first < frame.time < until else Frame.key(frame.time, frame.state) for frame in frames]
+        part_frames = [frame if first < frame.time < until else Frame.key(frame.time, frame.state) for frame in frames]
         slopes = path_of(timeline).at(np.array([begin, end]), 1)
         for side, whole in enumerate((not outer[0], outer[1] == last)):
             if whole:
                 slopes[side] = timeline.end_slope[side]
-        return cls(Timeline(tuple(held), slopes, "clamped"), begin, first, until, end, outer[1] - outer[0])
+        return cls(Timeline(tuple(part_frames), slopes, "clamped"), begin, first, until, end, outer[1] - outer[0])
 
     def around(self, timeline: Timeline) -> Callable[[Timeline], Timeline]:
         """Return a function that inserts a solved part into the timeline."""

@@ -72,8 +72,8 @@ def displacement(
         if told is not None:
             told(i + 1, timeline.times.size - 1)
         rows.append((w @ delta, w @ (delta * level), saved))
-    distance, gap, found = np.array(rows).T
-    return Displacement(distance, gap, found)
+    distance, gap, decrease = np.array(rows).T
+    return Displacement(distance, gap, decrease)
 
 
 def _segment(path: Path, first: float, last: float, variable: int) -> Timeline:

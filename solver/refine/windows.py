@@ -74,16 +74,16 @@ class Assembly:
         """Return a window as a separate clip, with its solved frames fixed."""
         begin, first, end = (self.key_times[i] for i in (window.held, window.first, window.last))
         frames = [f for f in self.frames if begin <= f.time <= end]
-        held = [Frame.key(f.time, f.state) if f.time <= first and window.held < window.first else f for f in frames]
+        part = [Frame.key(f.time, f.state) if f.time <= first and window.held < window.first else f for f in frames]
         if window.held > 0:
             # a second frame at the cut holds the slope there as well
             near = begin + PINNED * (frames[1].time - begin)
-            held.insert(1, Frame.key(near, self.solved_path.at(np.array([near]))[0]))
+            part.insert(1, Frame.key(near, self.solved_path.at(np.array([near]))[0]))
         slopes = np.vstack([self.solved_path.at(np.array([begin]), 1), self.first_path.at(np.array([end]), 1)])
         for side, at_end in enumerate((window.held == 0, window.last == len(self.key_times) - 1)):
             if at_end:
                 slopes[side] = self.end_slope[side]
-        return Timeline(tuple(held), slopes, self.raw.ends)
+        return Timeline(tuple(part), slopes, self.raw.ends)
 
     def around(self, window: Window) -> Callable[[Timeline], Timeline]:
         """Return a function that inserts a solved window into the present clip."""

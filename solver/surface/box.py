@@ -58,9 +58,9 @@ class Box:
         times the inward axes in the world (3, f)."""
         outward = np.concatenate([np.eye(3), -np.eye(3)])
         rise = outward @ self.axes[2]
-        kept = ~((rise < -UPRIGHT) & self.buried)
-        kappa = np.where(rise > UPRIGHT, 1.0, self.sideways)[kept, None]
-        return outward[kept], np.tile(self.half, 2)[kept], kappa, -self.axes @ (kappa * outward[kept]).T
+        is_exit = ~((rise < -UPRIGHT) & self.buried)
+        kappa = np.where(rise > UPRIGHT, 1.0, self.sideways)[is_exit, None]
+        return outward[is_exit], np.tile(self.half, 2)[is_exit], kappa, -self.axes @ (kappa * outward[is_exit]).T
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
         return self._within(self._local(points), self.half.reshape(3, *[1] * (points.ndim - 1)) + radius)

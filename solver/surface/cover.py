@@ -38,7 +38,7 @@ def covering_points(figure: Figure) -> tuple[Point, ...]:
     """Spheres that fill the solid geoms of the figure's links; those inside another one of their link are left out."""
     model = figure.model
     out: list[Point] = []
-    found: dict[int, list[tuple[str, Array, Array]]] = {}
+    by_link: dict[int, list[tuple[str, Array, Array]]] = {}
     for geom in movers(model):
         body = int(model.geom_bodyid[geom])
         centres, radii = filling_spheres(model, geom)
@@ -46,8 +46,8 @@ def covering_points(figure: Figure) -> tuple[Point, ...]:
         link = int(figure.body_link[body])
         places = np.array([figure.point_on_link(body, model.geom_pos[geom] + axes @ c)[1] for c in centres])
         name = geom_name(model, geom)
-        found.setdefault(link, []).append((name, places.reshape(-1, 3), radii))
-    for link, parts in found.items():
+        by_link.setdefault(link, []).append((name, places.reshape(-1, 3), radii))
+    for link, parts in by_link.items():
         names = np.repeat([name for name, _, _ in parts], [len(radii) for _, _, radii in parts])
         centres, radii = np.concatenate([c for _, c, _ in parts]), np.concatenate([r for _, _, r in parts])
         out += [Point(str(names[i]), link, centres[i], float(radii[i])) for i in _visible(centres, radii)]
@@ -56,12 +56,12 @@ def covering_points(figure: Figure) -> tuple[Point, ...]:
 
 def _visible(centres: Array, radii: Array) -> list[int]:
     """Which spheres are not inside a larger one, but for a hair."""
-    kept: list[int] = []
+    outer: list[int] = []
     for i in np.argsort(-radii, kind="stable"):
-        apart = np.linalg.norm(centres[kept] - centres[i], axis=1)
-        if not np.any(apart + radii[i] <= radii[kept] + HIDDEN):
-            kept.append(int(i))
-    return sorted(kept)
+        apart = np.linalg.norm(centres[outer] - centres[i], axis=1)
+        if not np.any(apart + radii[i] <= radii[outer] + HIDDEN):
+            outer.append(int(i))
+    return sorted(outer)
 
 
 def filling_spheres(model: mujoco.MjModel, geom: int, gap: float = GAP) -> Spheres:
@@ -84,10 +84,10 @@ def filling_spheres(model: mujoco.MjModel, geom: int, gap: float = GAP) -> Spher
 
 def _mesh(model: mujoco.MjModel, geom: int) -> Spheres:
     """Points spread over the triangles of a mesh's convex hull, its corners included."""
-    found = hull_of(mesh_vertices(model, geom), CORNERS)
-    if found is None:
+    hull = hull_of(mesh_vertices(model, geom), CORNERS)
+    if hull is None:
         return np.zeros((0, 3)), np.zeros(0)
-    corners, faces = found
+    corners, faces = hull
     places = [corners.T]
     size = float(np.linalg.norm(np.ptp(corners, axis=1)))
     pace = max(CLOSEST, size / FINEST)
@@ -99,8 +99,8 @@ def _mesh(model: mujoco.MjModel, geom: int) -> Spheres:
             i, j = i[i + j <= count][:, None] / count, j[i + j <= count][:, None] / count
             places.append(a + i * (b - a) + j * (c - a))
     points = np.concatenate(places)
-    _, kept = np.unique(np.round(points / (0.5 * pace)), axis=0, return_index=True)
-    return points[kept], np.zeros(kept.size)
+    _, unique = np.unique(np.round(points / (0.5 * pace)), axis=0, return_index=True)
+    return points[unique], np.zeros(unique.size)
 
 
 def _spread(half: float, radius: float, gap: float) -> Array:
@@ -154,7 +154,7 @@ def _ellipsoid(half: Array, gap: float) -> Spheres:
     size = np.hypot(x / max(long, TINY), y / max(wide, TINY))
     shrink = np.where(size > 0, reach / np.maximum(size, TINY), 1.0)
     x, y = x * shrink, y * shrink
-    left = 1 - x**2 / max(a * a - c * c, SQUARED) - y**2 / max(b * b - c * c, SQUARED)
+    remainder = 1 - x**2 / max(a * a - c * c, SQUARED) - y**2 / max(b * b - c * c, SQUARED)
     centres = np.zeros((x.size, 3))
     centres[:, order[0]], centres[:, order[1]] = x, y
-    return centres, c * np.sqrt(np.maximum(left, 0))
+    return centres, c * np.sqrt(np.maximum(remainder, 0))

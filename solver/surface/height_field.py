@@ -143,15 +143,15 @@ class HeightField:
         for i, j in offsets:
             c, r = column + i, row + j
             reached = (cells[0] >= abs(i)) & (cells[1] >= abs(j))
-            some = np.flatnonzero(reached & (c >= 0) & (c < columns - 1) & (r >= 0) & (r < rows - 1))
-            if not some.size:
+            nearby = np.flatnonzero(reached & (c >= 0) & (c < columns - 1) & (r >= 0) & (r < rows - 1))
+            if not nearby.size:
                 continue
-            for corners in self._triangles(c[some], r[some]):
-                away = from_triangle(local[:, some], *corners)
-                found = np.einsum("ip,ip->p", away, away)
-                closer = found < squared[some]
-                squared[some[closer]] = found[closer]
-                best[:, some[closer]] = away[:, closer]
+            for corners in self._triangles(c[nearby], r[nearby]):
+                away = from_triangle(local[:, nearby], *corners)
+                squares = np.einsum("ip,ip->p", away, away)
+                closer = squares < squared[nearby]
+                squared[nearby[closer]] = squares[closer]
+                best[:, nearby[closer]] = away[:, closer]
         return best
 
     def _triangles(self, column: Index, row: Index) -> list[tuple[Array, Array, Array]]:
@@ -176,8 +176,8 @@ def from_triangle(points: Array, a: Array, b: Array, c: Array) -> Array:
         within &= np.einsum("ip,ip->p", np.cross(normal, along, axis=0), away) >= 0
         share = np.einsum("ip,ip->p", along, away) / np.einsum("ip,ip->p", along, along)
         away = away - along * np.clip(share, 0, 1)
-        found = np.einsum("ip,ip->p", away, away)
-        closer = found < squared
-        best[:, closer], squared[closer] = away[:, closer], found[closer]
+        squares = np.einsum("ip,ip->p", away, away)
+        closer = squares < squared
+        best[:, closer], squared[closer] = away[:, closer], squares[closer]
     over = np.einsum("ip,ip->p", normal, points - a) / np.einsum("ip,ip->p", normal, normal)
     return np.where(within, over * normal, best)

@@ -52,10 +52,10 @@ def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: fl
     Returns heights (n, S) [m] and where the ground was found that they are over, (3, n, S), FAR and anywhere for none.
     """
     angles = np.arange(8) * np.pi / 4
-    ways = reach * np.vstack([np.zeros(3), np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)])
-    found = [heights(surfaces, points + way[:, None, None], radius)[0] for way in ways]
-    best = np.argmin([np.abs(height) + BESIDE * (k > 0) for k, height in enumerate(found)], axis=0)
-    return np.choose(best, found), points + np.moveaxis(ways[best], -1, 0)
+    offsets = reach * np.vstack([np.zeros(3), np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)])
+    candidates = [heights(surfaces, points + offset[:, None, None], radius)[0] for offset in offsets]
+    best = np.argmin([np.abs(height) + BESIDE * (k > 0) for k, height in enumerate(candidates)], axis=0)
+    return np.choose(best, candidates), points + np.moveaxis(offsets[best], -1, 0)
 
 
 def ground_at(surfaces: Sequence[Surface], point: Array, radius: float, reach: float) -> Plane | None:

@@ -35,10 +35,10 @@ class Hull(Solid):
         aside = out[np.any(normals @ foot[:, out] - offsets[:, None] > SAME_FACE, axis=0)]
         outward = outward.copy()
         few = max(1, AT_ONCE // len(self._edges))
-        for some in (aside[i : i + few] for i in range(0, aside.size, few)):
-            away = self._from_edges(points[:, some])
-            distance[some] = lengths(away)
-            outward[:, some] = away / np.maximum(distance[some], TINY)
+        for run in (aside[i : i + few] for i in range(0, aside.size, few)):
+            away = self._from_edges(points[:, run])
+            distance[run] = lengths(away)
+            outward[:, run] = away / np.maximum(distance[run], TINY)
         return distance, outward
 
     def least(self, points: Array) -> Array:
@@ -53,12 +53,12 @@ class Hull(Solid):
 
     def span(self, points: Array) -> tuple[Array, Array]:
         normals, offsets = self._planes
-        room = offsets[:, None] - normals[:, :2] @ points[:2]
+        gap = offsets[:, None] - normals[:, :2] @ points[:2]
         rise = normals[:, 2]
         up, down, upright = rise > TINY, rise < -TINY, np.abs(rise) <= TINY
-        top = np.min(room[up] / rise[up, None], axis=0)
-        bottom = np.max(room[down] / rise[down, None], axis=0, initial=-np.inf)
-        hit = (bottom <= top) & np.all(room[upright] >= 0, axis=0)
+        top = np.min(gap[up] / rise[up, None], axis=0)
+        bottom = np.max(gap[down] / rise[down, None], axis=0, initial=-np.inf)
+        hit = (bottom <= top) & np.all(gap[upright] >= 0, axis=0)
         return np.where(hit, bottom, np.nan), np.where(hit, top, np.nan)
 
     @cached_property
@@ -72,12 +72,12 @@ class Hull(Solid):
         a, b, c = (self.corners[:, self.faces[:, k]].T for k in range(3))
         normals = np.cross(b - a, c - a)
         sizes = np.linalg.norm(normals, axis=1)
-        kept = sizes > TINY
+        is_exit = sizes > TINY
         if self.buried:
             bottom = self.corners[2].min() + GROUNDED
-            kept &= (normals[:, 2] > -UPRIGHT * sizes) | (np.max([a[:, 2], b[:, 2], c[:, 2]], axis=0) > bottom)
-        normals = normals[kept] / sizes[kept, None]
-        planes = np.column_stack([normals, np.sum(normals * a[kept], axis=1)])
+            is_exit &= (normals[:, 2] > -UPRIGHT * sizes) | (np.max([a[:, 2], b[:, 2], c[:, 2]], axis=0) > bottom)
+        normals = normals[is_exit] / sizes[is_exit, None]
+        planes = np.column_stack([normals, np.sum(normals * a[is_exit], axis=1)])
         _, first = np.unique(np.round(planes / SAME_FACE), axis=0, return_index=True)
         return planes[first, :3], planes[first, 3]
 

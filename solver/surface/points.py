@@ -88,14 +88,14 @@ def body_points(figure: Figure) -> tuple[Point, ...]:
         kind = int(model.geom_type[geom])
         if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
             pairs.append((len(ends), len(ends) + 1))
-        found = _cover(model, geom)
-        offsets = np.reshape([offset for offset, _ in found], (-1, 3))
+        spheres = _cover(model, geom)
+        offsets = np.reshape([offset for offset, _ in spheres], (-1, 3))
         link, positions = figure.point_on_link(body, model.geom_pos[geom] + offsets @ axes.T)
         name = geom_name(model, geom)
-        ends += [Point(name, link, place, radius) for place, (_, radius) in zip(positions, found, strict=True)]
-    kept = _outermost(ends)
-    between = [point for a, b in pairs if a in kept and b in kept for point in _between(ends[a], ends[b])]
-    return (*(ends[i] for i in sorted(kept)), *between)
+        ends += [Point(name, link, place, radius) for place, (_, radius) in zip(positions, spheres, strict=True)]
+    outermost = _outermost(ends)
+    between = [point for a, b in pairs if a in outermost and b in outermost for point in _between(ends[a], ends[b])]
+    return (*(ends[i] for i in sorted(outermost)), *between)
 
 
 def _between(a: Point, b: Point) -> list[Point]:

@@ -29,15 +29,15 @@ def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
     ids = solids(model)
     planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
     floor = max((p.point[2] for p in planes if p.normal[2] > LEVEL), default=-np.inf)
-    found = [_solid(model, g, data.geom_xpos[g].copy(), data.geom_xmat[g].reshape(3, 3).copy(), floor) for g in ids]
-    return (*planes, *(solid for solid in found if solid is not None))
+    shapes = [_solid(model, g, data.geom_xpos[g].copy(), data.geom_xmat[g].reshape(3, 3).copy(), floor) for g in ids]
+    return (*planes, *(solid for solid in shapes if solid is not None))
 
 
 def moving_surface(model: mujoco.MjModel, geom: int, centre: Array, axes: Array) -> Surface | None:
     """The surface of a geom that moves, at a place (3,) [m] and with axes (3, 3) in those of its carrier; None for
     shapes that have none. All its faces are ways out, each as good as another."""
-    found = _solid(model, geom, centre, axes, -np.inf)
-    return replace(found, sideways=1.0) if isinstance(found, Box) else found
+    solid = _solid(model, geom, centre, axes, -np.inf)
+    return replace(solid, sideways=1.0) if isinstance(solid, Box) else solid
 
 
 def _plane(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> Plane:

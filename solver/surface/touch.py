@@ -54,9 +54,9 @@ def counts_all(model: mujoco.MjModel) -> bool:
 def movers(model: mujoco.MjModel) -> list[int]:
     """The moving geoms that count, those of what a clip adds among them."""
     moving, scenery = moves(model), is_scenery(model)
-    own = moving & ~scenery
-    solid = own & collides(model)
-    return np.flatnonzero((solid if solid.any() else own) | (moving & scenery)).tolist()
+    figure_geoms = moving & ~scenery
+    solid = figure_geoms & collides(model)
+    return np.flatnonzero((solid if solid.any() else figure_geoms) | (moving & scenery)).tolist()
 
 
 def solids(model: mujoco.MjModel) -> list[int]:
@@ -85,7 +85,7 @@ def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
     """
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
-    weld, found = model.body_weldid, set()
+    weld, pairs = model.body_weldid, set()
     fixed = [geom for geom in movers(model) if _hangs(model, int(model.geom_bodyid[geom]))]
     for solid in solids(model):
         under = int(model.geom_bodyid[solid])
@@ -93,12 +93,12 @@ def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
             body = int(weld[model.geom_bodyid[geom]])
             beside = under != 0 and int(model.body_parentid[body]) == under
             if beside or (
-                (body, solid) not in found
+                (body, solid) not in pairs
                 and _touches(model, data, geom, solid)
                 and not _slides_out(model, geom, solid)
             ):
-                found.add((body, solid))
-    return frozenset(found)
+                pairs.add((body, solid))
+    return frozenset(pairs)
 
 
 def _way(model: mujoco.MjModel, body: int) -> list[int]:

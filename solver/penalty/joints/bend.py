@@ -70,7 +70,7 @@ class BendLimits(Penalty):
             return self
         samples = Samples.still(figure, keys.states)
         columns = [quaternion_columns(figure.links[joint.link]) for joint in self.joints]
-        fixed = np.array([keys.fixed[:, some].all(axis=1) for some in columns])
+        fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
         excess = np.maximum(self._excess(self.angles(samples)), 0) * fixed
         return replace(self, allowed=Allowance(keys.times, excess))
 
@@ -100,16 +100,16 @@ class BendLimits(Penalty):
         return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
 
     def _seen(self, samples: Samples) -> tuple[Array, Seen]:
-        own, axes = self._axes
+        joints, axes = self._axes
         tables = samples.figure.tables
         carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest where the parent's are
         if tables.has_turns:
-            carried = np.einsum("jin,kjn->kin", _matrices(tables.turn[:, own]), carried)
+            carried = np.einsum("jin,kjn->kin", _matrices(tables.turn[:, joints]), carried)
         fixed = np.concatenate([*carried, *axes], axis=1)
-        owners = np.concatenate([own, own, *[tables.parents[own]] * 3])
-        seen = samples.links.fixed(on_links(fixed, owners, len(samples.figure.links)))
-        seen = seen.reshape(3, 5, own.size, samples.count).swapaxes(0, 1)
-        world, frame = seen[:2], seen[2:]
+        owners = np.concatenate([joints, joints, *[tables.parents[joints]] * 3])
+        rotated = samples.links.fixed(on_links(fixed, owners, len(samples.figure.links)))
+        rotated = rotated.reshape(3, 5, joints.size, samples.count).swapaxes(0, 1)
+        world, frame = rotated[:2], rotated[2:]
         v, u = np.einsum("bins,kins->kbns", frame, world)
         angles, planar, p = _bent(u, v)
         return angles, (world, frame, u, v, planar, p)
@@ -124,12 +124,12 @@ class BendLimits(Penalty):
         """Angles that are beyond their bounds by more than `least` [rad]."""
         if not self.joints:
             return
-        angles, seen = self._seen(samples)
+        angles, rotated = self._seen(samples)
         excess = self._excess(angles)
         if self.allowed is not None and self.allowed.excess.any():
             excess -= self.allowed.at(samples.t)
         side, joint, at = np.nonzero(excess > least)
-        axis = SIGN[side] * _turning_axes(seen, ANGLE[side], joint, at)
+        axis = SIGN[side] * _turning_axes(rotated, ANGLE[side], joint, at)
         link = self._axes[0][joint]
         changes = of_turn(at, link, axis), of_turn(at, samples.figure.tables.parents[link], -axis)
         yield Block(at, excess[side, joint, at], changes, one_sided=True)
@@ -157,9 +157,9 @@ def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
     turn = np.array([figure.links[joint.link].turn for joint in joints])
     lateral = np.array([joint.lateral for joint in joints])
     down = np.array([joint.long_axis for joint in joints])
-    seen = quat.product(quat.product(turn, relative), quat.inverse(turn))
+    rotated = quat.product(quat.product(turn, relative), quat.inverse(turn))
     axes = np.array([np.cross(lateral, down), down, lateral])
-    v, u = (np.einsum("bni,...ni->b...n", axes, quat.rotated(seen, axis)) for axis in (lateral, down))
+    v, u = (np.einsum("bni,...ni->b...n", axes, quat.rotated(rotated, axis)) for axis in (lateral, down))
     return _bent(u, v)[0]
 
 

@@ -73,7 +73,7 @@ class Closed(Penalty):
 
 def closures(figure: Figure) -> tuple[Closure, ...]:
     """What a model's active connections and welds hold together, but for handles that a programme moves (mocap)."""
-    model, found = figure.model, []
+    model, result = figure.model, []
     kinds = {int(mujoco.mjtEq.mjEQ_CONNECT): "connect", int(mujoco.mjtEq.mjEQ_WELD): "weld"}
     for i in np.flatnonzero(model.eq_active0 != 0):
         kind = kinds.get(int(model.eq_type[i]))
@@ -91,8 +91,8 @@ def closures(figure: Figure) -> tuple[Closure, ...]:
                 link, place = figure.point_on_link(body, position + quat.rotated(turn, offset))
                 ends.append(Point(name, link, place))
             if ends[0].link != ends[1].link:
-                found.append(Closure(name, ends[0], ends[1]))
-    return tuple(found)
+                result.append(Closure(name, ends[0], ends[1]))
+    return tuple(result)
 
 
 def _frames(model: mujoco.MjModel, equality: int, *, weld: bool) -> list[tuple[int, Array, Array]]:

@@ -74,15 +74,15 @@ class Coupled(Penalty):
         followers, drivers = self._columns
         away, slope = self.away(samples)
         at = np.tile(np.arange(samples.count), len(self.couplings))
-        own, other = (np.repeat(columns, samples.count) for columns in (followers, drivers))
-        yield Block(at, away.ravel(), (Entries(at, 0, own), Entries(at, 0, other, -slope.ravel())))
+        follower, other = (np.repeat(columns, samples.count) for columns in (followers, drivers))
+        yield Block(at, away.ravel(), (Entries(at, 0, follower), Entries(at, 0, other, -slope.ravel())))
 
 
 def couplings(figure: Figure) -> tuple[Coupling, ...]:
     """The joints that a model's active equality constraints couple."""
     model = figure.model
     chosen = (model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)) & (model.eq_active0 != 0)
-    found = []
+    result = []
     for i in np.flatnonzero(chosen):
         one, two = int(model.eq_obj1id[i]), int(model.eq_obj2id[i])
         follower, driver = int(model.jnt_qposadr[one]), int(model.jnt_qposadr[two]) if two >= 0 else -1
@@ -92,16 +92,16 @@ def couplings(figure: Figure) -> tuple[Coupling, ...]:
         rest = float(model.qpos0[follower]), float(model.qpos0[driver]) if two >= 0 else 0.0
         slides = model.jnt_type[one] == int(mujoco.mjtJoint.mjJNT_SLIDE)
         name = figure.links[one + 1].name
-        found.append(Coupling(name, follower, driver, rest, coefficients, "m" if slides else "degrees"))
-    return tuple(found)
+        result.append(Coupling(name, follower, driver, rest, coefficients, "m" if slides else "degrees"))
+    return tuple(result)
 
 
 def in_order(chosen: Sequence[Coupling]) -> list[Coupling]:
     """Couplings such that a follower that drives others comes before those, as far as there is an order."""
-    left, done = list(chosen), []
-    while left:
-        followers = {c.follower for c in left}
-        ready = [c for c in left if c.driver not in followers or c.driver == c.follower] or left[:1]
+    remaining, done = list(chosen), []
+    while remaining:
+        followers = {c.follower for c in remaining}
+        ready = [c for c in remaining if c.driver not in followers or c.driver == c.follower] or remaining[:1]
         done += ready
-        left = [c for c in left if c not in ready]
+        remaining = [c for c in remaining if c not in ready]
     return done

@@ -84,7 +84,7 @@ class JointRange(Penalty):
             excess[1, balls] = self._turned(samples)[0] - high[balls, None]
         links = [figure.links[joint.link] for joint in self.joints]
         columns = [quaternion_columns(link) or slice(link.qpos, link.qpos + 1) for link in links]
-        fixed = np.array([keys.fixed[:, some].all(axis=1) for some in columns])
+        fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
         return replace(self, allowed=Allowance(keys.times, np.maximum(excess, 0) * fixed))
 
     @property
@@ -128,8 +128,8 @@ class JointRange(Penalty):
             _, angle, rate, axis = self._turned(samples)
             over = angle - self._limits(samples.t, balls)[1]
             joint, at = np.nonzero(over > -near * NEAR[JointKind.BALL])
-            way, link = (rate * axis)[:, joint, at], self._links[joint]
-            changes = of_turn(at, link, way), of_turn(at, samples.figure.tables.parents[link], -way)
+            direction, link = (rate * axis)[:, joint, at], self._links[joint]
+            changes = of_turn(at, link, direction), of_turn(at, samples.figure.tables.parents[link], -direction)
             yield Block(at, over[joint, at], changes, one_sided=True)
 
     @cached_property
@@ -173,18 +173,18 @@ class JointRange(Penalty):
     def _turned(self, samples: Samples) -> tuple[Array, Array, Array, Array]:
         """The ball joints' angles as they are and rounded off at π, the rate of the one by the other, (b, S) [rad], and
         the axes in the world (3, b, S)."""
-        links, tables, own = samples.links, samples.figure.tables, self._links
-        base = links.Q[:, tables.parents[own]]
+        links, tables, children = samples.links, samples.figure.tables, self._links
+        base = links.Q[:, tables.parents[children]]
         if tables.has_turns or self._has_homes:
             base = hamilton(base, self._rest(samples.figure)[:, :, None])
-        child = links.Q[:, own]
+        child = links.Q[:, children]
         along = np.einsum("jcns,cns->jns", vector_product(base), child)
         w, sine = dot(base, child), np.sqrt(dot(along, along))
         angle = 2 * np.arctan2(sine, np.abs(w))
-        left = 2 * np.arctan2(np.abs(w), sine)
-        rounded = np.hypot(left, ROUNDING)
+        angle_ = 2 * np.arctan2(np.abs(w), sine)
+        rounded = np.hypot(angle_, ROUNDING)
         axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, TINY)
-        return angle, np.pi - rounded, left / rounded, axis
+        return angle, np.pi - rounded, angle_ / rounded, axis
 
     @cached_property
     def _has_homes(self) -> bool:
@@ -204,7 +204,7 @@ class JointRange(Penalty):
 
 def joint_ranges(figure: Figure) -> tuple[Range, ...]:
     """The ranges of a model's limited joints that can be passed."""
-    model, found = figure.model, []
+    model, result = figure.model, []
     for i, link in enumerate(figure.links[1:], start=1):
         if link.kind is JointKind.FREE or not model.jnt_limited[link.joint]:
             continue
@@ -213,5 +213,5 @@ def joint_ranges(figure: Figure) -> tuple[Range, ...]:
             low, high = 0.0, max(low, high)
             if high >= np.pi:
                 continue
-        found.append(Range(link.name, i, link.kind, low, high))
-    return tuple(found)
+        result.append(Range(link.name, i, link.kind, low, high))
+    return tuple(result)

@@ -126,19 +126,19 @@ class SelfContact(Penalty):
             return None
         carriers, middles, reach = self._bounds
         around, _ = samples.links.points(carriers, middles)
-        room = near + self.margin
-        found = []
+        reach_limit = near + self.margin
+        results = []
         for first, last, pairs in self._groups:
             a, b = (int(np.searchsorted(carriers, link)) for link in (first, last))
             gap = around[:, a] - around[:, b]
-            at = np.flatnonzero(dot(gap, gap) < (reach[a] + reach[b] + room) ** 2)
+            at = np.flatnonzero(dot(gap, gap) < (reach[a] + reach[b] + reach_limit) ** 2)
             if at.size:
-                met = self._met(samples, at, pairs, room)
-                found.append(met.taken(np.flatnonzero(met.depth > -near)))
-        if not any(met.at.size for met in found):
+                met = self._met(samples, at, pairs, reach_limit)
+                results.append(met.taken(np.flatnonzero(met.depth > -near)))
+        if not any(met.at.size for met in results):
             return None
         names = ("at", "first", "last", "first_arm", "last_arm", "depth", "apart")
-        return Meeting(*(np.concatenate([getattr(met, name) for met in found], axis=-1) for name in names))
+        return Meeting(*(np.concatenate([getattr(met, name) for met in results], axis=-1) for name in names))
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array, Array, Array]:
@@ -162,8 +162,8 @@ class SelfContact(Penalty):
         """Pairs of links with their pairs of bars (2, p)."""
         links = self._arrays[0]
         both = links[self.pairs]
-        found = np.unique(both, axis=1).T
-        return [(int(a), int(b), self.pairs[:, (both[0] == a) & (both[1] == b)]) for a, b in found]
+        link_pairs = np.unique(both, axis=1).T
+        return [(int(a), int(b), self.pairs[:, (both[0] == a) & (both[1] == b)]) for a, b in link_pairs]
 
     def _placed(self, samples: Samples, at: Index, bars: Index) -> tuple[Array, Array]:
         """Arms from the link's origin to the middles, and axes, of some bars of one link at samples: (3, n, k)."""
@@ -213,14 +213,14 @@ def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
     carrying = {bar.link for bar in bars}
     joined = {(_carrier(figure, link, carrying), link) for link in carrying}
     resting = _overlapping(figure.model, {bar.geom for bar in bars})
-    found = []
+    pairs = []
     for i, j in itertools.combinations(range(len(bars)), 2):
         if bars[i].link > bars[j].link:
             i, j = j, i
         links, geoms = (bars[i].link, bars[j].link), sorted((bars[i].geom, bars[j].geom))
         if links[0] != links[1] and links not in joined and tuple(geoms) not in resting:
-            found.append((i, j))
-    return np.array(found, np.intp).reshape(-1, 2).T
+            pairs.append((i, j))
+    return np.array(pairs, np.intp).reshape(-1, 2).T
 
 
 def _carrier(figure: Figure, link: int, carrying: set[int]) -> int:
@@ -251,11 +251,11 @@ def _bars(figure: Figure, geom: int) -> list[Bar]:
 
 def _outer(bars: list[Bar]) -> tuple[Bar, ...]:
     """The bars without those that hardly stick out of a thicker one of their link."""
-    kept: list[Bar] = []
+    outer: list[Bar] = []
     for bar in sorted(bars, key=lambda bar: -bar.radius):
-        if not any(_inside(bar, other) for other in kept if other.link == bar.link):
-            kept.append(bar)
-    return tuple(kept)
+        if not any(_inside(bar, other) for other in outer if other.link == bar.link):
+            outer.append(bar)
+    return tuple(outer)
 
 
 def _inside(bar: Bar, other: Bar) -> bool:

@@ -50,11 +50,11 @@ class Upright(Momentary):
         which, at = self.pairs(samples)
         if not which.size:
             return
-        links, axes, ways = self._arrays
+        links, axes, directions = self._arrays
         turned = applied(samples.links.rotation[:, :, links[which], at], axes[:, which])
         at, link, along = along_axes(at, links[which])
         changes = of_turn(at, link, cross(np.tile(turned, 3), along))
-        yield Block(at, (turned - ways[:, which]).ravel(), (changes,))
+        yield Block(at, (turned - directions[:, which]).ravel(), (changes,))
 
     @cached_property
     def _times(self) -> Array:
@@ -64,10 +64,10 @@ class Upright(Momentary):
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
         """Links (n,), axes and ways (3, n)."""
-        axes, ways = (
+        axes, directions = (
             np.array([getattr(lean, part) for lean in self.leans]).reshape(-1, 3).T for part in ("axis", "direction")
         )
-        return np.array([lean.link for lean in self.leans], np.intp), axes, ways
+        return np.array([lean.link for lean in self.leans], np.intp), axes, directions
 
 
 def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
@@ -77,7 +77,7 @@ def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, .
     """
     states = keys.states
     samples = Samples.still(figure, states)
-    found = []
+    result = []
     for root in roots:
         columns = _turning(figure, int(root))
         if not columns:
@@ -85,8 +85,8 @@ def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, .
         posed = keys.known[:, columns].all(axis=1) & ~keys.fixed[:, columns].all(axis=1)
         for k in np.flatnonzero(posed):
             axis = samples.links.rotation[2, :, root, k].copy()
-            found.append(Lean(int(root), float(keys.times[k]), axis, np.array([0.0, 0, 1])))
-    return tuple(found)
+            result.append(Lean(int(root), float(keys.times[k]), axis, np.array([0.0, 0, 1])))
+    return tuple(result)
 
 
 def _turning(figure: Figure, root: int) -> list[int]:

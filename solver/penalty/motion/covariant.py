@@ -108,16 +108,16 @@ def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intri
     s = dots[1][..., None] * inverse if intrinsic else np.zeros_like(inverse)
     by_s = 4 * s * q - 2 * q_d
     q_inverse = q * inverse
-    left, right = np.empty((*q.shape, 3)), np.zeros((*q.shape[:-1], 3, 3, 4))
-    left[..., 0], left[..., 1] = q, by_s
-    left[..., 2] = q_dd - (along - 2 * s * s) * q - 2 * s * q_d
+    factor, right = np.empty((*q.shape, 3)), np.zeros((*q.shape[:-1], 3, 3, 4))
+    factor[..., 0], factor[..., 1] = q, by_s
+    factor[..., 2] = q_dd - (along - 2 * s * s) * q - 2 * s * q_d
     right[..., 0, 0, :] = 2 * along * q_inverse - q_dd * inverse
     right[..., 0, 2, :] = -q_inverse
     if intrinsic:
         right[..., 1, 0, :] = q_d * inverse - 2 * s * q_inverse
         right[..., 1, 1, :] = q_inverse
         right[..., 2, 0, :] = -q_inverse
-    out = np.matmul(left, right.reshape(*q.shape[:-1], 3, 12)).reshape(*q.shape, 3, 4)
+    out = np.matmul(factor, right.reshape(*q.shape[:-1], 3, 12)).reshape(*q.shape, 3, 4)
     diagonal = np.einsum("...aka->...ak", out)
     diagonal[..., 0] += 2 * s * s - along
     diagonal[..., 1] -= 2 * s

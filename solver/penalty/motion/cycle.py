@@ -70,8 +70,8 @@ class Cycle(Guide):
             rows = np.zeros((samples.count, child.size, 3, 3, 8))
             rows[:, :, :, 0, :4] = np.einsum("ijns,jkns->snik", moved, by_q[:, :, child])
             rows[:, :, :, 0, 4:] = -np.einsum("ijns,jkns->snik", moved, by_q[:, :, parent])
-            for some, blocks in apart(figure, tuple(child.tolist())):
-                into.add_blocks(blocks, rows[:, some, ..., : blocks.shape[1]], scale * trust)
+            for group, blocks in apart(figure, tuple(child.tolist())):
+                into.add_blocks(blocks, rows[:, group, ..., : blocks.shape[1]], scale * trust)
 
         yield Dense((2 * root * v).reshape(-1, samples.count), pulled_back, curved if figure.is_world else None)
 
@@ -99,9 +99,9 @@ class Cycle(Guide):
 
     def _states(self, plain: Array, times: Array) -> Array:
         """The cycle's states at times (T,) [s], with unknown entries as in `plain` (T, N)."""
-        found, qpos = self.rhythm.poses.map, self.figure.to_qpos(plain)
+        pose_map, qpos = self.rhythm.poses.map, self.figure.to_qpos(plain)
         target = self._at(times)[0]
-        qpos[:, found.columns.T] = target[:, : self._turns].reshape(times.size, found.links.size, 4)
+        qpos[:, pose_map.columns.T] = target[:, : self._turns].reshape(times.size, pose_map.links.size, 4)
         qpos[:, self._columns[0]] = target[:, self._turns :]
         states = self.figure.to_state(qpos)
         for columns in self.figure.tables.quaternion_columns.T:
@@ -116,9 +116,9 @@ class Cycle(Guide):
     @cached_property
     def _columns(self) -> tuple[Index, Array]:
         """The state's columns of hinges and the root's height, and what each counts [1, rad/m]."""
-        found = self.rhythm.poses.map
-        columns = np.concatenate([found.hinges, found.heights])
-        return columns, np.repeat([1.0, HEIGHT], [found.hinges.size, found.heights.size])
+        pose_map = self.rhythm.poses.map
+        columns = np.concatenate([pose_map.hinges, pose_map.heights])
+        return columns, np.repeat([1.0, HEIGHT], [pose_map.hinges.size, pose_map.heights.size])
 
     @cached_property
     def _table(self) -> Array:

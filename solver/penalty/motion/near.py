@@ -80,8 +80,8 @@ class Near(Guide):
         states = self.recorded.path.at(timeline.times)
         same = self._same(timeline.states, states)
         frames = [
-            Frame.variable(f.time, np.where(own, s, -s)) if f.is_variable else f
-            for f, s, own in zip(timeline.frames, states, same, strict=True)
+            Frame.variable(f.time, np.where(is_free, s, -s)) if f.is_variable else f
+            for f, s, is_free in zip(timeline.frames, states, same, strict=True)
         ]
         return Timeline(tuple(frames), timeline.end_slope, timeline.ends)
 
@@ -153,13 +153,13 @@ class Near(Guide):
     def _at(self, t: Array) -> _Target:
         """The recorded states at times t (S,); cached, because a search evaluates the same times repeatedly."""
         key = (float(t[0]), float(t[-1]), t.size)
-        known = self._seen.get(key)
-        if known is not None and np.array_equal(known.t, t):
-            return known
-        rec, held = self.recorded, self._held(t)
+        cached = self._seen.get(key)
+        if cached is not None and np.array_equal(cached.t, t):
+            return cached
+        rec, weight = self.recorded, self._held(t)
         trust = np.stack([np.interp(t, rec.times, column) for column in rec.trust.T], axis=1)
         weights = np.empty((3, t.size, rec.figure.width))
-        weights[0] = self._pose * trust * held[:, None]
+        weights[0] = self._pose * trust * weight[:, None]
         weights[1] = np.where(rec.is_place, trust * BACK / (2 * STRAYS**2), 0)
         weights[2] = 1 / np.maximum(rec.liveliness, MENDED)
         motion = rec.path.motion(np.clip(t, *rec.path.span))
@@ -167,7 +167,7 @@ class Near(Guide):
         whole = np.interp(t, rec.times, rec.trust.min(axis=1))
         if sum(target.t.size for target in self._seen.values()) > REMEMBERED:
             self._seen.clear()
-        self._seen[key] = _Target(t, motion, weights, ends, whole * held / (2 * STRAYS**2 * BACK))
+        self._seen[key] = _Target(t, motion, weights, ends, whole * weight / (2 * STRAYS**2 * BACK))
         return self._seen[key]
 
 
@@ -175,9 +175,9 @@ def levers(figure: Figure) -> Array:
     """(L − 1,) [m] from every link's joint to the farthest end of a limb beyond it, at rest."""
     rest = figure.to_state(np.asarray(figure.model.qpos0))[None]
     motion, links = Samples.still(figure, rest).links, figure.links
-    own = np.array([link.anchor for link in links]).T
-    ends = 2 * np.array([link.centre for link in links]).T - own
-    joints, tips = (motion.points(np.arange(len(links)), part)[0][:, :, 0] for part in (own, ends))
+    anchors = np.array([link.anchor for link in links]).T
+    ends = 2 * np.array([link.centre for link in links]).T - anchors
+    joints, tips = (motion.points(np.arange(len(links)), part)[0][:, :, 0] for part in (anchors, ends))
     apart = np.linalg.norm(tips[:, :, None] - joints[:, None, :], axis=0)
     beyond = np.asarray(figure.tables.path, bool)
     return np.maximum(np.where(beyond, apart, 0).max(axis=0)[1:], SHORTEST)

@@ -39,10 +39,10 @@ class PeakAcceleration(Penalty):
 
     def _larger(self, samples: Samples, least: float, steeper: float) -> Iterator[Block]:
         """Residuals |α|⁴ whose gradients are larger than `least` of the largest, so many times as steep."""
-        ways, sizes = relative_accelerations(samples)
+        directions, sizes = relative_accelerations(samples)
         slopes = POWER * sizes ** (POWER - 1)
         at, link = np.nonzero(least * slopes.max(initial=0.0) < slopes.T)
-        size, axis = sizes[link, at], steeper * slopes[link, at] * ways[:, link, at]
+        size, axis = sizes[link, at], steeper * slopes[link, at] * directions[:, link, at]
         parent = samples.figure.tables.parents[link]
         changes = Wrenches(at, link, torque_dd=axis), Wrenches(at, parent, torque_dd=-axis)
         yield Block(at, size**POWER, changes)

@@ -72,8 +72,8 @@ def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
     for order, part in enumerate((by_q, by_rate)):
         rows[:, :, :, order, :4] = part[:, :, child].transpose(3, 2, 0, 1)
         rows[:, :, :, order, 4:] = -part[:, :, parent].transpose(3, 2, 0, 1)
-    for some, columns in apart(figure, tuple(child.tolist())):
-        into.add_blocks(columns, rows[:, some, ..., : columns.shape[1]], 0.25 * scale)
+    for group, columns in apart(figure, tuple(child.tolist())):
+        into.add_blocks(columns, rows[:, group, ..., : columns.shape[1]], 0.25 * scale)
 
 
 @lru_cache(maxsize=8)
@@ -100,4 +100,4 @@ def apart(figure: Figure, child: tuple[int, ...]) -> list[tuple[Index, Index]]:
         group[0].append(i)
         group[1].update(pair)
     columns = [np.concatenate([place[link] for link in pair]) for pair in pairs]
-    return [(np.array(some), np.array([columns[i] for i in some])) for some, _ in groups]
+    return [(np.array(members), np.array([columns[i] for i in members])) for members, _ in groups]

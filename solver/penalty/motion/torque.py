@@ -44,15 +44,15 @@ class Torque(Penalty):
             _Motors.of(samples, tables.hinge_links, tables.hinge_columns, inverse.moment),
             _Motors.of(samples, tables.slide_links, tables.slide_columns, inverse.force),
         ]
-        efforts = [moment.reshape(-1, samples.count), *(each.effort for each in motors)]
+        efforts = [moment.reshape(-1, samples.count), *(motor.effort for motor in motors)]
 
         def pulled_back(into: Cotangent, bar: Array) -> None:
             edges = np.cumsum([len(part) for part in efforts])
             of_balls, of_hinges, of_slides = np.split(bar, edges[:2])
             moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
             moment_bar[:, balls] = of_balls.reshape(3, -1, samples.count)
-            for each, part, target in zip(motors, (of_hinges, of_slides), (moment_bar, force_bar), strict=True):
-                each.pull_back(into, part, target)
+            for motor, part, target in zip(motors, (of_hinges, of_slides), (moment_bar, force_bar), strict=True):
+                motor.pull_back(into, part, target)
             inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
             if spin is not None:
                 _reflected_pulled_back(into, balls, parents, armature * moment_bar[:, balls], spin)
