@@ -67,10 +67,10 @@ def by_trust_constr(problem: Watched) -> Array:
         hess=lambda _x, v: sparse.diags_array(np.repeat(2 * v, 4)),
     )
     options = {"maxiter": 300, "gtol": 1e-5, "xtol": 1e-9}
-    found = optimize.minimize(
+    result = optimize.minimize(
         problem, x, jac=True, hess=problem.hessian, method="trust-constr", constraints=[constraint], options=options
     )
-    return found.x
+    return result.x
 
 
 def by_nlopt(problem: Watched) -> Array:
@@ -120,48 +120,48 @@ class Ipopt:
         a, b, c = (casadi.SX.sym(name, 4) for name in "abc")
         rate = (a - 2 * b + c) / h**2
         w = rate - casadi.dot(rate, b) / casadi.sumsqr(b) * b
-        each = casadi.Function("each", [a, b, c], [casadi.sumsqr(w)])
+        term = casadi.Function("each", [a, b, c], [casadi.sumsqr(w)])
         count = q.shape[1]
-        value = h * casadi.sum2(each.map(count - 2)(q[:, : count - 2], q[:, 1 : count - 1], q[:, 2:]))
+        value = h * casadi.sum2(term.map(count - 2)(q[:, : count - 2], q[:, 1 : count - 1], q[:, 2:]))
         lengths = casadi.sum1(casadi.reshape(x, 4, problem.free.size) ** 2).T - 1
-        made = cls(casadi, None, problem.start[problem.free].ravel(), problem.free.size, [], 0.0, None)
-        made.callback = noting(casadi, x.numel(), made.note, problem.free.size)
+        solver = cls(casadi, None, problem.start[problem.free].ravel(), problem.free.size, [], 0.0, None)
+        solver.callback = noting(casadi, x.numel(), solver.note, problem.free.size)
         options = {
             "ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-6, "max_iter": 300},
             "print_time": False,
-            "iteration_callback": made.callback,
+            "iteration_callback": solver.callback,
         }
-        made.solver = casadi.nlpsol("solve", "ipopt", {"x": x, "f": value, "g": lengths}, options)
-        return made
+        solver.solver = casadi.nlpsol("solve", "ipopt", {"x": x, "f": value, "g": lengths}, options)
+        return solver
 
     def note(self, x: Array) -> None:
         self.seen.append((time.perf_counter() - self.begin, x))
 
     def run(self) -> list[Iterate]:
         self.seen, self.begin = [], time.perf_counter()
-        found = self.solver(x0=self.start, lbg=0, ubg=0)
-        return [*self.seen, (time.perf_counter() - self.begin, np.array(found["x"]).ravel())]
+        result = self.solver(x0=self.start, lbg=0, ubg=0)
+        return [*self.seen, (time.perf_counter() - self.begin, np.array(result["x"]).ravel())]
 
 
 def watched(solve: Callable[[Any], Array], orientations: Array, steps: int) -> list[Iterate]:
     """A solver's points, its end last; setting up the problem is off the clock."""
     problem = Watched(orientations, steps)
     problem.begin = time.perf_counter()
-    found = solve(problem)
-    return [*problem.seen, (time.perf_counter() - problem.begin, np.array(found))]
+    solution = solve(problem)
+    return [*problem.seen, (time.perf_counter() - problem.begin, np.array(solution))]
 
 
 def ours(found: Track) -> tuple[list[tuple[float, Path]], Path]:
     """Our improvements, the verb's end last."""
-    seen: list[tuple[float, Path]] = []
+    iterates: list[tuple[float, Path]] = []
     begin = time.perf_counter()
 
     def improved(step: Improvement) -> None:
-        seen.append((time.perf_counter() - begin, step.path))
+        iterates.append((time.perf_counter() - begin, step.path))
 
     motion = solved(found, OURS, improved)
-    seen.append((time.perf_counter() - begin, motion.path))
-    return seen, motion.path
+    iterates.append((time.perf_counter() - begin, motion.path))
+    return iterates, motion.path
 
 
 def arrival(times: list[float], values: list[float]) -> float:
@@ -212,17 +212,17 @@ def of_set(found: Track, effort: Effort) -> dict[str, Any]:
             failed[name] = type(error).__name__
             return
         if name == "ours":
-            seen, path = got
-            values, reached = [energy(p) for _, p in seen], energy(path)
+            iterates, path = got
+            values, reached = [energy(p) for _, p in iterates], energy(path)
         else:
-            seen = got
-            values, reached = [judge.judged(x) for _, x in seen], energy(grid.path(seen[-1][1]))
+            iterates = got
+            values, reached = [judge.judged(x) for _, x in iterates], energy(grid.path(iterates[-1][1]))
         if reached > REACHED * goal:
-            failed[name] = f"energy {reached / goal:.4f} × ours after {seen[-1][0]:.1f} s"
+            failed[name] = f"energy {reached / goal:.4f} × ours after {iterates[-1][0]:.1f} s"
             return
         row[f"{name}, energy"] = reached
-        clocks[name].append(arrival([t for t, _ in seen], values))
-        totals[name].append(seen[-1][0])
+        clocks[name].append(arrival([t for t, _ in iterates], values))
+        totals[name].append(iterates[-1][0])
 
     fast = [name for name in works if name not in SLOW]
     for name in fast:
@@ -230,8 +230,8 @@ def of_set(found: Track, effort: Effort) -> dict[str, Any]:
     alternated({name: lambda name=name: measured(name) for name in fast}, effort.repeats, warm=False)
     both = ["ours", *(name for name in works if name in SLOW)]
     alternated({name: lambda name=name: measured(name) for name in both}, effort.count(REPEATS, 1), warm=False)
-    row["clock [s]"] = {name: median(own) for name, own in clocks.items() if own}
-    row["total [s]"] = {name: median(own) for name, own in totals.items() if own}
+    row["clock [s]"] = {name: median(clock_values) for name, clock_values in clocks.items() if clock_values}
+    row["total [s]"] = {name: median(clock_values) for name, clock_values in totals.items() if clock_values}
     row["failed"] = failed
     return row
 

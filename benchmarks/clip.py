@@ -62,19 +62,19 @@ def measure(effort: Effort) -> Section:
     effort.tell("solving")
     times, results = alternated({"solve": lambda: solve(problem)}, effort.repeats)
     clocks["solve, subdivision included"] = times["solve"]
-    told: dict[str, Any] = {
+    stages: dict[str, Any] = {
         "`dynsplines solve`: start to its first line about a path": first_told,
         "start of a process to the first path better than the raw one": first_better,
         "`dynsplines --help`": helped,
     }
     for i in range(effort.repeats):
-        for name, work in told.items():
+        for name, work in stages.items():
             effort.tell(f"{name}, run {i + 1}")
             clocks.setdefault(name, []).append(work())
-    for name, own in clocks.items():
-        section.add(name, median(own), min(own), max(own))
+    for name, values in clocks.items():
+        section.add(name, median(values), min(values), max(values))
     motion: Solution = results["solve"]
-    middle = {name: median(own) for name, own in clocks.items()}
+    middle = {name: median(values) for name, values in clocks.items()}
     solved, line, better, help_text = middle.values()
     section.targets = [
         Target("solve, subdivision included", solved, 0.5, unit="s"),

@@ -54,21 +54,21 @@ def outcomes(name: str, terms: Sequence[str], effort: Effort) -> list[Outcome]:
     clip = recordings.load(name)
     whole = solved(clip)
     with_it = costs(whole, whole)
-    found = []
+    results = []
     for term in with_it:
         if terms and term not in terms:
             continue
         effort.tell(f"{name} without {term}")
-        left = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name != term)
-        if not left or len(left) == len(clip.penalties):
+        remaining = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name != term)
+        if not remaining or len(remaining) == len(clip.penalties):
             continue
-        without = costs(whole, solved(clip.asking(penalties=left)))
+        without = costs(whole, solved(clip.asking(penalties=remaining)))
         rest, before = (sum(v for key, v in side.items() if key != term) for side in (without, with_it))
         if max(without[term], with_it[term]) < LITTLE * sum(with_it.values()):
             continue
-        own = without[term] / max(with_it[term], LITTLE**2 * sum(with_it.values()))
-        found.append(Outcome(name, term, own, rest / before, without[term] / sum(with_it.values())))
-    return found
+        share = without[term] / max(with_it[term], LITTLE**2 * sum(with_it.values()))
+        results.append(Outcome(name, term, share, rest / before, without[term] / sum(with_it.values())))
+    return results
 
 
 def compared(names: Sequence[str], terms: Sequence[str], effort: Effort) -> Section:
@@ -78,13 +78,13 @@ def compared(names: Sequence[str], terms: Sequence[str], effort: Effort) -> Sect
         ("soft constraint", "clips", "what it watches: median ×", "most ×", "rest of E: median ×",
          f"clips better for it by {WORSE:g} ×"),
     )  # fmt: skip
-    found = [each for name in names for each in outcomes(name, terms, effort)]
-    for term in dict.fromkeys(each.term for each in found):
-        some = [each for each in found if each.term == term]
-        better = [each for each in some if each.own > WORSE]
+    results = [outcome for name in names for outcome in outcomes(name, terms, effort)]
+    for term in dict.fromkeys(outcome.term for outcome in results):
+        of_term = [outcome for outcome in results if outcome.term == term]
+        better = [outcome for outcome in of_term if outcome.own > WORSE]
         section.add(
-            term, len(some), median([each.own for each in some]), max(each.own for each in some),
-            median([each.rest for each in some]), ", ".join(each.clip for each in better) or "none",
+            term, len(of_term), median([outcome.own for outcome in of_term]), max(outcome.own for outcome in of_term),
+            median([outcome.rest for outcome in of_term]), ", ".join(outcome.clip for outcome in better) or "none",
         )  # fmt: skip
     section.notes = ["integrals of one fine grid; a clip counts where the term comes to a thousandth of E or more"]
     return section

@@ -55,9 +55,9 @@ def in_a_row(work: Callable[[], object]) -> None:
 
 def measure(effort: Effort) -> Section:
     problem = clips.load("run_and_step")
-    found = inbetween(replace(problem.problem, settings=Settings(variable=0, frames=0)))
-    timeline = coarse(found.raw)
-    objective = replace(found.objective, quadrature=Quadrature("uniform", SAMPLES))
+    solution = inbetween(replace(problem.problem, settings=Settings(variable=0, frames=0)))
+    timeline = coarse(solution.raw)
+    objective = replace(solution.objective, quadrature=Quadrature("uniform", SAMPLES))
     discretised = objective.on(timeline)
     x = discretised.unknowns.start
     path = discretised.path(x)
@@ -70,14 +70,14 @@ def measure(effort: Effort) -> Section:
     }
     rows = {name: partial(in_a_row, work) for name, work in works.items()}
     times, _ = alternated(rows, effort.count(*REPEATS))
-    times = {name: [spent / IN_A_ROW for spent in own] for name, own in times.items()}
+    times = {name: [spent / IN_A_ROW for spent in values] for name, values in times.items()}
     section = Section(
         f"One evaluation of run_and_step, every penalty with torque, {t.size} samples",
         ("what", "median [ms]", "least [ms]", "µs a sample"),
     )
-    middle = {name: median(own) for name, own in times.items()}
-    for name, own in times.items():
-        section.add(name, 1e3 * middle[name], 1e3 * min(own), 1e6 * middle[name] / t.size)
+    middle = {name: median(values) for name, values in times.items()}
+    for name, values in times.items():
+        section.add(name, 1e3 * middle[name], 1e3 * min(values), 1e6 * middle[name] / t.size)
     both, alone, loop = middle.values()
     section.targets = [
         Target("objective and gradient", 1e3 * both, 2.5, unit="ms"),

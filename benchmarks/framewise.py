@@ -61,9 +61,9 @@ def quiet() -> Progress:
 
 
 def recordings(effort: Effort, folder: Path) -> Iterator[Path]:
-    told = os.environ.get("DYNSPLINES_RECORDINGS")
-    if told is not None:
-        yield from sorted(Path(told).glob("*.bvh"))[: effort.count(50, 1)]
+    named_folder = os.environ.get("DYNSPLINES_RECORDINGS")
+    if named_folder is not None:
+        yield from sorted(Path(named_folder).glob("*.bvh"))[: effort.count(50, 1)]
         return
     for name in ("walk_loop", "run_and_step", "walk_and_turn")[: effort.count(3, 1)]:
         saved = kept.solved(clips.load(name), quiet()).saved(quiet(), with_report=False)
@@ -91,9 +91,9 @@ class Goal:
         captured = Captured.of(skeleton)
         at = np.minimum(np.round(t * rate).astype(int), len(captured.position) - 1)
         bodies = {r: 1 + i for r, i in roles(hierarchy.names(model)[1:], list(model.body_parentid[1:] - 1)).items()}
-        seen, turned = poses(model, found.figure.to_qpos(found.before.at(t)))
+        places, turned = poses(model, found.figure.to_qpos(found.before.at(t)))
         raised = np.array([0, 0, np.median((found.recorded.path.at(t) - found.before.at(t))[:, 2])])  # to its floor
-        seen = seen + raised
+        places = places + raised
         rest, _ = poses(model, np.array(model.qpos0)[None])
         seat = {role: hung(model, body, set(bodies.values())) for role, body in bodies.items()}
         joints = {role: rest[0, body if role in ENDS else seat[role]] for role, body in bodies.items()}
@@ -104,14 +104,14 @@ class Goal:
             if all(part in bodies and part in theirs for part in (role, first, middle)):
                 scale = length(joints, (first, middle, role)) / length(other, (first, middle, role))
                 about = captured.position[at][:, theirs[role]] - captured.position[at][:, theirs[first]]
-                place[role] = seen[:, seat[first]] + scale * about
-        place["pelvis"] = seen[:, bodies["pelvis"]]
+                place[role] = places[:, seat[first]] + scale * about
+        place["pelvis"] = places[:, bodies["pelvis"]]
         return cls(model, t, bodies, place, {role: turned[:, body] for role, body in bodies.items()})
 
     def off(self, qpos: Array) -> tuple[float, float]:
         """[cm] by which hands and feet of a motion (T, nq) are off: of the worst of them median and 95 %."""
-        seen, _ = poses(self.model, qpos)
-        apart = [100 * np.linalg.norm(seen[:, self.bodies[role]] - self.place[role], axis=1) for role in ENDS
+        places, _ = poses(self.model, qpos)
+        apart = [100 * np.linalg.norm(places[:, self.bodies[role]] - self.place[role], axis=1) for role in ENDS
                  if role in self.place]  # fmt: skip
         return max(float(np.median(row)) for row in apart), max(float(np.percentile(row, 95)) for row in apart)
 
@@ -198,11 +198,11 @@ def measure(effort: Effort) -> Section:
         for file in recordings(effort, Path(folder)):
             effort.tell(file.stem)
             begin = time.perf_counter()
-            found, _ = running.made(running.Source(file, robot, apart=True), None, quiet())
-            first, last = found.before.span
+            result, _ = running.made(running.Source(file, robot, apart=True), None, quiet())
+            first, last = result.before.span
             spent = time.perf_counter() - begin
-            goal = Goal.of(file, found)
-            row = measured(found, found.after, goal)
+            goal = Goal.of(file, result)
+            row = measured(result, result.after, goal)
             ours.append(np.array(row))
             length, took = last - first, reading(robot)
             section.add(file.stem, "ours", *row, length / spent, length / (spent - took))
@@ -211,7 +211,7 @@ def measure(effort: Effort) -> Section:
             begin = time.perf_counter()
             qpos = framewise(mink, goal)
             spent = time.perf_counter() - begin
-            row = measured(found, natural_spline(goal.t, Recorded.of(found.figure, goal.t, qpos).states), goal)
+            row = measured(result, natural_spline(goal.t, Recorded.of(result.figure, goal.t, qpos).states), goal)
             theirs.append(np.array(row))
             section.add(file.stem, "mink", *row, np.nan, length / spent)
     most, mine = np.max(ours, axis=0), np.array(ours)

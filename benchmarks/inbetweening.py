@@ -51,10 +51,10 @@ class Motion:
 def whole(name: str) -> Motion:
     """A shipped clip, solved, at 30 images a second."""
     clip = recordings.load(name)
-    found = inbetween(clip.problem)
-    first, last = found.path.span
+    solution = inbetween(clip.problem)
+    first, last = solution.path.span
     time = first + np.arange(int((last - first) * FPS + 1e-9) + 1) / FPS
-    return Motion(name, clip, time, continuous(clip.figure, found.at(time)))
+    return Motion(name, clip, time, continuous(clip.figure, solution.at(time)))
 
 
 def ours(motion: Motion, kept: NDArray[np.intp], folder: Path) -> Array:
@@ -123,20 +123,20 @@ def score(motion: Motion, kept: NDArray[np.intp], qpos: Array) -> dict[str, floa
     rot [degrees] of a joint but the root; ee [cm] of hands and ankles; deepest sole point [cm]; skate [cm/s] of sole
     points that rest in the true motion; npss, the distance of the power spectra (Gopalakrishnan et al., CVPR 2019)
     """
-    true, made = Seen.of(motion.clip, motion.qpos), Seen.of(motion.clip, continuous(motion.clip.figure, qpos))
+    true, filled = Seen.of(motion.clip, motion.qpos), Seen.of(motion.clip, continuous(motion.clip.figure, qpos))
     between = np.setdiff1d(np.arange(len(qpos)), kept)
-    cosine = np.abs(np.einsum("tni,tni->tn", true.turns, made.turns)).clip(0, 1)
+    cosine = np.abs(np.einsum("tni,tni->tn", true.turns, filled.turns)).clip(0, 1)
     angle = np.degrees(2 * np.arccos(cosine))[between, 1:]
     speed = np.linalg.norm(np.gradient(true.soles, 1 / FPS, axis=0), axis=-1)
     rests = (speed < RESTING_SPEED) & (true.heights < RESTING_HEIGHT)
     both = rests[1:] & rests[:-1]
-    moved = FPS * np.linalg.norm(np.diff(made.soles[..., :2], axis=0), axis=-1)
+    moved = FPS * np.linalg.norm(np.diff(filled.soles[..., :2], axis=0), axis=-1)
     return {
         "rot": float(angle.mean()),
-        "ee": float(100 * np.linalg.norm(made.ends - true.ends, axis=-1)[between].mean()),
-        "pen": float(100 * np.maximum(-made.heights, 0).max()),
+        "ee": float(100 * np.linalg.norm(filled.ends - true.ends, axis=-1)[between].mean()),
+        "pen": float(100 * np.maximum(-filled.heights, 0).max()),
         "skate": float(100 * moved[both].mean()) if both.any() else 0.0,
-        "npss": spectral_distance(true.turns, made.turns),
+        "npss": spectral_distance(true.turns, filled.turns),
     }
 
 
@@ -166,19 +166,19 @@ def measure(effort: Effort) -> Section:
             effort.tell(name)
             motion = whole(name)
             for every in SPACINGS:
-                kept = np.arange(0, motion.time.size, every)
-                if kept.size < 3:
+                indices = np.arange(0, motion.time.size, every)
+                if indices.size < 3:
                     continue
-                cut = Motion(name, motion.clip, motion.time[: kept[-1] + 1], motion.qpos[: kept[-1] + 1])
+                cut = Motion(name, motion.clip, motion.time[: indices[-1] + 1], motion.qpos[: indices[-1] + 1])
                 for method, fill in METHODS.items():
-                    found = score(cut, kept, fill(cut, kept, Path(folder)))
-                    rows.append({"clip": name, "every": every, "method": method} | found)
+                    scores = score(cut, indices, fill(cut, indices, Path(folder)))
+                    rows.append({"clip": name, "every": every, "method": method} | scores)
     means: dict[tuple[int, str], dict[str, float]] = {}
     for every in SPACINGS:
         for method in METHODS:
-            own = [row for row in rows if row["every"] == every and row["method"] == method]
-            means[every, method] = {key: float(np.mean([row[key] for row in own])) for key in MEASURES}
-            section.add(every, method, len(own), *means[every, method].values())
+            matching = [row for row in rows if row["every"] == every and row["method"] == method]
+            means[every, method] = {key: float(np.mean([row[key] for row in matching])) for key in MEASURES}
+            section.add(every, method, len(matching), *means[every, method].values())
     best = {key: [min(means[e, m][key] for m in METHODS if m != "ours") for e in SPACINGS] for key in MEASURES}
     for key in ("ee", "pen", "skate"):
         worst = max(means[e, "ours"][key] / max(b, 1e-9) for e, b in zip(SPACINGS, best[key], strict=True))

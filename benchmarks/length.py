@@ -38,8 +38,8 @@ PLAIN = re.compile(r"^\[scene\]\n.*\n", re.MULTILINE)
 
 def looped(count: int) -> clips.Clip:
     """The clip's penalties and settings on a floor without a step, through `count` keyframes of running."""
-    text, found = PLAIN.subn("", models.clip_text("run_and_step"))
-    if found != 1:
+    text, replaced = PLAIN.subn("", models.clip_text("run_and_step"))
+    if replaced != 1:
         raise ValueError("run_and_step.toml no longer has a [scene] of one line")
     problem = clips.from_text(text, name="looped running")
     stride = problem.keys[:STRIDE]
@@ -113,11 +113,11 @@ def measure(effort: Effort) -> Section:
     limit, runs = (60.0 if effort.quick else LIMIT), []
     for count in sorted({*LENGTHS, MINUTE}):
         repeats = effort.count(5 if count <= 100 else 1, 1)
-        own = []
+        samples = []
         for i in range(repeats):
             effort.tell(f"{count} keyframes, run {i + 1} of {repeats}")
-            own.append(in_child(count, limit))
-        runs.append(_middle(own))
+            samples.append(in_child(count, limit))
+        runs.append(_middle(samples))
         _add_row(section, runs[-1])
     by = {run["keyframes"]: run for run in runs}
     section.targets = _targets(by)
@@ -165,8 +165,8 @@ def _targets(by: dict[int, dict[str, Any]]) -> list[Target]:
 
 
 def _linearity(extra: dict[int, float]) -> float:
-    few, some, many = (extra[n] for n in LENGTHS)
-    return (many - some) / max(10 * (some - few), 1e-9)
+    few, middle, many = (extra[n] for n in LENGTHS)
+    return (many - middle) / max(10 * (middle - few), 1e-9)
 
 
 if __name__ == "__main__":

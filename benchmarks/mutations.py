@@ -111,11 +111,11 @@ def changes(node: ast.AST) -> list[ast.AST]:
 def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
     """By line, which node of the tree (counted as it is walked) can be changed, and how often."""
     tree, out = ast.parse(path.read_text(encoding="utf-8")), {}
-    told = {id(part) for part in _told(tree)}
+    skipped = {id(part) for part in _told(tree)}
     for number, node in enumerate(ast.walk(tree)):
-        ways = [] if id(node) in told else changes(node)
-        if ways:
-            out.setdefault(node.lineno, []).extend((number, way) for way in range(len(ways)))  # type: ignore[attr-defined]
+        changes_of_node = [] if id(node) in skipped else changes(node)
+        if changes_of_node:
+            out.setdefault(node.lineno, []).extend((number, choice) for choice in range(len(changes_of_node)))  # type: ignore[attr-defined]
     return out
 
 
@@ -130,9 +130,9 @@ def _told(tree: ast.AST) -> Iterator[ast.AST]:
         if isinstance(node, ast.Raise) or (isinstance(node, ast.FunctionDef) and not _does_anything(node)):
             yield from ast.walk(node)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "reshape":
-            for each in (part for word in node.args for part in ast.walk(word)):
-                if isinstance(each, ast.UnaryOp) and isinstance(each.op, ast.USub):
-                    yield from ast.walk(each)
+            for word_part in (part for word in node.args for part in ast.walk(word)):
+                if isinstance(word_part, ast.UnaryOp) and isinstance(word_part.op, ast.USub):
+                    yield from ast.walk(word_part)
         parts = [getattr(node, "annotation", None), getattr(node, "returns", None)]
         for part in (*parts, *getattr(node, "decorator_list", ())):
             if part is not None:
@@ -140,7 +140,7 @@ def _told(tree: ast.AST) -> Iterator[ast.AST]:
 
 
 def _does_anything(function: ast.FunctionDef) -> bool:
-    return not all(isinstance(each, ast.Expr) and isinstance(each.value, ast.Constant) for each in function.body)
+    return not all(isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant) for line in function.body)
 
 
 def mutated(path: Path, number: int, way: int) -> Mutant:
@@ -161,7 +161,7 @@ def mutated(path: Path, number: int, way: int) -> Mutant:
 def chosen(count: int, seed: int, only: list[str]) -> list[Mutant]:
     """Random lines of the solver that can be changed, each once, and a random change of each."""
     if only and all(":" in name for name in only):
-        return [each for name in only for each in _all_of(*name.split(":"))]
+        return [mutant for name in only for mutant in _all_of(*name.split(":"))]
     files = [ROOT / name for name in only] or sorted((ROOT / "solver").rglob("*.py"))
     lines = [(path, places) for path in files for places in mutants_of(path).values()]
     rng = random.Random(seed)
@@ -194,8 +194,8 @@ def tests_of(path: str, *, whole: bool = False) -> list[list[str]]:
     others = [file for file in ranked if file not in near][:IMPORTERS]
     rest = [file for file in beside if not used[file]]
     tried = {*first, *near, *others, *rest}
-    left = [file for file in files if whole and file not in tried and TESTS / "solver" in file.parents]
-    return [[_told_from(file) for file in group] for group in (first, near, others, rest, left) if group]
+    remaining = [file for file in files if whole and file not in tried and TESTS / "solver" in file.parents]
+    return [[_told_from(file) for file in group] for group in (first, near, others, rest, remaining) if group]
 
 
 def _public(path: str) -> set[str]:
@@ -207,11 +207,11 @@ def _public(path: str) -> set[str]:
 def _uses(file: Path, module: str, public: set[str]) -> int:
     """How often a file of tests calls by name what it imports from a module, itself or through what tests share."""
     words = Counter(n.id for n in ast.walk(_parsed(file)) if isinstance(n, ast.Name))
-    found = 0
+    calls = 0
     for source, name, called in _imports(file):
         if f"{source}.{name}" == module or (name in public and (module + ".").startswith(source + ".")):
-            found += 1 + words[called]
-    return found
+            calls += 1 + words[called]
+    return calls
 
 
 def _told_from(file: Path) -> str:
@@ -226,14 +226,14 @@ def _parsed(file: Path) -> ast.Module:
 @cache
 def _imports(file: Path) -> frozenset[tuple[str, str, str]]:
     """What a file imports, and what the files of tests/support import that it does: module, name, name in the file."""
-    found: set[tuple[str, str, str]] = set()
+    imports: set[tuple[str, str, str]] = set()
     for node in ast.walk(_parsed(file)):
         if isinstance(node, ast.ImportFrom) and node.module:
-            found |= {(node.module, each.name, each.asname or each.name) for each in node.names}
+            imports |= {(node.module, alias.name, alias.asname or alias.name) for alias in node.names}
             shared = TESTS / "support" / f"{node.module}.py"
             if shared.exists():
-                found |= {(source, name, "") for source, name, _ in _imports(shared)}
-    return frozenset(found)
+                imports |= {(source, name, "") for source, name, _ in _imports(shared)}
+    return frozenset(imports)
 
 
 class Instead(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
@@ -302,8 +302,8 @@ def ended(number: int, seconds: float) -> int | None:
     """The exit code of a process; None if it took so much time of a core, or waited for very much longer."""
     end = time.monotonic() + PATIENCE * seconds
     while time.monotonic() < end:
-        found, status = os.waitpid(number, os.WNOHANG)
-        if found:
+        process, status = os.waitpid(number, os.WNOHANG)
+        if process:
             code = os.waitstatus_to_exitcode(status)
             return None if code in (-signal.SIGXCPU, -signal.SIGKILL) else code
         time.sleep(0.05)
@@ -361,22 +361,22 @@ def main() -> None:
         help="files of solver/, or FILE:LINE for every change of a line",
     )
     parser.add_argument("--json", type=Path, help="a file to which a line each is added")
-    asked = parser.parse_args()
+    arguments = parser.parse_args()
     sys.path[:0] = [str(TESTS), str(TESTS / "support")]
     for name in HEAVY:
         importlib.import_module(name)
     _without_shrinking()
-    found: Counter[str] = Counter()
-    for mutant in chosen(asked.count, asked.seed, asked.only)[asked.skip :]:
-        outcome = judged(mutant, asked.seconds, whole=asked.all)
-        found[outcome.verdict] += 1
+    verdicts: Counter[str] = Counter()
+    for mutant in chosen(arguments.count, arguments.seed, arguments.only)[arguments.skip :]:
+        outcome = judged(mutant, arguments.seconds, whole=arguments.all)
+        verdicts[outcome.verdict] += 1
         where = f"{outcome.path}:{outcome.line}"
         print(f"{outcome.verdict:8} {outcome.seconds:6.1f} s  {where}  {outcome.before} → {outcome.after}", flush=True)
-        if asked.json is not None:
-            with asked.json.open("a", encoding="utf-8") as stream:
+        if arguments.json is not None:
+            with arguments.json.open("a", encoding="utf-8") as stream:
                 stream.write(json.dumps(asdict(outcome)) + "\n")
-    total = sum(found.values())
-    print(f"{total} mutants: {found[CAUGHT]} caught, {found[SURVIVED]} survived, {found[HUNG]} hung")
+    total = sum(verdicts.values())
+    print(f"{total} mutants: {verdicts[CAUGHT]} caught, {verdicts[SURVIVED]} survived, {verdicts[HUNG]} hung")
 
 
 if __name__ == "__main__":

@@ -35,8 +35,8 @@ def gone_on(motion: Solution, method: str) -> tuple[float, float]:
     descent = Descent(motion.objective, motion.timeline)
     before = descent.problem(descent.problem.unknowns.start).value
     begin = time.perf_counter()
-    found = descent.run(optimiser=method, max_evaluations=MORE_EVALUATIONS, tolerance=FINE)
-    return 100 * (1 - found.value / before), time.perf_counter() - begin
+    minimum = descent.run(optimiser=method, max_evaluations=MORE_EVALUATIONS, tolerance=FINE)
+    return 100 * (1 - minimum.value / before), time.perf_counter() - begin
 
 
 def measure(effort: Effort) -> Section:
@@ -51,14 +51,14 @@ def measure(effort: Effort) -> Section:
         works = {method: functools.partial(solve, problem, method) for method in rates}
         times, motions = alternated(works, effort.count(REPEATS, 1), warm=False)
         values = {method: motion.trace[-1][2] for method, motion in motions.items()}
-        seconds = {method: median(own) for method, own in times.items()}
+        seconds = {method: median(spent_times) for method, spent_times in times.items()}
         shares.append(values[NLOPT] / values[ALONE])
         ratios.append(median([a / b for a, b in zip(times[NLOPT], times[ALONE], strict=True)]))
         more = {method: gone_on(motions[ALONE], method) for method in rates}
         for method, (gain, spent) in more.items():
             rates[method].append(gain / spent)
-        told = (f"{gain:.2f} % in {spent:.1f} s" for gain, spent in more.values())
-        section.add(name, values[ALONE], values[NLOPT], seconds[ALONE], seconds[NLOPT], ratios[-1], *told)
+        cells = (f"{gain:.2f} % in {spent:.1f} s" for gain, spent in more.values())
+        section.add(name, values[ALONE], values[NLOPT], seconds[ALONE], seconds[NLOPT], ratios[-1], *cells)
         section.data[name] = {"E": values, "seconds": times, "more": more}
     section.targets = [
         Target("largest E with NLopt beside that of Gauss-Newton alone", worst(shares), CLOSE),

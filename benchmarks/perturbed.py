@@ -53,9 +53,9 @@ class Seen:
         """Measured on a grid from the first keyframe to the last."""
         first, last = motion.path.span
         t = np.linspace(first, last, round(RATE * (last - first)) + 1)
-        found, raw = (motion.objective.samples(path, t) for path in (motion.path, path_of(motion.raw)))
-        sizes = relative_accelerations(found)[1].max(axis=1)
-        apart = _apart(found, raw)
+        samples, raw = (motion.objective.samples(path, t) for path in (motion.path, path_of(motion.raw)))
+        sizes = relative_accelerations(samples)[1].max(axis=1)
+        apart = _apart(samples, raw)
         names = [link.name for link in motion.figure.links]
         turns, strays = int(sizes.argmax()), int(apart.argmax())
         return cls(float(sizes[turns]), names[turns], float(apart[strays]), names[strays])
@@ -93,10 +93,10 @@ class Outcome:
     def text(self) -> str:
         """One line on it."""
         parts = sorted(self.parts.items(), key=lambda part: -part[1])
-        said = ", ".join(f"{name} {value:.3g}" for name, value in parts if value >= 0.01)
+        terms = ", ".join(f"{name} {value:.3g}" for name, value in parts if value >= 0.01)
         return (
             f"{self.clip} seed {self.seed}: {self.ratio:.1f} × ({self.seen.link}), {self.seen.limb} "
-            f"{100 * self.seen.farthest:.0f} cm away; E = {sum(self.parts.values()):.3g} ({said})"
+            f"{100 * self.seen.farthest:.0f} cm away; E = {sum(self.parts.values()):.3g} ({terms})"
         )
 
 
@@ -115,14 +115,14 @@ def _moved(figure: Figure, key: Frame, rng: np.random.Generator) -> Frame:
     for link in figure.links[1:]:
         if link.kind not in (JointKind.FREE, JointKind.BALL):
             continue
-        way = rng.normal(size=3)
-        way /= np.linalg.norm(way)
+        direction = rng.normal(size=3)
+        direction /= np.linalg.norm(direction)
         if link.kind is JointKind.FREE:
             columns = slice(link.qpos, link.qpos + 3)
-            qpos[columns] += SHIFT * way * key.fixed[columns]
+            qpos[columns] += SHIFT * direction * key.fixed[columns]
         elif key.fixed[link.qpos]:
             columns = slice(link.qpos, link.qpos + 4)
-            qpos[columns] = quat.product(qpos[columns], quat.from_rotation_vector(TURN * way))
+            qpos[columns] = quat.product(qpos[columns], quat.from_rotation_vector(TURN * direction))
     return replace(key, state=qpos)
 
 
@@ -130,17 +130,17 @@ def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Cl
     """The clip without the contacts that other keyframes contradict, which would be refused."""
     table = table_of(clip.text, clip.name)
     timeline = replace(clip.problem, keys=tuple(keys)).raw
-    kept: list[int] = []
+    valid: list[int] = []
     for i in range(len(table.contact)):
         try:
-            contacts(clip.figure, timeline, [table.contact[k] for k in (*kept, i)], clip.name, clip.context.points)
+            contacts(clip.figure, timeline, [table.contact[k] for k in (*valid, i)], clip.name, clip.context.points)
         except UserError:
             continue
-        kept.append(i)
-    if len(kept) == len(table.contact):
+        valid.append(i)
+    if len(valid) == len(table.contact):
         return clip
-    said = tables(table)
-    return replace(clip, text=written(said | {"contact": [said["contact"][i] for i in kept]}))
+    content = tables(table)
+    return replace(clip, text=written(content | {"contact": [content["contact"][i] for i in valid]}))
 
 
 def solved(clip: clips.Clip) -> Solution:
@@ -152,13 +152,13 @@ def outcome(clip: clips.Clip, seed: int, peak: float) -> Outcome:
     """Of one set, beside the shipped clip's own peak [rad/s²]."""
     other = perturbed(clip, seed)
     spent, motion = seconds(lambda: solved(other))
-    seen, parts, dropped = (
+    measured, parts, dropped = (
         Seen.of(motion),
         motion.trace[-1][3],
         len(clip.context.contacts.given) - len(other.context.contacts.given),
     )
-    ratio = seen.peak / peak if peak > 0 else 1.0  # a figure without joints has no peak, moved or not
-    return Outcome(clip.name, seed, ratio, seen, spent, motion.evaluations, parts, dropped)
+    ratio = measured.peak / peak if peak > 0 else 1.0  # a figure without joints has no peak, moved or not
+    return Outcome(clip.name, seed, ratio, measured, spent, motion.evaluations, parts, dropped)
 
 
 def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Section:
@@ -173,21 +173,21 @@ def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Sect
     shares: list[float] = []
     for name in names:
         clip = clips.load(name)
-        own = Seen.of(solved(clip))
-        found = []
+        shipped = Seen.of(solved(clip))
+        outcomes = []
         for seed in seeds:
             effort.tell(f"{name}, seed {seed}")
-            found.append(outcome(clip, seed, own.peak))
-        ratios = [each.ratio for each in found]
-        far = max(found, key=lambda each: each.seen.farthest).seen
+            outcomes.append(outcome(clip, seed, shipped.peak))
+        ratios = [each.ratio for each in outcomes]
+        far = max(outcomes, key=lambda each: each.seen.farthest).seen
         shares.append(float(np.quantile(ratios, QUANTILE)))
         section.add(
-            name, len(found), own.peak, median(ratios), shares[-1], worst(ratios),
-            f"{100 * far.farthest:.0f} ({far.limb})", 100 * own.farthest, sum(ratio > MOST for ratio in ratios),
-            sum(ratio > MOST_OF_ALL for ratio in ratios), sum(each.seen.farthest > FAR for each in found),
-            median([each.seconds for each in found]),
+            name, len(outcomes), shipped.peak, median(ratios), shares[-1], worst(ratios),
+            f"{100 * far.farthest:.0f} ({far.limb})", 100 * shipped.farthest, sum(ratio > MOST for ratio in ratios),
+            sum(ratio > MOST_OF_ALL for ratio in ratios), sum(each.seen.farthest > FAR for each in outcomes),
+            median([each.seconds for each in outcomes]),
         )  # fmt: skip
-        every += found
+        every += outcomes
     section.targets = [
         Target(f"ratio of {QUANTILE:.0%} of a clip's sets, the worst clip", worst(shares), MOST),
         Target("ratio of all sets", worst([each.ratio for each in every]), MOST_OF_ALL),

@@ -43,10 +43,10 @@ def figure_of(name: str) -> Figure | None:
     if path is None:
         return Figure(mujoco.MjModel.from_xml_string(models.figure_text(name)))
     package, rest = path.split("/", 1)
-    found = importlib.util.find_spec(package)
-    if found is None or found.origin is None:
+    package_spec = importlib.util.find_spec(package)
+    if package_spec is None or package_spec.origin is None:
         return None
-    return Figure(mujoco.MjModel.from_xml_path(str(Path(found.origin).parent / rest)))
+    return Figure(mujoco.MjModel.from_xml_path(str(Path(package_spec.origin).parent / rest)))
 
 
 @dataclass(frozen=True)
@@ -93,18 +93,18 @@ class Draw:
     def asked(self, rng: np.random.Generator, number: int) -> tuple[Array, Mask, list[Goal]]:
         """An initial pose (nq,), its free entries (nq,), and the targets."""
         figure, rest = self.figure, np.array(self.figure.model.qpos0)
-        some = [self.ends[i] for i in rng.choice(len(self.ends), rng.integers(1, 3), replace=False)]
+        chosen = [self.ends[i] for i in rng.choice(len(self.ends), rng.integers(1, 3), replace=False)]
         free, there = np.ones(figure.width, bool), self.pose(rng)
         if number % 2:
             free[:] = False
-            for link in {i for point in some for i in limb(figure, figure.links[point.link].body)}:
+            for link in {i for point in chosen for i in limb(figure, figure.links[point.link].body)}:
                 free[entries(figure, link)] = True
             there = np.where(free, there, rest)
         data = mujoco.MjData(figure.model)
         data.qpos[:] = there
         mujoco.mj_kinematics(figure.model, data)
         goals: list[Goal] = []
-        for point in some:
+        for point in chosen:
             goal = PointGoal.of(figure, point)
             goals.append(PointGoal.of(figure, point, goal.place(data)))
             if number % 3 == 2:
@@ -133,9 +133,9 @@ def measure(effort: Effort) -> Section:
         for number in range(count):
             effort.tell(f"{name}: pose {number + 1} of {count}")
             home, free, goals = draw.asked(rng, number)
-            spent, found = seconds(partial(posed, figure, home, free, goals, draw.bends))
+            spent, pose = seconds(partial(posed, figure, home, free, goals, draw.bends))
             times.append(spent)
-            met.append(found.is_met)
+            met.append(pose.is_met)
         share = float(np.mean(met))
         section.add(name, count, f"{100 * share:.4g} %", median(times), float(np.quantile(times, 0.9)), max(times))
         section.targets += [

@@ -122,21 +122,21 @@ def measure(effort: Effort) -> Section:
         for i in range(count):
             effort.tell(f"{kind}, set {i + 1} of {count}")
             rows[kind].append(of_set(track(kind, FIRST_SEED + i, KEYFRAMES)))
-    kept = {kind: [row for row in each if not _apart(row)] for kind, each in rows.items()}
+    same_class = {kind: [row for row in of_kind if not _apart(row)] for kind, of_kind in rows.items()}
     names = ("3 a segment", "1 a segment", "adaptive", "RotationSpline", "SQUAD")
     words = {"3 a segment": "ours, 3 variable frames a segment", "1 a segment": "ours, 1 a segment"}
     words |= {"adaptive": "ours, adaptive from 1 a segment, weak form"}
     for name in names:
-        cells = [f"{f(_column(kept[kind], name)):.6f}" for kind in SETS for f in (median, worst)]
+        cells = [f"{f(_column(same_class[kind], name)):.6f}" for kind in SETS for f in (median, worst)]
         section.add(words.get(name, name), *cells)
     for name in ("adaptive, frames", "adaptive, frames to 1.00002", "evenly, frames to 1.00002"):
-        section.add(name, *(f(_column(kept[kind], name)) for kind in SETS for f in (median, worst)))
-    _estimates(section, kept)
-    _targets(section, kept)
-    others = {kind: [int(r["seed"]) for r in each if _apart(r)] for kind, each in rows.items()}
-    unclosed = {k: [int(r["seed"]) for r in each if np.isnan(r["finest / exact"])] for k, each in rows.items()}
+        section.add(name, *(f(_column(same_class[kind], name)) for kind in SETS for f in (median, worst)))
+    _estimates(section, same_class)
+    _targets(section, same_class)
+    others = {kind: [int(r["seed"]) for r in of_kind if _apart(r)] for kind, of_kind in rows.items()}
+    unclosed = {k: [int(r["seed"]) for r in of_kind if np.isnan(r["finest / exact"])] for k, of_kind in rows.items()}
     section.notes = [
-        f"sets: {', '.join(f'{len(each)} {kind}' for kind, each in rows.items())}, seeds from {FIRST_SEED}; "
+        f"sets: {', '.join(f'{len(of_kind)} {kind}' for kind, of_kind in rows.items())}, seeds from {FIRST_SEED}; "
         "moderate: steps of 20-90°, random: uniformly random rotations; intrinsic form, free end slopes, "
         "weight of the unit term 0.05 × the covariant one",
         "exact: multiple shooting (tests/support/exact_path.py), which shares no code with the solver; energy by "
@@ -172,8 +172,8 @@ def _targets(section: Section, kept: dict[str, list[Row]]) -> None:
         Target("random, median", median(ours["random"]), 1.0003),
     ]
     for kind in SETS:
-        own, even = (_column(kept[kind], f"{who}, frames to 1.00002") for who in ("adaptive", "evenly"))
-        ratios = [a / b for a, b in zip(own, even, strict=True)]
+        adaptive, even = (_column(kept[kind], f"{who}, frames to 1.00002") for who in ("adaptive", "evenly"))
+        ratios = [a / b for a, b in zip(adaptive, even, strict=True)]
         section.targets += [
             Target(f"adaptive, {kind}, worst ratio", worst(_column(kept[kind], "adaptive")), GOAL),
             Target(f"{kind}: frames to 1.00002, adaptive / evenly, median", median(ratios), 1.0),
@@ -195,4 +195,4 @@ def _farthest(ratios: list[float]) -> float:
 
 
 def _listed(seeds: dict[str, list[int]]) -> str:
-    return "; ".join(f"{kind} {len(own)}{f' ({own})' if own else ''}" for kind, own in seeds.items())
+    return "; ".join(f"{kind} {len(of_kind)}{f' ({of_kind})' if of_kind else ''}" for kind, of_kind in seeds.items())

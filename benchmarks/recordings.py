@@ -101,12 +101,12 @@ def faulty(truth: Truth, rng: np.random.Generator, *, straight: bool) -> tuple[A
     """Times and qpos of the bad recording, the gaps left out, the T-pose before 0."""
     qpos, since = truth.qpos.copy(), truth.time
     angle = 2 * np.pi / ROUND_IN * since + rng.uniform(0, 2 * np.pi)
-    way = (
+    path = (
         np.stack([np.sin(angle) - np.sin(angle[0]), np.cos(angle[0]) - np.cos(angle)], axis=1) * ROUND_IN / (2 * np.pi)
     )
     if straight:
-        way = since[:, None] * np.array([np.cos(angle[0]), np.sin(angle[0])])
-    qpos[:, :2] += SLIDE * way
+        path = since[:, None] * np.array([np.cos(angle[0]), np.sin(angle[0])])
+    qpos[:, :2] += SLIDE * path
     qpos[:, 2] += SINK * np.where(np.floor(since / EVERY) % 2, 1, -1)
     qpos[:, :3] += rng.normal(0, METRES, (len(qpos), 3))
     for link in truth.figure.links[1:]:
@@ -127,9 +127,9 @@ def t_pose(truth: Truth) -> Array:
     """qpos (nq,) at rest, with the arms out."""
     model, qpos = truth.figure.model, np.array(truth.figure.model.qpos0)
     qpos[:2] = truth.qpos[0, :2]
-    found = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
+    bones = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
     for side, turn in (("left", 90.0), ("right", -90.0)):
-        body = 1 + found[f"{side}_upper_arm"]
+        body = 1 + bones[f"{side}_upper_arm"]
         link = truth.figure.links[truth.figure.body_link[body]]
         columns = quaternion_columns(link)
         if columns is not None:
@@ -186,44 +186,44 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
     begin = time.perf_counter()
     mended = repaired(figure, when, bad.copy(), truth.name)
     ground = ground_of(figure, mended.qpos)
-    found = cleaned(ground, mended)
+    result = cleaned(ground, mended)
     spent = time.perf_counter() - begin
     marks = marked(ground, mended.qpos)
     assert [point.name for point in marks.points] == [point.name for point in ground.points]
-    here = (truth.time >= found.before.span[0]) & (truth.time <= found.before.span[1])
+    here = (truth.time >= result.before.span[0]) & (truth.time <= result.before.span[1])
     t = truth.time[here]
-    after, before = found.after.at(t), found.before.at(t)
+    after, before = result.after.at(t), result.before.at(t)
     true = figure.to_state(truth.qpos[here])
-    wanted = ends(figure, true, found)
-    off = [float(np.linalg.norm(ends(figure, s, found) - wanted, axis=0).mean()) for s in (before, after)]
+    wanted = ends(figure, true, result)
+    off = [float(np.linalg.norm(ends(figure, s, result) - wanted, axis=0).mean()) for s in (before, after)]
     rests = resting(Truth(truth.name, figure, t, truth.qpos[here]), marks)
     both = rests[:, 1:] & rests[:, :-1]
-    seen = np.array([np.abs(when - moment).min() < 0.5 / FPS for moment in t])
-    recorded = both & seen[1:] & seen[:-1]
-    ways = [np.linalg.norm(np.diff(soles(figure, marks, s)[0][:2], axis=2), axis=0) for s in (after, true)]
+    is_recorded = np.array([np.abs(when - moment).min() < 0.5 / FPS for moment in t])
+    recorded = both & is_recorded[1:] & is_recorded[:-1]
+    paths = [np.linalg.norm(np.diff(soles(figure, marks, s)[0][:2], axis=2), axis=0) for s in (after, true)]
     skates = [
-        float(way[some].mean() * FPS) if some.any() else 0.0
-        for way, some in ((ways[0], both), (ways[0], recorded), (ways[1], both))
+        float(horizontal[mask].mean() * FPS) if mask.any() else 0.0
+        for horizontal, mask in ((paths[0], both), (paths[0], recorded), (paths[1], both))
     ]
     fine = np.linspace(t[0], t[-1], 4 * t.size)
-    places, _ = soles(figure, ground, found.after.at(fine))
+    places, _ = soles(figure, ground, result.after.at(fine))
     stand = np.zeros((len(ground.points), t.size), bool)
     hover = 0.0
-    for rest in found.rests:
+    for rest in result.rests:
         row = ground.points.index(rest.point)
         stand[row] |= (t >= rest.first) & (t <= rest.last)
         during = (fine >= rest.first) & (fine <= rest.last)
         on = ground.surfaces if rest.ground is None else (rest.ground,)
         over, _ = height_over(on, places[:, row : row + 1, during], np.array([rest.point.radius]))
         hover = max(hover, float(over.max(initial=0.0)))
-    peaks = [peak(figure, path, fine) for path in (found.after, Recorded.of(figure, truth.time, truth.qpos).path)]
+    peaks = [peak(figure, path, fine) for path in (result.after, Recorded.of(figure, truth.time, truth.qpos).path)]
     return Score(
         before=off[0],
         after=off[1],
         skate=skates[0],
         seen_skate=skates[1],
         own_skate=skates[2],
-        depth=Look(found, found.after, fine).depth / 1000,
+        depth=Look(result, result.after, fine).depth / 1000,
         hover=hover,
         peak=peaks[0] / peaks[1],
         found=_hits(rests, stand, LEAST),
@@ -276,7 +276,7 @@ def measure(effort: Effort) -> Section:
                 f"{s.found[0]} of {s.found[1]}", f"{s.false[0]} of {s.false[1]}", s.speed,
             )  # fmt: skip
     for drift, scores in every.items():
-        found, false = (np.sum([getattr(s, of) for s in scores], axis=0) for of in ("found", "false"))
+        hits, false = (np.sum([getattr(s, of) for s in scores], axis=0) for of in ("found", "false"))
         section.targets += [
             Target(f"{drift}: distance of hands and feet, after | before",
                    float(np.mean([s.after / s.before for s in scores])), NEAR),
@@ -287,7 +287,7 @@ def measure(effort: Effort) -> Section:
             Target(f"{drift}: deepest of the figure", 1000 * max(s.depth for s in scores), DEPTH, unit="mm"),
             Target(f"{drift}: hover of resting soles", 1000 * max(s.hover for s in scores), HOVER, unit="mm"),
             Target(f"{drift}: peak joint acceleration | the true one", max(s.peak for s in scores), PEAK),
-            Target(f"{drift}: share of true stances found", float(found[0] / max(found[1], 1)), FOUND, least=True),
+            Target(f"{drift}: share of true stances found", float(hits[0] / max(hits[1], 1)), FOUND, least=True),
             Target(f"{drift}: share of stances that are none", float(false[0] / max(false[1], 1)), FALSE),
         ]  # fmt: skip
     return section

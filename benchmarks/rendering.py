@@ -47,8 +47,8 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
 
         def ours() -> None:
-            some = itertools.islice(show.images(saved, look, graphics), images)
-            film.write(Path(folder) / "ours.mp4", some, float(FPS))
+            frames = itertools.islice(show.images(saved, look, graphics), images)
+            film.write(Path(folder) / "ours.mp4", frames, float(FPS))
 
         def bare() -> None:
             _bare(saved, look, images, Path(folder) / "bare.mp4")

@@ -63,9 +63,9 @@ def _target_cells(target: Mapping[str, Any]) -> tuple[str, str, str, str]:
 def _plain(value: Any) -> Any:
     """NumPy's numbers and arrays as Python's, and what is no finite number as a text: JSON has none."""
     if isinstance(value, Mapping):
-        return {str(key): _plain(own) for key, own in value.items()}
+        return {str(key): _plain(item) for key, item in value.items()}
     if isinstance(value, (np.ndarray, np.generic)):
         return _plain(value.tolist())
     if isinstance(value, (list, tuple)):
-        return [_plain(own) for own in value]
+        return [_plain(item) for item in value]
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value

@@ -259,12 +259,12 @@ def tried(name: str, file: Path, walks: bool, walk: Path, output: Path) -> Resul
             return result
         squat(mujoco.MjModel.from_xml_path(str(file)), folder / "start.toml", folder / "squat.toml")
         if result.run(folder, "solve", "squat.toml", "-o", "squat.npz", "--allow-outside"):
-            told = [line for line in result.output if line.startswith(("problem:", "violation:", "note:"))]
+            reported = [line for line in result.output if line.startswith(("problem:", "violation:", "note:"))]
             result.run(folder, "mirror", "squat.npz", "-o", "mirrored.npz")
             if result.run(folder, "export", "squat.npz", "-o", "squat.qpos.npz"):
                 beyond = {k: v for k, v in measured(folder / "squat.qpos.npz").items() if v > BOUNDS[k]}
                 result.cells["violations"] = ", ".join(
-                    f"{kind} {value:.0f}" + " SILENT" * (not _is_told(kind, told)) for kind, value in beyond.items()
+                    f"{kind} {value:.0f}" + " SILENT" * (not _is_told(kind, reported)) for kind, value in beyond.items()
                 )
             if result.run(folder, "export", "squat.npz", "--to", "mjcf", "--simulate", "-o", "squat.simulate.xml"):
                 result.cells["simulated"] = simulated(folder / "squat.simulate.xml")

@@ -37,13 +37,13 @@ PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy
 
 def versions() -> dict[str, str]:
     """Python, every package that takes part, and the threads."""
-    found = {"python": platform.python_version()}
+    versions_by_name = {"python": platform.python_version()}
     for name in PACKAGES:
         try:
-            found[name] = metadata.version(name)
+            versions_by_name[name] = metadata.version(name)
         except metadata.PackageNotFoundError:
-            found[name] = "not installed"
-    return found | {"threads": "1 (" + ", ".join(pinned.THREADS) + ")"}
+            versions_by_name[name] = "not installed"
+    return versions_by_name | {"threads": "1 (" + ", ".join(pinned.THREADS) + ")"}
 
 
 def machine() -> str:
@@ -66,8 +66,8 @@ def measured(name: str, effort: Effort) -> dict[str, Any]:
         words = f"{type(error).__name__}: {' '.join(str(error).split())}"
         section = Section(name, ("result",), [(f"this section failed: {words}",)])
     fields = asdict(section)
-    for target, own in zip(fields["targets"], section.targets, strict=True):
-        target["met"] = own.met
+    for target, present in zip(fields["targets"], section.targets, strict=True):
+        target["met"] = present.met
     return fields | {
         "date": time.strftime("%Y-%m-%d %H:%M"),
         "seconds": round(time.perf_counter() - begin, 1),

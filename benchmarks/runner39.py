@@ -149,14 +149,14 @@ class Unknowns:
 
 def ours(runner: Runner) -> list[Iterate]:
     """The public verb, everything but loading the figure on the clock."""
-    seen: list[Iterate] = []
+    iterates: list[Iterate] = []
     begin = time.perf_counter()
 
     def improved(step: Improvement) -> None:
-        seen.append((time.perf_counter() - begin, step.path))
+        iterates.append((time.perf_counter() - begin, step.path))
 
     inbetween(Problem(runner.figure, runner.keys, runner.penalties, runner.settings(VARIABLE)), improved=improved)
-    return [*seen, (time.perf_counter() - begin, seen[-1][1])]
+    return [*iterates, (time.perf_counter() - begin, iterates[-1][1])]
 
 
 class LeastSquares:
@@ -193,9 +193,9 @@ class LeastSquares:
         tables = self.figure.tables
         blocks = tables.quaternion_columns
         depth = tables.path[1:, 1:].sum(axis=1).astype(int)
-        found = [(order, blocks[i]) for order in (1, 2) for i in range(4)]
-        found += [(0, blocks[i, depth == level]) for level in np.unique(depth) for i in range(4)]
-        return [*found, (0, np.array([2])), (2, np.array([0])), (2, np.array([1])), (2, np.array([2]))]
+        groups = [(order, blocks[i]) for order in (1, 2) for i in range(4)]
+        groups += [(0, blocks[i, depth == level]) for level in np.unique(depth) for i in range(4)]
+        return [*groups, (0, np.array([2])), (2, np.array([0])), (2, np.array([1])), (2, np.array([2]))]
 
     @cached_property
     def sees(self) -> NDArray[np.bool_]:
@@ -224,8 +224,8 @@ class LeastSquares:
             moved[order][:, columns] += h
             slope = (self.of_states(moved) - here).T / h
             for column in columns:
-                seen = self.sees[:, column]
-                local[order][:, seen, column] = slope[:, seen]
+                visible = self.sees[:, column]
+                local[order][:, visible, column] = slope[:, visible]
         moving = self.unknowns.moving
         out = np.zeros((SAMPLES, here.shape[0], moving.shape[2], self.figure.width))
         for order in range(3):
@@ -236,20 +236,20 @@ class LeastSquares:
 def by_mujoco(problem: LeastSquares, analytic: bool) -> list[Iterate]:
     """Every point at which the tool evaluates a residual vector, in order."""
     minimize = importlib.import_module("mujoco.minimize")
-    seen: list[tuple[float, Array]] = []
+    iterates: list[tuple[float, Array]] = []
     begin = time.perf_counter()
 
     def residual(x: Array) -> Array:
         value = problem.residual(x)
         if x.reshape(x.shape[0], -1).shape[1] == 1:
-            seen.append((time.perf_counter() - begin, np.array(x).ravel()))
+            iterates.append((time.perf_counter() - begin, np.array(x).ravel()))
         return value
 
     more: dict[str, Any] = {"jacobian": problem.jacobian} if analytic else {}
     minimize.least_squares(
         problem.unknowns.start, residual, max_iter=MUJOCO_ITERATIONS, verbose=minimize.Verbosity.SILENT, **more
     )
-    return [(t, problem.unknowns.path_of(x)) for t, x in seen]
+    return [(t, problem.unknowns.path_of(x)) for t, x in iterates]
 
 
 class Casadi:
@@ -263,8 +263,8 @@ class Casadi:
         parts = [
             casadi.mtimes(rows, casadi.DM(unknowns.moving[k].T)) + casadi.DM(unknowns.constant[k].T) for k in range(3)
         ]
-        each = self.sample(runner).map(SAMPLES)
-        value = unknowns.weights[0] * casadi.sum2(each(*parts))
+        mapped = self.sample(runner).map(SAMPLES)
+        value = unknowns.weights[0] * casadi.sum2(mapped(*parts))
         self.seen: list[tuple[float, Array]] = []
         self.begin = 0.0
         self.callback = noting(casadi, x.numel(), self.note)
@@ -297,8 +297,8 @@ class Casadi:
             omega, rate = 2 * _quotient(ca, v, q) / b, ca.dot(q, v) / b
             value += ca.sumsqr(2 * _quotient(ca, a, q) / b - 2 * rate * omega) + GAUGE * (b - 1) ** 2
             turns[int(link)] = _matrix(ca, q, b)
-            own = figure.links[link]
-            place = y[:3] if not origins else origins[own.parent] + ca.mtimes(turns[own.parent], ca.DM(own.offset))
+            this = figure.links[link]
+            place = y[:3] if not origins else origins[this.parent] + ca.mtimes(turns[this.parent], ca.DM(this.offset))
             origins[int(link)] = place
         for point in runner.contact.points:
             height = (origins[point.link] + ca.mtimes(turns[point.link], ca.DM(point.position)))[2]
@@ -394,10 +394,10 @@ def finest(runner: Runner, ends: list[Path]) -> tuple[float, Path]:
         tolerance=1e-9,
         max_evaluations=2000,
     )
-    found = [inbetween(Problem(runner.figure, runner.keys, runner.penalties, replace(settings, variable=FINEST))).path]
-    found += [_refined(runner, end, settings) for end in ends]
-    values = [runner.value(path) for path in found]
-    return min(values), found[int(np.argmin(values))]
+    paths = [inbetween(Problem(runner.figure, runner.keys, runner.penalties, replace(settings, variable=FINEST))).path]
+    paths += [_refined(runner, end, settings) for end in ends]
+    values = [runner.value(path) for path in paths]
+    return min(values), paths[int(np.argmin(values))]
 
 
 def _refined(runner: Runner, end: Path, settings: Settings) -> Path:
@@ -458,9 +458,9 @@ def _measured(effort: Effort) -> Section:
     for turn in range(max(repeats.values())):
         alternated({"ours": kept("ours")} | {n: kept(n) for n in slow if turn < repeats[n]}, 1, warm=False)
     effort.tell("optimum at 15 variable frames a segment")
-    ends = [min((path for _, path in each[0]), key=runner.value) for each in runs.values()]
+    ends = [min((path for _, path in iterates[0]), key=runner.value) for iterates in runs.values()]
     optimum, best = finest(runner, ends)
-    results = {name: judged(runner, each, optimum) for name, each in runs.items()}
+    results = {name: judged(runner, iterates, optimum) for name, iterates in runs.items()}
     return _section(runner, results, building, optimum, best)
 
 
@@ -484,16 +484,16 @@ def _section(
     sampled = runner.value_on_samples(best)
     for name, got in results.items():
         clock = median(got.clock)
-        own = clock if np.isfinite(clock) else "never"
+        reached_at = clock if np.isfinite(clock) else "never"
         times = clock / mine if np.isfinite(clock) else "–"
         share, share_sampled = f"{got.last / optimum:.5f}", f"{got.last_sampled / sampled:.5f}"
         building_time = building.get(name, "–")
-        section.add(name, own, times, median(got.total), share, share_sampled, got.iterates, building_time)
+        section.add(name, reached_at, times, median(got.total), share, share_sampled, got.iterates, building_time)
     if not any(name.startswith("CasADi") for name in results):
         section.add("CasADi + IPOPT", NOT_INSTALLED, *["–"] * 6)
     section.targets = [Target("ours to 0.5 %", mine, 0.2, unit="s")]
-    asked = (("CasADi + IPOPT", 8.0), ("mujoco.minimize, its own", 20.0), ("mujoco.minimize, coloured", 20.0))
-    for words, limit in asked:
+    targets = (("CasADi + IPOPT", 8.0), ("mujoco.minimize, its own", 20.0), ("mujoco.minimize, coloured", 20.0))
+    for words, limit in targets:
         clocks = [median(got.clock) for name, got in results.items() if name.startswith(words)]
         fastest = min(clocks) / mine if clocks else None
         section.targets.append(

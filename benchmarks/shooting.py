@@ -78,16 +78,16 @@ def measure(effort: Effort) -> Section:
     for size, counts in SIZES.items():
         for kind in ("moderate", "random"):
             sets = range(FIRST_SEED, FIRST_SEED + effort.count(*counts))
-            own = rows[f"{size} {kind}"] = []
+            rows_ = rows[f"{size} {kind}"] = []
             for seed in sets:
                 effort.tell(f"{size} keyframes, {kind}, seed {seed}")
-                own.append(of_set(track(kind, seed, size), module, effort))
-            _add_rows(section, size, kind, own, module is not None)
+                rows_.append(of_set(track(kind, seed, size), module, effort))
+            _add_rows(section, size, kind, rows_, module is not None)
     _targets(section, rows)
     section.notes = [
         "theirs: ShootingQuaternionInterpolation with its defaults, from times and its own Quaternion objects; ours: "
         f"`inbetween` from keyframes, intrinsic form, no subdivision, tolerance {TOLERANCE:g}, all of it on the clock",
-        "sets: " + ", ".join(f"{len(own)} × {name}" for name, own in rows.items()) + f", seeds from {FIRST_SEED}; "
+        "sets: " + ", ".join(f"{len(rows_)} × {name}" for name, rows_ in rows.items()) + f", seeds from {FIRST_SEED}; "
         "times are medians over sets of each set's median; exact: multiple shooting of the tests at 7 keyframes, "
         "theirs at 1000",
         f"targets are for moderate steps (20-90°), with the fewest variable frames whose median ratio is ≤ {RATIO}; "
@@ -118,10 +118,10 @@ def _add_rows(section: Section, size: int, kind: str, rows: list[dict[str, Any]]
 
 def _targets(section: Section, rows: dict[str, list[dict[str, Any]]]) -> None:
     for size, limit in LIMITS.items():
-        own = rows[f"{size} moderate"]
-        reach = {v: median([row[f"{v} / exact"] for row in own if row[f"{v} / exact"]]) for v in VARIABLE}
+        moderate = rows[f"{size} moderate"]
+        reach = {v: median([row[f"{v} / exact"] for row in moderate if row[f"{v} / exact"]]) for v in VARIABLE}
         enough = [v for v in VARIABLE if reach[v] <= RATIO]
-        theirs = [row["peer [s]"] for row in own if row["peer closed"]]
+        theirs = [row["peer [s]"] for row in moderate if row["peer closed"]]
         words = f"{size} keyframes, moderate, {enough[0] if enough else 'no number of'} a segment: ours / theirs"
-        mine = median([row[f"{enough[0]} [s]"] for row in own]) if enough else np.nan
+        mine = median([row[f"{enough[0]} [s]"] for row in moderate]) if enough else np.nan
         section.targets.append(Target(words, mine / median(theirs) if theirs else None, limit))

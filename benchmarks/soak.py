@@ -131,19 +131,19 @@ class Soak:
             for _ in range(max(0, free // 1000 - ROOM)):
                 stream.write(bytes(1000))
         try:
-            _, said = program.communicate(timeout=PATIENCE)
+            _, stderr = program.communicate(timeout=PATIENCE)
         finally:
             ballast.unlink()
         self.done_to_it["disk"] += 1
         self.look()
-        return (said.decode().splitlines() or [""])[-1]
+        return (stderr.decode().splitlines() or [""])[-1]
 
     def watched(self) -> float:
         """The rest, undisturbed but for looks at memory; how long it took [s]."""
         begin = time.monotonic()
         program = self.started()
         while program.poll() is None:
-            workers = [resident(each) for each in solvers(program.pid)]
+            workers = [resident(pid) for pid in solvers(program.pid)]
             if workers:
                 self.memory.append((self.done, resident(program.pid), max(workers)))
             time.sleep(LOOK)
@@ -198,12 +198,12 @@ def solvers(driver: int) -> list[int]:
     """The processes that solve."""
     import psutil
 
-    found = []
+    pids = []
     with suppress(psutil.Error):
         for child in psutil.Process(driver).children(recursive=True):
             with suppress(psutil.Error):
-                found += [child.pid] if Path(child.cwd()).name.startswith("dynsplines-scratch") else []
-    return found
+                pids += [child.pid] if Path(child.cwd()).name.startswith("dynsplines-scratch") else []
+    return pids
 
 
 def resident(number: int) -> float:
@@ -224,9 +224,9 @@ def ended(program: subprocess.Popen[bytes], number: int) -> None:
         family = psutil.Process(program.pid).children(recursive=True)
     program.send_signal(number)
     program.wait(PATIENCE)
-    _, left = psutil.wait_procs(family, timeout=60)
-    if left:
-        raise RuntimeError(f"{len(left)} processes outlived their program")
+    _, alive = psutil.wait_procs(family, timeout=60)
+    if alive:
+        raise RuntimeError(f"{len(alive)} processes outlived their program")
 
 
 @contextmanager
@@ -253,37 +253,37 @@ def measure(effort: Effort) -> Section:
         soak = Soak(written(Path(folder) / "clips", count), place / "out", count)
         soak.out.mkdir()
         soak.disturbed(int(FULL * count), effort.tell)
-        told = soak.without_room() if place.name == "disk" else "not tried: no disk may be mounted here"
-        effort.tell(told)
+        full_disk = soak.without_room() if place.name == "disk" else "not tried: no disk may be mounted here"
+        effort.tell(full_disk)
         soak.disturbed(int(QUIET * count), effort.tell)
         before = soak.done
         spent = soak.watched()
-        found = soak.verdict()
-    for name, number in {"clips": count, **soak.done_to_it, **found}.items():
+        verdict = soak.verdict()
+    for name, number in {"clips": count, **soak.done_to_it, **verdict}.items():
         section.add(name, number)
     grown = {who: soak.grown(column) for column, who in ((1, "the program"), (2, "its largest worker process"))}
     section.targets = [
-        Target("clips missing, twice or damaged, and other files", float(sum(found.values())), 0.0),
+        Target("clips missing, twice or damaged, and other files", float(sum(verdict.values())), 0.0),
         *(Target(f"memory of {who}, last quarter over first", more, 5.0, unit="%") for who, more in grown.items()),
     ]
     section.notes = [
         f"`dynsplines batch --no-report --workers {WORKERS}`: until half of the clips are done a worker process or the "
         "program is killed after every few (SIGKILL, SIGTERM), and given again; SHA-256 of every file against the "
         "manifest, and every file is read",
-        f"the disk was full once, where one may be mounted for it: {told}",
+        f"the disk was full once, where one may be mounted for it: {full_disk}",
         f"memory: medians over the last {count - before} clips, undisturbed, in {spent:.0f} s",
     ]
-    section.data = {"done": soak.done_to_it, "found": found, "memory": soak.memory, "grown": grown, "full": told}
+    section.data = {"done": soak.done_to_it, "found": verdict, "memory": soak.memory, "grown": grown, "full": full_disk}
     return section
 
 
 if __name__ == "__main__":
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that its disk goes with it
-    asked = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
+    clip_count = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
 
     class Asked(Effort):
         def count(self, full: int, quick: int) -> int:
-            return asked
+            return clip_count
 
     result = measure(Asked(tell=lambda line: print(line, flush=True)))
     for row in result.rows:

@@ -125,25 +125,25 @@ def first_figure(browser: Any, folder: Path) -> float:
 
 def edits(page: Any, repeats: int, pulls: int) -> dict[str, list[float]]:
     """Poses of a drag, and the paths after it ends."""
-    found: dict[str, list[float]] = {"server": [], "trip": []}
+    times_by_name: dict[str, list[float]] = {"server": [], "trip": []}
     kinds = [(0.0, ""), (RESTED, " rested")]
-    found |= {f"{name}{kind}": [] for _, kind in kinds for name in ("first", "converged")}
+    times_by_name |= {f"{name}{kind}": [] for _, kind in kinds for name in ("first", "converged")}
     for i in range(2 * repeats):
         rest, kind = kinds[i % 2]
         page.evaluate(f"studio.model.seek(studio.model.document.keys[{KEY}].time)")
         body = page.evaluate("studio.model.stage.bodies.indexOf('left_foot')")
         share = SHARES[0] + (SHARES[1] - SHARES[0]) * i / (2 * repeats - 1)
         times, trips = page.evaluate(DRAG, [body, pulls, share])
-        found["server"] += times
-        found["trip"] += trips
+        times_by_name["server"] += times
+        times_by_name["trip"] += trips
         time.sleep(rest)
         first, converged, _ = page.evaluate(RELEASE, ["drop", {"time": page.evaluate("studio.model.time")}])
-        found[f"first{kind}"].append(first if first is not None else converged)
-        found[f"converged{kind}"].append(converged)
+        times_by_name[f"first{kind}"].append(first if first is not None else converged)
+        times_by_name[f"converged{kind}"].append(converged)
         page.evaluate("studio.ask('undo')")
         time.sleep(0.2)
         until(page, SETTLED)
-    return found
+    return times_by_name
 
 
 def memory(running: subprocess.Popen[str], page: Any) -> tuple[float, float, float]:
@@ -161,7 +161,7 @@ def memory(running: subprocess.Popen[str], page: Any) -> tuple[float, float, flo
 
 def long_run(browser: Any, folder: Path, minutes: float, tell: Any) -> tuple[list[tuple[float, float, float]], int]:
     """Edits, undo, solves and saves for so long; memory after every round, and how many edits there were."""
-    found: list[tuple[float, float, float]] = []
+    sizes: list[tuple[float, float, float]] = []
     count = 0
     with served(folder) as (running, address):
         page = browser.new_page(viewport=SIZE)
@@ -171,7 +171,7 @@ def long_run(browser: Any, folder: Path, minutes: float, tell: Any) -> tuple[lis
         end = time.monotonic() + 60 * minutes
         while time.monotonic() < end:
             time_of = page.evaluate(f"studio.model.document.keys[{KEY}].time")
-            for said in (
+            for request in (
                 {"name": "move_keys", "moves": [[KEY, round(time_of + 0.01, 4)]]},
                 {
                     "name": "set_joint",
@@ -181,7 +181,7 @@ def long_run(browser: Any, folder: Path, minutes: float, tell: Any) -> tuple[lis
                 },
                 {"name": "set_weight", "kind": "torque", "weight": 1.4},
             ):
-                answer = page.evaluate("(said) => studio.ask('edit', said)", said)
+                answer = page.evaluate("(said) => studio.ask('edit', said)", request)
                 assert answer["ok"], answer
                 count += 1
             until(page, SETTLED)
@@ -190,17 +190,17 @@ def long_run(browser: Any, folder: Path, minutes: float, tell: Any) -> tuple[lis
             assert page.evaluate("studio.ask('save')")["ok"]
             until(page, SETTLED)
             assert (folder / "run.toml").read_text(encoding="utf-8") == models.clip_text("run_and_step")
-            found.append(memory(running, page))
-            tell(f"{count} edits, server {found[-1][0]:.0f}, solver {found[-1][1]:.0f}, page {found[-1][2]:.1f} MB")
+            sizes.append(memory(running, page))
+            tell(f"{count} edits, server {sizes[-1][0]:.0f}, solver {sizes[-1][1]:.0f}, page {sizes[-1][2]:.1f} MB")
         page.close()
-    return found, count
+    return sizes, count
 
 
 def growth(values: list[float]) -> float:
     """By which share the mean of the last quarter is above that of the first, the first eighth left out to warm up."""
-    kept = values[len(values) // 8 :]
-    quarter = max(1, len(kept) // 4)
-    first, last = sum(kept[:quarter]) / quarter, sum(kept[-quarter:]) / quarter
+    warm = values[len(values) // 8 :]
+    quarter = max(1, len(warm) // 4)
+    first, last = sum(warm[:quarter]) / quarter, sum(warm[-quarter:]) / quarter
     return last / first - 1
 
 
@@ -225,8 +225,8 @@ def measure(effort: Effort) -> Section:
         starts = [first_figure(browser, folder) for _ in range(effort.repeats)]
         with served(folder) as (_, address):
             page = browser.new_page(viewport=SIZE)
-            asked: list[str] = []
-            page.on("request", lambda request: asked.append(request.url))
+            urls: list[str] = []
+            page.on("request", lambda request: urls.append(request.url))
             page.goto(address)
             until(page, READY)
             until(page, SETTLED)
@@ -241,7 +241,7 @@ def measure(effort: Effort) -> Section:
         browser.close()
     built = files("dynsplines.studio") / "built"
     size = sum(len((built / part).read_bytes()) for part in ("index.html", "studio.js", "studio.css"))
-    outside = [url for url in asked if not re.match(r"(http://127\.0\.0\.1:|data:|blob:)", url)]
+    outside = [url for url in urls if not re.match(r"(http://127\.0\.0\.1:|data:|blob:)", url)]
     section.add("from the command to a figure", median(starts), worst(starts), "s")
     section.add("a pose of a drag, the server's time", median(times["server"]), worst(times["server"]), "ms")
     section.add("a pose of a drag, there and back", median(times["trip"]), worst(times["trip"]), "ms")
@@ -285,10 +285,10 @@ def main() -> None:
 
     with sync_playwright() as play, tempfile.TemporaryDirectory() as name:
         browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
-        found, count = long_run(browser, Path(name), minutes, print)
+        memories, count = long_run(browser, Path(name), minutes, print)
         browser.close()
     for i, who in enumerate(("server", "solver", "page")):
-        print(f"{who}: {100 * growth([row[i] for row in found]):+.1f} % after {count} edits")
+        print(f"{who}: {100 * growth([row[i] for row in memories]):+.1f} % after {count} edits")
 
 
 if __name__ == "__main__":

@@ -44,14 +44,14 @@ def fewest(paths: list[Path], keyframes: int, value: Callable[[Path], float], go
 
 def of_set(kind: str, seed: int) -> dict[str, Any]:
     """One uneven set: frames for the gap that three in every segment leave."""
-    found = track(kind, seed, KEYFRAMES, RATIO)
-    finest = energy(solved(found, Settings(variable=FINEST, frames=0, **TIGHT)).path)
-    uniform = solved(found, Settings(variable=UNIFORM, frames=0, **TIGHT))
+    keys = track(kind, seed, KEYFRAMES, RATIO)
+    finest = energy(solved(keys, Settings(variable=FINEST, frames=0, **TIGHT)).path)
+    uniform = solved(keys, Settings(variable=UNIFORM, frames=0, **TIGHT))
     count = uniform.timeline.variable_count
     paths: list[Path] = []
     for start in (0, 1):
         one_by_one = Settings(variable=start, frames=count, batch=1e-9, threshold=0.0, **TIGHT)
-        paths += rounds(partial(solved, found, one_by_one))
+        paths += rounds(partial(solved, keys, one_by_one))
     least = min([finest, *map(energy, paths)])
     gap = energy(uniform.path) - least
     need = fewest(paths, KEYFRAMES, energy, least + SAME * gap)
@@ -116,12 +116,12 @@ def measure(effort: Effort) -> Section:
     )
     rows: list[dict[str, Any]] = []
     for kind, counts in SETS.items():
-        own = []
+        results = []
         for i in range(effort.count(*counts)):
             effort.tell(f"{kind}, set {i + 1} of {effort.count(*counts)}")
-            own.append(of_set(kind, FIRST_SEED + i))
-        rows += own
-        _add_row(section, f"{len(own)} {kind} sets of {KEYFRAMES}, uneven {RATIO:g} : 1", own)
+            results.append(of_set(kind, FIRST_SEED + i))
+        rows += results
+        _add_row(section, f"{len(results)} {kind} sets of {KEYFRAMES}, uneven {RATIO:g} : 1", results)
     clip_rows = of_clip(effort)
     for row in clip_rows:
         _add_row(section, f"run_and_step, {row['uniform frames']} evenly", [row])

@@ -38,8 +38,8 @@ def of_set(found: Track, module: Any) -> dict[str, Any]:
     row["shooting"] = shooting
     row["exact"] = exact = shooting or row.get("peer energy")
     row |= _ours(found, exact)
-    own, nearest = row["energy"], row["nearest"]
-    row["ours / exact"] = own / nearest if own and nearest else None
+    energy, nearest = row["energy"], row["nearest"]
+    row["ours / exact"] = energy / nearest if energy and nearest else None
     row["other minimum"] = bool(exact and nearest and abs(nearest / exact - 1) > SAME)
     ratio = row["ours / exact"]
     row["confirmed"] = bool(ratio and row["left"] <= LEFT and abs(ratio - 1) <= NEAR)
@@ -55,14 +55,14 @@ def _theirs(found: Track, module: Any) -> dict[str, Any]:
 
 def _nearest(found: Track, motion: Solution, exact: float | None) -> tuple[float, str]:
     """The energy of the minimum that ours is near, and how it is known."""
-    own = energy(motion.path)
+    own_energy = energy(motion.path)
     from_ours = exact_energy_from(found, motion.path)
-    if from_ours is not None and _is_near(own, from_ours):
+    if from_ours is not None and _is_near(own_energy, from_ours):
         return from_ours, WAYS[0]
     fine = path_of(optimised(motion.objective, evenly(motion.timeline, 1), max_evaluations=600, tolerance=1e-10))
-    for known, way in zip((exact_energy_from(found, fine), exact), WAYS[1:-1], strict=True):
-        if known is not None and _is_near(own, known):
-            return known, way
+    for candidate, method in zip((exact_energy_from(found, fine), exact), WAYS[1:-1], strict=True):
+        if candidate is not None and _is_near(own_energy, candidate):
+            return candidate, method
     return energy(fine), WAYS[-1]
 
 
@@ -78,14 +78,14 @@ def _ours(found: Track, exact: float | None) -> dict[str, Any]:
     except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
         why = f"{type(error).__name__}: {error}"
         return {"ours [s]": None, "energy": None, "nearest": None, "known by": "", "left": np.inf, "stop": why}
-    left = float(by_weak_form(motion.objective, motion.timeline).sum()) / motion.objective.value(motion.path)
-    nearest, known = _nearest(found, motion, exact)
+    remaining = float(by_weak_form(motion.objective, motion.timeline).sum()) / motion.objective.value(motion.path)
+    nearest, method = _nearest(found, motion, exact)
     return {
         "ours [s]": spent,
         "energy": energy(motion.path),
         "nearest": nearest,
-        "known by": known,
-        "left": left,
+        "known by": method,
+        "left": remaining,
         "stop": motion.stop.name,
         "frames": motion.timeline.variable_count,
         "evaluations": motion.evaluations,
@@ -104,19 +104,19 @@ def measure(effort: Effort) -> Section:
     count = effort.count(*SETS)
     for size in SIZES:
         for kind in KINDS:
-            own = []
+            results = []
             for i in range(count):
                 effort.tell(f"{size} keyframes, {kind}, set {i + 1} of {count}")
-                own.append(of_set(track(kind, FIRST_SEED + i, size, RATIO), module))
-            rows += own
-            section.add(size, kind, count, *_cells(own, module is not None))
+                results.append(of_set(track(kind, FIRST_SEED + i, size, RATIO), module))
+            rows += results
+            section.add(size, kind, count, *_cells(results, module is not None))
     mine = sum(not row["confirmed"] for row in rows)
     theirs = sum(row["peer failed"] is not None for row in rows) if module else None
     section.targets = [Target(f"ours unconfirmed, of {len(rows)} (theirs: {theirs})", float(mine), 0.0)]
     apart = [f"{_called(row)}: {row['nearest'] / row['exact']:.4f}" for row in rows if row["other minimum"]]
     higher = sum(row["nearest"] > row["exact"] for row in rows if row["other minimum"])
-    by = {way: sum(row["known by"] == way for row in rows) for way in WAYS}
-    known = sum(row["exact"] is not None for row in rows)
+    by = {method: sum(row["known by"] == method for row in rows) for method in WAYS}
+    exact = sum(row["exact"] is not None for row in rows)
     few = [row for row in rows if row["keyframes"] <= MOST_SHOT]
     closed = sum(row["shooting"] is not None for row in few)
     doubtful = [
@@ -134,7 +134,7 @@ def measure(effort: Effort) -> Section:
         f"{MOST_VARIABLE} a segment on average (taken: {median([row['frames'] for row in rows if 'frames' in row]):g}, "
         f"at most {worst([row['frames'] for row in rows if 'frames' in row]):g} in all); the clock is a single run",
         f"another exact path to compare with, by shooting from the natural cubic ({closed} of {len(few)} sets of at "
-        f"most {MOST_SHOT} keyframes close) or theirs: {known} of {len(rows)} sets. Ours is at another minimum than "
+        f"most {MOST_SHOT} keyframes close) or theirs: {exact} of {len(rows)} sets. Ours is at another minimum than "
         f"that on {len(apart)}, {higher} of them higher; its minimum / that one: {'; '.join(apart) or 'none'}",
         f"ours unconfirmed, energy / minimum, left, stop: {'; '.join(doubtful) or 'none'}",
     ]

@@ -78,23 +78,23 @@ def middle(name: str) -> float:
 def rows(tiles: list[Picture]) -> list[list[Picture]]:
     """Tiles in rows that are no wider than COLUMNS."""
     out: list[list[Picture]] = [[]]
-    for each in tiles:
-        if sum(one.shape[1] + GAP for one in [*out[-1], each]) > COLUMNS * (WIDTH + GAP):
+    for tile in tiles:
+        if sum(one.shape[1] + GAP for one in [*out[-1], tile]) > COLUMNS * (WIDTH + GAP):
             out.append([])
-        out[-1].append(each)
+        out[-1].append(tile)
     return out
 
 
 def sheet(tiles: list[Picture]) -> Picture:
     """All tiles on white, each row in the middle."""
-    found = rows(tiles)
-    out = np.full((len(found) * (HEIGHT + GAP) - GAP, COLUMNS * (WIDTH + GAP) - GAP, 3), WHITE, np.uint8)
-    for i, row in enumerate(found):
-        left = (out.shape[1] - sum(one.shape[1] + GAP for one in row) + GAP) // 2
+    tile_rows = rows(tiles)
+    out = np.full((len(tile_rows) * (HEIGHT + GAP) - GAP, COLUMNS * (WIDTH + GAP) - GAP, 3), WHITE, np.uint8)
+    for i, row in enumerate(tile_rows):
+        x0 = (out.shape[1] - sum(one.shape[1] + GAP for one in row) + GAP) // 2
         for one in row:
             top = i * (HEIGHT + GAP)
-            out[top : top + HEIGHT, left : left + one.shape[1]] = one
-            left += one.shape[1] + GAP
+            out[top : top + HEIGHT, x0 : x0 + one.shape[1]] = one
+            x0 += one.shape[1] + GAP
     return out
 
 
@@ -102,9 +102,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "renders" / "gallery.png")
     parser.add_argument("--films", action="store_true", help="the small films instead")
-    asked = parser.parse_args()
-    target = asked.output
-    if asked.films:
+    arguments = parser.parse_args()
+    target = arguments.output
+    if arguments.films:
         with tempfile.TemporaryDirectory() as folder:
             for name in models.clips():
                 film(name, Path(folder), target.parent / "films" / f"{name}.webp")

@@ -33,14 +33,14 @@ class UnknownName(KeyError):
 
 def figures() -> dict[str, str]:
     """The names of the figures, each with one line that describes it: the first of the file's opening comment."""
-    found = {name: entry for name, entry in _entries(files(__name__), ".xml").items() if name != STAGE}
-    return {name: _first_xml_comment(entry.read_text(encoding="utf-8")) for name, entry in found.items()}
+    entries = {name: entry for name, entry in _entries(files(__name__), ".xml").items() if name != STAGE}
+    return {name: _first_xml_comment(entry.read_text(encoding="utf-8")) for name, entry in entries.items()}
 
 
 def clips() -> dict[str, str]:
     """The names of the clips, each with one line that describes it: the first comment of the file."""
-    found = _entries(files(__name__) / "clips", ".toml")
-    return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in found.items()}
+    entries = _entries(files(__name__) / "clips", ".toml")
+    return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in entries.items()}
 
 
 def figure_text(name: str) -> str:
@@ -59,8 +59,8 @@ def clip_text(name: str) -> str:
 
 def maps() -> dict[str, str]:
     """The names of the maps, each with one line that describes it: the first comment of the file."""
-    found = _entries(files(__name__) / "maps", ".toml")
-    return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in found.items()}
+    entries = _entries(files(__name__) / "maps", ".toml")
+    return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in entries.items()}
 
 
 def map_file(name: str) -> Path:
@@ -79,8 +79,8 @@ def _entries(folder: Traversable, suffix: str) -> dict[str, Traversable]:
     """The files of a folder that end in `suffix`, by their name without it, in order; none if there is no folder."""
     if not folder.is_dir():
         return {}
-    found = sorted((entry for entry in folder.iterdir() if entry.name.endswith(suffix)), key=lambda entry: entry.name)
-    return {entry.name.removesuffix(suffix): entry for entry in found}
+    chosen = sorted((entry for entry in folder.iterdir() if entry.name.endswith(suffix)), key=lambda entry: entry.name)
+    return {entry.name.removesuffix(suffix): entry for entry in chosen}
 
 
 def _first_xml_comment(text: str) -> str:

@@ -58,10 +58,10 @@ def _draw_figures(folder: Path, seeds: int | None, *, as_json: bool) -> None:
     with Progress() as progress:
         progress.say(graphics.line)
         drawn = drawing.draw(folder, graphics, progress)
-        for each in drawn:
-            progress.say(f"wrote {each.file}")
+        for figure in drawn:
+            progress.say(f"wrote {figure.file}")
     if as_json:
-        print(json.dumps([each.as_json for each in drawn], indent=2))
+        print(json.dumps([figure.as_json for figure in drawn], indent=2))
 
 
 def main() -> None:

@@ -37,14 +37,14 @@ class Claim:
 
 def table(claims: Sequence[Claim]) -> Group:
     """Claims for a terminal of 80 columns or more: the verdict, then the claim, and below it what it rests on."""
-    held = sum(claim.reproduced for claim in claims)
+    reproduced = sum(claim.reproduced for claim in claims)
     out = Table(box=None, show_header=False, padding=(0, 2, 1, 0))
     out.add_column("verdict", no_wrap=True)
     out.add_column("claim", ratio=1)
     for claim in claims:
         verdict = Text(claim.verdict, style="green" if claim.reproduced else "red")
         out.add_row(verdict, Group(Text(claim.text, style="bold"), _details(claim)))
-    title = Text(f"The paper's claims: {held} of {len(claims)} reproduced", style="bold")
+    title = Text(f"The paper's claims: {reproduced} of {len(claims)} reproduced", style="bold")
     return Group(title, Text("median, worst in brackets, over the sets", style="dim"), Text(), out)
 
 

@@ -63,10 +63,10 @@ def moderate(rng: np.random.Generator, count: int) -> Array:
 
 def to_its_end(problem: Problem, improved: Callable[[Improvement], None] | None = None) -> Solution:
     """A search that no signal has cut short: its best path would be no answer. Raises KeyboardInterrupt for one."""
-    found = inbetween(problem, improved=improved)
+    solution = inbetween(problem, improved=improved)
     if stopping.was_asked():
         raise KeyboardInterrupt
-    return found
+    return solution
 
 
 class Run:
@@ -157,5 +157,5 @@ def strong_tenths(objective: Objective, path: Path) -> dict[str, Array]:
 
 def weak_tenths(objective: Objective, path: Path) -> Array:
     """(10,) what variable frames promise over tenths of the path, each segment's promise spread evenly over it."""
-    found = np.concatenate([[0.0], np.cumsum(promised(objective, path))])
-    return np.diff(np.interp(np.linspace(*path.span, TENTHS + 1), path.spline.times, found))
+    cumulative = np.concatenate([[0.0], np.cumsum(promised(objective, path))])
+    return np.diff(np.interp(np.linspace(*path.span, TENTHS + 1), path.spline.times, cumulative))

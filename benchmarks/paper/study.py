@@ -117,19 +117,19 @@ ON_MOST = f"on ≥ {SHARE_OF_SETS:.0%} of the sets"
 
 
 def _measure_iterates(case: Case) -> Row:
-    seen: list[Improvement] = []
-    motion = case.inbetween(PAPER, Settings(variable=1, frames=0), seen.append)
+    improvements: list[Improvement] = []
+    motion = case.inbetween(PAPER, Settings(variable=1, frames=0), improvements.append)
     times = np.array([key.time for key in case.keys])
-    values = np.array([step.value for step in seen])
+    values = np.array([step.value for step in improvements])
     row = {
-        "keyframe error": max(float(np.abs(step.path.at(times) - case.track).max()) for step in seen),
+        "keyframe error": max(float(np.abs(step.path.at(times) - case.track).max()) for step in improvements),
         "largest rise of E": float(np.diff(values).max()) if values.size > 1 else 0.0,
-        "share of evaluations that lowered E": len(seen) / motion.evaluations,
+        "share of evaluations that lowered E": len(improvements) / motion.evaluations,
         "E of the optimum / raw": motion.trace[-1][2] / values[0],
     }
     raw_energy = energy(path_of(motion.raw))
     for stop in STOPS:
-        last = [step for step in seen if step.evaluation <= 1 + stop][-1]
+        last = [step for step in improvements if step.evaluation <= 1 + stop][-1]
         row[f"E after {stop} / raw"] = last.value / values[0]
         row[f"energy after {stop} / raw"] = energy(last.path) / raw_energy
     return row
@@ -369,8 +369,8 @@ def _measure_criteria(case: Case) -> Row:
     row: Row = {}
     for words, weights in OBJECTIVES.items():
         for criterion in CRITERION_WORDS:
-            found = case.adaptive(weights, KEYFRAMES - 1, criterion)
-            row[f"gap, {words}, {criterion}"] = case.ratio(found.path) - 1
+            refined = case.adaptive(weights, KEYFRAMES - 1, criterion)
+            row[f"gap, {words}, {criterion}"] = case.ratio(refined.path) - 1
         row[f"gap, {words}, evenly"] = case.ratio(case.solved(weights, 1).path) - 1
     return row
 
@@ -401,9 +401,9 @@ def _measure_gap(case: Case) -> Row:
     for words, weights in OBJECTIVES.items():
         motion, fine = case.solved(weights, 1), case.solved(weights, REFERENCE_FRAMES)
         true = motion.objective.value(motion.path) - motion.objective.value(fine.path)
-        found = displacement(motion.objective, motion.timeline)
-        row[f"estimate / true, {words}"] = float(found.gap.sum()) / true
-        row[f"saved by local solves / true, {words}"] = float(found.found.sum()) / true
+        estimate = displacement(motion.objective, motion.timeline)
+        row[f"estimate / true, {words}"] = float(estimate.gap.sum()) / true
+        row[f"saved by local solves / true, {words}"] = float(estimate.found.sum()) / true
     return row
 
 

@@ -58,11 +58,11 @@ class Lengths:
     @classmethod
     def of(cls, keys: list[Frame]) -> Lengths:
         """Along the path through orientations by the paper's weights, one variable frame a segment."""
-        seen: list[Improvement] = []
-        motion = Run(keys).inbetween(PAPER, Settings(variable=1, frames=0), seen.append)
+        improvements: list[Improvement] = []
+        motion = Run(keys).inbetween(PAPER, Settings(variable=1, frames=0), improvements.append)
         first, last = motion.path.span
         time = np.linspace(first, last, round(RATE * (last - first)) + 1)
-        before = [np.linalg.norm(step.path.at(time), axis=1) for step in seen[:-1]][:SHOWN_STEPS]
+        before = [np.linalg.norm(step.path.at(time), axis=1) for step in improvements[:-1]][:SHOWN_STEPS]
         best = np.linalg.norm(motion.path.at(time), axis=1)
         return cls(time, before[0], np.array(before[1:]).reshape(-1, time.size), best, unit_deviation(motion.path))
 
@@ -160,12 +160,12 @@ def _verdict(values: list[float]) -> str:
 
 def draw_deviations(found: Deviations) -> Picture:
     """Figure 10: the strong form and the weak one side by side."""
-    figure, (left, right) = _sheet(2)
+    figure, (first, right) = _sheet(2)
     try:
-        _curves(left, found.strong, "strong form, as in the paper", "mean |EL|")
+        _curves(first, found.strong, "strong form, as in the paper", "mean |EL|")
         _curves(right, found.weak, "weak form", "left to gain ÷ E of the raw spline")
         figure.legend(
-            *left.get_legend_handles_labels(), loc="outside upper left", ncols=2, frameon=False, handlelength=4
+            *first.get_legend_handles_labels(), loc="outside upper left", ncols=2, frameon=False, handlelength=4
         )
         return _drawn(figure)
     finally:

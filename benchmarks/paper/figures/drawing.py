@@ -50,7 +50,7 @@ def check_folder(folder: Path) -> None:
     """Raises UserError unless figures can be put into a folder, which need not be there yet."""
     if folder.exists() and not folder.is_dir():
         raise UserError(f"--figures {folder}: it is a file; name a folder")
-    there = next(each for each in (folder, *folder.absolute().parents) if each.is_dir())
+    there = next(parent for parent in (folder, *folder.absolute().parents) if parent.is_dir())
     if not os.access(there, os.W_OK | os.X_OK):
         raise UserError(f"--figures {folder}: the folder '{there}' is not writable")
 
@@ -100,10 +100,10 @@ class Results:
         return Dip.of(self.runner, self.runner.raw)
 
     def _solved(self, name: str) -> Saved:
-        found = work.solve(clip.load(name), self.progress)
+        solution = work.solve(clip.load(name), self.progress)
         if stopping.was_asked():  # a search that is cut short is no result
             raise KeyboardInterrupt
-        return found.saved(self.progress, with_report=False)
+        return solution.saved(self.progress, with_report=False)
 
 
 Figure = tuple[Picture, str]
@@ -128,13 +128,13 @@ def _figure_7(results: Results) -> Figure:
 
 
 def _figure_9(results: Results) -> Figure:
-    found = charts.Lengths.of(results.orientations)
-    return charts.draw_lengths(found, results.orientations), found.caption
+    lengths = charts.Lengths.of(results.orientations)
+    return charts.draw_lengths(lengths, results.orientations), lengths.caption
 
 
 def _figure_10(results: Results) -> Figure:
-    found = charts.Deviations.of(results.orientations)
-    return charts.draw_deviations(found), found.caption
+    deviations = charts.Deviations.of(results.orientations)
+    return charts.draw_deviations(deviations), deviations.caption
 
 
 def _figure_11(results: Results) -> Figure:

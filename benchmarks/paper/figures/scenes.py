@@ -58,12 +58,12 @@ class Dip:
     @classmethod
     def of(cls, saved: Saved, timeline: Timeline) -> Dip:
         model = saved.figure.model
-        found = looked_at(saved, timeline)
+        contact = looked_at(saved, timeline)
         floors = {model.geom(int(g)).name for g in np.flatnonzero(model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE))}
-        depth = np.where([solid not in floors for solid in found.into], found.depth, 0.0)
+        depth = np.where([solid not in floors for solid in contact.into], contact.depth, 0.0)
         worst = int(np.argmax(depth))
-        time = float(found.time[worst])
-        return cls(time, float(depth[worst]), _close(saved, pose(saved, timeline, time), found.names[worst]))
+        time = float(contact.time[worst])
+        return cls(time, float(depth[worst]), _close(saved, pose(saved, timeline, time), contact.names[worst]))
 
 
 def looked_at(saved: Saved, timeline: Timeline) -> Penetration:
