@@ -64,7 +64,8 @@ def test_lengths_are_read_as_people_write_them(text, metres):
 
 @pytest.mark.parametrize("text", ["2", "0.02", " 1e-3 "])
 def test_a_length_without_a_unit_is_asked_for_it(text):
-    with pytest.raises(UserError, match=rf"--max-error {text}: the unit is missing; give {float(text):g}cm, .*mm or .*m$"):
+    expected = rf"--max-error {text}: the unit is missing; give {float(text):g}cm, .*mm or .*m$"
+    with pytest.raises(UserError, match=expected):
         length(text, "--max-error")
 
 
