@@ -62,7 +62,7 @@ def outcomes(name: str, terms: Sequence[str], effort: Effort) -> list[Outcome]:
         remaining = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name != term)
         if not remaining or len(remaining) == len(clip.penalties):
             continue
-        without = costs(whole, solved(clip.asking(penalties=remaining)))
+        without = costs(whole, solved(clip.with_problem(penalties=remaining)))
         rest, before = (sum(v for key, v in side.items() if key != term) for side in (without, with_it))
         if max(without[term], with_it[term]) < LITTLE * sum(with_it.values()):
             continue

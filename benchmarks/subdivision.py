@@ -71,7 +71,7 @@ def of_clip(effort: Effort) -> list[dict[str, Any]]:
     problem = clips.load("run_and_step")
 
     def solve(settings: Settings, improved: Any = None) -> Solution:
-        return inbetween(problem.asking(settings=settings).problem, improved=improved)
+        return inbetween(problem.with_problem(settings=settings).problem, improved=improved)
 
     def settings(**more: Any) -> Settings:
         return replace(Settings(quadrature=CLIP_QUADRATURE, max_evaluations=1000, tolerance=1e-6), **more)

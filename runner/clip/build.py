@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -32,6 +32,7 @@ from .table import ClipTable, SolveTable
 Own = Sequence[tuple[Penalty, float]]
 
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop in a period
+RENAMED = {"asking": "with_problem"}  # attributes of Clip
 NEXT = 1e-6  # [s] by which a saved keyframe may differ from its time in the text
 
 
@@ -101,9 +102,16 @@ class Clip:
         """The complete MJCF text."""
         return self.scene.mjcf
 
-    def asking(self, **changes: Any) -> Clip:
+    def with_problem(self, **changes: Any) -> Clip:
         """Return the same clip with fields of its problem changed: penalties, settings, ends."""
         return replace(self, problem=replace(self.problem, **changes))
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            """Raise an error that names the successor of a renamed attribute."""
+            successor = f"; it is named '{RENAMED[name]}'" if name in RENAMED else ""
+            raise AttributeError(f"Clip has no attribute '{name}'{successor}")
 
     def __repr__(self) -> str:
         """ "<Clip run_and_step: 2.20 s, 12 keyframes (3 partial), 15 penalties, 39 DOF>" """

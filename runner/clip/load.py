@@ -303,7 +303,7 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     return build(source, saved.scene, saved.figure, saved.keys, placed, saved.fps)
 
 
-def answered(saved: Saved) -> Clip:
+def clip_from_motion(saved: Saved) -> Clip:
     """Return the clip that a saved motion solves, with the contacts and the places of its text.
 
     The contacts of a motion that is too far from them for any clip are kept for measuring.
@@ -334,4 +334,4 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     if clip.text:
         keys = stander_of(source, clip.figure).stood(keys, placed)
     rebuilt = build(source, clip.scene, clip.figure, keys, placed, clip.fps)
-    return replace(rebuilt.asking(penalties=(*rebuilt.penalties, *clip.own)), own=clip.own)
+    return replace(rebuilt.with_problem(penalties=(*rebuilt.penalties, *clip.own)), own=clip.own)

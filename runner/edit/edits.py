@@ -24,7 +24,7 @@ from dynsplines.solver.solution import Solution
 
 from ..clip.build import AROUND, Clip, around
 from ..clip.file import standing_alone
-from ..clip.load import answered, of_motion
+from ..clip.load import clip_from_motion, of_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
 from ..clip.table import ClipTable, ContactTable, HoldTable, PenaltyTable, SolveTable
@@ -245,7 +245,7 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
 
 def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
     """A motion with its report; `edit` is the reason why there was no search, where there was none."""
-    clip = answered(saved)
+    clip = clip_from_motion(saved)
     objective = clip.problem.plain_objective
     if clip.settings.renormalise:
         objective = renormalised(objective, saved.raw)

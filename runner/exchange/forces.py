@@ -61,7 +61,7 @@ class Forces:
     def of(cls, take: Take, model: mujoco.MjModel | None = None) -> Forces:
         """The forces of a motion in its own model, or in another one with the same joints."""
         saved = take.saved
-        support = clip.answered(saved).context.support
+        support = clip.clip_from_motion(saved).context.support
         stiff = None if support is None else replace(support, softness=STIFF)
         samples = samples_at(saved.figure, path_of(saved.timeline), take.time)
         return cls(take, samples, stiff, take.model if model is None else model)

@@ -108,7 +108,7 @@ def imported(
     )
     if record.loops:
         try:
-            return unsolved(clip.asking(ends="periodic")).saved(progress, with_report=False)
+            return unsolved(clip.with_problem(ends="periodic")).saved(progress, with_report=False)
         except TimelineError:
             progress.say("note: marked as a loop, but its last pose differs from its first: read without a loop")
     return unsolved(clip).saved(progress, with_report=False)

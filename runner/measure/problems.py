@@ -88,7 +88,7 @@ def violations(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Flaw, 
 def of_motion(saved: Saved) -> tuple[Flaw, ...]:
     """What is wrong with a motion, by what its file holds."""
     try:
-        clip = clips.answered(saved)
+        clip = clips.clip_from_motion(saved)
     except UserError:  # a text that this program cannot read, in a file from elsewhere
         clip = clips.of_motion(replace(saved, text=""))
     return problems(clip, saved.timeline, saved.raw, stop_of(saved))

@@ -174,7 +174,7 @@ class Motion:
             called = " and ".join(f"'{name}'" for name in names)
             line = f"its search also had the custom penalty {called}, which files do not contain; pass it again"
             warnings.warn(f"{self.name}: {line}", stacklevel=2)
-        return clips.answered(self.saved)
+        return clips.clip_from_motion(self.saved)
 
     @cached_property
     def before(self) -> Motion:

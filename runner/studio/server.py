@@ -135,11 +135,11 @@ class _Page:
             while True:
                 message = json.loads(await self.socket.receive_text())
                 if message.get("do") in ("export", "render", "stop_task"):
-                    task = asyncio.create_task(self._answered(message))
+                    task = asyncio.create_task(self._answer(message))
                     self.tasks.add(task)
                     task.add_done_callback(self.tasks.discard)
                 else:
-                    await self._answered(message)
+                    await self._answer(message)
         except (WebSocketDisconnect, json.JSONDecodeError, AttributeError, RuntimeError):
             pass
         finally:
@@ -164,7 +164,7 @@ class _Page:
                 else:
                     await self.socket.send_text(message if isinstance(message, str) else message.decode())
 
-    async def _answered(self, message: dict[str, Any]) -> None:
+    async def _answer(self, message: dict[str, Any]) -> None:
         """Perform a page's request; the answer describes the edit, or the reason for its rejection."""
         number = message.pop("id", None)
         try:

@@ -182,7 +182,7 @@ def _solve(path: Path) -> None:
         return
     own = clip.settings
     few = {"max_evaluations": min(own.max_evaluations, FEW), "frames": min(own.frames or 0, FEW)}
-    clip = clip.asking(settings=replace(own, variable=min(own.variable or 0, 1), **few))
+    clip = clip.with_problem(settings=replace(own, variable=min(own.variable or 0, 1), **few))
     timeline = work.solve(clip, told()).motion.timeline
     assert np.isfinite(timeline.rows).all(), "a motion that is not finite"
     largest = max(1.0, *(float(np.abs(key.state[key.fixed]).max(initial=0.0)) for key in clip.keys))

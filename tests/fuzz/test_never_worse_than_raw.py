@@ -58,7 +58,7 @@ def varied(seed: int) -> Clip:
         except UserError:  # keyframes that contradict a contact
             continue
         evaluations, method = int(rng.choice(EVALUATIONS if COUNT > SHORT else BRIEF)), str(rng.choice([*METHODS]))
-        return other.asking(settings=replace(other.settings, max_evaluations=evaluations, optimiser=method))
+        return other.with_problem(settings=replace(other.settings, max_evaluations=evaluations, optimiser=method))
     raise AssertionError(f"{clip.name}: whatever is moved contradicts a contact")
 
 
@@ -86,7 +86,7 @@ def drawn(seed: int) -> Clip:
     clip = clips.from_text(grammar.solvable_text(seed), name=f"drawn {seed}", spec=grammar.spec())
     evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([*METHODS]))
     settings = replace(clip.settings, max_evaluations=evaluations, optimiser=method, frames=int(rng.choice([0, 4, 8])))
-    return clip.asking(settings=settings)
+    return clip.with_problem(settings=settings)
 
 
 @pytest.mark.slow

@@ -45,7 +45,7 @@ def without(*names: str) -> Clip:
     clip = clips.from_text(TEXT, name="without")
     kept = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name not in names)
     assert len(kept) == len(clip.penalties) - len(names)
-    return clip.asking(penalties=kept)
+    return clip.with_problem(penalties=kept)
 
 
 @pytest.fixture(scope="module")

@@ -89,7 +89,7 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     problem = clip.load(str(target))
     assert len(problem.context.points) == FEET[path]
     settings = replace(problem.settings, max_evaluations=EVALUATIONS, frames=FRAMES)
-    found = work.solve(problem.asking(settings=settings), Progress(Console(file=io.StringIO())))
+    found = work.solve(problem.with_problem(settings=settings), Progress(Console(file=io.StringIO())))
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
     small = problem.figure.width <= SMALL
     saved = found.saved(Progress(Console(file=io.StringIO())), with_report=small)

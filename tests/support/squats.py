@@ -44,7 +44,7 @@ class Measured:
 
 
 def solved(problem: Clip, **settings: Any) -> work.Solved:
-    problem = problem.asking(settings=replace(problem.settings, **settings))
+    problem = problem.with_problem(settings=replace(problem.settings, **settings))
     return work.solve(problem, Progress(Console(file=io.StringIO())))
 
 

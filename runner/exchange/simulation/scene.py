@@ -165,7 +165,7 @@ def _least(take: Take) -> Array:
     """(njnt,) the gain that holds all of the figure, for joints between its root and the soles that it stands on."""
     figure, model = take.figure, take.model
     out = np.zeros(model.njnt)
-    points = clip.answered(take.saved).context.points
+    points = clip.clip_from_motion(take.saved).context.points
     if figure.root is None or not points:
         return out
     root = figure.root.link

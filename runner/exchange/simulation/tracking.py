@@ -210,7 +210,7 @@ def _reasons(tracking: Tracking, simulation: Simulation, take: Take) -> list[str
             out.append(
                 f"the motion needs a force at the root that no contact supplies, up to {deficit:.0%} of its weight"
             )
-    if clip.answered(take.saved).context.carried:
+    if clip.clip_from_motion(take.saved).context.carried:
         out.append("nothing holds what the figure carries")
     if np.any(model.jnt_type == FREE):
         out.append("nothing balances it")

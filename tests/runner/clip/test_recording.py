@@ -244,8 +244,8 @@ def test_stances_that_a_strangers_file_makes_up_are_refused_or_do_no_harm(folder
     clip = recordings.from_text(KERB, name="kerb", folder=folder)
     found = work.unsolved(clip).saved(Progress(), with_report=False)
     with pytest.raises(UserError, match="stances"):
-        clips.answered(replace(found, search={"stances": change}))
-    kept = clips.answered(replace(found, search={"stances": clip.stances}))
+        clips.clip_from_motion(replace(found, search={"stances": change}))
+    kept = clips.clip_from_motion(replace(found, search={"stances": clip.stances}))
     assert [(r.point.name, r.first, r.last) for r in kept.context.contacts.given] == [
         (r.point.name, r.first, r.last) for r in clip.context.contacts.given
     ]

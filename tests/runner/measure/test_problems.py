@@ -73,7 +73,7 @@ def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CON
 
 def unposed(problem: Clip) -> Clip:
     """The clip as if nobody had posed what its keyframes leave to the search."""
-    return problem.asking(keys=tuple(replace(key, posed=None) for key in problem.keys))
+    return problem.with_problem(keys=tuple(replace(key, posed=None) for key in problem.keys))
 
 
 def kinds(found: Sequence[Flaw]) -> set[str]:

@@ -120,6 +120,15 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
 
 
 @pytest.mark.slow
+def test_the_error_for_a_renamed_attribute_names_the_new_one():
+    clip = load("tumble")
+    assert clip.with_problem(ends=clip.ends) == clip
+    with pytest.raises(AttributeError, match="Clip has no attribute 'asking'; it is named 'with_problem'"):
+        clip.asking  # type: ignore[attr-defined]  # noqa: B018
+    with pytest.raises(AttributeError, match=r"Clip has no attribute 'missing'$"):
+        clip.missing  # type: ignore[attr-defined]  # noqa: B018
+
+
 def test_the_verb_takes_what_load_takes(tmp_path):
     path = written(tmp_path)
     expected = inbetween(load(path)).at(0.3)

@@ -48,7 +48,7 @@ def threads():
     return [library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"]
 
 clip, seen, before = load("run_and_step"), [], threads()
-inbetween(clip.asking(settings=Settings(max_evaluations=2)).problem, improved=lambda _: seen.append(threads()))
+inbetween(clip.with_problem(settings=Settings(max_evaluations=2)).problem, improved=lambda _: seen.append(threads()))
 print(json.dumps([before, seen, threads()]))
 """
 
