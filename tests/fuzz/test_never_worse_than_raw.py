@@ -103,7 +103,7 @@ def test_a_clip_that_is_drawn_at_random_is_never_worse_than_its_raw_spline(seed)
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [83, 226])  # the other is summed over equal samples
-def test_a_quaternion_that_passes_nought_between_two_samples_is_no_gain(seed):
+def test_a_quaternion_that_passes_zero_between_two_samples_gains_nothing(seed):
     assert_no_worse(drawn(seed))
 
 

@@ -85,7 +85,7 @@ driver.main()
 
 @pytest.mark.slow
 @LINUX
-def test_whatever_a_file_does_to_its_process_is_told_and_the_others_are_tried(
+def test_whatever_a_file_does_to_its_process_is_reported_and_the_others_are_tried(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     """Every second one raises, kills the process, hangs, or takes much memory."""

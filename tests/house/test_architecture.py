@@ -106,14 +106,14 @@ def test_third_parties_stay_in_the_file_that_knows_them():
             assert package not in packages(path) or path.as_posix() in homes, path
 
 
-def test_the_solver_knows_no_files_no_clock_and_no_terminal():
+def test_the_solver_uses_no_files_no_clock_and_no_terminal():
     for path in SOLVER:
         assert not packages(path) & NO_WORLD, path
         called = {n.func.id for n in ast.walk(tree(path)) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}
         assert not called & {"open", "print", "input", "exec", "eval", "hasattr"}, path
 
 
-def test_every_file_says_what_it_is_and_none_is_named_for_a_drawer():
+def test_every_file_states_its_subject_and_none_is_named_for_a_drawer():
     for path in FILES:
         assert len(ast.get_docstring(tree(path)) or "") > 20, path
         assert path.stem not in {"utils", "util", "helpers", "misc", "common"}
@@ -228,5 +228,5 @@ def bare_constants(path: Path) -> list[str]:
     return found
 
 
-def test_a_number_with_a_name_says_its_unit_or_why():
+def test_a_number_with_a_name_states_its_unit_or_reason():
     assert {path: names for path in FILES if (names := bare_constants(path))} == {}

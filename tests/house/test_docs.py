@@ -105,7 +105,7 @@ def test_every_page_is_in_the_sites_table_of_contents() -> None:
     assert {page.name for page in PAGES} == set(re.findall(r"(\w+\.md)$", told, re.MULTILINE))
 
 
-def test_the_reference_is_what_the_schema_says(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_reference_is_what_the_schema_specifies(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.syspath_prepend(str(ROOT / "docs"))
     reference = importlib.import_module("reference")
     page = reference.PAGE.read_text(encoding="utf-8")

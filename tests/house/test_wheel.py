@@ -53,7 +53,7 @@ def test_the_wheel_holds_exactly_the_packages_and_their_data(contents):
 
 
 @pytest.mark.slow
-def test_the_wheel_knows_its_command_its_licence_and_nothing_of_the_tests(contents, wheel):
+def test_the_wheel_contains_its_command_its_licence_and_nothing_of_the_tests(contents, wheel):
     assert {name.split("/")[0].split("-")[0] for name in contents} == {"dynsplines", "dynamic_splines"}
     (top,) = (name for name in contents if name.endswith("top_level.txt"))
     (entries,) = (name for name in contents if name.endswith("entry_points.txt"))
@@ -64,7 +64,7 @@ def test_the_wheel_knows_its_command_its_licence_and_nothing_of_the_tests(conten
 
 
 @pytest.mark.slow
-def test_an_installed_wheel_works_beside_a_project_with_folders_of_the_same_names(wheel, tmp_path):
+def test_an_installed_wheel_works_next_to_a_project_with_folders_of_the_same_names(wheel, tmp_path):
     target = tmp_path / "site"
     command = [*PIP, "install", "--no-deps", "--no-index", "--no-compile", "--target", str(target), str(wheel)]
     subprocess.run(command, check=True, capture_output=True, text=True)

@@ -139,7 +139,7 @@ def test_every_clip_that_is_listed_can_be_read() -> None:
         assert models.clip_text(name)
 
 
-def test_an_unknown_figure_is_answered_with_a_guess_and_the_list() -> None:
+def test_an_unknown_figure_gets_a_suggestion_and_the_list() -> None:
     with pytest.raises(models.UnknownName) as caught:
         models.figure_text("humam")
     assert str(caught.value) == "no figure 'humam'; did you mean 'human'? Figures: human, spinner"
@@ -150,7 +150,7 @@ def test_an_unknown_name_that_resembles_nothing_gets_the_list_only() -> None:
         models.figure_text("xyz")
 
 
-def test_the_stage_cannot_be_asked_for_as_a_figure() -> None:
+def test_the_stage_cannot_be_requested_as_a_figure() -> None:
     with pytest.raises(models.UnknownName):
         models.figure_text("stage")
 
@@ -160,7 +160,7 @@ def test_an_unknown_clip_is_a_key_error() -> None:
         models.clip_text("no such clip")
 
 
-def test_nothing_ships_says_so() -> None:
+def test_the_message_without_shipped_files_names_that() -> None:
     assert str(models.UnknownName("clip", "run", [])) == "no clip 'run'. No clip ships."
 
 

@@ -109,7 +109,7 @@ def test_no_limb_goes_through_the_body(name):
 
 
 @pytest.mark.parametrize("name", LOOPS)
-def test_a_loop_goes_on_across_its_seam_and_its_two_steps_are_mirror_images(name):
+def test_a_loop_continues_across_its_seam_and_its_two_steps_are_mirror_images(name):
     motion, promise = of(name).motion, PROMISES[name]
     assert Seam.of(motion.figure, motion.timeline).apart(motion.path).max() < 1e-9
     figure, half = motion.figure, float(motion.timeline.times[-1]) / 2

@@ -133,7 +133,7 @@ def test_a_pelvis_out_of_reach_of_the_feet_leaves_them_alone():
     assert posed_feet(between("root.position = [0, 0, 0.7]", "root.position = [0, 0, 1.2]")) == ["", "lr", "", ""]
 
 
-def test_a_leg_that_a_keyframe_sets_is_not_told_to_stand():
+def test_a_leg_that_a_keyframe_sets_does_not_stand():
     raised = "root.position = [0, 0, 0.9]\njoints.left_hip = {rotvec = [0, -60, 0]}"
     assert posed_feet(between(raised)) == ["", "r", ""]
 
@@ -178,7 +178,7 @@ def test_a_loop_may_begin_in_a_squat():
 
 
 @pytest.mark.slow
-def test_a_contact_says_where_a_foot_is_that_no_keyframe_tells():
+def test_a_contact_specifies_the_position_of_a_foot_without_one_in_keyframes():
     places = {"left_heel": [0.1, 0.15, 0], "left_toe": [0.325, 0.15, 0]}
     text = REST + "[[keyframe]]\ntime = 1\nroot.position = [0, 0, 0.8]\n[[keyframe]]\ntime = 2\n"
     for point, place in places.items():

@@ -65,7 +65,7 @@ def assert_refused(done: Done, *words: str) -> None:
     assert not re.search(r"\bframe\b", line), "a user has keyframes"
 
 
-def test_the_version_is_told_and_that_of_mujoco(run: Command) -> None:
+def test_the_version_is_reported_and_that_of_mujoco(run: Command) -> None:
     done = run("--version")
     assert done.code == 0
     assert re.fullmatch(r"dynsplines \d+\.\d+\.\d+, MuJoCo \d+\.\d+\.\d+, solving with .*\n", done.out)
@@ -156,7 +156,7 @@ def test_render_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, 
 @pytest.mark.parametrize(
     ("ending", "magic"), [("gif", b"GIF8"), ("webm", b"\x1aE\xdf\xa3"), ("png", b"\x89PNG"), ("mp4", b"")]
 )
-def test_the_ending_says_what_is_rendered(run, motion_file, tmp_path, ending, magic):
+def test_the_ending_selects_what_is_rendered(run, motion_file, tmp_path, ending, magic):
     assert run("render", motion_file, "-o", f"film.{ending}", *SMALL, "--fps", 5).code == 0
     assert (tmp_path / f"film.{ending}").read_bytes().startswith(magic)
 
@@ -194,7 +194,7 @@ def test_a_bound_says_its_unit(run, motion_file):
     )
 
 
-def test_ghosts_make_a_still_of_the_size_asked_for(run, motion_file, tmp_path):
+def test_ghosts_make_a_still_of_the_requested_size(run, motion_file, tmp_path):
     assert run("render", motion_file, "--ghosts", "--size", "48x40", "--camera", "high").code == 0
     assert size_of(tmp_path / "tiny.png") == (48, 40)
 
@@ -457,7 +457,7 @@ def test_a_mistake_in_a_clip_is_one_line_that_says_where(run, tmp_path, mistake)
         assert_refused(run("solve", "bad.toml"), "bad.toml: ", *words)
 
 
-def test_text_that_is_not_utf_8_is_told_as_such(run, tmp_path):
+def test_text_that_is_not_utf_8_is_reported_as_such(run, tmp_path):
     (tmp_path / "bad.toml").write_bytes(CLIP.replace("Three", "Dr\u00e9i").encode("latin-1"))
     with nothing_written(tmp_path):
         assert_refused(run("solve", "bad.toml"), "bad.toml", "not UTF-8", "byte 5")
@@ -647,7 +647,7 @@ def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, com
 @pytest.mark.parametrize(
     ("fault", "told"), [(crew.leaves, "a worker process ended with code 3"), (crew.locked, "locked")]
 )
-def test_what_went_wrong_in_a_worker_is_told_and_nothing_is_written(
+def test_what_went_wrong_in_a_worker_is_reported_and_nothing_is_written(
     run, tmp_path, motion_file, monkeypatch, fault, told
 ):
     monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
@@ -856,7 +856,7 @@ def test_edits_write_a_motion_named_after_what_is_done(run, motion_file, tmp_pat
 
 
 @pytest.mark.slow
-def test_edits_that_cannot_be_are_told_in_one_line(run, motion_file, tmp_path):
+def test_edits_that_cannot_be_are_reported_in_one_line(run, motion_file, tmp_path):
     lopsided = FIGURE.replace('name="left_shin" pos="0 0 -.2"', 'name="left_shin" pos="0 .1 -.2"')
     (tmp_path / "lopsided.xml").write_text(lopsided, encoding="utf-8")
     (tmp_path / "lopsided.toml").write_text(CLIP.replace("tiny.xml", "lopsided.xml"), encoding="utf-8")
@@ -905,7 +905,7 @@ def sinking(run: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Co
     ],
 )
 @pytest.mark.parametrize("strict", [False, True])
-def test_what_is_wrong_is_told_last_and_only_strict_minds(sinking, tmp_path, words, wrote, strict):
+def test_what_is_wrong_is_reported_last_and_only_strict_minds(sinking, tmp_path, words, wrote, strict):
     done = sinking(*words, *(["--strict"] if strict else []))
     assert (done.code, done.out) == (3 if strict else 0, "")
     lines = done.err.splitlines()
@@ -935,7 +935,7 @@ def test_json_says_how_it_went_and_what_is_wrong_and_measures_nothing(sinking):
 
 
 @pytest.mark.slow
-def test_a_saved_motion_is_told_of_as_well(sinking, tmp_path):
+def test_a_saved_motion_has_problems_as_well(sinking, tmp_path):
     assert sinking("solve", "sinks.toml").code == 0
     with np.load(tmp_path / "sinks.npz") as data:
         assert json.loads(str(data["report"])) == {}
@@ -962,7 +962,7 @@ def test_the_report_begins_with_what_is_wrong(run, tmp_path):
 
 
 @pytest.mark.slow
-def test_the_same_command_writes_the_same_bytes_whatever_threads_are_asked_for(tmp_path):
+def test_the_same_command_writes_the_same_bytes_whatever_threads_are_requested(tmp_path):
     tiny.written(tmp_path)
     seen = set()
     for threads in ("1", "4"):

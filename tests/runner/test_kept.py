@@ -252,7 +252,7 @@ def test_nothing_is_kept_if_nothing_is_to_be(tmp_path, cache, counted, monkeypat
     assert not cache.exists()
 
 
-def test_unless_told_otherwise_it_is_the_users_folder_for_such_things(monkeypatch, tmp_path):
+def test_by_default_it_is_the_users_folder_for_such_things(monkeypatch, tmp_path):
     monkeypatch.delenv("DYNSPLINES_CACHE")
     if sys.platform == "linux":
         monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))

@@ -63,7 +63,7 @@ def test_a_mistake_of_the_program_is_one_line_that_asks_for_a_report(ended: Ende
 
 
 @pytest.mark.parametrize("asked", ["flag", "environment"])
-def test_who_asks_for_it_is_shown_where_a_mistake_is(asked: str, ended: Ended, monkeypatch: pytest.MonkeyPatch):
+def test_a_traceback_is_printed_on_request(asked: str, ended: Ended, monkeypatch: pytest.MonkeyPatch):
     broken(monkeypatch, ZeroDivisionError("by nought"))
     flag = ["--debug"] if asked == "flag" else []
     monkeypatch.setenv("DYNSPLINES_DEBUG", "" if flag else "1")
@@ -97,7 +97,7 @@ def test_too_little_of_anything_is_no_mistake_of_the_program(
         ("joints.left_knee", f"joints.{'x' * 20_000}", "no joint 'xxx"),
     ],
 )
-def test_numbers_and_names_of_any_length_are_told_shortly(old: str, new: str, words: str, ended: Ended):
+def test_numbers_and_names_of_any_length_are_reported_shortly(old: str, new: str, words: str, ended: Ended):
     Path("tiny.toml").write_text(changed(old, new), encoding="utf-8")
     code, line = ended("solve", "tiny.toml")
     assert code == 2
@@ -125,7 +125,7 @@ def test_a_report_is_printed_in_terminals_of_few_letters(encoding: str, tmp_path
     assert done.stdout.decode(encoding) == accents[encoding]
 
 
-def test_keyframes_that_are_no_numbers_are_told_by_new_as_well(tmp_path: Path):
+def test_keyframes_that_are_no_numbers_are_reported_by_new_as_well(tmp_path: Path):
     ball = '<worldbody><body><freejoint/><geom size=".1"/></body></worldbody>'
     keys = '<keyframe><key/><key time="1" qpos="0 0 nan 1 0 0 0"/></keyframe>'
     (tmp_path / "nan.xml").write_text(f"<mujoco>{ball}{keys}</mujoco>", encoding="utf-8")
@@ -134,7 +134,7 @@ def test_keyframes_that_are_no_numbers_are_told_by_new_as_well(tmp_path: Path):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
-def test_a_clip_whose_name_is_no_text_is_told_before_a_batch_begins(tmp_path: Path):
+def test_a_clip_whose_name_is_no_text_is_reported_before_a_batch_begins(tmp_path: Path):
     path = os.fsencode(tmp_path) + b"/caf\xe9.toml"
     with open(path, "w", encoding="utf-8") as stream:  # noqa: PTH123
         stream.write(CLIP)
@@ -164,7 +164,7 @@ def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
     np.testing.assert_allclose(csv_table.read(target, scene.model(), None).qpos[[0, -1]], qpos, atol=1e-12)
 
 
-def test_a_full_disk_is_told_of_usd_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_a_full_disk_is_reported_for_usd_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     pytest.importorskip("pxr.Usd")
     import puppet
 

@@ -202,7 +202,7 @@ def test_saving_breaks_off_without_a_trace(saved: Saved, tmp_path: Path, monkeyp
     assert (tmp_path / "m.npz").read_bytes() == b"before"
 
 
-def test_a_target_that_cannot_be_written_is_told_before_the_work(tmp_path: Path):
+def test_a_target_that_cannot_be_written_is_reported_before_the_work(tmp_path: Path):
     with pytest.raises(UserError, match="it is a folder"):
         check_target(tmp_path)
     with pytest.raises(UserError, match="no folder"):

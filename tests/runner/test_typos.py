@@ -50,13 +50,13 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (changed(KNEE, "joint.left_knee = 4"), "no key 'joint'; did you mean 'joints'"),
     ],
 )
-def test_a_mistake_is_told_before_meshes_are_read(folder, text, complaint):
+def test_an_error_is_reported_before_meshes_are_read(folder, text, complaint):
     (folder / "tiny.toml").write_text(text, encoding="utf-8")
     with pytest.raises(UserError, match=rf"^tiny\.toml: .*{complaint}"):
         clip.load(str(folder / "tiny.toml"))
 
 
-def test_a_clip_without_mistakes_goes_on_to_its_model(folder):
+def test_a_clip_without_mistakes_continues_to_its_model(folder):
     with pytest.raises(AssertionError, match="the model was compiled"):
         clip.load(str(folder / "tiny.toml"))
 
@@ -73,7 +73,7 @@ def test_so_are_those_of_figures_that_ship():
         assert spec_joint_names(spec) == joint_names(spec.compile())
 
 
-def test_the_early_complaint_is_the_late_one(tmp_path):
+def test_the_early_error_is_the_late_one(tmp_path):
     text = changed("left_knee = {rotvec = [0, 40", "left_kne = {rotvec = [0, 40")
     with pytest.raises(UserError) as late:
         clip.load(str(written(tmp_path, text)))

@@ -41,7 +41,7 @@ def value(solved: work.Solved) -> float:
     return solved.motion.objective.value(path_of(solved.motion.timeline))
 
 
-def test_every_improvement_is_told_and_the_last_line_sums_up(problem):
+def test_every_improvement_is_reported_and_the_last_line_sums_up(problem):
     progress = Listening()
     solved = work.solve(problem, progress)
     assert len(progress.steps) == len(solved.motion.trace) + 1
@@ -52,7 +52,7 @@ def test_every_improvement_is_told_and_the_last_line_sums_up(problem):
     assert values[-1] < 0.9 * values[0]
 
 
-def test_what_was_not_found_is_told_first(tmp_path):
+def test_what_was_not_found_is_reported_first(tmp_path):
     figure = clip.load(str(written(tmp_path, CLIP)))
     assert figure.notes == ()
     text = (tmp_path / "tiny.xml").read_text(encoding="utf-8").replace("left_toe", "tip")

@@ -72,7 +72,7 @@ def test_it_refuses_what_does_not_fit():
         compiled.call("add_blocks", room, rank, first, np.ones((2, 3, 4)), np.array([[0, 2]]), blocks, 2)
 
 
-def test_version_says_which_is_in_use():
+def test_version_prints_the_kernel_in_use():
     code = "from dynsplines.start import main; import sys; sys.argv = ['dynsplines', '--version']; main()"
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert ("the compiled kernel" in told) is (compiled.kernel is not None)

@@ -87,7 +87,7 @@ def test_a_step_rises_at_its_end_as_the_function_does_by_differences(rng):
 
 
 @pytest.mark.parametrize("softness", [1e-2, 1.0])
-def test_the_line_search_ends_where_scipy_finds_the_slope_along_the_step_to_be_nought(softness, rng):
+def test_the_line_search_ends_where_scipy_finds_the_slope_along_the_step_to_be_zero(softness, rng):
     """Edges begin to pull and end it on the way, some at the very start, and some of them never."""
     count, edges = 60, 7
     step, slope = rng.normal(size=(2, count, 6))

@@ -189,7 +189,7 @@ def test_nothing_is_split_in_what_is_held_and_nothing_that_promises_too_little(m
 
 
 @pytest.mark.parametrize(("tiny", "frames"), [(0.0099, 0), (0.0101, 2)])
-def test_a_segment_shorter_than_a_twentieth_of_the_spacing_of_frames_beside_it_begins_with_none(tiny, frames):
+def test_a_segment_shorter_than_a_twentieth_of_the_spacing_of_frames_next_to_it_begins_with_none(tiny, frames):
     """Two frames in 0.6 s are 0.2 s apart: a hundredth of a second is the bound, before and after."""
     for spans in ([0.6, tiny], [tiny, 0.6], [0.05, tiny, 0.6]):
         times = np.cumsum([0.0, *spans])
@@ -265,7 +265,7 @@ def test_frames_that_make_no_clip_are_refused(figure, rng):
         inbetween(Problem(figure, keys[::-1], PENALTIES))
 
 
-def test_an_error_inside_a_penalty_comes_out(figure, rng):
+def test_an_error_inside_a_penalty_is_raised(figure, rng):
     class Broken(CovariantAcceleration):
         def evaluate(self, samples, into=None, scale=1.0):
             if into is not None:
@@ -300,7 +300,7 @@ def test_the_clock_does_not_matter(rng):
 @pytest.mark.parametrize(
     ("cost_increased", "is_poor_minimum", "rounds"), [(False, False, 1), (True, False, 2), (False, True, 4)]
 )
-def test_what_came_out_dear_is_searched_once_more_and_what_went_astray_from_everywhere(
+def test_a_costly_result_is_searched_once_more_and_an_outlier_from_every_start(
     monkeypatch, cost_increased, is_poor_minimum, rounds
 ):
     module, begun = import_module("dynsplines.solver.inbetween"), []
@@ -333,7 +333,7 @@ def resumed_between(*between: tuple[float, float], **settings: object) -> tuple[
 
 
 @pytest.mark.parametrize("between", [((2.0, 2.5),), ((0.5, 0.5), (4.5, 4.5)), ((1.5, 1.5), (2.0, 2.0))])
-def test_a_search_that_goes_on_between_some_times_moves_what_they_reach_and_tells_e_of_the_whole(between):
+def test_a_search_within_an_interval_moves_only_what_it_affects_and_reports_e_of_the_whole(between):
     problem, begin, found, seen = resumed_between(*between)
     t = begin.times
     reached = np.any([(t > first - 0.5 - 1e-9) & (t < last + 0.5 + 1e-9) for first, last in between], axis=0)
@@ -351,7 +351,7 @@ def test_a_search_that_goes_on_between_some_times_moves_what_they_reach_and_tell
         assert sum(each.parts.values()) == pytest.approx(each.value)
 
 
-def test_where_one_of_several_edits_reaches_nearly_all_or_none_is_told_all_of_the_clip_is_searched():
+def test_where_one_of_several_edits_reaches_nearly_all_or_none_is_reported_all_of_the_clip_is_searched():
     for between in ((), ((0.5, 0.5), (0.5, 5.0))):
         problem, begin, found, _ = resumed_between(*between)
         free = ~begin.fixed.any(axis=1)

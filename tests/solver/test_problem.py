@@ -12,7 +12,7 @@ from dynsplines.solver.problem import SPACING, Settings
 
 
 @pytest.mark.parametrize("name", ["variable", "frames", "max_evaluations", "tolerance", "batch", "threshold"])
-def test_the_least_that_may_be_asked_for_is_taken_and_less_is_refused(name):
+def test_the_least_that_may_be_requested_is_taken_and_less_is_refused(name):
     bounds: dict[str, Any] = {
         "variable": (0, -1),
         "frames": (0, -1),
@@ -56,7 +56,7 @@ def test_a_budget_that_long_segments_would_break_leaves_them_as_they_are():
 
 
 @pytest.mark.parametrize("variable", [0, 1, 5])
-def test_whoever_says_how_many_gets_as_many_in_every_segment_however_long(variable):
+def test_a_given_number_applies_in_every_segment_however_long(variable):
     assert counts(Settings(variable=variable), 5.0, 0.001, 0.3) == [variable] * 3
     assert Settings(variable=variable, frames=2).in_each(3, in_windows=False) == variable
 

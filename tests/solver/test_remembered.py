@@ -31,7 +31,7 @@ def human() -> Figure:
     return Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")))
 
 
-def test_an_answer_is_found_once_and_the_one_that_was_asked_for_longest_ago_goes():
+def test_an_answer_is_found_once_and_the_one_that_is_requested_longest_ago_goes():
     found: list[int] = []
 
     def find(n: int) -> int:

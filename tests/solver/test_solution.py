@@ -56,7 +56,7 @@ def test_it_is_raw_if_nothing_was_evaluated_and_times_states_and_speeds_are_thos
         assert not replace(found, timeline=other).is_raw
 
 
-def test_an_improvement_builds_its_path_once_and_only_when_it_is_asked_for():
+def test_an_improvement_builds_its_path_once_and_only_when_it_is_requested():
     built, raw = [], solution().raw
     told = Improvement(3, 1, 0.5, {"acceleration.angular": 0.5}, lambda: built.append(1) or raw)
     assert not built

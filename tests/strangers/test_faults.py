@@ -138,7 +138,7 @@ WRITING = {
 
 
 @pytest.mark.parametrize("kind", WRITING)
-def test_a_full_disk_is_told_with_the_files_name_and_the_older_file_stays(kind: str, tried: Tried, tmp_path: Path):
+def test_a_full_disk_is_reported_with_the_files_name_and_the_older_file_stays(kind: str, tried: Tried, tmp_path: Path):
     words = WRITING[kind]
     target = tmp_path / words[words.index("-o") + 1]
     target.write_bytes(b"older")
@@ -148,7 +148,7 @@ def test_a_full_disk_is_told_with_the_files_name_and_the_older_file_stays(kind: 
     assert left(tmp_path) == []
 
 
-def test_a_manifest_on_a_full_disk_is_told_and_goes_on_later(tmp_path: Path):
+def test_a_manifest_on_a_full_disk_is_reported_and_continues_later(tmp_path: Path):
     from dynsplines.batch.manifest import Entry, Manifest
     from dynsplines.errors import UserError
 
@@ -162,7 +162,7 @@ def test_a_manifest_on_a_full_disk_is_told_and_goes_on_later(tmp_path: Path):
     assert set(Manifest.of(tmp_path).entries) == {"a", "c"}
 
 
-def test_a_folder_that_nobody_writes_to_is_told(tried: Tried, tmp_path: Path):
+def test_a_folder_without_write_permission_is_reported(tried: Tried, tmp_path: Path):
     (tmp_path / "sealed").mkdir()
     (tmp_path / "sealed").chmod(0o555)
     place = "sealed" if os.geteuid() else "/sys"  # who may do anything may not write there
@@ -236,7 +236,7 @@ def test_who_reads_no_further_ends_the_command_quietly(tried: Tried):
 
 
 @pytest.mark.parametrize("handles", [8, 12, 16, 24])
-def test_too_few_handles_are_told(handles: int, tried: Tried, tmp_path: Path):
+def test_too_few_handles_are_reported(handles: int, tried: Tried, tmp_path: Path):
     few = f"import resource; resource.setrlimit(resource.RLIMIT_NOFILE, ({handles}, {handles}))\n"
     for words in (("solve", "tiny.toml", "-o", "out.npz"), ("export", "motion.npz", "-o", "out.html")):
         ended = tried(*words, before=few)
@@ -245,7 +245,7 @@ def test_too_few_handles_are_told(handles: int, tried: Tried, tmp_path: Path):
 
 
 @pytest.mark.parametrize("megabytes", [0, 5, 40])
-def test_too_little_memory_is_told(megabytes: int, tried: Tried, tmp_path: Path):
+def test_too_little_memory_is_reported(megabytes: int, tried: Tried, tmp_path: Path):
     little = (
         "import resource; used = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()\n"
         f"resource.setrlimit(resource.RLIMIT_AS, (used + {megabytes}_000_000,) * 2)\n"
@@ -307,7 +307,7 @@ def test_a_writer_whose_file_is_taken_for_a_leftover_before_it_is_locked_begins_
     assert taken == [[None]] and target.read_bytes() == b"whole" and names(tmp_path) == ["a.bin"]
 
 
-def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_told(tried: Tried, tmp_path: Path):
+def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_reported(tried: Tried, tmp_path: Path):
     gone = "import dynsplines.clip.load as c; load = c.from_parsed\ndef f(*a, **k):\n"
     gone += "    os.unlink('tiny.xml'); return load(*a, **k)\n"
     assert_told(tried("solve", "tiny.toml", before=gone + "c.from_parsed = f\n"), "no file 'tiny.xml'")

@@ -135,12 +135,12 @@ def test_a_scene_has_plain_names_wherever_it_comes_from(name: str):
         {"<worldbody>": '<asset><model name="m" file="/x.xml"/></asset><worldbody>'},
     ],
 )
-def test_a_motion_reads_no_file_beside_its_own(meshed: Saved, tmp_path: Path, said: Mapping[str, str]):
+def test_a_motion_reads_no_file_next_to_its_own(meshed: Saved, tmp_path: Path, said: Mapping[str, str]):
     with pytest.raises(UserError, match=r"evil\.npz: .*(bring|include)"):
         motion.load(tampered(meshed, tmp_path / "evil.npz", mjcf=said))
 
 
-def test_a_recording_that_brings_its_figure_reads_no_file_beside_its_own(meshed: Saved, tmp_path: Path):
+def test_a_recording_that_brings_its_figure_reads_no_file_next_to_its_own(meshed: Saved, tmp_path: Path):
     target = tmp_path / "it.qpos.npz"
     formats.export(meshed, "npz", target)
     with np.load(target) as data:

@@ -34,7 +34,7 @@ GOOD = "0 0 1 1 0 0 0 1 0 0 0"
         ("0 0 1e308 1 0 0 0 1 0 0 0", "an entry is too large"),
     ],
 )
-def test_keyframes_of_a_model_are_told_alike_by_new_and_as_a_clip(other: str, said: str, tmp_path: Path):
+def test_keyframes_of_a_model_are_reported_alike_by_new_and_as_a_clip(other: str, said: str, tmp_path: Path):
     path = tmp_path / "m.xml"
     path.write_text(tiny.FIGURE.replace("</mujoco>", KEYS.format(GOOD, other)), encoding="utf-8")
     with pytest.raises(UserError, match=f"m.xml: keyframe 2: {said}"):

@@ -81,7 +81,7 @@ def test_a_signal_in_the_first_imports_ends_in_one_line(start: Start, number: si
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
-def test_a_signal_while_solving_keeps_the_best_path_and_tells_in_the_exit_code(
+def test_a_signal_while_solving_keeps_the_best_path_and_reports_it_in_the_exit_code(
     start: Start, tmp_path: Path, number: signal.Signals, code: int
 ):
     process = start(COMMAND, "dynsplines", "solve", "long.toml")

@@ -40,7 +40,7 @@ def test_every_claim_has_finite_numbers_for_every_set_and_a_verdict(claims: list
 
 
 @pytest.mark.slow
-def test_no_two_claims_say_the_same(claims: list[Claim]) -> None:
+def test_no_two_claims_are_equal(claims: list[Claim]) -> None:
     assert len({claim.text for claim in claims}) == len(claims)
 
 
@@ -93,7 +93,7 @@ def test_without_a_set_there_is_nothing_to_measure() -> None:
         run(seeds=0)
 
 
-def test_the_work_tells_how_far_it_has_come(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_work_reports_its_progress(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(study, "STUDIES", study.STUDIES[:1])
     steps: list[tuple[float | None, str]] = []
     progress = Progress(Console(file=StringIO()))

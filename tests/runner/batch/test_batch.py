@@ -176,7 +176,7 @@ def test_each_clip_is_done_once_though_a_process_and_the_program_are_killed(
 
 
 @pytest.mark.slow
-def test_nobody_else_on_the_machine_can_reach_a_batch_and_it_leaves_nothing_where_it_ran(tmp_path: Path, start):
+def test_no_other_user_can_reach_a_batch_and_it_leaves_nothing_where_it_ran(tmp_path: Path, start):
     (tmp_path / "clips").mkdir()
     (tmp_path / "clips/a.toml").write_text("hang", encoding="utf-8")
     process = start("batch", "clips", "-o", "out", "--workers", 2, program=INJECTED)
@@ -193,7 +193,7 @@ def test_nobody_else_on_the_machine_can_reach_a_batch_and_it_leaves_nothing_wher
 
 
 @pytest.mark.slow
-def test_clips_that_fail_in_every_way_stop_nothing_and_are_told(tmp_path: Path, start):
+def test_clips_that_fail_in_every_way_stop_nothing_and_are_reported(tmp_path: Path, start):
     deeds = {
         "a_good": "fine 1",
         "b_hangs": "hang",
@@ -252,7 +252,7 @@ def test_ctrl_c_stops_and_another_program_is_refused_meanwhile(tmp_path: Path, s
 
 
 @pytest.mark.slow
-def test_a_scheduler_that_goes_away_is_told_and_costs_no_clip_anything(tmp_path: Path, start):
+def test_a_scheduler_that_goes_away_is_reported_and_costs_no_clip_anything(tmp_path: Path, start):
     cluster = start(program=CLUSTER)
     assert cluster.stdout is not None
     address = cluster.stdout.readline().strip()
@@ -321,7 +321,7 @@ def test_what_a_killed_program_had_begun_to_write_is_removed_whatever_the_ending
 
 
 @pytest.mark.slow
-def test_a_folder_that_is_removed_meanwhile_is_told(tmp_path: Path, start):
+def test_a_folder_that_is_removed_meanwhile_is_reported(tmp_path: Path, start):
     (tmp_path / "clips").mkdir()
     for name, text in {"a": "fine", "b": "hang"}.items():
         (tmp_path / "clips" / f"{name}.toml").write_text(text, encoding="utf-8")

@@ -64,7 +64,7 @@ def test_a_missing_package_is_named_with_how_to_install_it(
     assert refused("tiny.toml", *words) == line
 
 
-def test_a_scheduler_that_is_not_there_is_told(refused: Refused, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_a_scheduler_that_is_not_there_is_reported(refused: Refused, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     pytest.importorskip("distributed")
     from dynsplines.batch import cluster
 

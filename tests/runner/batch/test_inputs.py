@@ -68,20 +68,20 @@ def test_a_list_names_more_a_line_each(tree: Path, monkeypatch: pytest.MonkeyPat
         ("empty", "no .toml file in it"),
     ],
 )
-def test_what_is_not_there_is_told(tree: Path, word: str, complaint: str):
+def test_what_is_not_there_is_reported(tree: Path, word: str, complaint: str):
     (tree / "empty").mkdir()
     with pytest.raises(UserError, match=complaint):
         sources([word])
 
 
-def test_no_clips_and_a_list_that_is_none_are_told(tree: Path):
+def test_no_clips_and_a_list_that_is_none_are_reported(tree: Path):
     with pytest.raises(UserError, match="no clips; give"):
         sources([])
     with pytest.raises(UserError, match="--list nowhere: No such file"):
         sources([], "nowhere")
 
 
-def test_like_named_clips_are_told_apart_by_their_folders(tree: Path):
+def test_like_named_clips_are_distinguished_by_their_folders(tree: Path):
     found = named_apart(sources(["clips/a/walk.toml", "clips/b/walk.toml", "clips/run.toml"]), [])
     assert names(found) == ["a/walk", "b/walk", "run"]
 
@@ -166,7 +166,7 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
     assert len(saved.trace) > 1
 
 
-def test_a_worker_with_another_version_says_so(tmp_path: Path):
+def test_a_worker_with_another_version_is_rejected(tmp_path: Path):
     with pytest.raises(UserError, match=r"the worker has dynamic-splines .*, not 0\.0\.7"):
         solving.solved(
             Task(files_of(Source(None, PurePosixPath("stairs")), {}), "stairs.npz", program="0.0.7"), tmp_path
@@ -216,7 +216,7 @@ def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp
         assert sorted(files.files) == ["following.toml", "tiny.xml"]
 
 
-def test_what_a_format_writes_beside_its_file_comes_back_with_what_it_could_not_hold(tmp_path: Path):
+def test_what_a_format_writes_next_to_its_file_comes_back_with_what_it_could_not_hold(tmp_path: Path):
     there = tmp_path / "there"
     there.mkdir()
     files = files_of(Source(written(tmp_path), PurePosixPath("tiny")), {})

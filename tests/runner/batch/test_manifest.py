@@ -91,7 +91,7 @@ def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):
     assert not replace(entry, output="").holds(tmp_path)
 
 
-def test_a_second_program_is_refused_and_told_who_is_at_work(tmp_path: Path):
+def test_a_second_program_is_refused_and_the_other_process_is_named(tmp_path: Path):
     with locked(tmp_path):
         who = f"by process {os.getpid()} on {socket.gethostname()} since"
         with pytest.raises(UserError, match=who), locked(tmp_path):

@@ -41,7 +41,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def test_a_folder_gives_what_its_endings_tell_by_the_path_below_it(folder: Path) -> None:
+def test_a_folder_gives_what_its_endings_select_by_the_path_below_it(folder: Path) -> None:
     assert [str(source.name) for source in sources([str(folder)], recordings=True)] == ["more/turn", "torn", "walk"]
     assert [str(source.name) for source in sources([str(folder / "w*")], recordings=True)] == ["walk"]
     assert [str(source.name) for source in sources([str(folder / "notes.txt")], recordings=True)] == ["notes"]
@@ -51,7 +51,7 @@ def test_a_folder_gives_what_its_endings_tell_by_the_path_below_it(folder: Path)
         sources([str(folder / "absent.bvh")], recordings=True)
 
 
-def test_all_that_was_asked_for_goes_along_and_counts(folder: Path, tmp_path: Path) -> None:
+def test_all_that_is_requested_goes_along_and_counts(folder: Path, tmp_path: Path) -> None:
     scene = tmp_path / "scene.toml"
     scene.write_text("[scene]\n", encoding="utf-8")
     (source,) = sources([str(folder / "walk.bvh")], recordings=True)
@@ -119,7 +119,7 @@ def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
         (("--clean", "--max-displacement", "-1cm"), "--max-displacement"),
     ],
 )
-def test_what_does_not_go_together_is_told(
+def test_what_does_not_go_together_is_reported(
     folder: Path, words: tuple[str, ...], line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(folder)

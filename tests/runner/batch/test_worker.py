@@ -50,7 +50,7 @@ def test_a_process_works_on_one_clip_after_another(kept: Pool):
     assert second.seconds < 0.1
 
 
-def test_errors_are_told_in_a_line_and_the_process_stays(kept: Pool):
+def test_errors_are_reported_in_a_line_and_the_process_stays(kept: Pool):
     before = number(kept)
     wrong = kept.run(deeds.complains, "a.toml: no\nkeyframes", AMPLE)
     assert (wrong.files, wrong.cause, wrong.error) == ({}, "error", r"a.toml: no\nkeyframes")
@@ -96,7 +96,7 @@ def test_what_never_ends_is_ended(kept: Pool):
         (deeds.leaves, 3, "its process ended with code 3"),
     ],
 )
-def test_a_process_that_goes_by_itself_is_told(kept: Pool, deed, value, words: str):
+def test_a_process_that_goes_by_itself_is_reported(kept: Pool, deed, value, words: str):
     outcome = kept.run(deed, value, AMPLE)
     assert (outcome.cause, outcome.error) == ("lost", words)
 

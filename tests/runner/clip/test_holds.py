@@ -200,13 +200,13 @@ def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_i
 
 
 @pytest.mark.slow
-def test_limbs_stay_out_of_what_is_carried_and_not_of_what_nobody_holds():
+def test_limbs_stay_out_of_what_is_carried_and_not_of_what_is_not_held():
     for hands, expected in (((), 0), (("left",), 1)):
         found = parts(clips.from_text(lift(hands=hands), name="lift"), "collision.body")
         assert sum(isinstance(part, Contact) and part.carrier > 0 for part in found) == expected
 
 
-def test_a_hold_with_a_position_and_one_that_nobody_placed():
+def test_a_hold_with_a_position_and_one_that_was_not_placed():
     free = lift(hands=()).replace(HANDS, "")
     hold = HOLD.format(hand="left", start=0.7, end=0.9)
     (unknown,) = clips.from_text(free + hold, name="free").context.holds
@@ -241,7 +241,7 @@ MISTAKES = {
 
 
 @pytest.mark.parametrize("case", MISTAKES)
-def test_every_mistake_is_told_in_one_line_that_names_it(case):
+def test_every_error_is_reported_in_one_line_that_names_it(case):
     more, words = MISTAKES[case]
     with pytest.raises(UserError) as caught:
         clips.from_text(lift(hands=()) + more, name="wrong")

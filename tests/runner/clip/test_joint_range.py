@@ -55,7 +55,7 @@ def test_the_human_has_ranges():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("joint", ["hinge", "ball"])
-def test_a_motion_that_overshoots_a_range_is_kept_within_and_the_report_says_so(tmp_path, joint):
+def test_a_motion_that_overshoots_a_range_is_kept_within_and_the_report_contains_it(tmp_path, joint):
     text = SWING
     if joint == "ball":
         text = SWING.replace("swing = 0", "swing = {rotvec = [0, 0, 0]}").replace(
@@ -82,7 +82,7 @@ def test_a_motion_that_overshoots_a_range_is_kept_within_and_the_report_says_so(
     assert 1 < beyond[0]["at, s"] < 1.3
 
 
-def test_a_slide_beyond_its_range_is_told_in_metres(tmp_path):
+def test_a_slide_beyond_its_range_is_reported_in_metres(tmp_path):
     path = written(
         tmp_path, SWING.replace("slide = 0}\n[[keyframe]]\ntime = 1.3", "slide = 0.3}\n[[keyframe]]\ntime = 1.3")
     )

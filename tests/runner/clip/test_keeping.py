@@ -36,7 +36,7 @@ def test_all_of_a_foot_is_to_stay_out_of_the_ground():
     assert [(point.name, point.radius) for point in ground.points][:2] == [("left_heel", 0.024), ("left_toe", 0.024)]
 
 
-def test_what_of_a_figure_is_below_its_own_soles_is_not_asked_for():
+def test_geoms_below_the_soles_are_exempt():
     """A shin thicker than its ankle is high: no stance could keep it out."""
     legs = "".join(
         f"""<body name="{side}_shin" pos="0 {y} -.3"><joint name="{side}_knee" axis="0 1 0"/>

@@ -104,12 +104,12 @@ def test_hinges_are_degrees_and_slides_metres(tmp_path):
     assert problem.figure.coordinates == "joint"
 
 
-def test_free_and_ball_joints_are_solved_in_world_coordinates_unless_told(tmp_path):
+def test_free_and_ball_joints_are_solved_in_world_coordinates_by_default(tmp_path):
     assert loaded(tmp_path).figure.is_world
     assert not loaded(tmp_path, changed("[solve]", '[solve]\ncoordinates = "joint"')).figure.is_world
 
 
-def test_a_figure_is_found_beside_its_clip_wherever_the_command_runs(tmp_path, monkeypatch):
+def test_a_figure_is_found_next_to_its_clip_wherever_the_command_runs(tmp_path, monkeypatch):
     path = written(tmp_path)
     (tmp_path / "elsewhere").mkdir()
     monkeypatch.chdir(tmp_path / "elsewhere")
@@ -434,7 +434,7 @@ def test_without_a_free_joint_there_is_nothing_to_fly(tmp_path):
         loaded(tmp_path, text)
 
 
-def test_an_optimiser_that_does_nothing_with_so_many_unknowns_is_told():
+def test_an_optimiser_that_does_nothing_with_so_many_unknowns_is_reported():
     standing = 'figure = "human"\n' + "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in range(5))
     dense = clip.from_text(standing + '[solve]\noptimiser = "slsqp"', name="dense")
     assert "optimiser 'slsqp' is dense: with some 612 unknowns, over 300" in dense.notes[-1]

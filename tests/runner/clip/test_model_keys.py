@@ -51,7 +51,7 @@ def test_what_a_keyframe_does_not_name_is_as_in_the_key(folder: Path):
     assert second.fixed.tolist() == [True, True, False] + [True] * 6
 
 
-def test_a_key_without_numbers_is_the_rest_and_a_hold_goes_on_from_a_key():
+def test_a_key_without_numbers_is_the_rest_and_a_hold_continues_from_a_key():
     keys = [Keyframe(0, others="key:short"), Keyframe(1, others="key:home"), Keyframe(2, others="hold")]
     made = build(ROBOT, keys)
     np.testing.assert_array_equal(made.keys[0].state, made.figure.model.qpos0)

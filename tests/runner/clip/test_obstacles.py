@@ -52,7 +52,7 @@ def geom(problem: clip.Clip, name: str) -> tuple[mujoco.MjModel, np.ndarray, np.
     return model, data.geom(name).xpos, data.geom(name).xmat.reshape(3, 3)
 
 
-def test_obstacles_are_where_the_clip_says_and_as_large(tmp_path):
+def test_obstacles_are_where_the_clip_specifies_and_as_large(tmp_path):
     problem = loaded(tmp_path, SCENE)
     model, place, axes = geom(problem, "table")
     np.testing.assert_allclose(place, [1, 0, 0.75])
@@ -104,7 +104,7 @@ def test_obstacles_are_where_the_clip_says_and_as_large(tmp_path):
         ("[[scene.box]]\nposition=[0,0,0]\nsize=[1,1,1]\nname=''", "scene.box 1 .*name must be a name in quotes"),
     ],
 )
-def test_what_is_wrong_with_an_obstacle_is_told_in_one_line(tmp_path, scene, words):
+def test_what_is_wrong_with_an_obstacle_is_reported_in_one_line(tmp_path, scene, words):
     with pytest.raises(UserError, match=words) as caught:
         loaded(tmp_path, scene)
     assert str(caught.value).startswith("tiny.toml: ")

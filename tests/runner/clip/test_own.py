@@ -118,7 +118,7 @@ def test_saving_says_that_no_file_holds_it(calm: Motion, tmp_path: Path, ending:
         calm.save(tmp_path / f"up.{ending}")
 
 
-def test_who_loads_it_is_told_once_the_clip_is_asked_for(calm: Motion, tmp_path: Path) -> None:
+def test_loading_it_warns_once_its_clip_is_requested(calm: Motion, tmp_path: Path) -> None:
     with pytest.warns(UserWarning):
         calm.save(tmp_path / "up.npz")
     with warnings.catch_warnings():

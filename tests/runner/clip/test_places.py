@@ -81,7 +81,7 @@ def test_a_body_goes_by_the_names_of_all_that_is_on_it():
     assert known.point("nothing") is None
 
 
-def test_a_found_foot_is_put_where_a_keyframe_says_and_stays_there_as_a_contact_says():
+def test_a_found_foot_is_put_where_a_keyframe_specifies_and_stays_there_as_a_contact_specifies():
     problem = read("sites.left_ball = [0.2, 0.12, 0.1]\n", '[[contact]]\npoint = "right_ball"\nfrom = 0\nto = 1\n')
     np.testing.assert_allclose(seen(problem).geom("left_ball").xpos, [0.2, 0.12, 0.1], atol=1e-6)
     assert [rest.point.name for rest in problem.context.contacts.given] == ["right_ball"]
@@ -126,7 +126,7 @@ def test_a_body_is_placed_and_turned_at_once():
         ),
     ],
 )
-def test_a_mistake_is_one_line_that_says_what_there_is(said, words):
+def test_an_error_is_one_line_that_says_what_there_is(said, words):
     with pytest.raises(UserError) as caught:
         read(said)
     assert words in str(caught.value)

@@ -77,7 +77,7 @@ EVERY = {"root", "spine"} | {
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("coordinates", "others"), [("world", "free"), ("joint", "rest"), ("world", "hold")])
-def test_a_site_is_where_the_keyframe_says_and_stays_so_in_the_motion(coordinates, others):
+def test_a_site_is_where_the_keyframe_specifies_and_stays_so_in_the_motion(coordinates, others):
     text = second(f'others = "{others}"\n{STEP}') + f'[solve]\ncoordinates = "{coordinates}"\n'
     problem = read(text)
     key = problem.keys[1]
@@ -299,7 +299,7 @@ MISTAKES = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mistake", MISTAKES)
-def test_a_mistake_is_one_line_that_says_where(mistake):
+def test_an_error_is_one_line_that_says_where(mistake):
     body, words = MISTAKES[mistake]
     with pytest.raises(UserError) as caught:
         read(second(body + "\n"))
@@ -310,7 +310,7 @@ def test_a_mistake_is_one_line_that_says_where(mistake):
 
 
 @pytest.mark.slow
-def test_all_places_without_a_pose_are_told_at_once():
+def test_all_places_without_a_pose_are_reported_at_once():
     far = 'sites.{} = [3, 0, 1]\nothers = "rest"\n'
     text = HEAD + "".join(
         f"[[keyframe]]\ntime = {i}\n{body}"

@@ -99,7 +99,7 @@ def test_without_keyframes_the_motion_is_the_recording(folder, saved):
         ("times = [[0.0, 0.0], [1.1, 2.0], [2.2, 3.0]]", 0.0, 3.0, None),
     ],
 )
-def test_what_of_the_recording_comes_when_is_as_the_clip_says(folder, saved, said, first, last, middle):
+def test_what_of_the_recording_comes_when_is_as_the_clip_specifies(folder, saved, said, first, last, middle):
     clip = recordings.from_text(f"{BARE}{said}", name="cut", folder=folder)
     assert [clip.keys[0].time, clip.keys[-1].time] == pytest.approx([first, last], abs=0.01)
     near, figure = clip.problem.penalties[0][0], clip.figure
@@ -130,7 +130,7 @@ def test_what_of_the_recording_comes_when_is_as_the_clip_says(folder, saved, sai
         (BARE + '[[contact]]\npoint = "left_hel"\nfrom = 0\nto = 1\n', "contact 1 ('left_hel')"),
     ],
 )
-def test_what_does_not_fit_is_told(folder, text, told):
+def test_what_does_not_fit_is_reported(folder, text, told):
     with pytest.raises(UserError) as refused:
         recordings.from_text(text, name="clip", folder=folder)
     assert told in str(refused.value), str(refused.value)
@@ -224,7 +224,7 @@ def test_a_recording_of_another_program_is_cleaned_and_followed(folder, saved):
         recordings.from_text(BVH.format(file="run.xyz"), name="edit", folder=folder)
 
 
-def test_a_keyframe_of_an_arm_leaves_the_body_as_it_was(folder, saved):
+def test_a_keyframe_of_an_arm_leaves_the_body_unchanged(folder, saved):
     """The recording is bent through the arm's pose: the trunk does not make up for it."""
     text = BARE + "[scene]\nstep = {x = 2.90, height = 0.35}\n[[keyframe]]\ntime = 1.0\n"
     text += "joints.right_shoulder = {rotvec = [0, -140, 0]}\n"
@@ -251,7 +251,7 @@ def test_stances_that_a_strangers_file_makes_up_are_refused_or_do_no_harm(folder
     ]
 
 
-def test_a_loop_that_ships_is_followed_as_often_as_the_clip_says(tmp_path):
+def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies(tmp_path):
     """To its very end, three periods on, where it began but for its way."""
     clip = recordings.from_text(KERB, name="kerb", folder=tmp_path)
     loop = clips.load("walk_loop").keys
@@ -265,7 +265,7 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_says(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_walk_steps_on_to_a_kerb_and_only_keyframes_that_somebody_gave_are_told_of(tmp_path):
+def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported(tmp_path):
     """Contacts lie far from some keyframes, whose poses are found all the same; feet stay out of the kerb."""
     clip = recordings.from_text(KERB + ON_IT, name="kerb", folder=tmp_path)
     solved = Solved(clip, inbetween(clip.problem), None)

@@ -168,7 +168,7 @@ def test_a_figure_stands_on_its_own_pedestal_and_its_keyframes_out_of_the_floor(
 
 
 @pytest.mark.slow
-def test_where_feet_and_hands_are_is_told_as_a_keyframe_would_say_it(tmp_path):
+def test_positions_of_feet_and_hands_are_written_as_in_a_keyframe(tmp_path):
     problem = written(f"<mujoco><worldbody>{TRUNK.format(ARMS)}</worldbody></mujoco>", tmp_path)
     told = [line[4:] for line in problem.text.splitlines() if line.startswith(("#   sites.", "#   bodies."))]
     assert told == [
@@ -185,7 +185,7 @@ def test_where_feet_and_hands_are_is_told_as_a_keyframe_would_say_it(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_model_of_which_nothing_collides_is_told_to_be_solid_all_over(tmp_path):
+def test_a_model_of_which_nothing_collides_is_reported_as_solid_all_over(tmp_path):
     for folder, seen in (("all", ' contype="0" conaffinity="0"'), ("none", "")):
         (tmp_path / folder).mkdir()
         problem = written(

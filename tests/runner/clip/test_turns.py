@@ -58,7 +58,7 @@ def test_rotations_of_joints_and_bodies_and_turns_from_rest_are_reported_too() -
     assert read("", "root.rotation = {euler = [0, 5, 170]}", "root.rotation = {euler = [0, 5, 340]}").notes == ()
 
 
-def test_a_spin_that_goes_on_past_a_half_turn_is_not_reported() -> None:
+def test_a_spin_past_a_half_turn_is_not_reported() -> None:
     problem = read(*(f"root.rotation = {{heading = {angle}}}" for angle in (0, 160, 350, 540)))
     assert problem.notes == ()
     assert turned(problem) == pytest.approx(540, abs=1)

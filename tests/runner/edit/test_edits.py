@@ -136,7 +136,7 @@ def test_a_repeated_loop_is_sampled_without_a_doubled_image(cycle, fps):
 
 
 @pytest.mark.slow
-def test_a_joined_motion_goes_on_where_the_first_ends_and_as_the_second_is(steps):
+def test_a_joined_motion_continues_where_the_first_ends_and_as_the_second_is(steps):
     after = edits.trimmed(steps, 0.2, 0.55)
     whole = edits.joined(steps, after, 0.25, progress())
     figure, path = steps.figure, path_of(whole.timeline)
@@ -231,7 +231,7 @@ def test_motions_in_different_coordinates_are_not_joined(steps):
 # clips' files
 
 
-def test_a_clip_written_again_says_the_same():
+def test_a_clip_written_again_is_equal():
     for name in models.clips():
         text = models.clip_text(name)
         said = tables(table_of(text, name))

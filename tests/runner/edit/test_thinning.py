@@ -63,7 +63,7 @@ def test_lengths_are_read_as_people_write_them(text, metres):
 
 
 @pytest.mark.parametrize("text", ["2", "0.02", " 1e-3 "])
-def test_a_length_without_a_unit_is_asked_for_it(text):
+def test_a_length_without_a_unit_is_rejected(text):
     expected = rf"--max-error {text}: the unit is missing; give {float(text):g}cm, .*mm or .*m$"
     with pytest.raises(UserError, match=expected):
         length(text, "--max-error")
@@ -99,7 +99,7 @@ def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_
 
 
 @pytest.mark.slow
-def test_a_clip_is_solved_as_ever_and_both_motions_are_told(straight, tmp_path, capsys):
+def test_a_clip_is_solved_as_ever_and_both_motions_are_reported(straight, tmp_path, capsys):
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
     run(source, target)
@@ -130,7 +130,7 @@ def test_thinning_an_exact_clip_gives_one_that_is_searched(straight, tmp_path):
     assert solve is None or (solve.variable, solve.frames, solve.evaluations) == (None, None, None)
 
 
-def test_what_a_clip_is_to_keep_to_is_asked_for_once(motion_file, tmp_path):
+def test_what_a_clip_is_to_keep_to_is_requested_once(motion_file, tmp_path):
     with pytest.raises(UserError, match=r"--solve .* --exact .*give one"):
         run(motion_file, tmp_path / "out.toml", solve=True, exact=True)
 
@@ -186,7 +186,7 @@ def test_the_figure_of_a_recording_is_named_if_it_ships(straight, tmp_path):
 
 
 @pytest.mark.slow
-def test_another_scene_is_written_beside_the_clip(motion_file, tmp_path):
+def test_another_scene_is_written_next_to_the_clip(motion_file, tmp_path):
     target = run(motion_file, tmp_path / "small.toml")
     assert names(tmp_path) == ["small.toml", "small.xml"]
     found = clip.load(str(target))
@@ -205,7 +205,7 @@ def test_a_clip_is_solved_first(tmp_path):
     assert len(motion.load(target).keys) >= 2
 
 
-def test_plain_arrays_are_a_recording_as_their_ending_says(straight, tmp_path):
+def test_plain_arrays_are_a_recording_by_their_ending(straight, tmp_path):
     formats.export(straight, "npz", tmp_path / "walk.qpos.npz")
     target = run(tmp_path / "walk.qpos.npz", tmp_path / "thin.toml")
     assert len(clip.load(str(target)).keys) < 16
@@ -220,7 +220,7 @@ def test_what_is_read_is_not_written_over(motion_file, tmp_path):
 
 
 @pytest.mark.parametrize("ending", [".npz", ".toml"])
-def test_a_file_that_is_there_stays_unless_told(motion_file, tmp_path, ending):
+def test_a_file_that_is_there_stays_by_default(motion_file, tmp_path, ending):
     target = tmp_path / f"kept{ending}"
     target.write_text("mine")
     with pytest.raises(UserError, match="already exists; give another -o, or --overwrite"):
@@ -242,7 +242,7 @@ def test_a_bound_that_is_none_is_refused(saved, value):
         thinned(saved, value, 0.1)
 
 
-def test_the_command_line_knows_it(motion_file, tmp_path, monkeypatch):
+def test_the_command_line_has_it(motion_file, tmp_path, monkeypatch):
     from typer.testing import CliRunner
 
     monkeypatch.chdir(tmp_path)

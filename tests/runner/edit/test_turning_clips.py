@@ -120,7 +120,7 @@ def test_headings_and_turns_that_make_no_sense_are_refused_where_they_stand(tmp_
 
 
 @pytest.mark.slow
-def test_a_loop_comes_back_turned_and_smooth_and_its_report_says_so(circle):
+def test_a_loop_comes_back_turned_and_smooth_and_its_report_contains_it(circle):
     seam = Seam.of(circle.figure, circle.timeline)
     assert np.degrees(seam.headings) == pytest.approx([45])
     np.testing.assert_allclose(seam.travel[:3], [0.3, 0.1, 0], atol=1e-12)
@@ -170,7 +170,7 @@ def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
     assert np.degrees(Seam.of(again.figure, few).headings) == pytest.approx([45])
 
 
-def test_formats_whose_loops_only_travel_get_no_loop_and_a_word_of_it(circle):
+def test_formats_whose_loops_only_travel_get_no_loop_and_a_note(circle):
     take = Take.of(circle, 20.0)
     assert not take.is_wrapped
     assert take.notes == ["the format has no loops that rotate: one period is written, without a loop"]

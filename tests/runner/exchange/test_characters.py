@@ -90,7 +90,7 @@ def test_mimickit_takes_three_hinges_on_a_body_for_a_ball_joint(tmp_path):
         mimickit.parts(slides)
 
 
-def test_mimickit_angles_are_nought_at_rest_wherever_a_hinge_has_its_own_nought(tmp_path):
+def test_mimickit_angles_are_zero_at_rest_wherever_a_hinge_has_its_own_zero(tmp_path):
     text = wild.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"')
     (tmp_path / "robot.xml").write_text(text.replace('name="left_hip_roll"', 'name="left_hip_roll" ref="-0.3"'))
     robot = wild.motion_of(str(tmp_path / "robot.xml"))
@@ -205,7 +205,7 @@ def _read(content, folder):
     return formats.recording(folder / "out.deepmimic.json", model=HUMAN).qpos
 
 
-def test_what_a_deepmimic_hinge_cannot_hold_is_told(human, tmp_path):
+def test_what_a_deepmimic_hinge_cannot_hold_is_reported(human, tmp_path):
     _, notes = exported(human, "deepmimic", tmp_path)
     assert len(notes) == 1 and "of twist and swing are left out" in notes[0]
 
@@ -221,7 +221,7 @@ def test_what_a_deepmimic_hinge_cannot_hold_is_told(human, tmp_path):
         ([1], "a list, not an object"),
     ],
 )
-def test_bad_deepmimic_files_are_told(content, says, tmp_path):
+def test_bad_deepmimic_files_are_reported(content, says, tmp_path):
     with pytest.raises(UserError, match=says) as error:
         _read(content, tmp_path)
     assert "out.deepmimic.json" in str(error.value) and "\n" not in str(error.value)
@@ -309,7 +309,7 @@ def test_amass_rotations_are_those_of_smpl_in_the_world(tmp_path):
         np.testing.assert_allclose(-axes[:, 2], world.apply(along), atol=1e-9, err_msg=name)
 
 
-def test_bad_amass_files_are_told(tmp_path):
+def test_bad_amass_files_are_reported(tmp_path):
     np.savez(tmp_path / "b.npz", poses=np.zeros((3, 60)), trans=np.zeros((3, 3)), mocap_framerate=60)
     with pytest.raises(UserError, match="'poses' has 60 numbers a sample; the 22 joints of SMPL's body need 66"):
         formats.recording(tmp_path / "b.npz", model=HUMAN)

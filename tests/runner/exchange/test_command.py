@@ -21,7 +21,7 @@ def run(tmp_path, monkeypatch, capsys):
 
 
 @pytest.mark.slow
-def test_an_imported_motion_is_measured_when_a_report_is_asked_for(run, tmp_path):
+def test_an_imported_motion_is_measured_when_a_report_is_requested(run, tmp_path):
     assert (
         run("export", "wild.npz", "--to", "mjlab").last == "wrote wild.mjlab.npz"
     )  # beside it, no other: it has no ball joints
@@ -31,7 +31,7 @@ def test_an_imported_motion_is_measured_when_a_report_is_asked_for(run, tmp_path
     assert done.code == 0 and "not searched: imported" in " ".join(done.out.split()) and "objective" in done.out
 
 
-def test_formats_are_listed_and_a_wrong_one_is_told(run):
+def test_formats_are_listed_and_a_wrong_one_is_reported(run):
     rows = {line.split()[0]: line for line in run("formats").out.splitlines()}
     assert {"csv", "npz", "mjcf", "mjlab", "mjlab-csv", "locomujoco", "gmr", "mimickit", "deepmimic"} <= rows.keys()
     assert "reads and writes" in rows["gmr"] and "writes" not in rows["amass"]
@@ -55,7 +55,7 @@ def test_an_export_is_called_after_what_it_came_from(run, tmp_path):
 
 
 @pytest.mark.parametrize("output", [[], ["-o", "wild.csv"]])
-def test_an_exported_file_that_is_there_stays_unless_told(run, tmp_path, output):
+def test_an_exported_file_that_is_there_stays_by_default(run, tmp_path, output):
     (tmp_path / "wild.csv").write_text("mine")
     assert "'wild.csv' already exists; give another -o, or --overwrite" in refusal(
         run("export", "wild.npz", "--to", "csv", *output)
@@ -66,7 +66,7 @@ def test_an_exported_file_that_is_there_stays_unless_told(run, tmp_path, output)
 
 
 @pytest.mark.slow
-def test_what_lies_beside_an_export_stays_too_unless_it_is_the_same(run, tmp_path):
+def test_what_lies_next_to_an_export_stays_too_unless_it_is_the_same(run, tmp_path):
     motion.save(wild.motion_of("human"), tmp_path / "human.npz")
     beside = tmp_path / "human.mjlab.hinges.xml"
     beside.write_text("mine")
@@ -93,7 +93,7 @@ def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tm
 
 @pytest.mark.slow
 @pytest.mark.parametrize("output", [[], ["-o", "walk.npz"]])
-def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
+def test_a_motion_that_is_there_stays_by_default(run, tmp_path, output):
     assert run("export", "wild.npz", "--to", "csv", "-o", "walk.csv").code == 0
     (tmp_path / "walk.npz").write_text("mine")
     assert "'walk.npz' already exists; give another -o, or --overwrite" in refusal(
@@ -140,7 +140,7 @@ def test_the_longest_ending_is_dropped(name, stem):
         ("t.keys.xml", "mjcf"),
     ],
 )
-def test_a_files_ending_tells_the_format_to_write(name, kind):
+def test_a_files_ending_selects_the_format_to_write(name, kind):
     assert formats.chosen(None, Path(name)).name == kind
 
 
@@ -152,7 +152,7 @@ def test_an_ending_that_fits_goes_with_the_formats_name(name, kind):
     assert formats.chosen(kind, Path(name)).name == kind
 
 
-def test_export_needs_no_format_where_the_ending_tells_it(run, tmp_path):
+def test_export_needs_no_format_where_the_ending_selects_it(run, tmp_path):
     assert run("export", "wild.npz", "-o", "a.bvh").code == 0
     assert (tmp_path / "a.bvh").read_text().startswith("HIERARCHY")
 
@@ -178,7 +178,7 @@ def test_a_name_that_does_not_fit_is_refused_before_anything_is_written(run, tmp
 
 
 @pytest.mark.parametrize("words", [["x.html"], ["x.y", "--from", "html"]])
-def test_a_format_that_is_only_written_is_told(run, words):
+def test_a_format_that_is_only_written_is_reported(run, words):
     assert "the format 'html' is only written; read are: csv" in refusal(run("import", *words, "-o", "new.npz"))
 
 

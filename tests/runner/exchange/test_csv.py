@@ -59,7 +59,7 @@ def _first(saved):
 
 
 @pytest.mark.slow
-def test_a_row_cut_short_and_an_unknown_format_are_told(saved, tmp_path):
+def test_a_row_cut_short_and_an_unknown_format_are_reported(saved, tmp_path):
     path = tmp_path / "cut.csv"
     path.write_text("0,1,2\n0,1\n0,1,2\n")
     with pytest.raises(UserError, match="row 2 does not hold 3 numbers"):

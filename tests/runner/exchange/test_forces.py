@@ -108,7 +108,7 @@ def test_the_wrench_is_mj_inverse_at_the_root_about_the_centre_of_mass(tmp_path)
     assert_equal(moment, turned - np.cross(centre - at.qpos[:, :3], expected[:, :3]))
 
 
-def test_a_figure_on_slides_has_no_wrench_though_a_box_beside_it_moves_freely(tmp_path):
+def test_a_figure_on_slides_has_no_wrench_though_a_box_next_to_it_moves_freely(tmp_path):
     path = tmp_path / "robot.xml"
     slide = '<joint name="x" type="slide" axis="1 0 0"/><joint name="z" type="slide" axis="0 0 1"/>'
     text = ROBOT.replace('<joint name="root" type="free" damping="4" armature=".3"/>', slide)

@@ -103,7 +103,7 @@ def test_bodies_are_where_mujoco_has_them_at_every_time(take, target):
 
 
 @pytest.mark.slow
-def test_times_are_shared_exact_and_begin_at_nought(take, target):
+def test_times_are_shared_exact_and_begin_at_zero(take, target):
     asset = pygltflib.GLTF2().load(str(target))
     (times,) = {sampler.input for sampler in asset.animations[0].samplers}
     np.testing.assert_array_equal(

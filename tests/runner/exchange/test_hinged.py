@@ -73,7 +73,7 @@ def test_angles_of_every_order_are_intrinsic_rotations_in_it(order, rng):
 
 
 @pytest.mark.parametrize("order", ORDERS)
-def test_angles_go_on_through_the_lock_and_beyond_whole_turns(order):
+def test_angles_continue_through_the_lock_and_beyond_whole_turns(order):
     t = np.linspace(0, 1, 401)[:, None]
     smooth = np.concatenate([8 * t, np.pi * t, 0.3 - 9 * t], 1)  # the middle one passes 90° in sample 200, exactly
     found = angles(rotation_of(smooth, order)[:, None], order)[:, 0]
@@ -96,7 +96,7 @@ def test_configurations_come_back(take):
     np.testing.assert_allclose(signs, 1, atol=1e-12)
 
 
-def test_a_joint_near_the_lock_is_told_and_one_far_off_is_not():
+def test_a_joint_near_the_lock_is_reported_and_one_far_off_is_not():
     model = mujoco.MjModel.from_xml_string(BALL_TREE)
     qpos = np.tile(model.qpos0, (3, 1))
     layout = HingeLayout(model)

@@ -27,7 +27,7 @@ def saved(tmp_path):
 
 
 @pytest.mark.parametrize("kind", ["mjcf", "mjlab", "locomujoco", "gmr", "mimickit"])
-def test_models_beside_or_in_the_file_find_their_meshes(kind, saved, tmp_path):
+def test_models_next_to_or_in_the_file_find_their_meshes(kind, saved, tmp_path):
     folder = tmp_path / "elsewhere"
     folder.mkdir()
     notes = []

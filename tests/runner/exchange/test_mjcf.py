@@ -41,7 +41,7 @@ def test_the_keys_come_back_as_a_motion_and_as_a_clip(human, tmp_path):
     np.testing.assert_array_equal([key.time for key in found.keys], before.time)
 
 
-def test_keys_of_others_are_read_with_their_figure_and_faults_are_told(tmp_path):
+def test_keys_of_others_are_read_with_their_figure_and_faults_are_reported(tmp_path):
     def written(keys):
         (tmp_path / "own.xml").write_text(tiny.HINGE.format(keys=keys))
         return tmp_path / "own.xml"

@@ -71,7 +71,7 @@ def test_code_in_a_pickle_is_refused_and_not_run(call, arguments, nested, tmp_pa
 
 
 @pytest.mark.parametrize("content", [b"", b"no pickle", pickle.dumps({"a": 1})[:-3], b"\x80\x04\x95\xff\xff\xff"])
-def test_damaged_pickles_are_told(content, tmp_path):
+def test_damaged_pickles_are_reported(content, tmp_path):
     (tmp_path / "bad.pkl").write_bytes(content)
     with pytest.raises(UserError, match=r"bad.pkl: not a readable pickle") as error:
         plain_pickle.load(tmp_path / "bad.pkl")
@@ -153,7 +153,7 @@ LIES = {
 
 
 @pytest.mark.parametrize("lie", LIES)
-def test_what_a_pickle_says_of_its_memory_is_never_believed(lie, tmp_path):
+def test_what_a_pickle_states_of_its_memory_is_never_believed(lie, tmp_path):
     (tmp_path / "bad.pkl").write_bytes(spelled(LIES[lie]))
     with pytest.raises(UserError, match=r"bad\.pkl: .*(it holds '|not a readable pickle|'frames' holds )"):
         plain_pickle.load(tmp_path / "bad.pkl").numbers("frames", "n")
@@ -168,7 +168,7 @@ def test_the_same_spelling_told_truly_is_read(tmp_path):
 
 @pytest.mark.parametrize("protocol", range(6))
 @pytest.mark.parametrize("core", ["core", "_core"])
-def test_every_plain_type_of_either_numpy_comes_back_as_it_was(protocol, core, tmp_path):
+def test_every_plain_type_of_either_numpy_comes_back_unchanged(protocol, core, tmp_path):
     plain = [np.array([0, 1, 5]).astype(f"{order}{code}") for order in "<>" for code in ("i2", "u4", "i8", "f2", "f8")]
     plain += [np.array([True, False]), np.array([b"ab", b"c"]), np.array(["é", "yz"]), np.zeros((0, 3)), np.float64(3)]
     plain += [np.array(["a", "b"], object), np.arange(24.0).reshape(2, 3, 4).transpose(1, 2, 0), np.array(7)]

@@ -109,7 +109,7 @@ def test_the_ground_carries_a_figure_that_stands():
     assert up == pytest.approx(forces.support.unit, rel=0.2)
 
 
-def test_what_nobody_knows_is_not_a_number_and_is_told(tmp_path):
+def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
     """A figure that stands for 0.3 s, and is elsewhere after a second: nobody says how it got there."""
     text = 'figure = "human"\n'
     for time, x in ((0, 0), (0.3, 0), (1.3, 0.8)):

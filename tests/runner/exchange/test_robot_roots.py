@@ -71,7 +71,7 @@ def test_a_planar_root_refuses_what_it_cannot_follow() -> None:
     assert qpos[:, 2] == pytest.approx(np.linspace(0, 1, T), abs=1e-6)
 
 
-def test_a_table_without_heading_is_read_for_the_robot_beside_objects(tmp_path: Path) -> None:
+def test_a_table_without_heading_is_read_for_the_robot_next_to_objects(tmp_path: Path) -> None:
     from dynsplines.exchange.format import mjlab_csv
 
     position, rotation, hinges = recorded()

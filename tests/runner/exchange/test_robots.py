@@ -221,7 +221,7 @@ BAD = {
 
 
 @pytest.mark.parametrize(("kind", "change", "says"), [(kind, *case) for kind, cases in BAD.items() for case in cases])
-def test_bad_files_are_told_in_one_line_that_names_file_and_fault(kind, change, says, robot, robot_file, tmp_path):
+def test_bad_files_are_reported_in_one_line_that_names_file_and_fault(kind, change, says, robot, robot_file, tmp_path):
     target, _ = exported(robot, kind, tmp_path)
     if kind == "gmr":
         with target.open("rb") as stream:

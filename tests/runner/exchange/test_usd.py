@@ -89,7 +89,7 @@ def test_openusds_own_validators_find_nothing(stage):
     assert [str(error.GetMessage()) for error in context.Validate(stage)] == []
 
 
-def test_another_ending_is_told(take, tmp_path):
+def test_another_ending_is_reported(take, tmp_path):
     with pytest.raises(UserError, match=r"the name of a file of the format usd ends in \.usdc or \.usd or \.usda"):
         formats.export(take.saved, "usd", tmp_path / "a.usdz")
     assert list(tmp_path.iterdir()) == []

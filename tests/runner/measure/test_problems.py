@@ -101,7 +101,7 @@ def test_a_keyframe_in_the_floor_is_to_blame_itself_and_the_path_to_it_is_not():
     assert (found[0].time, found[0].unit, found[0].bound) == (1.0, "m", BOUNDS["penetration"].most)
 
 
-def test_a_path_that_goes_deeper_than_the_keyframes_beside_it_is_to_blame_too():
+def test_a_path_that_goes_deeper_than_the_keyframes_next_to_it_is_to_blame_too():
     problem = read(SQUAT)
     down = np.zeros(problem.figure.width)
     down[2] = -0.3
@@ -153,7 +153,7 @@ def test_depths_are_mujocos(name):
     assert f"in the {seen.worst().split(' in ')[1].split()[0]} " in found[0].text
 
 
-def test_a_figure_that_goes_through_a_box_is_told_though_its_keyframes_are_out_of_it(tmp_path):
+def test_a_figure_that_goes_through_a_box_is_reported_though_its_keyframes_are_out_of_it(tmp_path):
     box = '[[scene.box]]\nname = "crate"\nposition = [0, 0, 1]\nsize = [0.4, 0.4, 0.4]\n'
     rows = "".join(
         f"[[keyframe]]\ntime = {t}\nroot = {{position = [{x}, 0.05, 1], rotation = {{rotvec = [0, 0, 0]}}}}\n"
@@ -182,7 +182,7 @@ def test_a_knee_bent_the_wrong_way(turn, kind, text):
     assert found[0].text == f"keyframe 2 itself: {text}"
 
 
-def test_bends_that_a_clip_does_not_want_are_not_told():
+def test_bends_that_a_clip_does_not_want_are_not_reported():
     text = 'figure = "human"\n[[penalty]]\nkind = "limits"\nweight = {bend = 0}\n' + HIGH.format(0) + HIGH.format(1)
     assert wrong(read(text + "joints.left_knee = {rotvec = [0, -20, 0]}\n")) == ()
 
@@ -455,7 +455,7 @@ def test_the_worst_comes_first_by_how_many_times_its_bound_it_is():
         assert one != two
 
 
-def test_of_many_lines_the_worst_are_told_and_the_rest_counted():
+def test_of_many_lines_the_worst_are_reported_and_the_rest_counted():
     many = [Flaw("range", f"joint {i}", 0.1, 20.0 - i, "degrees", 2.0, None, f"joint {i} is off") for i in range(14)]
     lines = problems.lines(many, "it.npz")
     assert lines[:2] == ["problem: joint 0 is off", "problem: joint 1 is off"]
@@ -521,7 +521,7 @@ def test_edited_motions_are_looked_at_as_what_they_are(walked):
     assert {each.kind for each in later} >= {"contact"}
 
 
-def test_a_text_that_nobody_can_read_is_no_reason_not_to_look(walked):
+def test_a_text_that_is_unreadable_is_no_reason_not_to_look(walked):
     assert isinstance(problems.of_motion(replace(walked, text="figure = ")), tuple)
 
 

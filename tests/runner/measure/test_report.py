@@ -75,7 +75,7 @@ def test_of_a_clip_that_tells_of_no_contact_nothing_is_reported(tmp_path):
     assert side(unsolved(tmp_path, [(0, 0, 0, 1), (3, 0, 0, 1)]))["support"] == {}
 
 
-def test_nothing_in_the_floor_is_told_as_nothing(tmp_path):
+def test_nothing_in_the_floor_is_reported_as_zero(tmp_path):
     data = side(unsolved(tmp_path, [(0, 0, 0, 1), (1, 0, 0, 1)]))
     assert data["penetration, m"]["deepest"] == 0
     assert data["penetration, m"]["where"] == "nothing"
@@ -186,7 +186,7 @@ def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: S
 
 
 @pytest.mark.slow
-def test_a_recording_is_told_once_and_nothing_is_said_of_a_search(tmp_path):
+def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
     keys = [(0.02 * i, 0.01 * i, 0.0, 0.07 + 0.001 * (i % 3)) for i in range(40)]
     solved = unsolved(tmp_path, keys)
     data = report(solved.clip, solved.motion, 0.0)

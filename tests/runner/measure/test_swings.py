@@ -31,7 +31,7 @@ def hopper(folder, start=0.0):
     return problem, path_of(work.unsolved(problem).motion.raw)
 
 
-def test_every_swing_is_told_with_its_height(tmp_path):
+def test_every_swing_is_reported_with_its_height(tmp_path):
     problem, path = hopper(tmp_path)
     time = np.linspace(0, 2.5, 2501)
     found = swings(problem, samples_at(problem.figure, path, time))
@@ -57,7 +57,7 @@ def test_a_foot_that_is_never_up_has_no_swings(tmp_path):
     assert swings(problem, still) == {"leg": [], "toes": []}
 
 
-def test_swings_are_told_in_words():
+def test_swings_are_reported_in_words():
     assert words([]) == "never"
     assert words([{"height, m": 0.0812}, {"height, m": 0.3}]) == "81, 300 mm"
     assert words([{"height, m": 0.01 * k} for k in range(2, 12)]) == "10 times, 20 to 110 mm"

@@ -231,7 +231,7 @@ def test_a_rate_must_be_positive(tmp_path: Path, fps: float):
 
 
 @pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
-def test_an_image_may_be_drawn_over_once_the_next_one_is_asked_for(tmp_path: Path, ending: str):
+def test_an_image_may_be_drawn_over_once_the_next_one_is_requested(tmp_path: Path, ending: str):
     def one_canvas() -> Iterator[np.ndarray]:
         canvas = np.empty((48, 64, 3), np.uint8)
         for image in images(40):

@@ -24,7 +24,7 @@ def test_halves_of_different_heights_are_refused():
 
 
 @pytest.mark.parametrize("place", ["top left", "top", "top right", "bottom left", "bottom", "bottom right"])
-def test_a_caption_is_written_where_it_was_asked_for_and_nowhere_else(place):
+def test_a_caption_is_written_where_it_was_requested_and_nowhere_else(place):
     before = plain(360, 640)
     after = caption(before, "0.80 s", place=place)
     changed = np.argwhere((after != before).any(axis=-1))

@@ -29,7 +29,7 @@ def apart(a: np.ndarray, b: np.ndarray) -> int:
     return int((np.abs(a.astype(int) - b.astype(int)).max(axis=-1) > 8).sum())
 
 
-def test_before_and_after_stand_side_by_side_in_one_picture_of_the_size_asked_for(saved):
+def test_before_and_after_stand_side_by_side_in_one_picture_of_the_requested_size(saved):
     both = shot(saved)
     assert len(both) == image_count(saved, look()) == 5
     assert {image.shape for image in both} == {(H, W, 3)}

@@ -159,7 +159,7 @@ def test_a_figure_that_surrounds_the_camera_does_no_harm():
 
 
 @pytest.mark.slow
-def test_a_picture_has_the_size_and_type_that_were_asked_for(graphics: Graphics):
+def test_a_picture_has_the_size_and_type_that_were_requested(graphics: Graphics):
     with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         image = stage.picture(HERE, SIDE)
     assert image.shape == (64, 96, 3)
@@ -199,7 +199,7 @@ def test_figures_stand_where_their_states_say_and_the_scene_is_there_without_one
 
 
 @pytest.mark.slow
-def test_ghosts_are_drawn_beside_the_main_figure_in_their_shade(graphics: Graphics):
+def test_ghosts_are_drawn_next_to_the_main_figure_in_their_shade(graphics: Graphics):
     row = drawn(SCENE, HERE, ghosts=[Ghost(moved(x), 0.7) for x in (-1.2, 1.2)], graphics=graphics)[26:34].mean(axis=0)
     ghost, main = row[24:30].mean(axis=0), row[45:51].mean(axis=0)
     assert main[0] - main[1] > 1.5 * (ghost[0] - ghost[1]) > 15

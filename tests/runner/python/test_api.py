@@ -198,7 +198,7 @@ others = "hold"
         np.testing.assert_allclose(one.state, other.state, atol=1e-9)
 
 
-def test_keyframes_say_all_that_a_file_can():
+def test_keyframes_specify_all_that_a_file_can():
     assert {*KeyframeTable.model_fields, "qpos"} == set(Keyframe.__dataclass_fields__)
     tables = {"figure", "fps", "scene", "contact", "hold", "penalty", "solve", "recording", "keyframe"}
     assert set(ClipTable.model_fields) == tables
@@ -253,13 +253,13 @@ def test_the_figure_given_is_not_changed():
         ([Keyframe(0), Keyframe("soon")], "time must be a number"),  # type: ignore[arg-type]
     ],
 )
-def test_what_does_not_fit_is_told_in_one_line(keyframes, complaint):
+def test_what_does_not_fit_is_reported_in_one_line(keyframes, complaint):
     with pytest.raises(UserError, match=complaint) as raised:
         build(mujoco.MjSpec.from_string(ARM), keyframes, name="wave")
     assert "\n" not in str(raised.value)
 
 
-def test_unknown_figures_and_penalties_are_told():
+def test_unknown_figures_and_penalties_are_reported():
     with pytest.raises(UserError, match="no figure 'humn'; did you mean 'human'"):
         build("humn", WAVE)
     with pytest.raises(UserError, match="no penalty 'torqe'; did you mean 'torque'"):
@@ -372,7 +372,7 @@ def test_edits_give_new_motions(motion, loop):
         (lambda m: m.render("m.png", at=7), "nothing is at 7"),
     ],
 )
-def test_what_cannot_be_done_is_told(motion, attempt, complaint, tmp_path, monkeypatch):
+def test_what_cannot_be_done_is_reported(motion, attempt, complaint, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(UserError, match=complaint):
         attempt(motion)

@@ -95,7 +95,7 @@ def test_a_figure_whose_names_are_the_stages_is_refused_in_one_line():
         '<texture name="t" type="cube" fileup="u.png"/>',
     ],
 )
-def test_a_file_that_is_not_there_is_told(asset):
+def test_a_file_that_is_not_there_is_reported(asset):
     with pytest.raises(UserError, match=r"refers to the file '\w\.\w+', which is not there"):
         compose(spec_of(FIGURE.replace("<worldbody>", f"<asset>{asset}</asset><worldbody>", 1)))
 
@@ -124,14 +124,14 @@ def test_shipped_figures_come_by_name_and_others_by_path(tmp_path):
     ("figure", "words"),
     [("humn", "did you mean 'human'"), ("none.xml", "no file 'none.xml'"), (".", "no figure"), ("", "no figure")],
 )
-def test_a_figure_that_is_not_there_is_told_with_those_that_are(tmp_path, figure, words):
+def test_a_figure_that_is_not_there_is_reported_with_those_that_are(tmp_path, figure, words):
     with pytest.raises(UserError, match=words) as caught:
         figure_spec(figure, tmp_path)
     assert "human" in str(caught.value)
 
 
 @pytest.mark.parametrize("text", ["<mujoco", "", "<html/>", "\xff\x00"])
-def test_a_file_that_is_no_mjcf_is_told_in_one_line(tmp_path, text):
+def test_a_file_that_is_no_mjcf_is_reported_in_one_line(tmp_path, text):
     (tmp_path / "bad.xml").write_bytes(text.encode("latin-1"))
     with pytest.raises(UserError, match=r"bad\.xml: MuJoCo cannot read it") as caught:
         figure_spec("bad.xml", tmp_path)

@@ -27,7 +27,7 @@ def test_a_scenes_text_says_nothing_that_only_newer_versions_know():
     assert [versions.lamp(model, i) for i in range(model.nlight)] == [versions.Lamp.DIRECTIONAL] * 2
 
 
-def test_lamps_are_told_apart():
+def test_lamps_are_distinguished():
     model = mujoco.MjModel.from_xml_string(LIGHTS)
     assert [versions.lamp(model, i) for i in range(2)] == [versions.Lamp.DIRECTIONAL, versions.Lamp.SPOT]
 

@@ -129,7 +129,7 @@ def test_all_that_is_freed_is_free(session):
     assert not any(after["fixed"])
 
 
-def test_a_free_body_beside_the_root_is_freed_and_pinned_alone(session):
+def test_a_free_body_next_to_the_root_is_freed_and_pinned_alone(session):
     before, after, row = done(session, ("free", {"key": 1, "joints": ["crate"]}))
     assert fixed(after) == set(COLUMNS) - {"crate"}
     assert row["root"]["position"] == [0.1, 0, 0.85]
@@ -163,7 +163,7 @@ def test_a_shin_is_dragged_where_its_foot_is_given_by_place(session):
     same(before, after, {"root", "ankle", "crate"})
 
 
-def test_what_is_free_beside_the_figure_is_dragged_at_a_keyframe_and_between_two(session):
+def test_what_is_free_next_to_the_figure_is_dragged_at_a_keyframe_and_between_two(session):
     body, deeds = 5, []
     for time in (0.5, 0.75):
         deeds += [("grip", {"time": time, "body": body, "offset": [0, 0, 0]}), ("drag", {"position": [1, 0.3, 0.4]})]

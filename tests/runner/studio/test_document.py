@@ -216,7 +216,7 @@ def test_contacts_go_along_with_the_keyframes_that_they_end_at():
     assert (contact["from"], contact["to"]) == (0.4, 1.0)
 
 
-def test_what_is_not_saved_lies_beside_the_clip_until_it_is(tmp_path):
+def test_what_is_not_saved_lies_next_to_the_clip_until_it_is(tmp_path):
     file = tmp_path / "clip.toml"
     file.write_text(TEXT)
     found = Document("clip", TEXT, tmp_path, file=file, saved=TEXT)
@@ -234,7 +234,7 @@ def test_what_is_not_saved_lies_beside_the_clip_until_it_is(tmp_path):
 
 
 @pytest.mark.parametrize("name", sorted(models.clips()))
-def test_every_shipped_clip_is_told_apart_and_put_together_again(name):
+def test_every_shipped_clip_is_split_into_blocks_and_joined_again(name):
     text = models.clip_text(name)
     found = document(text)
     assert found.tree().as_string() == text

@@ -75,7 +75,7 @@ def test_what_came_otherwise_is_as_if_nothing_had_been_foreseen(work, tmp_path, 
 
 
 @pytest.mark.parametrize("seen", [0, 1, 2])
-def test_one_that_lets_go_in_the_middle_of_it_goes_on_from_there(work, tmp_path, without, seen):
+def test_one_that_lets_go_in_the_middle_of_it_continues_from_there(work, tmp_path, without, seen):
     asked = iter([False] * seen)
     work.is_awaited = lambda: next(asked, True)
     foresee(work, tmp_path, EDITED)
@@ -86,7 +86,7 @@ def test_one_that_lets_go_in_the_middle_of_it_goes_on_from_there(work, tmp_path,
     assert ended(work)[0] == pytest.approx(without[0], rel=0.01)  # its frames are split once more
 
 
-def test_what_is_no_clip_is_told_when_it_is_said_and_not_before(work, tmp_path):
+def test_an_invalid_clip_is_rejected_when_it_is_sent_and_not_before(work, tmp_path):
     text = tiny.CLIP.replace("time = 0.2", "time = -1.0")
     assert text != tiny.CLIP
     assert foresee(work, tmp_path, text) == []
@@ -190,7 +190,7 @@ def test_a_new_keyframe_is_foreseen_as_it_will_be_said(session, partial):
     asyncio.run(told())
 
 
-def test_a_hand_that_goes_on_ends_the_search_and_one_that_lets_go_at_once_begins_none(session):
+def test_a_drag_that_continues_ends_the_search_and_an_immediate_release_starts_none(session):
     async def told():
         hand = await dragged(session)
         await hand.drag(position=[0.1, 0, 0.25])
@@ -203,7 +203,7 @@ def test_a_hand_that_goes_on_ends_the_search_and_one_that_lets_go_at_once_begins
     asyncio.run(told())
 
 
-def test_a_hand_that_takes_it_back_leaves_everything_as_it_was(session):
+def test_a_cancelled_drag_leaves_everything_unchanged(session):
     async def told():
         hand = await dragged(session, rests=0)
         path = session.solver.work.found

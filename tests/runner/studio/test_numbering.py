@@ -63,7 +63,7 @@ def test_edits_that_come_at_once_are_each_of_what_their_page_saw(session):
     assert said["contact"] == [{"point": "toe", "from": 0.1, "to": 0.4}]
 
 
-def test_what_is_gone_is_told_and_nothing_else_is_changed(session):
+def test_what_is_gone_is_reported_and_nothing_else_is_changed(session):
     async def both():
         await session.edit("delete_keys", {"keys": [3]}, 0)
         before = session.document.text

@@ -389,7 +389,7 @@ def test_arrows_go_when_what_they_move_is_gone(tab):
     tab.press("p")
 
 
-def test_a_keyframe_says_only_the_limb_that_was_dragged_if_one_wants(tab):
+def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.press("n")
     tab.seek(1.0)
     tab.press("3")

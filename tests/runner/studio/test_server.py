@@ -60,7 +60,7 @@ def test_without_the_token_there_is_nothing(client, token):
 @pytest.mark.parametrize(
     "host", ["evil.example", "evil.example:4711", "127.0.0.1", "127.0.0.1:4712", "127.0.0.1.nip.io"]
 )
-def test_a_name_that_somebody_gave_this_machine_is_not_heeded(client, host):
+def test_a_foreign_host_name_of_this_machine_is_rejected(client, host):
     for path in ("/", "/studio.js"):
         assert client.get(path, params={"token": TOKEN}, headers={"host": host}).status_code == 403
     with (
@@ -139,7 +139,7 @@ def test_a_link_that_leads_out_of_the_folder_is_not_followed(tmp_path):
         files.inside(inner, "link.toml")
 
 
-def test_a_file_is_not_replaced_unless_somebody_says_so(client, session, tmp_path):
+def test_a_file_is_replaced_only_after_a_confirmation(client, session, tmp_path):
     (tmp_path / "there.toml").write_text("theirs")
     refused, saved, replaced = answers(
         client,
@@ -235,7 +235,7 @@ def test_a_page_may_load_and_ask_for_nothing_from_elsewhere_and_be_shown_in_no_o
     assert headers["referrer-policy"] == "no-referrer"
 
 
-def test_a_port_that_is_taken_is_told(tmp_path):
+def test_a_port_that_is_taken_is_reported(tmp_path):
     import socket
 
     with socket.socket() as taken:

@@ -84,7 +84,7 @@ def test_nothing_is_searched_while_it_is_stopped(work, tmp_path):
     assert "found" in {each.get("kind") for each in work.line.taken()}
 
 
-def test_a_path_is_told_as_poses_of_every_body(work, tmp_path):
+def test_a_path_is_sent_as_poses_of_every_body(work, tmp_path):
     told = load(work, tmp_path, tiny.CLIP, first=True)
     data = next(each for each in told if each["is"] == "path")["data"]
     (size,) = struct.unpack("<I", data[:4])
@@ -159,7 +159,7 @@ def test_a_search_that_may_have_gone_astray_says_so_and_is_begun_elsewhere_when_
     assert not work.may_look
 
 
-def test_a_path_that_cannot_be_better_is_looked_beside_once(work, tmp_path):
+def test_a_path_that_cannot_be_better_is_searched_again_once(work, tmp_path):
     load(work, tmp_path, tiny.CLIP, first=True)
     good = work.found
     work._before, work._is_near = (good.trace[-1][2] / 10, 0), True
@@ -199,7 +199,7 @@ def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, t
          "go": True, "first": False},
     ],
 )  # fmt: skip
-def test_a_search_goes_on_after_a_message_that_did_not_ask_to_end_it(work, tmp_path, asked):
+def test_a_search_continues_after_a_message_that_does_not_end_it(work, tmp_path, asked):
     work.is_awaited = lambda: True
     assert load(work, tmp_path, tiny.CLIP, first=True)[-1]["stop"] == "ASKED"
     work.is_awaited = lambda: False

@@ -78,7 +78,7 @@ def test_a_motion_that_followed_a_recording_elsewhere_is_its_own_keyframes(saved
     assert [key.time for key in clip.keys] == saved.timeline.times.tolist()
 
 
-def test_a_file_of_plain_arrays_is_a_recording_as_its_ending_says(saved, tmp_path):
+def test_a_file_of_plain_arrays_is_a_recording_as_its_ending_selects(saved, tmp_path):
     from dynsplines.exchange.formats import export
 
     export(saved, "npz", tmp_path / "walk.qpos.npz")
@@ -95,7 +95,7 @@ def test_a_file_of_plain_arrays_is_a_recording_as_its_ending_says(saved, tmp_pat
         (".", "is a folder; open"),
     ],
 )
-def test_what_is_not_there_is_told_with_what_could_be(tmp_path, monkeypatch, name, words):
+def test_what_is_not_there_is_reported_with_what_could_be(tmp_path, monkeypatch, name, words):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(UserError) as error:
         opened(name)

@@ -123,14 +123,14 @@ def test_links_planted_under_the_names_of_another_time_are_not_followed(saved, t
     assert len(used) == 3
 
 
-def test_a_link_that_leads_to_itself_is_told(tmp_path):
+def test_a_link_that_leads_to_itself_is_reported(tmp_path):
     link = tmp_path / "round.npz"
     link.symlink_to(link)
     with pytest.raises(UserError, match=r"cannot write '.*round\.npz'"):
         check_target(link)
 
 
-def test_the_disk_has_file_and_folder_before_the_writer_goes_on(tmp_path, monkeypatch):
+def test_the_disk_has_file_and_folder_before_the_writer_continues(tmp_path, monkeypatch):
     synchronised: list[str] = []
     real = os.fsync
 

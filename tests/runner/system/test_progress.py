@@ -48,7 +48,7 @@ def test_items_come_through_untouched_and_counted(out, clock):
     assert out.getvalue().splitlines() == ["rendering  33% 1 of 3", "rendering 100% 3 of 3"]
 
 
-def test_an_item_is_told_only_once_it_has_been_used(out, clock):
+def test_an_item_is_reported_only_once_it_has_been_used(out, clock):
     items = Progress(Console(file=out)).over(iter("ab"), "rendering", 2)
     next(items)
     assert out.getvalue() == ""

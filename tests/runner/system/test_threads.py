@@ -31,7 +31,7 @@ def test_numpys_linear_algebra_has_one_thread_in_the_tests() -> None:
     assert counts == [1]
 
 
-def test_every_library_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_library_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in threads.THREADS:
         monkeypatch.setenv(name, "7")
     threads.keep_to_one()
@@ -54,7 +54,7 @@ print(json.dumps([before, seen, threads()]))
 
 
 @pytest.mark.slow
-def test_a_search_in_a_program_of_ones_own_has_one_thread_and_gives_the_others_back() -> None:
+def test_a_search_in_a_program_of_the_user_has_one_thread_and_gives_the_others_back() -> None:
     environment = {name: value for name, value in os.environ.items() if name not in threads.THREADS}
     environment["OPENBLAS_NUM_THREADS"] = "2"
     done = subprocess.run([sys.executable, "-c", BUSY], env=environment, capture_output=True, text=True, check=True)

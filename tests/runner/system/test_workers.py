@@ -56,7 +56,7 @@ def test_no_items_give_no_results(workers: int):
     assert list(in_order(Bench, crew.squared, [], workers)) == []
 
 
-def test_items_are_asked_for_only_when_they_are_needed():
+def test_items_are_requested_only_when_needed():
     asked: list[int] = []
 
     def items() -> Iterator[int]:
@@ -81,12 +81,12 @@ def test_an_error_of_the_work_is_raised_as_it_is(workers: int):
 
 
 @pytest.mark.parametrize("workers", [1, 2])
-def test_a_tool_that_does_not_open_is_told(workers: int):
+def test_a_tool_that_does_not_open_is_reported(workers: int):
     with pytest.raises(ValueError, match="the bench is locked"):
         list(in_order(crew.locked, crew.squared, range(3), workers))
 
 
-def test_an_error_that_cannot_be_sent_is_told_in_its_words():
+def test_an_error_that_cannot_be_sent_is_reported_in_its_words():
     with pytest.raises(RuntimeError, match="Stubborn: one thing and another"):
         list(in_order(Bench, crew.fails_strangely, range(3), 2))
 
@@ -100,18 +100,18 @@ def test_an_error_of_the_items_ends_the_workers():
         list(in_order(Bench, crew.squared, items(), 2))
 
 
-def test_a_worker_that_ends_is_told_with_its_code():
+def test_a_worker_that_ends_is_reported_with_its_code():
     with pytest.raises(UserError, match="a worker process ended with code 3; --workers 1 does without"):
         list(in_order(Bench, crew.leaves, range(3), 2))
 
 
 @POSIX
-def test_a_worker_that_is_killed_is_told_with_the_signal():
+def test_a_worker_that_is_killed_is_reported_with_the_signal():
     with pytest.raises(UserError, match=r"ended by signal 9 \(Killed.*; too little memory\?\)"):
         list(in_order(Bench, crew.is_killed, range(3), 2))
 
 
-def test_a_process_that_cannot_be_started_is_told(monkeypatch: pytest.MonkeyPatch):
+def test_a_process_that_cannot_be_started_is_reported(monkeypatch: pytest.MonkeyPatch):
     def full(*_: object) -> None:
         raise BlockingIOError(11, "Resource temporarily unavailable")
 

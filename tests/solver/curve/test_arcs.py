@@ -63,7 +63,7 @@ def test_variable_frames_are_moved_and_what_keyframes_fix_stays_even_partly(figu
         assert distance_from_key(figure, state, key) < 1e-11
 
 
-def test_free_ends_set_out_along_the_way_and_clamped_ones_as_they_are_told(figure, rng):
+def test_free_ends_start_along_the_path_and_clamped_ones_as_specified(figure, rng):
     keys, slope = random_keys(figure, rng), rng.normal(size=(2, figure.width))
     free = straightened(figure, evenly(raw_timeline(figure, keys), 1))
     t, states = free.times, free.states
@@ -86,7 +86,7 @@ def test_a_body_in_a_spin_goes_the_longer_way_round_where_its_signs_say_so():
     assert np.degrees(quat.angle_between(backwards, wanted)[15]) == pytest.approx(180, abs=1e-6)
 
 
-def test_what_keyframes_say_nothing_about_stays_where_it_is(figure, rng):
+def test_unspecified_entries_stay_unchanged(figure, rng):
     keys = random_keys(figure, rng)
     nothing = Frame.variable(-0.5, np.array(keys[0].state))
     alone = split(raw_timeline(figure, [nothing, keys[0]]), np.array([-0.2]))

@@ -23,7 +23,7 @@ def refused(words: str, change: Array | None = None, travel: list[float] | None 
         raw_timeline(figure, keys, ends, travel=travel)
 
 
-def test_a_loop_that_does_not_close_says_where_and_by_how_much():
+def test_a_loop_that_does_not_close_reports_where_and_by_how_much():
     one = np.eye(11)
     refused(
         r"\(t = 0\.8 s\) differs from the first at 'root' along z \(with travel = \[0\.6, 0, 0\]\) by 0\.02",
@@ -88,7 +88,7 @@ def test_what_either_end_of_a_loop_fixes_is_where_it_was_there_and_a_travel_and_
     assert ends[1] is keys[1]
 
 
-def test_a_loop_goes_as_far_over_the_ground_as_its_keyframes_say_and_neither_rises_nor_moves_other_bodies():
+def test_a_loop_goes_as_far_over_the_ground_as_its_keyframes_specify_and_neither_rises_nor_moves_other_bodies():
     two = BALL.replace("</worldbody>", '<body name="cup"><freejoint name="cup"/><geom size=".1"/></body></worldbody>')
     figure = figure_of(two)
     first = np.array([0, 0, 1, 1, 0, 0, 0, 2, 2, 2, 1, 0, 0, 0.0])
@@ -114,7 +114,7 @@ def test_a_turn_of_next_to_nothing_is_none_and_one_of_more_than_half_a_round_is_
         assert seam.turns == (found != 0)
 
 
-def test_a_loop_that_turns_about_a_place_that_nobody_gives_is_refused_by_the_name_of_its_root():
+def test_a_loop_that_turns_about_a_place_that_is_not_given_is_refused_by_the_name_of_its_root():
     two = BALL.replace("</worldbody>", '<body name="cup"><freejoint name="cup"/><geom size=".1"/></body></worldbody>')
     figure = figure_of(two.replace("<freejoint/>", '<freejoint name="ball"/>'))
     pose = np.array([0, 0, 1, 1, 0, 0, 0, 2, 2, 2, 1, 0, 0, 0.0])

@@ -87,7 +87,7 @@ def test_the_mirrored_spline_is_the_spline_of_the_mirrored_frames_and_comes_back
         ("root", "root"),
     ],
 )
-def test_sides_are_told_by_words_and_letters_of_their_own(name, other):
+def test_sides_are_recognised_by_words_and_separate_letters(name, other):
     assert other_side(name) == other
     assert other_side(other) == name
 

@@ -126,7 +126,7 @@ def test_joints_turn_by_the_shortest_arcs_up_to_the_seam_though_the_whole_figure
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.9])
-def test_a_period_is_one_unless_told_and_takes_what_hangs_from_the_root_with_it(turn, rng):
+def test_a_period_is_one_by_default_and_takes_what_hangs_from_the_root_with_it(turn, rng):
     figure = figure_of(TINY, "world")
     first = figure.to_state(pose(0.0))
     about = quat.from_rotation_vector(np.array([0, 0, turn]))

@@ -38,7 +38,7 @@ def test_arcs_under_150_degrees_are_the_shortest(spins):
     np.testing.assert_allclose(wound([0, 140, 0, -140, 70, 200], spins=spins), [140, 140, 140, 150, 130], atol=1e-4)
 
 
-def test_a_spin_goes_on_past_a_half_turn():
+def test_a_spin_continues_past_a_half_turn():
     np.testing.assert_allclose(wound([0, 100, 287, 387], spins=True), [100, 187, 100], atol=1e-4)
 
 

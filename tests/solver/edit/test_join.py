@@ -134,7 +134,7 @@ def test_a_placed_figure_is_turned_and_shifted_as_a_whole(rng, coordinates):
     np.testing.assert_allclose(path_of(place.timeline(figure, timeline)).at(t), wanted, atol=1e-10)
 
 
-def test_the_root_goes_on_in_its_heading_and_at_the_mean_of_both_velocities(rng):
+def test_the_root_continues_in_its_heading_and_at_the_mean_of_both_velocities(rng):
     figure = figure_of(TINY)
     before, after = sides(figure, rng)
     end, start = before.states[-1], after.states[0]
@@ -155,7 +155,7 @@ def test_a_motion_that_follows_keeps_its_heights(rng):
     np.testing.assert_allclose(place.timeline(figure, after).states[:, 2], after.states[:, 2], rtol=1e-12)
 
 
-def test_of_two_free_bodies_the_first_says_where_a_motion_goes_on():
+def test_of_two_free_bodies_the_first_says_where_a_motion_continues():
     one = '<body><freejoint/><geom size=".1"/></body>'
     figure = figure_of(f"<mujoco><worldbody>{one}{one}</worldbody></mujoco>")
 
@@ -183,7 +183,7 @@ def axes(q: Array) -> Array:
     return np.stack([quat.rotated(q, e) for e in np.eye(3)], axis=1)
 
 
-def test_a_walk_goes_on_the_way_that_its_trunk_faces_whichever_foot_is_ahead():
+def test_a_walk_continues_the_way_that_its_trunk_faces_whichever_foot_is_ahead():
     """At a step the pelvis turns 4 degrees one way and the chest as much the other: the walk goes straight on."""
     figure = Figure(figure_spec("human").compile())
     assert [figure.links[i].name for i in trunk(figure)] == ["root", "spine"]
@@ -235,7 +235,7 @@ def test_the_polynomial_between_two_sides_is_scipys_of_their_values_and_two_deri
 
 
 @pytest.mark.parametrize("variable", [4, 5, 11])
-def test_a_transition_begins_and_ends_as_the_motions_do_and_its_frames_beside_the_ends_are_all_that_is_off_the_quintic(
+def test_a_transition_begins_and_ends_as_the_motions_do_and_its_frames_next_to_the_ends_are_all_that_is_off_the_quintic(
     variable, rng
 ):
     figure = figure_of(TINY)

@@ -120,7 +120,7 @@ def test_an_interval_that_is_not_in_the_motion_is_refused(first, last, words):
 
 @pytest.mark.parametrize("turns", [0, 1])
 @pytest.mark.parametrize("count", [1, 2, 3, 4])
-def test_a_repeated_loop_goes_on_period_by_period(rng, turns, count):
+def test_a_repeated_loop_continues_period_by_period(rng, turns, count):
     figure = FIGURE_OF_A_HOP
     timeline = evenly(loop(figure, turns, partial=False), 1)
     unknowns = Unknowns.of(figure, timeline)

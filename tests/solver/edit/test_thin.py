@@ -160,7 +160,7 @@ def test_half_the_bound_takes_more_keyframes_not_fewer():
     assert counts[0] < counts[1] < counts[2] <= 60
 
 
-def test_the_worst_is_told_with_its_name_and_instant():
+def test_the_worst_is_reported_with_its_name_and_instant():
     figure = of("every joint")
     times, qpos = recording(figure, 2, count=30)
     recorded = Recorded(figure, times, qpos, WIDE)
@@ -248,7 +248,7 @@ SLIDE = '<mujoco><worldbody><body><joint type="slide"/><geom size=".1"/></body><
 
 
 @pytest.mark.parametrize("at", [1, 2, 3])
-def test_a_trial_of_a_loop_sees_best_what_is_beside_its_keyframe(at):
+def test_a_trial_of_a_loop_sees_best_what_is_next_to_its_keyframe(at):
     """What a trial looks at ends on the far side of the loop, where its spline is a little off."""
     figure, times, kept = Figure(mujoco.MjModel.from_xml_string(SLIDE)), np.linspace(0, 1, 33), (0, 8, 16, 24, 32)
     zigzag = CubicSpline(times[list(kept)], [1.0, -1, 1, -1, 1], bc_type="periodic")(times)[:, None]
@@ -257,7 +257,7 @@ def test_a_trial_of_a_loop_sees_best_what_is_beside_its_keyframe(at):
     np.testing.assert_allclose(recorded.breaches([kept], at), 2.0, rtol=2e-3)
 
 
-def test_figures_without_names_are_told_by_number():
+def test_figures_without_names_are_reported_by_number():
     figure = Figure(mujoco.MjModel.from_xml_string(EVERY_JOINT.replace('name="tip"', "")), "joint")
     recorded = Recorded(figure, *recording(figure, 0), WIDE)
     assert any(name.startswith("body ") for name in recorded.points[0])
@@ -354,7 +354,7 @@ def test_a_turn_counts_as_a_share_of_the_bounds_angle_whatever_the_signs_of_quat
             assert recorded.worst(off)[1].value == pytest.approx(angle)
 
 
-def test_runs_that_last_are_told_by_their_own_times():
+def test_runs_that_last_are_reported_by_their_own_times():
     times = np.array([0.0, 0.1, 0.2, 0.3, 0.35, 0.36, 0.37, 0.5, 0.6, 0.7])
     wanted = np.array([1, 1, 0, 0, 1, 1, 1, 0, 1, 1], bool)
     for least, kept in ((0.0, [1, 1, 0, 0, 1, 1, 1, 0, 1, 1]), (0.05, [1, 1, 0, 0, 0, 0, 0, 0, 1, 1]), (0.2, [0] * 10)):

@@ -116,7 +116,7 @@ def test_gradients_with_allowances_have_taylor_slope_two(figure, rng):
     np.testing.assert_allclose(contact.evaluate(samples), np.sum(np.maximum(depth, 0) ** 2, axis=0), rtol=1e-9)
 
 
-def test_bends_are_allowed_beyond_each_of_their_five_bounds_what_is_told_for_it(rng):
+def test_bends_are_tolerated_beyond_each_of_their_five_bounds_as_far_as_specified(rng):
     figure = figure_of(BALL_TREE)
     samples = at_times(random_samples(figure, rng, 40), np.linspace(0, 1, 40))
     limits = limits_of(figure)

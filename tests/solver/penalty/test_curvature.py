@@ -275,7 +275,7 @@ def test_the_sides_of_bend_limits_are_all_angles_less_than_four_degrees_inside(f
     "place",
     [(0.0, 0.26), (0.0, 0.31), (0.3, 0.2), (0.5, 0.1), (0.0, 0.351), (0.551, 0.1), (0.56, 0.1), (0.57, 0.345)],
 )
-def test_a_sphere_at_a_step_counts_as_deep_as_its_penalty_says_and_not_at_all_outside(place):
+def test_a_sphere_at_a_step_counts_as_deep_as_its_penalty_specifies_and_not_at_all_outside(place):
     figure = Figure(mujoco.MjModel.from_xml_string(BALL))
     step = Box("step", np.array([0.0, 0, 0.15]), np.eye(3), np.array([0.5, 0.5, 0.15]))
     contact = Contact((Point("p", 1, np.zeros(3), 0.05),), (step,))

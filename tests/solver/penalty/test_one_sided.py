@@ -92,7 +92,7 @@ def test_as_many_rows_are_left_of_one_place_as_it_has_and_no_more(crowd, left, r
     assert found.shape == (left + 1, WIDTH)
 
 
-def test_rows_that_are_all_nought_stay_so(rng):
+def test_rows_that_are_all_zero_stay_so(rng):
     rows = combined(rng, [2] * 5)
     at, found = rows.squared(np.arange(5), np.zeros(5))
     assert at.tolist() == [2, 2, 2]

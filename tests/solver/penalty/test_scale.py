@@ -61,7 +61,7 @@ CENTIMETRE = {
 
 
 @pytest.mark.parametrize("name", CENTIMETRE)
-def test_a_centimetre_counts_as_the_reference_says(name):
+def test_a_centimetre_counts_as_the_reference_specifies(name):
     figure, penalty = figure_of(BALL), CENTIMETRE[name]
     away = {"contact": -0.01, "self": 0.0}.get(name, 0.01)
     y = np.array([[0, 0, away, 1, 0, 0, 0.0]])
@@ -73,7 +73,7 @@ def test_a_centimetre_counts_as_the_reference_says(name):
 
 
 @pytest.mark.parametrize("degrees", [-1.0, 1.0])
-def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts_as_the_reference_says(degrees):
+def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts_as_the_reference_specifies(degrees):
     hinge = figure_of(CHAIN.format("hinge"), "joint")
     angle = float(np.radians(degrees))
     y = np.array([[1.0, 0, 0, 0, 0.4 + angle]])
@@ -94,7 +94,7 @@ def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts
 @pytest.mark.parametrize(
     "penalty", [Level(np.array([1]), UP[:, None]), Upright((Lean(1, 0.0, UP, UP),))], ids=["level", "upright"]
 )
-def test_ten_degrees_off_the_vertical_count_as_the_reference_says(penalty):
+def test_ten_degrees_off_the_vertical_count_as_the_reference_specifies(penalty):
     figure = figure_of(BALL)
     y = np.concatenate([np.zeros(3), quat.from_rotation_vector(np.radians(10) * X)])[None]
     value = penalty.evaluate(Samples(figure, y, 0 * y, 0 * y, t=np.zeros(1)))
@@ -107,7 +107,7 @@ def points_of(figure) -> tuple[Point, ...]:
 
 
 @pytest.mark.parametrize("name", ["covariant", "root", "posture", "peak", "skate"])
-def test_a_clip_that_is_played_slower_costs_less_by_the_power_that_its_scale_says(name, rng):
+def test_a_clip_that_is_played_slower_costs_less_by_the_power_that_its_scale_specifies(name, rng):
     figure = figure_of(BALL_TREE)
     penalty: Penalty = {
         "covariant": CovariantAcceleration(),
@@ -133,7 +133,7 @@ def test_a_newton_metre_counts_as_the_reference_of_torques_says():
     )
 
 
-def test_two_radians_a_unit_of_spacing_squared_count_as_the_references_of_accelerations_say():
+def test_two_radians_a_unit_of_spacing_squared_count_as_the_references_of_accelerations_specify():
     """A joint's 8 rad/s² with keyframes 1 s apart, and 2 m/s² of the root."""
     figure = figure_of(CHAIN.format("hinge"), "joint")
     y = np.array([[1.0, 0, 0, 0, 0.3]])

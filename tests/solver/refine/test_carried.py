@@ -79,7 +79,7 @@ def test_where_nothing_was_edited_it_is_the_path_that_was_found(clip, found):
     np.testing.assert_allclose(a, b, atol=1e-3)  # quaternions at keyframes are of length one again
 
 
-def test_far_from_a_small_edit_it_stays_as_it_was(clip, found):
+def test_far_from_a_small_edit_it_stays_unchanged(clip, found):
     keys = edited(clip, "moved")
     begin = carried(clip.figure, found.timeline, clip.keys, keys, replace(clip.problem, keys=keys).raw)
     t = np.linspace(1.7, 2.2, 20)
@@ -126,7 +126,7 @@ def test_variable_frames_lie_between_keyframes_as_they_did_and_move_with_them(rn
 
 
 @pytest.mark.slow
-def test_a_search_goes_on_from_it_and_keeps_what_an_edit_does_not_reach(clip, found):
+def test_a_search_continues_from_it_and_keeps_what_an_edit_does_not_reach(clip, found):
     keys = edited(clip, "moved")
     problem = replace(clip.problem, keys=keys, settings=replace(clip.settings, max_evaluations=4, frames=0))
     begin = carried(clip.figure, found.timeline, clip.keys, keys, problem.raw)

@@ -78,7 +78,7 @@ def test_no_joint_leaves_its_range_and_keyframes_stay(raw: tuple[Figure, Timelin
     np.testing.assert_allclose(keys[1], keys[0], atol=1e-9)
 
 
-def test_what_hangs_on_a_joint_and_what_is_in_range_goes_on_as_before(raw: tuple[Figure, Timeline]) -> None:
+def test_what_hangs_on_a_joint_and_what_is_in_range_continues_as_before(raw: tuple[Figure, Timeline]) -> None:
     figure, timeline = raw
     found = limited(figure, timeline, [r for r in joint_ranges(figure) if r.name == "ball"])
     last, slide = (figure.model.joint(name).qposadr[0] for name in ("last", "slide"))

@@ -180,7 +180,7 @@ def told() -> Told:
 
 
 @pytest.mark.slow
-def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(told):
+def test_what_is_reported_while_it_continues_is_the_whole_clip_and_about_its_e(told):
     assert len(told.improvements) > 10
     for each, path in zip(told.improvements, told.paths, strict=True):
         assert_whole(path, long_keys())
@@ -188,7 +188,7 @@ def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(told):
 
 
 @pytest.mark.slow
-def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later_and_no_added_frame_is_lost(told):
+def test_what_was_reported_is_the_whole_clip_still_when_it_is_requested_later_and_no_added_frame_is_lost(told):
     for each, path in zip(told.improvements, told.paths, strict=True):
         np.testing.assert_array_equal(each.path.rows, path.rows)
     assert not told.lost
@@ -261,7 +261,7 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("error", "count"), [(StopSearch, 1), (KeyboardInterrupt, 15), (StopSearch, 35)])
-def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_told(short, error, count):
+def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_reported(short, error, count):
     keys, told = long_keys(), []
 
     def stop(each: Improvement) -> None:
@@ -406,7 +406,7 @@ def test_what_a_window_found_is_taken_over_behind_its_first_keyframe_and_what_it
 
 
 @pytest.mark.parametrize("ends", ["free", "clamped"])
-def test_a_few_steps_in_windows_lower_e_in_every_part_of_the_clip_and_are_told_as_of_the_whole(short, ends):
+def test_a_few_steps_in_windows_lower_e_in_every_part_of_the_clip_and_are_reported_as_of_the_whole(short, ends):
     slope = np.zeros((2, FIGURE.width)) if ends == "clamped" else None
     keys, told = long_keys()[:15], []
     settings = Settings(variable=1, frames=14, max_evaluations=4)

@@ -18,7 +18,7 @@ from dynsplines.solver.search import descent
 
 
 @pytest.mark.parametrize(("whole", "tolerance"), [(False, 1e-6), (True, 1e-7)])
-def test_unasked_a_search_goes_on_until_a_millionth_is_left_to_gain_and_the_nearest_minimum_a_tenth_of_that(
+def test_by_default_a_search_ends_at_a_millionth_and_at_the_nearest_minimum_at_a_tenth_of_it(
     monkeypatch: pytest.MonkeyPatch, whole: bool, tolerance: float
 ) -> None:
     asked = {}

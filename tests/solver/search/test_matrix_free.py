@@ -64,7 +64,7 @@ def test_the_change_of_variables_is_its_gradients_transpose(rng: np.random.Gener
 
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
 @pytest.mark.parametrize("at", [1, 3])
-def test_a_stop_asked_for_keeps_the_best_point(problem: Discretised, error: type[BaseException], at: int) -> None:
+def test_a_stop_requested_keeps_the_best_point(problem: Discretised, error: type[BaseException], at: int) -> None:
     told: list[float] = []
 
     def improved(_count: int, evaluation, _x: np.ndarray) -> None:

@@ -119,7 +119,7 @@ def test_a_flat_problem_takes_three_evaluations_at_most(variable):
     assert found.stop is Stop.CONVERGED
 
 
-def test_e_falls_strictly_and_improved_hears_of_every_fall(rng):
+def test_e_falls_strictly_and_improved_is_called_for_each(rng):
     problem, told = Watched(problem_of(rng)), []
     found = GaussNewton()(problem, tolerance=1e-9, improved=lambda *each: told.append(each))
     counts, evaluations, points = zip(*told, strict=True)
@@ -178,7 +178,7 @@ def test_a_step_that_does_not_lower_e_is_refused_and_a_shorter_one_tried(rng, hi
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
 @pytest.mark.parametrize("place", ["problem", "improved"])
 @pytest.mark.parametrize("count", [1, 2, 4])
-def test_a_stop_asked_for_anywhere_keeps_the_best_x(rng, error, place, count):
+def test_a_stop_requested_anywhere_keeps_the_best_x(rng, error, place, count):
     def spoil(k: int, found: Evaluation) -> Evaluation:
         if place == "problem" and k == count:
             raise error
@@ -198,7 +198,7 @@ def test_a_stop_asked_for_anywhere_keeps_the_best_x(rng, error, place, count):
         np.testing.assert_array_equal(found.x, problem.unknowns.start)
 
 
-def test_an_error_of_the_callers_comes_out(rng):
+def test_an_error_of_the_caller_is_raised(rng):
     def improved(*_: object) -> None:
         raise ZeroDivisionError("mine")
 
@@ -300,7 +300,7 @@ def test_where_e_is_nothing_so_is_every_decrease(rng):
     assert not search.is_negligible(1e-300, 1e-3)
 
 
-def test_the_damping_that_was_left_is_where_the_next_round_goes_on(rng):
+def test_the_damping_that_was_left_is_where_the_next_round_continues(rng):
     problem, optimiser = problem_of(rng), GaussNewton(damping=3.0)
     optimiser(problem, max_evaluations=6, tolerance=1e-12)
     assert optimiser.damping != 3.0

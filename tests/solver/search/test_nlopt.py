@@ -76,7 +76,7 @@ def test_the_budget_holds_and_the_best_x_within_it_is_kept(method, budget):
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
-def test_a_stop_asked_for_anywhere_keeps_the_best_x(method, error):
+def test_a_stop_requested_anywhere_keeps_the_best_x(method, error):
     values: list[float] = []
 
     def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
@@ -93,7 +93,7 @@ def test_a_stop_asked_for_anywhere_keeps_the_best_x(method, error):
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_an_error_of_the_caller_comes_out_as_it_went_in(method):
+def test_an_error_of_the_caller_is_raised_unchanged(method):
     error = ZeroDivisionError("mine")
 
     def fail(*_: object) -> NoReturn:
@@ -173,7 +173,7 @@ def test_up_a_gradient_that_is_wrong_by_its_sign_a_search_is_stuck(method):
     np.testing.assert_array_equal(found.x, START)
 
 
-def test_an_optimiser_of_ones_own_is_asked_every_round_and_keeps_the_keyframes():
+def test_an_optimiser_of_the_user_is_asked_every_round_and_keeps_the_keyframes():
     """Steepest descent with halved steps: it lowers E, and whatever it does the keyframes are met."""
     clip = load("tumble")
     asked: list[int] = []

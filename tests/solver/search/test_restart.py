@@ -96,7 +96,7 @@ def places(figure: Figure, qpos: Array) -> Array:
 
 
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
-def test_how_far_a_joint_is_off_the_straight_way_is_what_mujoco_says(coordinates, rng):
+def test_the_deviation_of_a_joint_from_the_straight_path_is_what_mujoco_computes(coordinates, rng):
     figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE.replace('<body name="pack" pos=".1 0 -.2">', "<body>")))
     assert figure.model.nbody == 6
     figure = Figure(figure.model, coordinates)

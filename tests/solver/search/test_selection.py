@@ -45,7 +45,7 @@ def test_spans_are_a_third_of_those_between_all_frames_of_all_timelines():
 
 @pytest.mark.parametrize("short", [1e-2, 1e-3])
 @pytest.mark.parametrize("where", [0.3, 0.71])
-def test_about_the_moment_at_which_a_quaternion_passes_nought_are_samples_as_close_as_it_is_short(short, where):
+def test_about_the_moment_at_which_a_quaternion_passes_zero_are_samples_as_close_as_it_is_short(short, where):
     """On a line that passes nought at a distance the joint turns half round in about distance over speed."""
     aside = np.array([0, short, 0, 0])
     way = np.array([2.0, 0, 0, 0])

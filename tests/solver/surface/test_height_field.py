@@ -177,7 +177,7 @@ def _ray_hull(hull: Surface, start: Array, direction: Array) -> float:
 
 
 @tells_height_fields
-def test_spheres_whose_centres_are_over_a_height_field_are_as_deep_as_mujoco_says(rng):
+def test_spheres_whose_centres_are_over_a_height_field_are_as_deep_as_mujoco_computes(rng):
     points = about("ground", rng, 600)
     over = GROUND.height(points)[:, 0]
     points = points[:, np.isfinite(over) & (over > 0)]

@@ -50,7 +50,7 @@ def test_the_ground_of_a_point_is_the_plane_below_it(normal, rng):
     np.testing.assert_allclose(found.height(elsewhere), plane.height(elsewhere), atol=1e-12)
 
 
-def test_beside_an_edge_it_is_the_plane_that_ends_there_and_where_nothing_is_there_is_none():
+def test_next_to_an_edge_it_is_the_plane_that_ends_there_and_where_nothing_is_there_is_none():
     found = ground_at([FLOOR, BOX], np.array([0.55, 0.1, 0.46]), 0.05, REACH)
     assert found is not None
     assert found.height(np.array([0.7, 0.0, 0.41])) == pytest.approx(0.01)

@@ -155,7 +155,7 @@ def test_points_at_sites_are_where_mujoco_has_the_sites(coordinates, rng):
 
 
 @pytest.mark.parametrize("text", [MIXED, EVERY_JOINT])
-def test_a_keyframe_says_where_a_point_is_if_it_tells_all_that_moves_it(text, rng):
+def test_a_keyframe_specifies_where_a_point_is_if_it_tells_all_that_moves_it(text, rng):
     """Whatever is not told may be anything: the point moves with it, by MuJoCo's Jacobian, unless all of it is told."""
     figure = figure_of(text, "joint")
     model, data = figure.model, mujoco.MjData(figure.model)

@@ -40,7 +40,7 @@ def test_a_box_is_buried_whose_lowest_corner_is_on_the_floor_or_below_and_so_is_
 
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(("over", "stands"), [(GROUNDED - HAIR, True), (GROUNDED + HAIR, False), (-1.0, True)])
-def test_a_cylinder_that_stands_on_the_floor_goes_on_below_it(over, stands, sign):
+def test_a_cylinder_that_stands_on_the_floor_continues_below_it(over, stands, sign):
     found = of(f'<geom type="cylinder" size=".2 .5" pos="1 2 {over + 0.5}" zaxis="0 0 {sign}"/>')
     assert isinstance(found, Cylinder)
     top = found.centre + found.half * found.axis * (1 if stands else sign)

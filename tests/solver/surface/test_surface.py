@@ -126,7 +126,7 @@ def test_a_box_counts_as_up_the_face_that_looks_up_however_it_lies():
 
 
 @pytest.mark.parametrize("shape", [(), (2,), (3,), (4,), (2, 5), (1, 1)])
-def test_heights_are_over_the_surface_and_infinite_beside_it(rng, shape):
+def test_heights_are_over_the_surface_and_infinite_next_to_it(rng, shape):
     plane = Plane("p", np.array([0.0, 0, 0.5]), np.array([0.0, 0, 1]))
     box = Box("b", np.array([1.0, 0, 0.25]), np.eye(3), np.array([0.5, 0.25, 0.25]))
     points = rng.uniform(-1, 1.5, size=(3, *shape))

@@ -160,7 +160,7 @@ def test_gravity_that_the_model_turns_off_stays_off(tmp_path):
     assert not any("overrides" in line for line in lines)
 
 
-def test_a_scene_that_is_left_says_what_and_why(tmp_path):
+def test_a_deviation_from_the_motion_is_reported_with_its_reason(tmp_path):
     """The keyframes lean until the centre of mass is beyond the toes."""
     _, lines = exported(solved(biped(tmp_path), tmp_path, LEAN).saved, tmp_path)
     assert any(

@@ -54,7 +54,7 @@ def test_a_scene_that_follows_is_reported_with_its_largest_error(tmp_path):
     assert line.startswith("mj_step of the scene stays within 0.0") and line.endswith("of the motion for 1 s")
 
 
-def test_a_figure_that_begins_in_the_air_falls_as_far_as_the_note_says(tmp_path):
+def test_a_figure_that_begins_in_the_air_falls_as_far_as_the_note_reports(tmp_path):
     _, tracking, line = simulated(tmp_path, BOX.format(z=0.1), [posed(0.6, 0), posed(0.6, 0.3), posed(0.6, 0)])
     fallen = 9.81 * tracking.time**2 / 2
     free = fallen < 0.4

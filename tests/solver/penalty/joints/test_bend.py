@@ -70,7 +70,7 @@ def test_inside_the_limits_it_is_exactly_zero_without_gradient_and_outside_the_s
     np.testing.assert_array_equal(gradient > 0, [False, True, True, True, True, True, False])
 
 
-def test_unless_told_otherwise_ten_degrees_are_let_pass_sideways_and_in_twist(rng):
+def test_by_default_ten_degrees_are_tolerated_sideways_and_in_twist(rng):
     plain = BendLimits(limits(KNEE).joints)
     degrees = np.array([[20, 9.99, 0], [20, -9.99, 0], [0.01, 0, 9.99], [0.01, 0, -9.99]])
     assert not plain.evaluate(bent(limb(), KNEE, np.radians(degrees), rng)).any()

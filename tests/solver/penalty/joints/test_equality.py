@@ -212,7 +212,7 @@ roots.lid = {position = [0, 1, 1], rotation = {rotvec = [0, 0, 0]}}
 
 
 @pytest.mark.slow
-def test_a_keyframe_that_tears_a_loop_is_told(tmp_path):
+def test_a_keyframe_that_tears_a_loop_is_reported(tmp_path):
     text = "[[keyframe]]\ntime = {}\njoints = {{crank = {}, rod = 0, rocker = 0}}\nothers = 'rest'\n"
     found = solved(FOUR_BAR, text.format(0, 0) + text.format(1, 40), tmp_path)
     (note,) = [note for note in found.clip.notes if "tears" in note]

@@ -68,7 +68,7 @@ def by_mujoco(figure: Figure, samples: Samples) -> Array:
     return out
 
 
-def test_how_far_joints_are_beyond_their_ranges_is_what_mujoco_says(figure, rng):
+def test_how_far_joints_are_beyond_their_ranges_is_what_mujoco_computes(figure, rng):
     samples = random_samples(figure, rng, 20)
     found = JointRange(joint_ranges(figure)).beyond(samples)
     assert len(found) == len(figure.links) - 2

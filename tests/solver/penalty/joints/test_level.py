@@ -26,7 +26,7 @@ ASKED = '[[penalty]]\nkind = "upright"\nbodies = ["chest"]'
 
 
 @pytest.mark.parametrize("axis", [None, (0.3, -0.2, 1.0)])
-def test_the_value_is_what_mujoco_says_of_the_axis(figure, rng, axis):
+def test_the_value_is_what_mujoco_computes_of_the_axis(figure, rng, axis):
     samples, model = random_samples(figure, rng, 4), figure.model
     bodies = [i for i in range(1, model.nbody) if figure.body_link[i]][:2]
     data, rest, expected = mujoco.MjData(model), mujoco.MjData(model), np.zeros(4)

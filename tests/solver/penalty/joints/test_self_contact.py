@@ -151,7 +151,7 @@ def test_so_are_neighbours_in_the_model_and_those_that_only_touch_are_not():
 
 
 @pytest.mark.parametrize("margin", [0.0, 0.02, 0.2])
-def test_pairs_are_told_from_where_they_are_as_near_as_they_may_soon_meet_margin_and_all(margin):
+def test_pairs_are_selected_within_the_distance_at_which_they_may_soon_meet_and_the_margin(margin):
     """Two spheres of a tenth of a metre, apart along x: they meet at their radii and the margin."""
     bars = (Bar(0, 1, np.zeros(3), np.eye(3)[2], 0.0, 0.1), Bar(1, 2, np.zeros(3), np.eye(3)[2], 0.0, 0.1))
     text = '<body><freejoint/><geom size=".1"/></body>'

@@ -38,7 +38,7 @@ def unit_samples(figure, rng, count):
     return type(samples)(figure, y, y_d, samples.y_dd)
 
 
-def test_joints_are_as_fast_as_mujoco_says(figure, rng):
+def test_joints_are_as_fast_as_mujoco_computes(figure, rng):
     samples, model, h = unit_samples(figure, rng, 4), figure.model, 1e-6
     joints = [i for i, link in enumerate(figure.links) if i and link.kind in (JointKind.HINGE, JointKind.BALL)]
     before, after = (figure.to_qpos(samples.y + k * h * samples.y_d) for k in (-0.5, 0.5))

@@ -93,7 +93,7 @@ def test_the_gradient_has_taylor_slope_two(figure: Figure, rng: np.random.Genera
     assert penalty_slope(Steady(bounded(figure, rng)), samples, rng) > 1.95
 
 
-def test_how_far_joints_are_off_is_what_scipy_says(figure: Figure, rng: np.random.Generator) -> None:
+def test_how_far_joints_are_off_is_what_scipy_computes(figure: Figure, rng: np.random.Generator) -> None:
     samples, held = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9)), bounded(figure, rng)
     qpos, seen = figure.to_qpos(samples.y), Steady(held).beyond(samples)
     for joint, beyond in zip(held, seen, strict=True):

@@ -61,7 +61,7 @@ def test_the_value_is_that_of_differences_from_scipys_spline_and_mujocos_places(
         np.testing.assert_allclose(found.evaluate(samples)[s], value, rtol=1e-7)
 
 
-def test_it_is_nought_along_the_recording_whatever_the_signs(figure, rng):
+def test_it_is_zero_along_the_recording_whatever_the_signs(figure, rng):
     found = near(figure, rng)
     t = np.linspace(0.05, 1.95, 7)
     y, y_d, y_dd = found.recorded.path.motion(t)
@@ -113,7 +113,7 @@ def test_a_root_that_strays_and_comes_back_as_fast_as_it_may_costs_a_half_and_an
     np.testing.assert_array_equal(weights[1][:, figure.tables.quaternion_columns], 0)
 
 
-def test_beside_an_edit_poses_hardly_count_and_smoothly_more_until_its_width_where_all_of_them_does(figure, rng):
+def test_next_to_an_edit_poses_hardly_count_and_smoothly_more_until_its_width_where_all_of_them_does(figure, rng):
     plain = near(figure, rng)
     eased = Near(plain.recorded, ((1.0, 0.4),))
     t = np.linspace(0.5, 1.5, 101)
