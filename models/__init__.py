@@ -32,39 +32,39 @@ class UnknownName(KeyError):
 
 
 def figures() -> dict[str, str]:
-    """The names of the figures, each with one line that describes it: the first of the file's opening comment."""
+    """Return the names of the shipped figures, each with its description."""
     entries = {name: entry for name, entry in _entries(files(__name__), ".xml").items() if name != STAGE}
     return {name: _first_xml_comment(entry.read_text(encoding="utf-8")) for name, entry in entries.items()}
 
 
 def clips() -> dict[str, str]:
-    """The names of the clips, each with one line that describes it: the first comment of the file."""
+    """Return the names of the shipped clips, each with its description."""
     entries = _entries(files(__name__) / "clips", ".toml")
     return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in entries.items()}
 
 
 def figure_text(name: str) -> str:
-    """The MJCF text of a figure; no floor, no light, no sky: those are the stage's."""
+    """Return the MJCF text of a figure, without floor, light and sky, which belong to the stage; raises UnknownName."""
     if name not in figures():
         raise UnknownName("figure", name, figures())
     return (files(__name__) / f"{name}.xml").read_text(encoding="utf-8")
 
 
 def clip_text(name: str) -> str:
-    """The TOML text of a clip."""
+    """Return the TOML text of a clip; raises UnknownName."""
     if name not in clips():
         raise UnknownName("clip", name, clips())
     return (files(__name__) / "clips" / f"{name}.toml").read_text(encoding="utf-8")
 
 
 def maps() -> dict[str, str]:
-    """The names of the maps, each with one line that describes it: the first comment of the file."""
+    """Return the names of the shipped bone maps, each with its description."""
     entries = _entries(files(__name__) / "maps", ".toml")
     return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in entries.items()}
 
 
 def map_file(name: str) -> Path:
-    """The TOML file of a map."""
+    """Return the TOML file of a bone map; raises UnknownName."""
     if name not in maps():
         raise UnknownName("map", name, maps())
     return Path(str(files(__name__) / "maps" / f"{name}.toml"))

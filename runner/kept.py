@@ -108,7 +108,7 @@ def _parts(clip: Clip) -> Iterator[bytes]:
 
 @lru_cache(maxsize=1)
 def _program() -> str:
-    """What solves: the text of this program, and the libraries' versions."""
+    """The version of the solver: the text of this program, and the libraries' versions."""
     digest = hashlib.blake2b(str(FORMAT).encode(), digest_size=20)
     for folder in (Path(solver.__file__).parent, Path(__file__).parent):
         for file in sorted(folder.rglob("*.py")):

@@ -50,7 +50,7 @@ class Solved:
 
     @cached_property
     def problems(self) -> tuple[Flaw, ...]:
-        """What is wrong with it, worst first."""
+        """The violations, worst first."""
         return problems(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
 
     @property
@@ -70,7 +70,7 @@ class Solved:
         return search
 
     def saved(self, progress: Progress, with_report: bool = True) -> Saved:
-        """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
+        """The content of a motion file; the report takes some seconds, and Ctrl-C skips it."""
         clip, motion = self.clip, self.motion
         data = {}
         with _unhurried() as interrupted:
@@ -130,13 +130,13 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
 
 
 def tell_notes(clip: Clip, progress: Progress) -> None:
-    """What was looked for in a clip and not found."""
+    """Report the clip's notes."""
     for note in clip.notes:
         progress.say(f"note: {note}")
 
 
 def course(motion: Solution) -> str:
-    """How a search went, in a few words; none for no search."""
+    """The course of a search, in a few words; empty without a search."""
     if not motion.trace:
         return ""
     return f"evaluation {motion.evaluations}, objective {motion.trace[0][2]:.4g} -> {motion.trace[-1][2]:.4g}"

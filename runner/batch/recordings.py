@@ -35,7 +35,7 @@ def asked(
     scene: Path | None,
     within: str | float | None,
 ) -> Cleaning | None:
-    """What the options of the command mean; None for clips. Raises UserError for those that do not go together."""
+    """The cleaning options of the command; None for clips. Raises UserError for contradicting options."""
     if clean and onto is not None:
         raise UserError("--clean and --retarget: give one of them; --retarget also cleans")
     more = {"--figure": figure, "--map": map_file, "--from": kind, "--scene": scene, "--max-displacement": within}
@@ -61,7 +61,7 @@ def asked(
 
 
 def tell(tally: Tally, progress: Progress) -> None:
-    """What all of them came to, and the worst ten."""
+    """Report the results of all recordings, and the worst ten."""
     if any(entry.figures for entry in tally.good):
         progress.console.print(table(tally.good))
     for line in worst(tally.wrong):

@@ -134,7 +134,7 @@ def _violation(table: dict[str, Any]) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Result:
-    """What is known of the motion of a clip, or why there is none.
+    """The measurements of a clip's motion, or its error.
 
     seconds   of the last attempt
     worker    address of the Dask worker

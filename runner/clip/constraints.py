@@ -117,7 +117,7 @@ def replaced(rows: Sequence[Mapping[str, object]]) -> list[PenaltyTable] | None:
 
 
 def _now(entry: PenaltyTable) -> Renamed:
-    """What an entry of an older clip is now, if it is of a kind that has its name still: the first part of that."""
+    """The replacement of an older entry whose kind still has its name: the first part of that kind."""
     if entry.kind in RENAMED or entry.kind not in KINDS:
         return RENAMED.get(entry.kind, Renamed(entry.kind))
     return Renamed(entry.kind, KINDS[entry.kind].parts[0].name, {name: name for name in KINDS[entry.kind].choices()})

@@ -44,7 +44,7 @@ KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
 @dataclass(frozen=True, eq=False)
 class Context:
-    """What there is to make soft constraints of.
+    """The inputs of soft constraints.
 
     where     how errors call the clip
     points    of the soles, or the sites that the clip names for `collision`
@@ -140,7 +140,7 @@ class Context:
 
     @property
     def lying(self) -> tuple[Stance, ...]:
-        """Where what is carried lies before and after."""
+        """Position of carried objects before and after they are grasped."""
         return lying(self.figure, self.keys, [link for link in self.carried if self.figure.links[link].parent == 0])
 
     @property

@@ -82,7 +82,7 @@ class _Sides:
         return counterpart
 
     def _nearest(self, name: str, names: list[str]) -> str | None:
-        """Of names the point that is nearest to a point's image, on the partner of its link; None without any."""
+        """The name of the point nearest to a point's mirror image, on its partner link; None without any."""
         point = self._point(name)
         partner, image = self.mirror.partner[point.link], self.mirror.reflection[point.link] @ point.position
         away = {

@@ -61,7 +61,7 @@ def lying(table: ClipTable) -> list[KeyframeTable]:
 
 
 def _first(table: ClipTable, name: str) -> RootTable:
-    """Where an object is at first: where the first keyframe that places it has it, if nothing holds it before."""
+    """The initial position of an object: that of the first keyframe that places it, unless it is held before."""
     row = next((row for row in table.keyframe if name in row.roots), None)
     if row is None or _is_carried(table, name, table.keyframe[0].time, row.time):
         return FREE

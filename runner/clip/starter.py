@@ -338,7 +338,7 @@ def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
 
 
 def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
-    """Where a joint may go to [rad or m], either way."""
+    """Possible values of a joint [rad or m], in either direction."""
     if link.kind is JointKind.BALL:
         high = float(figure.model.jnt_range[link.joint].max()) if figure.model.jnt_limited[link.joint] else np.pi
         return [min(MOVED, ROOM * high), -min(MOVED, ROOM * high)]
@@ -403,7 +403,7 @@ def _noted(notes: Sequence[str]) -> str:
 
 
 def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
-    """What the figure's parts are called, in comments."""
+    """The names of the figure's parts, in comments."""
     model = figure.model
     lines = ["# Joints, as keyframes name them:"]
     for link in figure.links[1:]:
@@ -427,7 +427,7 @@ def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
 
 
 def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
-    """Where feet, sites and the ends of other limbs are in a pose (nq,), as keyframes place them, in comments."""
+    """Positions of feet, sites and ends of other limbs in a pose (nq,), as in a keyframe, in comments."""
     places = Places(figure, soles)
     names = [*(point.name for point in soles), *posable_sites(figure.model)]
     points = [point for name in dict.fromkeys(names) if (point := places.point(name)) is not None and point.link]
@@ -472,7 +472,7 @@ def _joint_line(figure: Figure, link: Link) -> str:
 
 
 def _along(link: Link) -> str:
-    """Which of the world's axes a slide goes along at rest, in words; nothing if none."""
+    """The world axis that a slide moves along at rest, in words; empty if none."""
     direction = quat.rotated(link.turn, link.axis)
     axis = int(np.abs(direction).argmax())
     return f" along {'-' if direction[axis] < 0 else ''}{'xyz'[axis]}" if abs(direction[axis]) > STRAIGHT else ""

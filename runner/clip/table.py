@@ -100,21 +100,21 @@ class RotationTable(Table):
 
 
 class RootTable(Table):
-    """Where a free body is, and how it is turned."""
+    """The position and orientation of a free body."""
 
     position: Axes | Literal["free"] = "free"
     rotation: RotationTable | Literal["free"] = "free"
 
 
 class SiteTable(Table):
-    """Where a site is, and who puts it there."""
+    """The target position of a site, and how it is reached."""
 
     position: Axes
     by: Literal["pose", "search"] = "pose"
 
 
 class BodyTable(RotationTable):
-    """How a body is turned, and where its origin is, or the point `at` in its axes."""
+    """The target orientation of a body, and the target position of its origin, or of the point `at` in its axes."""
 
     flat: Flag | None = None
     position: Axes | None = None
@@ -237,7 +237,7 @@ class PenaltyTable(Table):
 
     @classmethod
     def of(cls, kind: str, **said: Any) -> PenaltyTable:
-        """As a file would have it."""
+        """A penalty table with the given entries."""
         return cls.model_validate({"kind": kind, **said})
 
     @property
@@ -256,7 +256,7 @@ class ContactTable(Table):
 
     @property
     def subject(self) -> str:
-        """What can be in one place at a time only."""
+        """The point or hand, which can be at one place at a time only."""
         return self.point
 
 
@@ -288,7 +288,7 @@ class StanceTable(Table):
 
 
 class SolveTable(Table):
-    """How the spline ends and how the search goes; None: as it is best."""
+    """Ends of the spline and settings of the search; None: chosen automatically."""
 
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "periodic"] = "free"
@@ -338,7 +338,7 @@ class RecordingTable(Table):
 
 
 class SurroundingsTable(Table):
-    """What is round a recording: the scene that it was made in, and the contacts in it."""
+    """The surroundings of a recording: its scene and its contacts."""
 
     scene: SceneTable = SceneTable()
     contact: list[ContactTable] = []

@@ -95,7 +95,7 @@ def _walked(location: tuple[int | str, ...], raw: object) -> tuple[list[str], li
 
 
 def _role(words: list[str], names: list[str]) -> str:
-    """What kind of entry a key is: joints have names of their own."""
+    """The kind of an entry by its key; joints are entries by name."""
     if words and words[0].startswith("penalty") and names and names[0] in _OF_PENALTIES:
         return _OF_PENALTIES[names[0]]
     if len(names) == 2 and names[0] in _NAMED:

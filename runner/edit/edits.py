@@ -46,7 +46,7 @@ TOLERANCE = 1e-5  # of E of a transition
 
 @contextmanager
 def _told(name: str) -> Iterator[None]:
-    """What cannot be done with a motion, in one line that names it."""
+    """The reason why an edit of a motion is impossible, in one line with its name."""
     try:
         yield
     except (TimelineError, MirrorError) as error:
@@ -54,7 +54,7 @@ def _told(name: str) -> Iterator[None]:
 
 
 def mirror_of(found: Clip | Saved) -> Mirror:
-    """How left and right are exchanged; raises UserError for a figure without them."""
+    """The mirror symmetry of a figure; raises UserError for a figure without left and right sides."""
     with _told(found.name):
         return Mirror.of(found.figure)
 

@@ -31,7 +31,7 @@ Problems = tuple[Flaw, ...]
 
 @dataclass(frozen=True)
 class Edit:
-    """What is done: its word for file names and reports, to motions, and to a clip's tables where that can be.
+    """An edit: its verb for file names and reports, its effect on motions, and on a clip's tables if possible.
 
     check  raises UserError for what cannot be done, before anything is solved
     """
@@ -133,7 +133,7 @@ def retimed(speed: float | None, duration: float | None) -> Edit:
 
 
 def trimmed(first: float | None, last: float | None) -> Edit:
-    """From one time to another; what is not given is where the motion begins or ends."""
+    """Trim from one time to another; default: the motion's start or end."""
     if first is None and last is None:
         raise UserError("give --from, --to, or both, in seconds")
 

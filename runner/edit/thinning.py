@@ -36,7 +36,7 @@ LOOSE = 4.0  # times the bound: what the spline keeps through keyframes of which
 
 @dataclass(frozen=True)
 class ThinnedMotion:
-    """What thinning gave: the motion through the keyframes left, and how far it is off at the instants looked at.
+    """The result of thinning: the motion through the remaining keyframes, and its errors at the samples.
 
     instants         how many there were
     distance, angle  the largest misses [m, rad], each at its time [s]: of a body's origin, a site or a tip, of a link
@@ -96,7 +96,7 @@ def thinned(
 
 
 def measured(recorded: Recorded, motion: Saved) -> ThinnedMotion:
-    """How far a motion is off what was recorded."""
+    """The deviation of a motion from a recording."""
     worst = recorded.worst(motion.timeline)
     times = float(recorded.times[worst[0].instant]), float(recorded.times[worst[1].instant])
     slipped, excess = recorded.slipped(motion.timeline), float(recorded.excess(motion.timeline).max())
@@ -104,7 +104,7 @@ def measured(recorded: Recorded, motion: Saved) -> ThinnedMotion:
 
 
 def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
-    """What is to be kept of a motion: a recording's own instants, or a solved motion at RATE and at its keyframes."""
+    """The samples of a motion to compare with: a recording's samples, or a solved motion at RATE and its keyframes."""
     for value, what, example in ((distance, "metres", "0.02"), (angle, "radians", "0.1")):
         if not (np.isfinite(value) and value > 0):
             raise UserError(

@@ -26,7 +26,7 @@ KINDS = {
 
 
 def drawn(model: mujoco.MjModel, reach: float) -> dict[str, Any]:
-    """What is seen of a model: "pieces", and the "meshes" and "pictures" that they refer to by number.
+    """The visible parts of a model: "pieces", and the "meshes" and "pictures" that they refer to by number.
 
     reach  [m] from its middle to which a plane without end is drawn
     """

@@ -41,7 +41,7 @@ class Disagreement:
 
     @property
     def share(self) -> float:
-        """Of what is allowed."""
+        """Relative to the allowed value."""
         return max(self.distance / CLOSE, self.angle / ALIGNED)
 
     def __str__(self) -> str:
@@ -83,7 +83,7 @@ def _known(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
 
 
 def _nearest(away: Array, angle: Array) -> Disagreement:
-    """Of worst distances and angles (b, nbody), each body of the smaller set with its nearest."""
+    """The worst distance and angle (b, nbody), with each body of the smaller set assigned to its nearest."""
     if away.shape[0] > away.shape[1]:
         away, angle = away.T, angle.T
     partner = np.argmin(np.maximum(away / CLOSE, angle / ALIGNED), axis=1)
@@ -114,7 +114,7 @@ def spread(count: int, most: int = LOOKED_AT) -> Index:
 
 @dataclass(frozen=True)
 class Plausibility:
-    """How plausible a motion of a figure is, from shares of its samples.
+    """The plausibility of a figure's motion, from shares of its samples.
 
     tilt     [rad] of the root from upright, mean
     height   [m] of the lowest point above or below z = 0, median

@@ -32,7 +32,7 @@ STIFF = 1e-7  # softness of a support so that what is left is what cannot be sup
 
 @dataclass(frozen=True)
 class Foot:
-    """What the ground gives to a body, world axes.
+    """The ground reaction on a body, world axes.
 
     force   (3, T) [N], zero where nothing is given
     centre  (3, T) [m] of pressure: the mean of the points in contact by the forces along their normals; nan without any
@@ -47,7 +47,7 @@ class Foot:
 
 @dataclass(frozen=True)
 class Forces:
-    """Of a take whose motion is `samples`; support None: a figure without a free root.
+    """The forces of a take with the motion `samples`; support None: a figure without a free root.
 
     model  whose forces they are: the take's, or one with the same joints
     """

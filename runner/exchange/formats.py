@@ -257,7 +257,7 @@ def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = N
 
 
 def _beside(module: Module, take: Take, target: Path) -> dict[Path, bytes]:
-    """What is to lie beside a motion's file."""
+    """The companion files of a motion's file."""
     companions = {} if module.beside is None else module.beside(take)
     return {
         target.with_suffix(name) if name.startswith(".") else target.parent / name: (
@@ -354,7 +354,7 @@ def _recognises(form: Format, source: Path) -> bool:
 
 @dataclass(frozen=True)
 class Module:
-    """What a format's module has: see `Format`."""
+    """The functions of a format's module: see `Format`."""
 
     write: Callable[[Take, Path], None] | None
     read: Callable[..., Recording] | None

@@ -93,13 +93,13 @@ def are_allowed() -> bool:
 
 
 def bridged(array: Array) -> Array | None:
-    """As `Gaps.bridged` where gaps are allowed; else None."""
+    """As `Gaps.bridged` in a block that allows gaps; else None."""
     gaps = _now.get()
     return None if gaps is None or array.ndim == 0 or not len(array) else gaps.bridged(array)
 
 
 def left_out(found: Recording, where: object) -> Recording:
-    """As `Gaps.left_out` where gaps are allowed."""
+    """As `Gaps.left_out` in a block that allows gaps."""
     gaps = _now.get()
     return found if gaps is None else gaps.left_out(found, where)
 

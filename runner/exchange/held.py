@@ -121,7 +121,7 @@ class Held:
             raise UserError(f"{self.where}: '{name}' has rows of different lengths") from None
 
     def _items(self, name: str, found: object, axes: int) -> int:
-        """How many items lists would have, written out: a short pickle may name one list a million times."""
+        """The number of items of lists when expanded: a short pickle may repeat one list a million times."""
         if not isinstance(found, list | tuple):
             return found.size if isinstance(found, np.ndarray) else 1
         if axes == 0:

@@ -173,7 +173,7 @@ def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjMode
 
 
 def _best(ranked: Sequence[Judged]) -> list[Judged]:
-    """Of the layouts that the most plausible one does not exclude those of fewest differences, or the only one of these
+    """The layouts of fewest differences that the most plausible one does not exclude, or the only one of these
     whose feet slide evidently less than in the others."""
     near = [ranked[0], *(judged for judged in ranked[1:] if not judged[0].is_doubted_by(ranked[0][0]))]
     fewest = min(len(variant.layout) for _, (_, variant) in near)
@@ -188,7 +188,7 @@ def _decided(used: Judged, other: Judged) -> str:
 
 
 def _doubted(first: Judged, best: Sequence[Judged]) -> str:
-    """What to do about a doubtful documented layout that none of the best others replaces."""
+    """The remedy for a doubtful documented layout that none of the best others replaces."""
     form = first[1][0]
     do = f"convert the file, or {unsaid.FORMAT}: {form} reads it as documented"
     if len(best) > 1:
@@ -198,7 +198,7 @@ def _doubted(first: Judged, best: Sequence[Judged]) -> str:
 
 
 def _equally(rivals: Sequence[Judged]) -> str:
-    """What to do about layouts that nothing distinguishes."""
+    """The remedy for layouts that are equally plausible."""
     names = " and ".join(_called(*candidate) for _, candidate in rivals)
     forms = list(dict.fromkeys(form for _, (form, _) in rivals))
     do = f"{unsaid.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
@@ -305,7 +305,7 @@ def breadth_first(model: mujoco.MjModel) -> Index | None:
 
 
 def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
-    """The same recorded with y up; of a file with body poses, the root's frame is known to be the figure's."""
+    """The same layouts with y up; in a file with body poses, the root's frame is that of the figure."""
     form, base = candidate
     if FREE not in model.jnt_type:
         return

@@ -40,7 +40,7 @@ def velocities(take: Take, forces: Forces) -> Columns:
 
 
 def torques(take: Take, forces: Forces) -> Columns:
-    """Of every joint but free ones."""
+    """The torques of all joints but free ones."""
     units = ("N", "N m")
     return _by_dof(take.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
 
@@ -59,7 +59,7 @@ def wrench(take: Take, forces: Forces) -> Columns:
 
 
 def ground(take: Take, forces: Forces) -> Columns:
-    """Of every foot that ever stands; raises UserError where none does."""
+    """The ground reactions of every foot with a stance; raises UserError if there is none."""
     if not forces.feet:
         raise UserError(f"{take.name}: no stance is known, so the ground reaction force is unknown; add a [[contact]]")
     out: Columns = {}

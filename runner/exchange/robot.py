@@ -33,7 +33,7 @@ class Robot:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, form: str) -> Robot:
-        """Of a model without ball joints; raises UserError, which names the format, unless it is such a tree."""
+        """The robot of a model without ball joints; raises UserError, with the format, for other models."""
         kinds = model.jnt_type.tolist()
         if BALL in kinds:
             raise UserError(f"{form}: '{model.joint(kinds.index(BALL)).name}' is a ball joint")
@@ -62,12 +62,12 @@ class Robot:
 
     @property
     def columns(self) -> list[int]:
-        """Of the joints in qpos."""
+        """The columns of the joints in qpos."""
         return [int(self.model.jnt_qposadr[joint]) for joint in self.joints]
 
     @property
     def dofs(self) -> list[int]:
-        """Of the joints in qvel."""
+        """The columns of the joints in qvel."""
         return [int(self.model.jnt_dofadr[joint]) for joint in self.joints]
 
 
@@ -122,7 +122,7 @@ def robot_joints(model: mujoco.MjModel) -> list[int]:
 
 
 def _order(names: list[str], wanted: list[str], where: object) -> list[int]:
-    """Where the file has the figure's joints; raises UserError unless they are the same."""
+    """The positions of the figure's joints in the file; raises UserError unless they are the same."""
     missing = [name for name in wanted if name not in names]
     if missing:
         raise UserError(

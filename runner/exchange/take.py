@@ -19,7 +19,7 @@ from .skeleton.hinged import Hinged
 
 @dataclass(frozen=True)
 class Wishes:
-    """What a file shall hold beyond what its format needs.
+    """Optional content of a file.
 
     simulate  figure and scene collide, and joints have actuators
     columns   groups of a table's columns
@@ -102,7 +102,7 @@ class Take:
 
     @cached_property
     def bodies(self) -> Bodies:
-        """Where MuJoCo has every body, and how fast."""
+        """Positions, orientations and velocities of all bodies."""
         return Bodies.of(self.model, self.qpos, self.qvel)
 
 

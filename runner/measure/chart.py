@@ -30,7 +30,7 @@ def check_target(target: Path) -> None:
 
 
 def style(size: float) -> dict[Any, Any]:
-    """How charts look: open at the top and on the right, words of a size [points]."""
+    """The style of charts: open at the top and on the right, text of a size [points]."""
     return {"axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "font.size": size}
 
 

@@ -58,7 +58,7 @@ class Row:
 
     @property
     def unit(self) -> str:
-        """Of the amount."""
+        """The unit of the amount."""
         return BOUNDS[self.kind].unit
 
 
@@ -72,7 +72,7 @@ class Hits:
 
     @classmethod
     def of(cls, amounts: Array, least: float = 0.0) -> Hits:
-        """Of amounts (n, S), those above the least."""
+        """The hits among amounts (n, S) above a bound."""
         row, at = np.nonzero(amounts > least)
         return cls(row, at, amounts[row, at])
 
@@ -133,7 +133,7 @@ class Check:
 
 @dataclass(frozen=True, eq=False)
 class Fixed:
-    """What keyframes fix of a figure: masks (K, N) of the state, and (L, K) of where links are."""
+    """Entries of a figure that keyframes fix: masks (K, N) of the state, and (L, K) of the links' poses."""
 
     figure: Figure
     states: Mask

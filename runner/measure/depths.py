@@ -49,7 +49,7 @@ def _bunches(points: Sequence[Point]) -> Iterator[Bunch]:
 
 
 def depths(found: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterator[tuple[Bunch, Index, Array]]:
-    """Of the bunches near a surface: at which samples (k,), and how deep their points are there, (p, k) [m]."""
+    """The depths of bunches near a surface: their samples (k,), and the depths of their points (p, k) [m]."""
     if not found:
         return
     links = np.array([bunch.link for bunch in found], np.intp)

@@ -59,7 +59,7 @@ class Flaw:
 
     @property
     def severity(self) -> float:
-        """How many times its bound it is."""
+        """The amount divided by the bound."""
         return self.amount / self.bound
 
     def __str__(self) -> str:
@@ -86,7 +86,7 @@ def violations(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Flaw, 
 
 
 def of_motion(saved: Saved) -> tuple[Flaw, ...]:
-    """What is wrong with a motion, by what its file holds."""
+    """The violations of a motion, from the content of its file."""
     try:
         clip = clips.clip_from_motion(saved)
     except UserError:  # a text that this program cannot read, in a file from elsewhere

@@ -142,7 +142,7 @@ def _most(worst: Worst, what: str) -> dict[str, Any]:
 
 
 def _equalities(joints: Worst, loops: Worst) -> dict[str, Any]:
-    """How far joints are off what they follow, and ends of closed loops apart."""
+    """Deviations of coupled joints, and gaps of closed loops."""
     result = {"coupled": _most(joints, "joint")} if joints else {}
     return result | ({"closed": {"loop": loops[0][0].name, "most, m": loops[0][1]}} if loops else {})
 
@@ -296,7 +296,7 @@ def _torque(samples: Samples) -> dict[str, Any]:
 
 
 def _support(clip: Clip, samples: Samples) -> dict[str, float]:
-    """What moves the figure from outside although nothing can push: in flight, and beyond what its footings supply."""
+    """Unsupported force and moment: in flight, and beyond what the footings can supply."""
     if clip.context.support is None or not clip.context.support.tells:
         return {}
     # stiff, so that what is left is what cannot be supplied, and not what would cost force

@@ -179,7 +179,7 @@ def tables(data: dict[str, Any]) -> Group:
 
 
 def _worst_of_each(told: list[dict[str, Any]]) -> list[str]:
-    """Of the problems of a recording, worst first, the first of a kind and a name: nearly every image repeats it."""
+    """The problems of a recording, worst first, only the first of each kind and name: most samples repeat them."""
     count = Counter((problem["kind"], problem["name"]) for problem in told)
     first: dict[tuple[str, str], str] = {}
     for problem in told:

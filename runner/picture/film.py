@@ -264,7 +264,7 @@ def _write_sheet(path: Path, images: Iterator[Picture], fps: float) -> None:
 
 
 def sheet_picks(count: int) -> list[int]:
-    """Which of so many images a contact sheet is to show: up to twelve, evenly spaced, first and last among them."""
+    """The indices of the frames on a contact sheet: up to twelve, evenly spaced, with the first and the last."""
     return np.linspace(0, count - 1, min(count, SHEET_PICTURES)).round().astype(int).tolist()
 
 
@@ -294,7 +294,7 @@ def _grid(tiles: list[Picture]) -> Picture:
 
 
 def _misfit(columns: int, count: int, aspect: float) -> float:
-    """How far a grid is from 16:9, with a price on empty places."""
+    """The deviation of a grid from 16:9, with a penalty for empty places."""
     rows = math.ceil(count / columns)
     return abs(math.log(columns * aspect / rows / (16 / 9))) + 0.25 * (rows * columns - count)
 

@@ -20,7 +20,7 @@ SOFT_RIM = 0.02  # cosine of the angle at a spot's cone over which its light fad
 
 
 class Shadow(NamedTuple):
-    """What a light reaches: its eye, and (height * width,) 1 / depth of what is nearest to it."""
+    """A light's shadow map: its eye, and (height * width,) 1 / depth of the nearest surface."""
 
     eye: Eye
     nearest: Array

@@ -62,7 +62,7 @@ class Hits(NamedTuple):
 
 
 class Materials(NamedTuple):
-    """Of every geom: colour (k, 3), emission (k,) and so on; planes with a texture: index, place, tint, pattern."""
+    """Materials by geom: colour (k, 3), emission (k,) and so on; planes with a texture: index, place, tint, pattern."""
 
     colour: Floats
     emission: Floats
@@ -73,7 +73,7 @@ class Materials(NamedTuple):
 
 
 class View(NamedTuple):
-    """What a picture is made of."""
+    """The inputs of a picture."""
 
     eye: Eye
     surface: Surface
@@ -169,7 +169,7 @@ class Raster:
         return Surface(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
     def _lights(self, eye: Eye, surface: Surface, geoms: list[Any]) -> list[Light]:
-        """Those that shine, with shadows of what is near the figures."""
+        """The active lights, with shadows of objects near the figures."""
         moves = np.array([geom.category == mujoco.mjtCatBit.mjCAT_DYNAMIC for geom in geoms], bool)
         solid = np.array([geom.type != PLANE for geom in geoms], bool)[surface.geom]
         figures = surface.points[moves[surface.geom]].reshape(-1, 3)

@@ -35,7 +35,7 @@ BETWEEN_RATE = 15.0  # [1/s] in-betweens of a still
 
 @dataclass(frozen=True)
 class Look:
-    """How a motion is shown.
+    """The appearance of a rendered motion.
 
     only    "" for before | after side by side, else "before", "after" or "keys"
     ghosts  draw the keyframes, darkest, beside the moving figure; in a still, also variable frames and in-betweens
@@ -103,19 +103,19 @@ def root_path(saved: Saved, qpos: Array) -> Array:
 
 
 def figure_height(saved: Saved) -> float:
-    """How tall the figure is [m], for the camera's distance."""
+    """The height of the figure [m], for the camera's distance."""
     return height(saved.figure, saved.figure.to_qpos(np.concatenate([saved.raw.states, saved.timeline.states])))
 
 
 def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
-    """How many images `images` will give."""
+    """The number of frames that `images` returns."""
     if look.only == "keys":
         return len(saved.keys) * (1 if still_keys else max(1, round(KEY_SECONDS * look.fps)))
     return 1 if look.at is not None else len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
 
 
 def for_tiles(look: Look, tile: int, graphics: Graphics) -> Look:
-    """The same look drawn no larger than its images need to be as tiles of a contact sheet.
+    """The same look at the size of the tiles of a contact sheet.
 
     tile  the longer side of one [pixels]; the CPU smooths edges itself, OpenGL's pictures are shrunk by half for that
     """
@@ -193,7 +193,7 @@ def _plan(saved: Saved, look: Look, roots: Array, fps: float, panes: int) -> tup
 
 
 def _lens(saved: Saved) -> Lens:
-    """What the camera's place depends on in the model."""
+    """The data of the model that the camera's position depends on."""
     model = saved.figure.model
     return {
         "fovy": float(model.vis.global_.fovy),

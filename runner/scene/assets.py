@@ -150,7 +150,7 @@ def _renaming_side(texture: Any, side: int) -> Callable[[str], None]:
 
 
 def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
-    """Where a file lies and what it holds: among the model's own assets, or on the disk as MuJoCo looks for it."""
+    """The path and content of a file: among the model's assets, or on the disk in MuJoCo's order."""
     folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
     for name in (reference.file, file, str(Path(folder) / file), Path(file).name):
         if name in own:
@@ -167,7 +167,7 @@ def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
 
 
 def _places(reference: _Reference, base: Path) -> list[Path]:
-    """Where MuJoCo looks for a file on the disk, one after the other; at last as if there were every folder named."""
+    """The places where MuJoCo looks for a file on the disk, in order; the last one assumes all named folders."""
     folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
     first = base / folder / file
     return [first, base / file, base / folder / Path(file).name, Path(os.path.normpath(first))]

@@ -77,7 +77,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
 
 
 def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
-    """What the joints of a model are called, as `joint_names` calls them, before it is compiled."""
+    """The names of a model's joints before it is compiled, as in `joint_names`."""
     names: list[str] = []
     bodies: list[tuple[str, int]] = []
     waiting = list(spec.worldbody.bodies)[::-1]
@@ -149,7 +149,7 @@ def _with_keys(text: str, poses: Mapping[str, Array], bare: mujoco.MjModel, mode
 
 
 def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> mujoco.MjSpec:
-    """What of the stage a model lacks; a model without good lamps of its own is seen in the stage's light alone."""
+    """Add the parts of the stage that a model lacks; a model without sufficient light gets the stage's only."""
     stage = mujoco.MjSpec.from_string(models.stage_text())
     has_light = is_well_lit(bare)
     has_sky = any(texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in spec.textures)

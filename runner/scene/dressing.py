@@ -31,7 +31,7 @@ def dress(spec: mujoco.MjSpec, bare: mujoco.MjModel, prefix: str) -> None:
 
 
 def _depths(model: mujoco.MjModel) -> list[int]:
-    """How many bodies that move are on the way from the world to each body: 0 for what stands still."""
+    """The number of moving bodies on the path from the world to each body: 0 for static ones."""
     depth = [0] * model.nbody
     for body in range(1, model.nbody):
         depth[body] = depth[model.body_parentid[body]] + int(model.body_jntnum[body] > 0)

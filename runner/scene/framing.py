@@ -43,7 +43,7 @@ def _carriers(model: mujoco.MjModel) -> Array:
 
 
 def rest_box(model: mujoco.MjModel) -> tuple[Array, Array]:
-    """The same in the rest pose."""
+    """The same for the rest pose."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     return box(model, data)

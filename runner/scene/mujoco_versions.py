@@ -28,7 +28,7 @@ class Lamp(Enum):
 
 
 def lamp(model: mujoco.MjModel, light: int) -> Lamp:
-    """Of which kind a light is. Before 3.3.1 all are directional or spots."""
+    """The type of a light. Before 3.3.1 all are directional or spots."""
     if not hasattr(model, "light_type"):
         return Lamp.DIRECTIONAL if model.light_directional[light] else Lamp.SPOT
     return _lamp_of(model.light_type[light])
@@ -45,7 +45,7 @@ def _lamp_of(kind: int) -> Lamp:
 
 
 def drawn_lamp(light: Any) -> Lamp:
-    """Of which kind a light of a scene to be drawn (MjvLight) is."""
+    """The type of a light of a scene to be drawn (MjvLight)."""
     if not hasattr(light, "type"):
         return Lamp.DIRECTIONAL if light.directional else Lamp.SPOT
     return _lamp_of(light.type)
@@ -157,12 +157,12 @@ def _upright(tag: str) -> str:
 
 
 def mesh_folder(spec: mujoco.MjSpec, element: Any) -> str:
-    """Where the file of a mesh, height field or skin lies. In newer versions attached models keep their own folders."""
+    """The folder of a mesh, height field or skin file. In newer versions attached models keep their folders."""
     return element.compiler.meshdir if hasattr(element, "compiler") else spec.meshdir
 
 
 def texture_folder(spec: mujoco.MjSpec, texture: Any) -> str:
-    """Where the files of a texture lie."""
+    """The folder of a texture's files."""
     return texture.compiler.texturedir if hasattr(texture, "compiler") else spec.texturedir
 
 

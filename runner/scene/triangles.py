@@ -270,7 +270,7 @@ def _mesh(model: mujoco.MjModel, mesh: int) -> Triangles:
 
 
 def _height_field(model: mujoco.MjModel, field: int) -> Triangles:
-    """Its upper side."""
+    """The upper side of a height field."""
     rows, columns = int(model.hfield_nrow[field]), int(model.hfield_ncol[field])
     half_x, half_y, top, _ = model.hfield_size[field]
     start = int(model.hfield_adr[field])

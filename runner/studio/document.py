@@ -59,21 +59,21 @@ class Document:
 
     @property
     def place(self) -> str:
-        """How messages call it."""
+        """The label in messages."""
         return self.file.name if self.file else f"{self.name}.toml"
 
     @property
     def undone(self) -> str | None:
-        """What undo would take back."""
+        """Description of the edit that undo would revert."""
         return self._back[-1][0] if self._back else None
 
     @property
     def redone(self) -> str | None:
-        """What redo would do again."""
+        """Description of the edit that redo would apply."""
         return self._forth[-1][0] if self._forth else None
 
     def told(self) -> dict[str, Any]:
-        """What a page shows of it beside its tables."""
+        """The state of the document for pages, without its tables."""
         return {
             "name": self.name,
             "file": self.file.name if self.file else None,
@@ -109,11 +109,11 @@ class Document:
         self._put(text)
 
     def back(self) -> tuple[str, str] | None:
-        """What undo would give: words and a text; None if there is nothing."""
+        """The result of undo: a description and a text; None if there is nothing to undo."""
         return self._peeked(self._back)
 
     def forth(self) -> tuple[str, str] | None:
-        """What redo would give."""
+        """The result of redo."""
         return self._peeked(self._forth)
 
     def undo(self) -> None:
@@ -133,7 +133,7 @@ class Document:
 
     @property
     def keeping(self) -> Path:
-        """Where unsaved work lies."""
+        """The file of unsaved work."""
         return self.folder / f".{self.place}.unsaved"
 
     def keep(self) -> None:
@@ -145,7 +145,7 @@ class Document:
             temporary.write_bytes(self.text.encode())
 
     def kept(self) -> str | None:
-        """What an earlier studio left unsaved, if it is another text than this."""
+        """Unsaved work of an earlier session, if it differs from this text."""
         with suppress(OSError, UnicodeDecodeError):
             text = self.keeping.read_bytes().decode()
             return None if text == self.text else text

@@ -33,7 +33,7 @@ def inside(folder: Path, name: Any) -> Path:
 
 
 class Files:
-    """What becomes of a session on the disk."""
+    """The files of a session."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -42,7 +42,7 @@ class Files:
 
     @property
     def folder(self) -> Path:
-        """Where all of it goes."""
+        """The folder of all files."""
         return self.session.document.folder
 
     async def save(self, *, name: str | None = None, overwrite: bool = False) -> str:

@@ -29,7 +29,7 @@ MAGIC = b"glimpse1"
 
 
 def file_of(document: Document) -> Path | None:
-    """Where that of a document lies, called after its text, its folder and the page; None if nothing is to be kept."""
+    """The cache file of a document's view, named for its text, its folder and the page; None if caching is off."""
     folder = place()
     if folder is None:
         return None

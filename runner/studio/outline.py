@@ -59,7 +59,7 @@ def kinds() -> list[dict[str, Any]]:
 
 
 def formats() -> dict[str, Any]:
-    """What can be written."""
+    """The formats that can be written."""
     from ..exchange.formats import FORMATS  # only here: the figure is on the page by now
 
     rows = [{"name": entry.name, "ending": entry.ending, "says": entry.says} for entry in FORMATS if entry.writes]

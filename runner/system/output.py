@@ -177,7 +177,7 @@ def _locked(handle: int) -> bool:
 
 
 def _older(target: Path) -> os.stat_result | None:
-    """What is there now, beyond links; None for nothing. Raises UserError for what cannot be looked at."""
+    """The present file, after resolving links; None if there is none. Raises UserError if it cannot be read."""
     try:
         return target.stat()
     except (FileNotFoundError, NotADirectoryError):

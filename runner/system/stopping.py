@@ -47,7 +47,7 @@ def code(otherwise: int) -> int:
 
 
 def _stop(number: int, frame: FrameType | None) -> None:
-    """As Ctrl-C: what is set for it where it must not interrupt, else KeyboardInterrupt."""
+    """Handle a signal like Ctrl-C: call its handler, or else raise KeyboardInterrupt."""
     global _received
     _received = number
     if number == getattr(signal, "SIGHUP", None):

@@ -71,7 +71,7 @@ FLUSH = 0.0005  # [m] that what is beside a sole may be below it
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """What a figure stands with, and on.
+    """The soles of a figure, and the surfaces that it stands on.
 
     points    of its soles;  surfaces  what it stands on and stays out of
     apart     its limbs are kept out of each other, too, which takes twice as long
@@ -112,7 +112,7 @@ class Ground:
 
 
 def ground_of(figure: Figure, qpos: Array) -> Ground:
-    """What a figure stands with and on, by poses (T, nq)."""
+    """The soles and surfaces of a figure, from poses (T, nq)."""
     sampled = qpos[:: max(1, len(qpos) // LOOKED_AT)]
     soles = tuple(rounded(figure, point) for point in sole_points(figure, sampled))
     return Ground(figure, soles, tuple(static_surfaces(figure.model)), bends=_bends(figure, sampled))

@@ -62,7 +62,7 @@ class Followed:
 
     @classmethod
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> Followed:
-        """What a motion followed, by where its search began: the recording, bent through the poses of keyframes."""
+        """The recording that a saved motion follows, from its raw path: the warped recording."""
         return cls(Recorded.of(figure, *_taken_down(Moving(figure, raw, RATE)), exact=True), raw.times, table, where)
 
     @property
@@ -86,7 +86,7 @@ class Followed:
         return (*(rest for rest in recorded_rests if not self._is_void(rest, edits, given)), *given)
 
     def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Rest]) -> Problem:
-        """What is to be solved, with these stances."""
+        """The problem to solve, with these stances."""
         near = Near(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
         unweighted = problem(near, ground, rests, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
@@ -189,7 +189,7 @@ def _taken_down(saved: Moving) -> tuple[Array, Array]:
 
 
 def _cut(time: Array, qpos: Array, said: RecordingTable, where: str) -> tuple[Array, Array]:
-    """What of the recording is used."""
+    """The used part of the recording."""
     first = time[0] if said.start is None else said.start
     last = time[-1] if said.end is None else said.end
     if not time[0] - ROUNDING <= first < last <= time[-1] + ROUNDING:

@@ -24,7 +24,7 @@ OPEN = {"m": 1e-3, "degrees": 0.1}  # what of a constraint is reported
 
 @dataclass(frozen=True)
 class Opening:
-    """How far a pose is from one equality constraint: `amount` in `unit`, "m" or "degrees"."""
+    """The violation of one equality constraint by a pose: `amount` in `unit`, "m" or "degrees"."""
 
     name: str
     amount: float
@@ -159,7 +159,7 @@ def _bare(model: mujoco.MjModel) -> mujoco.MjModel:
 
 
 def _openings(model: mujoco.MjModel, number: int, residual: Array) -> list[Opening]:
-    """What one constraint leaves open, in metres and degrees."""
+    """The violations of one constraint, in metres and degrees."""
     kinds, kind = mujoco.mjtEq, int(model.eq_type[number])
     name = model.equality(number).name or _between(model, number)
     if kind == int(kinds.mjEQ_WELD):

@@ -145,7 +145,7 @@ def _feet(figure: Figure, root: Root, points: Sequence[Point], qpos: Array) -> l
 
 
 def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, radii: Array) -> list[Point]:
-    """Those of one pose, where points are at places (3, n) [m]; none if what carries the figure is as low."""
+    """The feet in one pose, with points at positions (3, n) [m]; none if the trunk is as low."""
     links, bottom = arrays_of(points)[0], places[2] - radii
     height = float((places[2] + radii).max() - bottom.min())
     feet: list[Point] = []
@@ -162,7 +162,7 @@ def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, 
 
 
 def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
-    """Of a foot's points, whose bottoms are (n,) [m] high, those that touch a floor: round edges of it do not.
+    """The points of a foot, with bottoms (n,) [m] high, that touch a floor; not round edges of the foot.
 
     places  (2, N) [m] of all points on the floor;  height  [m] of the figure
     """
@@ -179,7 +179,7 @@ def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
 
 
 def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array) -> list[Point]:
-    """Of a foot's lowest points those that reach farthest to its four corners, each with a name of its own."""
+    """The lowest points of a foot that reach farthest to its four corners, each with a name."""
     angle = np.pi * (0.25 + 0.5 * np.arange(CORNERS)) + 0.05
     reach = places[:2, some].T @ np.array([np.cos(angle), np.sin(angle)])
     corners = sorted({int(some[i]) for i in reach.argmax(axis=0)})

@@ -147,7 +147,7 @@ def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: st
 
 
 def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal]:
-    """Where a body's origin, or a point in its axes, is to be, and how it is to be turned: at least one of the two."""
+    """Goals for the position of a body's origin, or of a point in its axes, and for its orientation: one or both."""
     goals: list[Goal] = []
     if table.position is not None:
         target = _target(table.position, where, "the position")
@@ -180,7 +180,7 @@ def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], where: s
 
 
 def _complaints(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed) -> list[str]:
-    """What is not met, and by how much: what misses by nothing beside the worst only makes room for that."""
+    """The goals that are missed, and by how much, without small misses that result from larger ones."""
     least = max(MET, BESIDE * found.worst)
     missing = [(goal, float(missed)) for goal, missed in zip(goals, found.missed, strict=True) if missed > least]
     return [_complaint(figure, key, goal, missed, found.starts) for goal, missed in missing]

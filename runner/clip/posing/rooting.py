@@ -82,7 +82,7 @@ def _tables(figure: Figure, row: KeyframeTable) -> list[tuple[Root, RootTable]]:
 
 
 def roots_by_name(figure: Figure) -> dict[str, Root]:
-    """What `roots.NAME` may name: free joints, and then bodies on a root of their own."""
+    """The names that `roots.NAME` accepts: free joints, and then bodies with a root of their own."""
     roots = roots_of(figure.model)
     out = {figure.links[root.link].name: root for root in roots if root.is_free}
     for root in roots:

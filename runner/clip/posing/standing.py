@@ -316,7 +316,7 @@ class _Seen:
         return (int(before[-1]) if before.size else None), (int(at + 1 + after[0]) if after.size else None)
 
     def _planted(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
-        """Where a sole point stands, see `_stays`. No spot if the keyframe sets its limb."""
+        """The stance position of a sole point, see `_stays`. None if the keyframe sets its limb."""
         return None if i >= len(self.soles) or self._is_set(self.points[i], k) else self._stays(i, k, near)
 
     def staying(self, k: int) -> Array:

@@ -30,7 +30,7 @@ def lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) ->
 
 
 def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None, RotationTable]]:
-    """What a keyframe turns, by its key: the link whose quaternion it sets, None for what a pose is found for."""
+    """The rotations of a keyframe, by key: the link whose quaternion it sets, None for a goal of a pose."""
     named = {link.name: i for i, link in enumerate(figure.links) if i}
     out: dict[str, tuple[int | None, RotationTable]] = {}
     roots = roots_by_name(figure) if row.roots else {}
@@ -49,7 +49,7 @@ def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None
 
 
 def _written(table: RotationTable) -> tuple[str, Array] | None:
-    """How a rotation is written, and its angles [degrees]; None for a quaternion, which has no turns to lose."""
+    """The notation of a rotation, and its angles [degrees]; None for a quaternion, which cannot lose turns."""
     if table.heading is not None and {"rotvec", "euler", "quat"}.isdisjoint(table.model_fields_set):
         return "heading", np.array([table.heading])
     if table.heading is None and table.rotvec is not None:
@@ -61,7 +61,7 @@ def _written(table: RotationTable) -> tuple[str, Array] | None:
 
 
 def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeline) -> Iterator[str]:
-    """Of one rotation, from each keyframe that gives it to the next."""
+    """Lost turns of one rotation, between the keyframes that give it."""
     last: tuple[int, str | None, Array] | None = None  # no notation at rest, which matches all
     for k, row in enumerate(rows):
         link, table = _rotations(figure, row).get(name, (None, None))
@@ -80,7 +80,7 @@ def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeli
 def _line(
     figure: Figure, name: str, link: int | None, pair: tuple[int, int], first: Array, last: Array, keys: Timeline
 ) -> str | None:
-    """What is lost between two keyframes, with places for the second one's number and time; None for nothing."""
+    """The note on lost turns between two keyframes, with placeholders for the second one; None for none."""
     step = last - first
     size = float(np.linalg.norm(step) if name.startswith("joints") and step.size == 3 else np.abs(step).max())
     if size <= HALF + SAME:

@@ -101,7 +101,7 @@ def _is_smpl(names: Iterable[str]) -> bool:
 
 
 def _arrays(path: Path) -> Held:
-    """What a file holds, of one motion."""
+    """The arrays of a file with one motion."""
     return held(path) if path.suffix.lower() == ".npz" else plain_pickle.one_motion(plain_pickle.load(path))
 
 

@@ -34,7 +34,7 @@ def write(take: Take, path: Path) -> None:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
-    """As a figure of its own, or on a figure whose bodies have like names.
+    """Read the file's skeleton, or its motion on a figure with similar body names.
 
     fps is unused: the files contain their rate. scale [m]: the file's unit of length, inferred if not given
     """
@@ -112,7 +112,7 @@ def _turned(q: Array) -> Array:
 
 
 def _end(model: mujoco.MjModel, body: int, rotation: Array) -> Array:
-    """Where a body ends: at its farthest site, or the middle of its farthest geom."""
+    """The end point of a body: its farthest site, or the middle of its farthest geom."""
     sites = model.site_pos[model.site_bodyid == body]
     points = sites if len(sites) else model.geom_pos[model.geom_bodyid == body]
     if not len(points):

@@ -91,7 +91,7 @@ def write(take: Take, path: Path) -> None:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
-    """As a figure of its own, or on a figure; fps [1/s] to sample it at, else its own rate; scale [m], its unit."""
+    """Read the file's skeleton, or its motion on a figure; fps [1/s] to resample; scale [m], its unit."""
     nodes, notes = gltf_file.read(path, fps)
     return recording(nodes.skeleton(), nodes.fps, path, model, scale, notes)
 
@@ -140,7 +140,7 @@ def _meshes(asset: gl.GLTF2, blob: _Blob, model: mujoco.MjModel, names: list[str
 
 
 def _placed(piece: Piece, part: Triangles) -> Triangles:
-    """From the geom's axes to its body's."""
+    """Transform from the geom's axes to its body's."""
     points = quat.rotated(piece.rotation, part.points) + piece.position
     return Triangles(points, quat.rotated(piece.rotation, part.normals), part.faces, part.texture)
 

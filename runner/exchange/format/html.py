@@ -46,7 +46,7 @@ def page(take: Take) -> str:
 
 
 def content(take: Take) -> dict[str, Any]:
-    """What the page plays; lengths in metres, z up, quaternions xyzw, times from 0."""
+    """The page's data; lengths in metres, z up, quaternions xyzw, times from 0."""
     model, start = take.model, float(take.time[0])
     raw = sampled(take.figure, take.saved.raw, take.fps)
     before = Bodies.of(model, raw.qpos, raw.qvel)

@@ -63,7 +63,7 @@ def write(take: Take, path: Path) -> None:
 
 
 def _of_data(model: mujoco.MjModel, qpos: Array, qvel: Array) -> dict[str, Array]:
-    """What MuJoCo makes of every sample, by name."""
+    """MuJoCo's derived quantities of every sample, by name."""
     data = mujoco.MjData(model)
     out = {name: np.zeros((len(qpos), *getattr(data, name).shape)) for name in OF_DATA}
     for t in range(len(qpos)):

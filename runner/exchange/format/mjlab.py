@@ -87,7 +87,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 
 def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[tuple[str, ...], int]:
-    """Which of the recorded bodies may be the root."""
+    """The recorded bodies that may be the root."""
     figure_root = root_of(model)
     root = "" if figure_root is None else model.body(figure_root.body).name
     out: dict[tuple[str, ...], int] = {(): 0}

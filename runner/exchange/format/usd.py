@@ -55,7 +55,7 @@ def write(take: Take, path: Path) -> None:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
-    """As a figure of its own, or on a figure; fps [1/s] to sample it at, else its own rate; scale [m], its unit."""
+    """Read the file's skeleton, or its motion on a figure; fps [1/s] to resample; scale [m], its unit."""
     nodes, notes = usd_file.read(path, fps, scale)
     return recording(nodes.skeleton(), nodes.fps, path, model, scale, notes)
 
@@ -159,7 +159,7 @@ def _bind(
     looks: dict[tuple[object, ...], UsdShade.Material],
     scope: Usd.Prim,
 ) -> None:
-    """Its colour, in linear light, and a material shared by bodies of equal colour; a texture counts as one colour."""
+    """Bind a colour, linear, as a material shared by bodies of equal colour; a texture counts as one colour."""
     shown = piece.colour[:3] * (texels(model, piece.picture).mean(axis=(0, 1)) / 255 if piece.picture >= 0 else 1.0)
     colour, opacity = Gf.Vec3f(*linear(shown).tolist()), float(piece.colour[3])
     prim.CreateDisplayColorAttr(Vt.Vec3fArray([colour]))

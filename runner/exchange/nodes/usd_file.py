@@ -24,7 +24,7 @@ FEWEST = 2  # samples of a motion
 
 
 def read(path: Path, fps: float | None, scale: float | None) -> tuple[Nodes, tuple[str, ...]]:
-    """What moves on a stage, y up, and notes on what was chosen.
+    """Read the moving parts of a stage, y up, and notes on the choices made.
 
     fps [1/s], else the stage's own rate; scale [m], the unit that the user names, else lengths are turned to metres.
     Raises UserError for a stage on which nothing moves, or one that refers to other files.

@@ -100,7 +100,7 @@ class _Unpickler(InPython):
             unfinished.value = unfinished.value.read(self.stream, _Unpickler(self.stream, self.size, self.where).load)
 
     def load_bytearray8(self) -> None:
-        """As in Python, but without making room for bytes that are not there."""
+        """As in Python, without allocating memory for missing bytes."""
         self.append(bytearray(self.read(int.from_bytes(self.read(8), "little"))))
 
 

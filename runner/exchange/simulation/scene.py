@@ -119,7 +119,7 @@ class Simulation:
         return cls(root, model, actuators, targets(take, model, actuators), tuple(notes))
 
     def with_timestep(self, timestep: float) -> Simulation:
-        """The same scene with another time step [s]."""
+        """Return the same scene with another time step [s]."""
         root, model = copy.deepcopy(self.root), copy.copy(self.model)
         option = root.find("option")
         option = ElementTree.SubElement(root, "option") if option is None else option

@@ -175,7 +175,7 @@ def _depths(simulation: Simulation, take: Take, deepest: float = DEEP) -> list[s
 
 
 def _aloft(simulation: Simulation, take: Take) -> list[str]:
-    """How far above the ground a figure with a free root begins."""
+    """The initial height of a figure with a free root above the ground."""
     model, data = simulation.model, mujoco.MjData(simulation.model)
     root, still = take.figure.root, solids(take.model)
     if root is None or not root.is_free or not still:
@@ -191,7 +191,7 @@ def _aloft(simulation: Simulation, take: Take) -> list[str]:
 
 
 def _reasons(tracking: Tracking, simulation: Simulation, take: Take) -> list[str]:
-    """What there is to see in the motion that no actuators make up for."""
+    """Reasons in the motion that actuators cannot compensate."""
     model, out = simulation.model, _depths(simulation, take) or _aloft(simulation, take)
     data = started(model, take, simulation.control)
     with quietly():
@@ -234,7 +234,7 @@ def _exceeded(model: mujoco.MjModel, take: Take) -> list[str]:
 
 
 def _tested(before: Tracking, simulation: Simulation, take: Take) -> list[str]:
-    """What the scene follows its motion without: contacts or large time steps."""
+    """The changes without which the scene follows its motion: contacts or large time steps."""
     model = copy.copy(simulation.model)
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     if tracked(replace(simulation, model=model), take).is_within:

@@ -33,7 +33,7 @@ NUMBERED = re.compile(r"^(.*?)[\W_]*([0-9]+)\W*$")
 
 @dataclass(frozen=True)
 class Columns:
-    """Where the components of qpos are in a table.
+    """The columns of the components of qpos in a table.
 
     places  of each component of qpos, and its factor to metres or radians; clock: of the times, and to seconds
     is_numbered  whether columns were only numbered, so that their order is the file's
@@ -125,7 +125,7 @@ def _words(name: str) -> list[str]:
 def _aliases(
     model: mujoco.MjModel, wanted: Sequence[str], columns: Sequence[tuple[int, str]], where: object
 ) -> dict[str, int]:
-    """Where columns with other names than ours are; raises UserError where two could be one component."""
+    """Columns by other programs' names; raises UserError for ambiguous ones."""
     root = root_of(model)
     out: dict[str, int] = {}
 

@@ -48,7 +48,7 @@ class Table:
 
 @dataclass(frozen=True)
 class Dialect:
-    """How a table is written."""
+    """The notation of a table."""
 
     separator: str
     has_decimal_comma: bool = False
@@ -112,7 +112,7 @@ def table(path: Path) -> Table:
 
 
 def _cut(rows: Rows, numbers: list[list[float | None]], *, is_ended: bool) -> str | None:
-    """How the last row is incomplete; None if it is complete, or damaged in another way than by a cut."""
+    """The defect of an incomplete last row; None if it is complete, or damaged otherwise."""
     last, values, width = rows[-1], numbers[-1], len(rows[0])
     if len(last) > width or None in values[:-1] or (values[-1] is None and not BEGINNING.fullmatch(last[-1])):
         return None

@@ -62,7 +62,7 @@ def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
 
 
 def _found(tree: Blocks, kind: str, index: int) -> Any:
-    """Its table; raises UserError if there is none."""
+    """The table of an obstacle; raises UserError if there is none."""
     if kind == "step":
         table = tree.table("scene", "step")
     else:

@@ -36,7 +36,7 @@ def _turned(value: Any, what: str) -> Any:
 
 
 def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = None, joint: str = "") -> str:
-    """Where the root is, each axis a number [m] or "free", and how it is turned; further free bodies by their joint."""
+    """Set the root's position, each axis a number [m] or "free", and its rotation; further free bodies by joint."""
     table = row(tree, "keyframe", key)
     parts = {"position": position, "rotation": rotation}
     entries = {part: value for part, value in parts.items() if value is not None}
@@ -46,7 +46,7 @@ def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = No
 
 
 def _put_body(table: Any, joint: str, said: Mapping[str, Any]) -> None:
-    """Where a free body is and how it is turned: the root, or that of a joint."""
+    """Set the position and rotation of a free body: the root, or that of a joint."""
     what = joint or "the root"
     for part, value in said.items():
         value = _axes(value, f"{what}'s position") if part == "position" else _turned(value, f"{what}'s rotation")
@@ -92,7 +92,7 @@ def set_pose(
 
 
 def set_place(tree: Blocks, *, key: int, site: str, position: Any) -> str:
-    """Where a hand, a foot or another point is to be [m], for which a pose is found; None to let it go."""
+    """Set the target position [m] of a hand, a foot or another point; None to remove it."""
     table = row(tree, "keyframe", key)
     if position is None:
         drop_dotted(table, "sites", site)
@@ -102,7 +102,7 @@ def set_place(tree: Blocks, *, key: int, site: str, position: Any) -> str:
 
 
 def set_others(tree: Blocks, *, key: int, value: str) -> str:
-    """What a keyframe does not name: "free", "rest", "hold" as in the one before, or "key:NAME" as in the model."""
+    """Set the rule for unspecified joints: "free", "rest", "hold" (as in the keyframe before), or "key:NAME"."""
     if value not in ("free", "rest", "hold") and not value.startswith(KEY):
         raise UserError(f"others: 'free', 'rest', 'hold' or 'key:NAME', not '{value}'")
     table = row(tree, "keyframe", key)

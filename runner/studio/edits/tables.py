@@ -41,7 +41,7 @@ class Block:
 
     @property
     def table(self) -> Any:
-        """Its entries, to be changed."""
+        """The editable entries."""
         if self.tree is None:
             self.tree = tomlkit.parse(self.text)
         node: Any = self.tree
@@ -50,7 +50,7 @@ class Block:
         return node[0] if isinstance(node, AoT) else node
 
     def written(self) -> str:
-        """Its text as it is by now."""
+        """The present text."""
         if self.tree is None:
             return self.text + self.ending
         text = self.tree.as_string()

@@ -111,7 +111,7 @@ def _heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
 
 
 def _by_term(clip: Clip, found: Solution, time: Array) -> list[dict[str, Any]]:
-    """Of every term what it adds to E a second, between frames."""
+    """The contribution of every term to E per second, between frames."""
     objective, edges = clip.problem.objective, found.timeline.times
     by_term: dict[str, dict[str, list[float]]] = {}
     for side, timeline in (("after", found.timeline), ("before", found.raw)):
