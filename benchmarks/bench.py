@@ -46,7 +46,7 @@ class Effort:
     tell: Callable[[str], None] = print
 
     def count(self, full: int, quick: int) -> int:
-        """How many sets of keyframes, or what else there is to count."""
+        """The number of key sets, or of other items to measure."""
         return quick if self.quick else full
 
     @property
@@ -107,7 +107,7 @@ def dynsplines(*arguments: str) -> list[str]:
 
 
 def seconds(work: Callable[[], Any]) -> tuple[float, Any]:
-    """How long a piece of work takes [s], and what it gives."""
+    """The duration of a call [s], and its result."""
     begin = time.perf_counter()
     result = work()
     return time.perf_counter() - begin, result

@@ -20,12 +20,12 @@ from dynsplines.solver import Improvement, Solution, StopSearch, inbetween
 
 
 def solve(problem: clips.Clip) -> Solution:
-    """What `dynsplines solve` calls, every penalty, subdivision included."""
+    """The work of `dynsplines solve`, with every penalty and subdivision."""
     return inbetween(problem.problem)
 
 
 def first_told() -> float:
-    """From starting `dynsplines solve` to its first line about an improvement [s]; it is stopped then."""
+    """Time from starting `dynsplines solve` to its first line on an improvement [s]; it is stopped then."""
     with tempfile.TemporaryDirectory() as folder:
         command = dynsplines("solve", CLIP, "-o", str(Path(folder) / "motion.npz"))
         begin = time.perf_counter()
@@ -41,7 +41,7 @@ def first_told() -> float:
 
 
 def first_better() -> float:
-    """From starting a process to the first path that is better than the raw one [s], in `inbetween`'s callback."""
+    """Time from starting a process to the first path better than the raw one [s], in `inbetween`'s callback."""
     begin = time.time()
     command = [sys.executable, str(Path(__file__).resolve()), repr(begin)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)

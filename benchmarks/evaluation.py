@@ -22,7 +22,7 @@ REPEATS, IN_A_ROW = (20, 3), 10
 
 
 def coarse(raw: Timeline) -> Timeline:
-    """As many variable frames as 100 uniform samples allow: four samples in the shortest span."""
+    """A timeline with as many variable frames as 100 uniform samples allow: four samples in the shortest span."""
     shortest = LEAST_PER_SPAN * (raw.times[-1] - raw.times[0]) / SAMPLES
     path = Path(Spline(raw.times, raw.ends), np.asarray(raw.rows))
     times = [np.linspace(a, b, max(int((b - a) / shortest + 1e-9), 1) + 1)[1:-1] for a, b in pairwise(raw.times)]
@@ -48,7 +48,7 @@ def mujoco_loop(objective: Objective, path: Path, t: np.ndarray) -> Callable[[],
 
 
 def in_a_row(work: Callable[[], object]) -> None:
-    """As a search does it: with what it needs in cache but for the first time."""
+    """Evaluate repeatedly, as a search does: with warm caches except for the first time."""
     for _ in range(IN_A_ROW):
         work()
 

@@ -73,7 +73,7 @@ def recordings(effort: Effort, folder: Path) -> Iterator[Path]:
 
 @dataclass(frozen=True, eq=False)
 class Goal:
-    """What both are to come near: places of the recording's hands and feet, scaled by the length of the legs.
+    """The targets of both programs: positions of the recording's hands and feet, scaled by the length of the legs.
 
     bodies  of the figure by role; place {role: (T, 3)} [m], turn {role: (T, 4)} at the times t (T,) of the samples
     """

@@ -118,7 +118,7 @@ class Seen:
 
 
 def score(motion: Motion, kept: NDArray[np.intp], qpos: Array) -> dict[str, float]:
-    """How far a filled-in motion is from the true one between keyframes.
+    """The error of a reconstructed motion between keyframes.
 
     rot [degrees] of a joint but the root; ee [cm] of hands and ankles; deepest sole point [cm]; skate [cm/s] of sole
     points that rest in the true motion; npss, the distance of the power spectra (Gopalakrishnan et al., CVPR 2019)

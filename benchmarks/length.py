@@ -54,7 +54,7 @@ def looped(count: int) -> clips.Clip:
 
 
 def _shift(problem: clips.Clip, stride: tuple[Frame, ...]) -> float:
-    """How far a stride goes [m]: from the left heel of its first stance to where the last keyframe puts it down."""
+    """The length of a stride [m]: from the left heel's first stance to its position in the last keyframe."""
     figure = problem.figure
     states = np.array([figure.to_state(stride[i].state) for i in (0, -1)])
     heel = places_of(site_points(figure, ["left_heel"]), Samples(figure, states, 0 * states, 0 * states))[0]

@@ -80,7 +80,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a mutant, after how long [s], and the tests that were tried."""
+    """The verdict on a mutant, its duration [s], and the tests that were run."""
 
     path: str
     line: int
@@ -205,7 +205,7 @@ def _public(path: str) -> set[str]:
 
 
 def _uses(file: Path, module: str, public: set[str]) -> int:
-    """How often a file of tests calls by name what it imports from a module, itself or through what tests share."""
+    """Calls in a test file of the names that it imports from a module, directly or by shared test code."""
     words = Counter(n.id for n in ast.walk(_parsed(file)) if isinstance(n, ast.Name))
     calls = 0
     for source, name, called in _imports(file):
@@ -225,7 +225,7 @@ def _parsed(file: Path) -> ast.Module:
 
 @cache
 def _imports(file: Path) -> frozenset[tuple[str, str, str]]:
-    """What a file imports, and what the files of tests/support import that it does: module, name, name in the file."""
+    """The imports of a file, and of the files of tests/support that it imports: module, name, local name."""
     imports: set[tuple[str, str, str]] = set()
     for node in ast.walk(_parsed(file)):
         if isinstance(node, ast.ImportFrom) and node.module:
@@ -339,7 +339,7 @@ def judged(mutant: Mutant, seconds: float, *, whole: bool = False) -> Outcome:
 
 
 def _without_shrinking() -> None:
-    """That a test fails is enough; the smallest example takes minutes."""
+    """Disable shrinking: a failure suffices, and the smallest example takes minutes."""
     from hypothesis import Phase, settings
 
     settings.register_profile("mutations", phases=[Phase.explicit, Phase.generate], database=None)

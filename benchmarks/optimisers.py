@@ -26,12 +26,12 @@ CLOSE, LONGEST = 1.01, 2.0
 
 
 def solve(problem: clips.Clip, method: str) -> Solution:
-    """What `dynsplines solve` calls, by one optimiser."""
+    """The work of `dynsplines solve`, with one optimiser."""
     return inbetween(replace(problem.problem, settings=replace(problem.settings, optimiser=method)))
 
 
 def gone_on(motion: Solution, method: str) -> tuple[float, float]:
-    """From the end of a solve, on the same frames: what share of E goes [%], and in what time [s]."""
+    """Continue after a solve, on the same frames: the decrease of E [%], and its duration [s]."""
     descent = Descent(motion.objective, motion.timeline)
     before = descent.problem(descent.problem.unknowns.start).value
     begin = time.perf_counter()

@@ -37,7 +37,7 @@ FAR = 0.5  # [m]
 
 @dataclass(frozen=True)
 class Seen:
-    """How violent a motion is.
+    """Measures of a motion's violence.
 
     peak      [rad/s²] the largest angular acceleration of a joint, and the link that it turns
     farthest  [m] a link's origin from its place on the raw spline at the same time, and which link's
@@ -68,7 +68,7 @@ def _apart(a: Samples, b: Samples) -> Array:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of one set of keyframes.
+    """The result for one set of keyframes.
 
     ratio    its peak beside the shipped clip's
     parts    the terms of E by name
@@ -144,12 +144,12 @@ def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Cl
 
 
 def solved(clip: clips.Clip) -> Solution:
-    """As `dynsplines solve` does it."""
+    """Solve as `dynsplines solve` does."""
     return inbetween(clip.problem)
 
 
 def outcome(clip: clips.Clip, seed: int, peak: float) -> Outcome:
-    """Of one set, beside the shipped clip's own peak [rad/s²]."""
+    """The result for one set, relative to the shipped clip's peak [rad/s²]."""
     other = perturbed(clip, seed)
     spent, motion = seconds(lambda: solved(other))
     measured, parts, dropped = (

@@ -82,7 +82,7 @@ def adaptive(found: Track, least: float) -> tuple[float, float, float]:
 
 
 def uniform_need(found: Track, least: float) -> float:
-    """How many variable frames in all, as many in every segment, reach 1.00002 (infinite: not with 8 a segment)."""
+    """The total number of uniform variable frames for 1.00002 (infinite: more than 8 a segment)."""
     for variable in range(1, MOST_UNIFORM + 1):
         if energy(evenly(found, variable).path) / least <= GOAL:
             return variable * (KEYFRAMES - 1)

@@ -68,7 +68,7 @@ class Truth:
 
 
 def truths(effort: Effort) -> Iterator[Truth]:
-    """Those of the folder, or those that ship."""
+    """The true motions: those of the folder, or the shipped ones."""
     folder = os.environ.get("DYNSPLINES_TRUTH")
     if folder is not None:
         for file in sorted(Path(folder).glob("*.npz")):
@@ -157,7 +157,7 @@ def soles(figure: Figure, ground: Ground, states: Array) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class Score:
-    """What came of one recording."""
+    """The result for one recording."""
 
     before: float
     after: float
@@ -243,13 +243,13 @@ def _runs(row: Mask) -> list[tuple[int, int]]:
 
 
 def _hits(true: Mask, said: Mask, least: int) -> tuple[int, int]:
-    """How many true stances are found for half of their time at least, and how many there are."""
+    """The number of true stances detected for at least half of their duration, and their total."""
     every = [(i, a, b) for i, row in enumerate(true) for a, b in _runs(row) if b - a >= least]
     return sum(said[i, a:b].mean() >= 0.5 for i, a, b in every), len(every)
 
 
 def _false(true: Mask, said: Mask) -> tuple[int, int]:
-    """How many of the stances found are more than two images off a true one for half of their time; and how many."""
+    """Detected stances more than two samples off a true one for half of their duration, and the total."""
     near = true.copy()
     for late in range(1, ABOUT + 1):
         near[:, late:] |= true[:, :-late]

@@ -58,7 +58,7 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
 
 
 def _bare(saved: Any, look: Any, images: int, target: Path) -> None:
-    """What a MuJoCo user would write: two pictures side by side from a camera that goes along, into a pyav writer."""
+    """A minimal implementation with MuJoCo: two pictures side by side, a moving camera, and a pyav writer."""
     import imageio.v3 as iio
     import mujoco
     import numpy as np

@@ -179,7 +179,7 @@ def _turned_hinge(model: mujoco.MjModel) -> str:
 
 
 def measured(arrays: Path) -> dict[str, float]:
-    """What MuJoCo measures of an exported motion, by the names of BOUNDS."""
+    """MuJoCo's measurements of an exported motion, by the names of BOUNDS."""
     with np.load(arrays) as archive:
         qpos, mjcf = archive["qpos"], str(archive["mjcf"])
         files = {key: archive[key] for key in archive.files}
@@ -216,7 +216,7 @@ def _assets(arrays: dict[str, np.ndarray]) -> dict[str, bytes]:
 
 
 def simulated(scene: Path) -> str:
-    """How far [rad], [m] a scene is from its key after a second of mj_step; or why it does not load."""
+    """The deviation [rad], [m] of a scene from its key after a second of mj_step; or why it does not load."""
     try:
         model = mujoco.MjModel.from_xml_path(str(scene))
     except ValueError as error:

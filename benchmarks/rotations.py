@@ -88,7 +88,7 @@ def acceleration_energy(times: Array, acceleration: Callable[[Array], Array]) ->
 
 
 def sampled_energy(times: Array, orientation: Callable[[Array], Array], steps: int = 400) -> float:
-    """The same of a curve that gives only unit quaternions, by central differences inside every segment."""
+    """The same for a curve of unit quaternions only, by central differences within every segment."""
     total = 0.0
     for a, b in pairwise(times):
         h = (b - a) / steps
@@ -116,7 +116,7 @@ def exact_energy(found: Track) -> float | None:
 
 
 def exact_energy_from(found: Track, path: Path) -> float | None:
-    """The same from our path's own rates: the exact path in the winding class that ours is in."""
+    """The same from the rates of our path: the exact path in its winding class."""
     keys = quat.normalised(path.at(found.times))
     with np.errstate(all="ignore"):
         return _closed_energy(found.times, keys, np.array([_rates(path, a, b) for a, b in pairwise(found.times)]))

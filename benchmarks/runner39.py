@@ -409,7 +409,7 @@ def _refined(runner: Runner, end: Path, settings: Settings) -> Path:
 
 
 def methods(runner: Runner, unknowns: Unknowns, effort: Effort) -> tuple[dict[str, Callable], dict[str, float]]:
-    """What is run in turn, and how long each took to build [s]."""
+    """The methods to run alternately, and the duration of building each [s]."""
     least = LeastSquares(runner, unknowns)
     works: dict[str, Callable[[], list[Iterate]]] = {"ours": lambda: ours(runner)}
     building: dict[str, float] = {}

@@ -120,7 +120,7 @@ class Soak:
         return program.poll() is None and self.done < until
 
     def without_room(self) -> str:
-        """The same command while the disk fills up; its last words."""
+        """Run the same command while the disk fills up; its last line."""
         ballast = self.out / "ballast"
         program = self.started(subprocess.PIPE)
         before = self.done
@@ -153,7 +153,7 @@ class Soak:
         return time.monotonic() - begin
 
     def grown(self, column: int) -> float:
-        """How much more memory the last quarter of the watched clips took than the first, in percent."""
+        """The growth of memory from the first quarter of the watched clips to the last, in percent."""
         first = self.memory[0][0]
         part = [(row[0] - first) / max(self.count - first, 1) for row in self.memory]
         early = [row[column] for row, at in zip(self.memory, part, strict=True) if STARTING < at < 0.25]
@@ -161,7 +161,7 @@ class Soak:
         return 100 * (median(late) / median(early) - 1)
 
     def verdict(self) -> dict[str, int]:
-        """What is missing, twice, damaged, or should not be there."""
+        """The number of missing, duplicate, damaged and foreign outputs."""
         from dynsplines import motion
 
         lines = (self.out / "manifest.jsonl").read_bytes().splitlines()[1:]

@@ -30,7 +30,7 @@ WAYS = ("exact from ours", "exact from refined", "exact", "refined")
 
 
 def of_set(found: Track, module: Any) -> dict[str, Any]:
-    """What both made of one set: times [s], energies, and whether ours is confirmed."""
+    """The results of both programs for one set: times [s], energies, and whether ours is confirmed."""
     row: dict[str, Any] = {"kind": found.kind, "keyframes": len(found.keys), "seed": found.seed}
     if module is not None:
         row |= _theirs(found, module)

@@ -24,7 +24,7 @@ TINY = 1e-300  # a slope that does not rise
 
 
 class Unsupplied(NamedTuple):
-    """What is left of w (n, S): rest r (n, S), the edges' shares λ (K, S) and value E (S,)."""
+    """The unsupplied part of w (n, S): residual r (n, S), the edges' shares λ (K, S) and value E (S,)."""
 
     rest: Array
     shares: Array

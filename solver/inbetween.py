@@ -110,7 +110,7 @@ def hard_ranges(penalties: Sequence[tuple[Penalty, float]]) -> tuple[Range, ...]
 
 @dataclass(frozen=True, eq=False)
 class _End:
-    """How a round ended: its timeline, and why it stopped."""
+    """The end of a round: its timeline, and the reason for stopping."""
 
     timeline: Timeline
     stop: Stop
@@ -223,7 +223,7 @@ class _Loop:
         return selected
 
     def _starts(self, timeline: Timeline) -> list[Callable[[], Timeline]]:
-        """Where searches begin, one after the other: two, and two more."""
+        """The initial guesses of searches, in order: two, and two more."""
         figure = self.objective.figure
         starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
         if self.settings.max_evaluations == 1:

@@ -30,7 +30,7 @@ THRESHOLD, MOST_EVALUATIONS, TOLERANCE = 1e-3, 250, 1e-5
 
 @dataclass(frozen=True)
 class Settings:
-    """How the search goes.
+    """Settings of the search.
 
     variable         variable frames in every segment between keyframes to begin with; None: 2, and 3 in a clip so long
                      that it is solved window by window, where more rounds would take too long

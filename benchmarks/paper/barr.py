@@ -88,7 +88,7 @@ class Discrete:
         return optimize.minimize(self, x, jac=True, method="SLSQP", constraints=[constraint], options=options).x
 
     def by_newton(self) -> Array:
-        """The same by Newton's steps with exact sparse second derivatives, as one would write it today."""
+        """The same by Newton's method with exact sparse second derivatives, as a present-day implementation."""
         x = self.start[self.free].ravel()
         multiplier = np.zeros(x.size // 4)
         for _ in range(30):

@@ -18,7 +18,7 @@ SAME_TIME = 1e-9  # [s] a frame so near to a cut is the cut
 
 
 def retimed(timeline: Timeline, speed: float) -> Timeline:
-    """The same path, `speed` times as fast, from the same time on: y(t₀ + (t − t₀) · speed)."""
+    """Return the same path at `speed` times the speed, from the same start: y(t₀ + (t − t₀) · speed)."""
     if not (np.isfinite(speed) and speed > 0):
         raise TimelineError(f"speed must be a number above 0, not {speed:g}")
     # below a loop's states stand the jumps of y' and y'' at its seam

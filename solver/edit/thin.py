@@ -45,7 +45,7 @@ CLOSELY = 0.25  # of the bound is what a standing end of a limb may be off
 
 @dataclass(frozen=True)
 class Bound:
-    """How far the in-between may be off: distance [m] of any body's origin or site, angle [rad] of any link."""
+    """The error bound: distance [m] of a body's origin or site, angle [rad] of a link."""
 
     distance: float
     angle: float
@@ -66,7 +66,7 @@ class Worst:
 
 @dataclass(frozen=True, eq=False)
 class Recorded:
-    """What is to be kept: configurations qpos (S, nq) at rising times (S,) [s], and the bound."""
+    """The motion to approximate: configurations qpos (S, nq) at rising times (S,) [s], and the bound."""
 
     figure: Figure
     times: Array
@@ -78,7 +78,7 @@ class Recorded:
 
     @cached_property
     def points(self) -> tuple[tuple[str, ...], Index, Array]:
-        """What is looked at: names, links (n,), and places (3, n) [m] in the links.
+        """The points compared: names, links (n,), and positions (3, n) [m] in the links.
 
         Origins of the moving bodies, the sites on them, and the tips of limbs that end without a site.
         """
@@ -99,7 +99,7 @@ class Recorded:
         return on_links(places, links, len(self.figure.links))
 
     def _seen(self, states: Array) -> tuple[Array, Array]:
-        """Where the points are (3, n, S) and how the links are turned (4, L, S), unit, of states (S, N)."""
+        """Positions of the points (3, n, S) and orientations of the links (4, L, S), unit, for states (S, N)."""
         links = LinkMotion(States(self.figure, states, states, states))
         turned = links.Q / np.sqrt(links.length_squared)
         return links.x.take(self.points[1], axis=1) + links.fixed(self._weights), turned
@@ -222,7 +222,7 @@ class Recorded:
 
 @dataclass(frozen=True, eq=False)
 class Thinned:
-    """What is left: the instants kept, and the in-between through them."""
+    """The result: the selected instants, and the in-between through them."""
 
     kept: tuple[int, ...]
     timeline: Timeline

@@ -21,7 +21,7 @@ from .kinematics import LinkMotion, Samples
 
 @dataclass(frozen=True)
 class BodyForces:
-    """What keeps each link moving as it does: force [N] and torque [N m] about its centre of mass (appendix A).
+    """Force [N] and torque [N m] about the centre of mass that produce each link's motion (appendix A).
 
     force   (3, L, S) m (a − g), the force on the link without its weight; world axes
     torque  (3, L, S) L' = ω × Iω + I ω'; world axes

@@ -126,7 +126,7 @@ def _add_armature(samples: Samples, out: Array) -> None:
 
 
 class _Links:
-    """What links are made of, about an origin that stands still: (..., L, S) each.
+    """Inertial quantities of links about a fixed origin: (..., L, S) each.
 
     Changes are (3, 3, R, n, S): by order and component of φ or ψ, of R = 3 rows of force and 3 of moment.
 
@@ -206,7 +206,7 @@ class _Links:
         return change
 
     def shifted(self, joint: Index) -> Array:
-        """The same for shifts by ψ."""
+        """The same for translations by ψ."""
         change, mass, lever = self._empty(joint.size), *self._levers(joint)
         change[2, range(3), range(3)] = mass
         change[2, :, 3:] = -_crossed(lever)
@@ -306,14 +306,14 @@ def _pairs(links: _Links, moves: _Turns | _Shifts) -> Iterator[tuple[Index, Inde
 
 
 def _runs(mask: Mask, most: int) -> Iterator[tuple[Index, Index]]:
-    """Where a mask holds, rows and columns, so many at a time."""
+    """Rows and columns where a mask holds, in chunks."""
     row, column = np.nonzero(mask)
     for first in range(0, row.size, most):
         yield row[first : first + most], column[first : first + most]
 
 
 def _anchors(motion: LinkMotion) -> Array:
-    """Where joints turn, with two derivatives, (3, 3, L, S)."""
+    """Anchors of the joints, with two derivatives, (3, 3, L, S)."""
     places = np.array([motion.x, motion.x_d, motion.x_dd])
     if motion.hang is not None:
         places += np.array([motion.hang, cross(motion.omega, motion.hang), applied(motion.swing, motion.hang)])

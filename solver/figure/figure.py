@@ -201,7 +201,7 @@ def _upright(links: tuple[Link, ...]) -> Mask:
 
 
 def joint_names(model: mujoco.MjModel) -> list[str]:
-    """What every joint is called: by its own name, else its body's; of several that have none, `body_1` and so on.
+    """The names of all joints: the joint's, else its body's; `body_1` and so on for several unnamed ones.
 
     A name that is taken already gives way to the joint's number.
     """
@@ -210,7 +210,7 @@ def joint_names(model: mujoco.MjModel) -> list[str]:
 
 
 def names_of_joints(given: Sequence[str], bodies: Sequence[tuple[str, int]]) -> list[str]:
-    """What joints are called whose own names are given, "" for none, body by body: its name, and how many it has."""
+    """The names of joints with given names, "" for none, by body: its name, and its number of joints."""
     names, used, first = list(given), set(given), 0
     for called, count in bodies:
         nameless = [j for j in range(first, first + count) if not names[j]]

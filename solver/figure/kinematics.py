@@ -252,12 +252,12 @@ class LinkMotion:
 
     @cached_property
     def anchor(self) -> Array:
-        """Where each link's joint turns, (3, L, S)."""
+        """The anchor of each link's joint, (3, L, S)."""
         return self.x if self.hang is None else self.x + self.hang
 
     @cached_property
     def anchor_velocity(self) -> Array:
-        """How fast each link's joint moves, (3, L, S)."""
+        """The velocity of each link's joint anchor, (3, L, S)."""
         return self.x_d if self.hang is None else self.x_d + cross(self.omega, self.hang)
 
     @cached_property

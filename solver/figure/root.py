@@ -153,7 +153,7 @@ class _Tree:
         return any(low[end] <= ground and self._joints_to(end) >= LEG for end in np.flatnonzero(self.bodies).tolist())
 
     def _joints_to(self, body: int) -> int:
-        """How many joints of limbs lie between the root and a body."""
+        """The number of limb joints between the root and a body."""
         count, model = 0, self.model
         while body:
             first = int(model.body_jntadr[body])

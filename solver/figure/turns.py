@@ -152,7 +152,7 @@ def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index
 
 
 def add_rows_of_shifts(samples: Samples, links: Index, changes: Array, row: Index, out: Array) -> None:
-    """The same for shifts along the world's axes, of slides and free joints."""
+    """The same for translations along the world's axes, of slides and free joints."""
     tables, motion, (place, _) = samples.figure.tables, samples.links, places(samples.figure)
     for free, columns in zip(tables.free_links, tables.position_columns.T, strict=True):
         for run in chosen(links == free):
@@ -168,7 +168,7 @@ def add_rows_of_shifts(samples: Samples, links: Index, changes: Array, row: Inde
 
 
 def chosen(mask: Mask) -> Iterator[Index | slice]:
-    """Where a mask holds, if it does anywhere: all of it as a slice, which copies nothing."""
+    """The indices where a mask holds, if any: all of it as a slice, which avoids a copy."""
     if mask.all() and mask.size:
         yield slice(None)
     elif mask.any():

@@ -54,7 +54,7 @@ class Wrenches:
 
     @property
     def orders(self) -> int:
-        """How many of y, y', y'' the rows depend on."""
+        """The number of orders of y, y', y'' that the rows depend on."""
         if self.torque_dd is not None:
             return 3
         return 1 if self.force_d is None and self.torque_d is None else 2
@@ -66,7 +66,7 @@ class Wrenches:
 
     @property
     def vectors(self) -> dict[str, Array]:
-        """Those that are given, by name."""
+        """The vectors that are not None, by name."""
         return {name: part for name in VECTORS if (part := getattr(self, name)) is not None}
 
     def scaled(self, factor: Array) -> Wrenches:
@@ -136,14 +136,14 @@ def _facts(figure: Figure) -> tuple[Index, Index]:
 
 
 def of_point(at: Index, link: Index, arm: Array, direction: Array) -> Wrenches:
-    """Of direction · p, points p at arms (3, P) from their links' origins."""
+    """Wrenches of direction · p, for points p with offsets (3, P) from their links' origins."""
     return Wrenches(at, link, direction, cross(arm, direction))
 
 
 def of_velocity(
     samples: Samples, at: Index, link: Index, arm: Array, direction: Array, turning: Array | None = None
 ) -> Wrenches:
-    """Of direction · (x' + ω × arm), velocities of matter at arms (3, P).
+    """Wrenches of direction · (x' + ω × arm), for velocities of material points with offsets (3, P).
 
     turning  (3, P) what of the arms turns with the links, all of them unless it is given
     """
@@ -152,7 +152,7 @@ def of_velocity(
 
 
 def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
-    """Of small turns about axes (3, P)."""
+    """Wrenches of small rotations about axes (3, P)."""
     return Wrenches(at, link, None, axis)
 
 
@@ -162,7 +162,7 @@ def along_axes(at: Index, link: Index) -> tuple[Index, Index, Array]:
 
 
 def every_axis(links: Index, count: int) -> tuple[Index, Index, Array]:
-    """The same of vectors (3, n, S) of some links at so many samples."""
+    """The same for the components of vectors (3, n, S) of several links at all samples."""
     return along_axes(np.tile(np.arange(count), links.size), np.repeat(links, count))
 
 
@@ -259,7 +259,7 @@ class _Sweep:
         return points if after is None else np.where(after > 0, anchors[:, after, pairs.at], points)
 
     def _on_turns(self, wrenches: Wrenches) -> Orders:
-        """What of the torques counts on δφ, δφ' and δφ'': τ + ω × τ₁ + ω' × τ₂, τ₁ + ω × τ₂ and τ₂."""
+        """The coefficients of δφ, δφ' and δφ'': τ + ω × τ₁ + ω' × τ₂, τ₁ + ω × τ₂ and τ₂."""
         torque, torque_d, torque_dd = wrenches.torque, wrenches.torque_d, wrenches.torque_dd
         omega, alpha = self.motion.omega, self.motion.alpha
         there = (slice(None), self.link, self.at)
@@ -271,7 +271,7 @@ class _Sweep:
         return [torque, torque_d, torque_dd]
 
     def _on_axes(self, moments: Orders, frame: Index, at: Index) -> Orders:
-        """What counts on axes that turn with links `frame` (Q,)."""
+        """The coefficients of axes that rotate with links `frame` (Q,)."""
         if moments[1] is None and moments[2] is None:
             return moments
         alpha = None if moments[2] is None else self.motion.alpha[:, frame, at]
@@ -297,7 +297,7 @@ class _Sweep:
             self._add_axes(out, pairs, self.motion.hinge_axis, self.tables.hinge_columns, self._moments(pairs))
 
     def _add_axes(self, out: Array, pairs: _Pairs, axes: Array, columns: Index, moments: Orders) -> None:
-        """What counts on axes (3, n, S) of hinges or slides."""
+        """Add the coefficients of axes (3, n, S) of hinges or slides."""
         place = self.place[pairs.joint]
         axis = axes[:, place, pairs.at]
         for order, moment in enumerate(self._on_axes(moments, pairs.joint, pairs.at)):

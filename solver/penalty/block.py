@@ -45,7 +45,7 @@ class Entries:
 
     @property
     def orders(self) -> int:
-        """How many of y, y', y'' the rows depend on."""
+        """The number of orders of y, y', y'' that the rows depend on."""
         return self.order + 1
 
     def rows(self, samples: Samples) -> Array:
@@ -140,7 +140,7 @@ class Block:
         return total
 
     def sides(self, samples: Samples) -> OneSided:
-        """As a model of E keeps them, whose weights are one: rows by y alone."""
+        """The residuals in the form of a model of E, with unit weights: rows by y only."""
         root = np.sqrt(self.weight)
         block = self if np.all(root == 1) else replace(self, value=root * self.value, changes=self._scaled(root))
         return OneSided(block.at, block.value, (block._side_rows(samples),))

@@ -44,7 +44,7 @@ def _random(figure: Figure, rng: np.random.Generator) -> Samples:
 
 
 def _taylor_slope(penalty: Penalty, samples: Samples, scale: Array, gradient: Array, rng: np.random.Generator) -> float:
-    """Of log remainder over log step; 2 where there is nothing but rounding."""
+    """The slope of log remainder over log step; 2 if the remainder is rounding only."""
     point = np.stack([samples.y, samples.y_d, samples.y_dd])
     direction = rng.normal(size=point.shape)
     direction /= np.linalg.norm(direction)

@@ -128,7 +128,7 @@ class OneSided:
         return cls(at, value, tuple(rows for part in parts for rows in part.gradients))
 
     def shifted(self, first: int) -> OneSided:
-        """The same, of samples that are counted from one that comes so much earlier."""
+        """The same for samples that are counted from an earlier one."""
         gradients = tuple(replace(rows, at=rows.at + first) for rows in self.gradients)
         return OneSided(self.at + first, self.value, gradients)
 
@@ -138,7 +138,7 @@ class OneSided:
         return self.taken(np.arange(self.at.size))
 
     def parts(self) -> Iterator[tuple[slice, Rows]]:
-        """Which residuals have which gradients."""
+        """The residuals by kind of gradient."""
         first = 0
         for rows in self.gradients:
             yield slice(first, first + rows.of.size), rows

@@ -25,7 +25,7 @@ from .one_sided import OneSided
 
 @dataclass(frozen=True)
 class Normalization:
-    """How a soft constraint is scaled, also where it (nearly) vanishes on the raw spline.
+    """The normalization of a soft constraint, also where it (nearly) vanishes on the raw spline.
 
     Attributes:
         reference: f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing at keyframes 1 s apart.

@@ -103,7 +103,7 @@ def _differentiation_matrix(x: Array) -> Array:
 
 @dataclass(frozen=True)
 class WeakForm:
-    """What variable frames inserted into a path would change, to first and second order."""
+    """First- and second-order change of E by variable frames inserted into a path."""
 
     objective: Objective
     path: Path

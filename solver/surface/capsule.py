@@ -61,7 +61,7 @@ class Capsule(Solid):
         return across(self.axis)
 
     def _away(self, points: Array) -> Array:
-        """From the nearest point of the segment, (3, p)."""
+        """The vector from the nearest point of the segment, (3, p)."""
         away = points - self.centre[:, None]
         return away - np.multiply.outer(self.axis, np.clip(self.axis @ away, -self.half, self.half))
 
@@ -79,7 +79,7 @@ def across(axis: Array) -> Array:
 
 
 def barrel_span(points: Array, centre: Array, axis: Array, radius: float) -> tuple[Array, Array]:
-    """Where vertical lines through points (3, p) meet an endless round bar, z [m]; a vertical one, everywhere."""
+    """Intersections of vertical lines through points (3, p) with an endless round bar, z [m]; all if vertical."""
     away = points - centre[:, None]
     away[2] = -centre[2]
     away -= np.multiply.outer(axis, axis @ away)

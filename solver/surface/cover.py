@@ -55,7 +55,7 @@ def covering_points(figure: Figure) -> tuple[Point, ...]:
 
 
 def _visible(centres: Array, radii: Array) -> list[int]:
-    """Which spheres are not inside a larger one, but for a hair."""
+    """The spheres that are not inside a larger one, within a tolerance."""
     outer: list[int] = []
     for i in np.argsort(-radii, kind="stable"):
         apart = np.linalg.norm(centres[outer] - centres[i], axis=1)

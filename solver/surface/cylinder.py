@@ -54,7 +54,7 @@ class Cylinder(Solid):
         return across(self.axis)
 
     def _split(self, points: Array) -> tuple[Array, Array, Array]:
-        """How far along the axis (p,), the way from the axis (3, p) and its length (p,)."""
+        """Distance along the axis (p,), vector from the axis (3, p) and its length (p,)."""
         away = points - self.centre[:, None]
         along = self.axis @ away
         away -= np.multiply.outer(self.axis, along)

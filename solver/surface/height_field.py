@@ -133,7 +133,7 @@ class HeightField:
         return distance, outward
 
     def _from_triangles(self, local: Array, reach: Array) -> Array:
-        """From the nearest point of any triangle within `reach` (p,), at most `WINDOW` cells off, to points (3, p)."""
+        """Vectors from the nearest triangle within `reach` (p,), at most `WINDOW` cells off, to points (3, p)."""
         rows, columns = self.elevation.shape
         column, row, _, _ = self._place(local)
         cells = np.minimum(np.ceil(reach[None] / self._cell[:, None]).astype(np.intp), WINDOW)
@@ -166,7 +166,7 @@ class HeightField:
 
 
 def from_triangle(points: Array, a: Array, b: Array, c: Array) -> Array:
-    """From the nearest points of triangles with corners a, b, c to points, all (3, p)."""
+    """The vector from the nearest points of triangles with corners a, b, c to points, all (3, p)."""
     normal = np.cross(b - a, c - a, axis=0)
     edges = [(a, b - a), (b, c - b), (c, a - c)]
     within = np.ones(points.shape[1], bool)

@@ -88,7 +88,7 @@ class Hull(Solid):
         return np.unique(np.sort(pairs, axis=1), axis=0)
 
     def _from_edges(self, points: Array) -> Array:
-        """From the nearest point of any edge to points (3, p)."""
+        """The vector from the nearest point of any edge to points (3, p)."""
         start = self.corners[:, self._edges[:, 0]]
         along = self.corners[:, self._edges[:, 1]] - start
         away = points[:, None, :] - start[:, :, None]

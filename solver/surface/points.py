@@ -51,7 +51,7 @@ def places_of(points: Sequence[Point], samples: Samples) -> tuple[Array, Array, 
 
 
 def hanging(figure: Figure, link: int, points: Sequence[Point]) -> tuple[Point, ...]:
-    """Those of the points that are on a link or on what hangs on it."""
+    """The points on a link or on its descendants."""
     return tuple(point for point in points if figure.tables.path[point.link, link])
 
 
@@ -114,7 +114,7 @@ def all_round(count: int) -> Array:
 
 
 def _outermost(points: list[Point]) -> set[int]:
-    """Which spheres lie on the convex hull of their link's spheres: those that reach farthest in some direction.
+    """The spheres on the convex hull of their link's spheres: those that reach farthest in some direction.
 
     Of spheres that reach equally far it is the first, whatever the rounding of the model's numbers.
     """

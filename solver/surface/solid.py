@@ -30,7 +30,7 @@ class Solid(ABC):
 
     @abstractmethod
     def span(self, points: Array) -> tuple[Array, Array]:
-        """Where the vertical line through points (3, p) enters the solid from below and leaves it, z [m], (p,) each.
+        """Entry and exit of the vertical line through points (3, p) from below, z [m], (p,) each.
 
         NaN where the line misses it.
         """

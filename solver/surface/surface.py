@@ -20,7 +20,7 @@ class Surface(Protocol):
     def name(self) -> str: ...
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
-        """How deep spheres are inside, for penalties, and the gradient; through a box's sides κ times the distance.
+        """Penetration depth of spheres, for penalties, and its gradient; through a box's sides κ times the distance.
 
         points  (3, n, S) centres [m];  radius  (n,) [m]
         Returns the depth (n, S) [m], 0 outside, and its gradient (3, n, S).

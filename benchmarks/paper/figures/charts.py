@@ -109,7 +109,7 @@ class Deviations:
 
     @classmethod
     def of(cls, keys: list[Frame]) -> Deviations:
-        """Of the paths through orientations by the paper's weights."""
+        """The deviations of paths through orientations, with the paper's weights."""
         run = Run(keys)
         objective = run.solved(PAPER, 1).objective
         paths = {name: path for name, path in figure_ten(run, PAPER).items() if name in STROKES}
@@ -147,7 +147,7 @@ def _levels(values: list[float], form: str, *, percent: bool = False) -> str:
 
 
 def _verdict(values: list[float]) -> str:
-    """What becomes of the paper's claim that the deviation falls from the raw spline to one frame, and on to three."""
+    """The verdict on the paper's claim that the deviation decreases from the raw spline to one and three frames."""
     raw, one, three = values
     if raw > one > three:
         return ", in the order that the paper reports"

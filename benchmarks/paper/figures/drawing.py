@@ -96,7 +96,7 @@ class Results:
 
     @cached_property
     def dip(self) -> Dip:
-        """Where the raw spline runs deepest into the step."""
+        """The deepest point of the raw spline in the step."""
         return Dip.of(self.runner, self.runner.raw)
 
     def _solved(self, name: str) -> Saved:

@@ -44,7 +44,7 @@ def turning_body(saved: Saved, graphics: Graphics) -> Picture:
 
 @dataclass(frozen=True)
 class Dip:
-    """Where a motion is deepest in something that stands on the floor.
+    """The deepest penetration of a motion into an object on the floor.
 
     time   [s]
     depth  [m]
@@ -67,7 +67,7 @@ class Dip:
 
 
 def looked_at(saved: Saved, timeline: Timeline) -> Penetration:
-    """How deep a motion is in the scene, all the way."""
+    """The penetration depth along a motion."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     time = np.linspace(first, last, round(LOOK_RATE * (last - first)) + 1)
     qpos = continuous(saved.figure, saved.figure.to_qpos(path_of(timeline).at(time)))

@@ -48,7 +48,7 @@ class Closed(Penalty):
 
     @cached_property
     def _sides(self) -> tuple[tuple[Index, Array], tuple[Index, Array]]:
-        """Of either end the links (n,) and positions (3, n)."""
+        """The links (n,) and positions (3, n) of both ends."""
         ends = [[c.one for c in self.closures], [c.two for c in self.closures]]
         one, two = (
             (np.array([p.link for p in end], np.intp), np.array([p.position for p in end]).T.reshape(3, -1))
@@ -72,7 +72,7 @@ class Closed(Penalty):
 
 
 def closures(figure: Figure) -> tuple[Closure, ...]:
-    """What a model's active connections and welds hold together, but for handles that a programme moves (mocap)."""
+    """The active connections and welds of a model, except for mocap bodies."""
     model, result = figure.model, []
     kinds = {int(mujoco.mjtEq.mjEQ_CONNECT): "connect", int(mujoco.mjtEq.mjEQ_WELD): "weld"}
     for i in np.flatnonzero(model.eq_active0 != 0):

@@ -41,7 +41,7 @@ class Coupling:
         return np.asarray(self.rest[0] + polyval(driver - self.rest[1], self.coefficients), float)
 
     def slope(self, driver: Array) -> Array:
-        """How fast the follower goes with the driver."""
+        """The derivative of the follower with respect to the driver."""
         return np.asarray(polyval(driver - self.rest[1], polyder(self.coefficients)), float)
 
 
@@ -63,7 +63,7 @@ class Coupled(Penalty):
         return followers, np.where(drivers < 0, followers, drivers)
 
     def away(self, samples: Samples) -> tuple[Array, Array]:
-        """How far followers are off, and their slopes, (n, S) each."""
+        """The deviations of followers, and their slopes, (n, S) each."""
         followers, drivers = self._columns
         driven = samples.columns(drivers)
         wanted = np.array([c.follow(q) for c, q in zip(self.couplings, driven, strict=True)])

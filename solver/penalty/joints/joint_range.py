@@ -70,7 +70,7 @@ class JointRange(Penalty):
         return self.called
 
     def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
-        """The same, tolerating how far joints that keyframes fix are beyond their ranges in them."""
+        """The same, tolerating the excess of joints that keyframes fix beyond their ranges."""
         if not self.joints:
             return self
         samples = Samples.still(figure, keys.states, t=np.asarray(keys.times))
@@ -93,7 +93,7 @@ class JointRange(Penalty):
         return Normalization(float(little**2), is_violation=True)
 
     def beyond(self, samples: Samples) -> Array:
-        """How far every joint is beyond its range, negative within it, (n, S) [rad or m]."""
+        """The excess of every joint over its range, negative within it, (n, S) [rad or m]."""
         out = np.empty((len(self.joints), samples.count))
         plain, balls = self._which
         if plain.size:
@@ -134,7 +134,7 @@ class JointRange(Penalty):
 
     @cached_property
     def _which(self) -> tuple[Index, Index]:
-        """Which joints are hinges or slides, and which ball joints."""
+        """The indices of hinges or slides, and of ball joints."""
         is_ball = np.array([joint.kind is JointKind.BALL for joint in self.joints], bool)
         return np.flatnonzero(~is_ball), np.flatnonzero(is_ball)
 

@@ -173,7 +173,7 @@ class SelfContact(Penalty):
         return centre, axis
 
     def _met(self, samples: Samples, at: Index, pairs: Index, room: float) -> Meeting:
-        """How all pairs of bars of two links meet at samples `at`, those whose bounding spheres do."""
+        """The contacts of all pairs of bars of two links at samples `at` whose bounding spheres overlap."""
         links, _, _, halves, radii = self._arrays
         (a, ia), (b, ib) = (np.unique(side, return_inverse=True) for side in pairs)
         (a_arm, a_axis), (b_arm, b_axis) = (self._placed(samples, at, bars) for bars in (a, b))
@@ -196,7 +196,7 @@ class SelfContact(Penalty):
 
 
 def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tuple[Array, Array]:
-    """Where on two segments their nearest points are, s and t (p,) along the unit axes u and v (3, p) from the middles.
+    """The nearest points of two segments: s and t (p,) along the unit axes u and v (3, p) from the middles.
 
     d  (3, p) from the second's middle to the first's;  h, g  (p,) half lengths
     """

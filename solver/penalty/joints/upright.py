@@ -71,7 +71,7 @@ class Upright(Momentary):
 
 
 def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
-    """How roots lean in the keyframes that were posed with their turn left free: what points up there.
+    """The tilt of roots in the keyframes that were posed with free rotation: the direction that points up.
 
     roots  links with a quaternion, or the link of the figure's root of slides and hinges
     """

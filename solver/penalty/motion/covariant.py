@@ -97,7 +97,7 @@ class CovariantAcceleration(Penalty):
 
 
 def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intrinsic: bool) -> Array:
-    """Of w/√b ("paper": of q'' − T q) with respect to q, q', q'': (..., 4, 3, 4) for blocks (..., 4).
+    """Derivatives of w/√b ("paper": of q'' − T q) with respect to q, q', q'': (..., 4, 3, 4) for blocks (..., 4).
 
     dots  (3, ...) q·q, q·q', q·q''
 

@@ -110,7 +110,7 @@ class Cycle(Guide):
 
     @property
     def _turns(self) -> int:
-        """How many columns of the target are of quaternions."""
+        """The number of the target's quaternion columns."""
         return 4 * self.rhythm.rotations.shape[1]
 
     @cached_property
@@ -157,7 +157,7 @@ class Cycle(Guide):
 
 
 def _moved(w: Array, v: Array, rotation: Array) -> Array:
-    """What 2 v changes by a small turn of the link in the world: (w + [v]×) Rᵀ, (3, 3, n, S)."""
+    """The derivative of 2 v by a small rotation of the link in the world: (w + [v]×) Rᵀ, (3, 3, n, S)."""
     rows = rotation.swapaxes(0, 1)
     out = w * rows
     for k in range(3):

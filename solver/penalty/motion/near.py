@@ -76,7 +76,7 @@ class Near(Guide):
         yield Block(at, (places - target.ends).ravel(), (moved,), target.end_weight[at])
 
     def led(self, timeline: Timeline, most: int | None) -> Timeline:
-        """What was recorded where variable frames are."""
+        """The recorded states at the variable frames."""
         states = self.recorded.path.at(timeline.times)
         same = self._same(timeline.states, states)
         frames = [

@@ -61,7 +61,7 @@ class Posture(Penalty):
 
 
 def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
-    """Of joints whose links' orientations are in the state: rows of eight columns each."""
+    """Joints whose links' orientations are in the state: rows of eight columns each."""
     figure, links = samples.figure, samples.links
     child, parent = _joints(figure)
     by_rate = vector_product(links.Q) * links.scale
