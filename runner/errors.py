@@ -22,7 +22,7 @@ class UserError(Exception):
 
 
 def shortened(text: str) -> str:
-    """Text that a person can read, whatever was quoted in it."""
+    """Readable text, for any quoted content."""
     if len(text) <= LONGEST_WORD:
         return text
     text = re.sub(rf"\S{{{LONGEST_WORD + 1},}}", lambda word: _middle_out(word[0], LONGEST_WORD), text)
@@ -34,7 +34,7 @@ def _middle_out(text: str, most: int) -> str:
 
 
 def one_line(text: object) -> str:
-    """Text with everything that does not print written out, so that a message stays one line whatever a file holds."""
+    """Text with unprintable characters escaped, so that a message is one line for any file content."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in shortened(str(text)))
 
 

@@ -160,7 +160,7 @@ def read(file: Path, clip: Clip) -> Solved | None:
 
 
 def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
-    """Raises an exception of any kind for what is no solution of the clip."""
+    """Raise an exception for data that is not a solution of the clip."""
     raw = clip.problem.raw
     timeline = _timeline(raw, data)
     seconds, evaluations = float(data["seconds"]), int(data["evaluations"])

@@ -99,7 +99,7 @@ class Solved:
 
 
 def _check_size(clip: Clip) -> None:
-    """Raises UserError for a figure of so many joints that there is no room for its search."""
+    """Raise UserError for a figure with too many joints for the memory of a search."""
     width = clip.figure.width
     if width > WIDEST:
         largest.check(clip.name, NUMBER * width, f"the search with {width} numbers a frame")

@@ -32,7 +32,7 @@ class Workers:
 
 @contextmanager
 def local(count: int) -> Iterator[Workers]:
-    """So many processes of this machine; they end with the block."""
+    """Start `count` processes on this machine; they end with the block."""
     with scratch() as folder, ThreadPoolExecutor(count) as threads:
         pool = Pool(folder, _memory() / count)
         try:

@@ -232,7 +232,7 @@ def with_own(clip: Clip, own: Own) -> Clip:
 
 
 def _too_many(problem: Problem) -> Iterator[str]:
-    """A line on an optimiser that does nothing with so many unknowns."""
+    """A note on an optimiser that inserts no frames with this number of unknowns."""
     settings = problem.settings
     times = np.array([key.time for key in problem.keys])
     about = settings.beginning(times, in_windows=False).size * problem.figure.width

@@ -96,7 +96,7 @@ class Context:
 
     @property
     def lacking(self) -> list[str]:
-        """A line on everything that figures commonly have and this one has not."""
+        """Notes on features that figures commonly have and this one lacks."""
         lines: list[str] = []
         if not self.surfaces:
             lines.append("no static geom found: nothing to stay out of")
@@ -186,7 +186,7 @@ class Context:
         return gait.likeliest() if period is None else gait.given(period)
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
-        """Points by name. Raises UserError for one that the figure has not."""
+        """Points by name. Raises UserError for unknown names."""
         places, result = Places(self.figure, self.points), list[Point]()
         for name in names:
             point = places.point(name)
@@ -196,7 +196,7 @@ class Context:
         return tuple(result)
 
     def limbs(self, names: Sequence[str]) -> tuple[Bend, ...]:
-        """Knees and elbows by the name of their joint. Raises UserError for one that the figure has not."""
+        """Knees and elbows by the name of their joint. Raises UserError for unknown names."""
         bends = {bend.name: bend for bend in self.bends}
         for name in names:
             if name not in bends:

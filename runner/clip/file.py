@@ -24,7 +24,7 @@ AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leave
 
 
 def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, overwrite: bool) -> list[Path]:
-    """Writes a clip, .toml, and gives the files written: its figure's whole scene is one, if it is none that ships.
+    """Write a clip, .toml, and return the files written, including the scene of a figure that is not shipped.
 
     note   the comment at its head
     exact  its [solve] leaves the spline through its keyframes as it is
@@ -103,7 +103,7 @@ def shipped_scene(scene: Scene) -> str:
 
 
 def _tells_scene(saved: Saved) -> bool:
-    """Whether the tables alone make the scene that the motion is in; what they refer to may be gone."""
+    """Whether the tables alone define the motion's scene; files that they refer to may be missing."""
     try:
         return scene_of(Parsed.of(saved.text, saved.name, saved.name)).mjcf == saved.mjcf
     except UserError:

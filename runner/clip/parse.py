@@ -41,7 +41,7 @@ EMPTY = "the clip is empty; it needs a figure and two [[keyframe]] tables"
 
 @dataclass(frozen=True, eq=False)
 class Parsed:
-    """A clip's text and its tables, checked as far as that is possible without its figure.
+    """A clip's text and its tables, validated as far as possible without its figure.
 
     text      empty for a clip that has none: keyframes of an MJCF file or of arrays
     where     the name of the clip in errors
@@ -204,7 +204,7 @@ def called(number: int, time: float) -> str:
 
 
 def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
-    """Check that the times (K,) [s] of keyframes rise by steps that are neither too short nor too uneven.
+    """Check that the times (K,) [s] of keyframes rise, by steps that are not too short or too uneven.
 
     Raises:
         UserError: where they do not, and for fewer than `fewest` or more seconds than a report covers.

@@ -170,7 +170,7 @@ def _within(figure: Figure) -> Array:
 
 
 def _stood(figure: Figure, pose: Array, on_feet: bool) -> Array:
-    """A pose, (nq,), a free figure's lowest point on the highest floor, and on top of its own pedestal."""
+    """A pose, (nq,), with a free figure's lowest point on the highest floor, and on top of its pedestal."""
     qpos, floor = np.array(pose), floor_height(figure.model)
     for root, column, up in lifts(figure):
         low = lowest_point(figure, qpos, root)
@@ -215,7 +215,7 @@ def _without_followers(figure: Figure, row: KeyframeTable) -> KeyframeTable:
 
 
 def _raised(figure: Figure, qpos: Array) -> Array:
-    """A pose (nq,) with what is free out of the floor and on top of its own pedestal, wherever it sank in."""
+    """A pose (nq,) with free parts raised out of the floor and on top of their pedestal."""
     out, floor = np.array(qpos), floor_height(figure.model)
     for root, column, up in lifts(figure):
         low = lowest_point(figure, out, root)
@@ -229,7 +229,7 @@ def _raised(figure: Figure, qpos: Array) -> Array:
 
 
 def _mount(figure: Figure, qpos: Array, root: int) -> None:
-    """Lifts what hangs from a link on top of what it is in: its own pedestal."""
+    """Raise a link's subtree to the top of the obstacle that it overlaps: its pedestal."""
     model, data = figure.model, mujoco.MjData(figure.model)
     endless = (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD))
     solids = [geom for geom in solids_of(model) if model.geom_type[geom] not in endless]

@@ -204,7 +204,7 @@ class BarTable(_ObstacleTable):
     end: Place | None = Field(None, alias="to")
 
     def check_place(self) -> None:
-        """Raises ValueError for a bar that lies neither about a position nor between two points."""
+        """Raise ValueError for a bar without a position and without two end points."""
         if self.start is None and self.end is None:
             if self.length is None:
                 raise ValueError("give position and length, or from and to")

@@ -21,7 +21,7 @@ BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def tables(table: Table) -> dict[str, Any]:
-    """Return the keys that a table does not leave out as a file has them, tables in it likewise."""
+    """Return the keys of a table that are set, in the file's notation, including nested tables."""
     return table.model_dump(exclude_unset=True, by_alias=True)
 
 
@@ -43,7 +43,7 @@ def _is_table(value: object) -> bool:
 
 
 def _rows(row: Mapping[str, object]) -> list[str]:
-    """The lines of a table; each joint, site and body, and each part of the root, has one of its own."""
+    """The lines of a table; each joint, site and body, and each part of the root, has a separate line."""
     lines = []
     for key, value in row.items():
         if key in ("root", "roots", "joints", "sites", "bodies") and isinstance(value, dict):
@@ -95,7 +95,7 @@ def _angle(radians: float) -> float:
 
 
 def _keyframe(figure: Figure, key: Frame) -> KeyframeTable:
-    """Unchecked: a state may be beyond what a file can have, which loading reports."""
+    """Unchecked: a state may exceed a file's limits, which loading reports."""
     root: RootTable | None = None
     roots: dict[str, RootTable] = {}
     joints: dict[str, RotationTable | float] = {}

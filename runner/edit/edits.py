@@ -1,4 +1,4 @@
-"""Edits of saved motions, and of clips' tables: mirrored, retimed, trimmed, repeated, joined. Each gives a new one."""
+"""Edits of saved motions, and of clips' tables: mirrored, retimed, trimmed, repeated, joined. They return new ones."""
 
 from __future__ import annotations
 
@@ -343,7 +343,7 @@ def _carried(contacts: Sequence[ContactTable], figure: Figure, seam: Seam, perio
 
 
 def _cut(rows: Sequence[Row], first: float, last: float) -> list[Row]:
-    """The parts of contacts or holds that lie between two times [s]."""
+    """The parts of contacts or holds between two times [s]."""
     cut = [row.changed(start=max(row.start, first), end=min(row.end, last)) for row in rows]
     return [row for row in cut if row.end - row.start >= SHORTEST]
 

@@ -45,7 +45,7 @@ class Edit:
 def run(
     sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, fresh: bool = False, progress: Progress
 ) -> tuple[Path, Problems]:
-    """Does an edit; where its result lies, a motion or by the ending .toml a clip, and what is wrong with a motion.
+    """Apply an edit; return the target, a motion or by the ending .toml a clip, and the violations of a motion.
 
     fresh  clips are solved now, and not as they may have been before
     """

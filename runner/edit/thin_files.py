@@ -55,7 +55,7 @@ class ToThin:
 
 
 def bound(error: str, angle: float) -> tuple[float, float]:
-    """Metres and radians of the two options; raises UserError for what is no bound."""
+    """Metres and radians of the two options; raises UserError for invalid bounds."""
     if not 0 < angle <= 180:
         raise UserError(f"--max-angle {angle:g}: give degrees, above 0 and up to 180")
     return length(error, "--max-error"), float(np.radians(angle))

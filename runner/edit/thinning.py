@@ -154,7 +154,7 @@ def _with_keys(table: ClipTable, saved: Saved, keys: Sequence[Frame]) -> ClipTab
 def write(
     found: ThinnedMotion, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False
 ) -> list[Path]:
-    """Writes a thinned motion as a clip, .toml, or as a motion, .npz; gives the files written.
+    """Write a thinned motion as a clip, .toml, or as a motion, .npz; return the files written.
 
     exact  the clip's [solve] leaves the spline as it is
     note   the comment at a clip's head, if it is to be another than the motion's line

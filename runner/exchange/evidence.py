@@ -195,7 +195,7 @@ class Plausibility:
         return falls or nearer or straighter or self._exceeds(other, LITTLE_OUTSIDE)
 
     def is_refuted_by(self, other: Plausibility) -> bool:
-        """Whether another reading is so much more plausible that it replaces this one, the documented one.
+        """Whether another reading is so much more plausible that it replaces the documented one.
 
         This one is fallen, or many joints are in their ranges in the other alone, or this one leans at the samples
         where the other stands upright and nearer to the floor.

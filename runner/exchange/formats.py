@@ -82,7 +82,7 @@ class Format:
         return "." + self.ending.rpartition(".")[2], *self.also, *self.containers
 
     def check_name(self, target: Path) -> None:
-        """Raises UserError unless a file of that name can be one of this format: .mjlab.npz may be short, .npz."""
+        """Raise UserError unless the file name fits this format: .npz also stands for .mjlab.npz."""
         endings = dict.fromkeys((*self.told_by, *self.also, Path(f"_{self.ending}").suffix))
         if not target.name.lower().endswith(tuple(endings)):
             raise UserError(f"'{target}': the name of a file of the format {self.name} ends in {' or '.join(endings)}")
@@ -310,7 +310,7 @@ def _read(
 
 
 def read_by(own: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """`recording` by a reader of a program's own; raises UserError if what it gives is none, or needs a figure."""
+    """`recording` with a custom reader; raises UserError if its result is invalid, or needs a figure."""
     _check_file(source)
     result = own.read(source, model, fps)
     if not isinstance(result, Recording):

@@ -23,7 +23,7 @@ FEWEST = 2  # samples of a motion
 
 
 class UnequalSamples(UserError):
-    """A file whose arrays differ in their number of samples.
+    """Files whose arrays differ in their number of samples.
 
     shapes   of its arrays, by name, the samples first
     """
@@ -88,7 +88,7 @@ def allowed() -> Iterator[None]:
 
 
 def are_allowed() -> bool:
-    """Whether recordings with gaps, or cut short, are read as far as they go."""
+    """Whether recordings with gaps, or truncated ones, are read as far as possible."""
     return _now.get() is not None
 
 
@@ -105,7 +105,7 @@ def left_out(found: Recording, where: object) -> Recording:
 
 
 def samples_used(count: int) -> int:
-    """Return how many of an array's samples are used: those that all arrays of the file have, as far as is known."""
+    """Return the number of used samples of an array: those that all arrays of the file have, as far as is known."""
     gaps = _now.get()
     return count if gaps is None or gaps.most is None else min(count, gaps.most)
 

@@ -37,7 +37,7 @@ class Held:
         return self.entries.get(name) is not None
 
     def of(self, name: str) -> Any:
-        """An entry as it is; raises UserError if there is none."""
+        """An unconverted entry; raises UserError if it is missing."""
         if name not in self:
             there = ", ".join(map(str, self.entries)) or "nothing"
             raise UserError(f"{self.where}: no '{name}'; it holds: {there}")
@@ -137,7 +137,7 @@ class Held:
 
 
 def body_poses(found: Held) -> BodyPoses | None:
-    """Return the body poses that a file holds beside qpos, by the names that MuJoCo and mjlab give them, or None."""
+    """Return the body poses next to qpos in a file, by the names of MuJoCo and mjlab, or None."""
     place = next((name for name in ("xpos", "body_pos_w", "body_pos") if name in found), None)
     if place is None or np.ndim(found.of(place)) != 3:
         return None
@@ -192,7 +192,7 @@ def _unpickled(archive: Any, name: str) -> Any:
 
 
 def names_in(source: Path) -> set[str]:
-    """The names of an .npz file's arrays, without reading them; none if it is no such file."""
+    """The names of an .npz file's arrays, without reading them; none for other files."""
     try:
         with zipfile.ZipFile(source) as archive:
             return {name.removesuffix(".npy") for name in archive.namelist()}

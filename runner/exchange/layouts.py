@@ -206,7 +206,7 @@ def _equally(rivals: Sequence[Judged]) -> str:
 
 
 def _judged(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judged]:
-    """Layouts, the most plausible first; of those that give one motion the one of fewest differences alone."""
+    """Layouts, the most plausible first; of equivalent ones only the one of fewest differences."""
     out: list[Judged] = []
     for form, variant in sorted(candidates, key=lambda each: len(each[1].layout)):
         if not any(_is_same(model, variant, other) for _, (_, other) in out):
@@ -215,7 +215,7 @@ def _judged(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judg
 
 
 def _is_same(model: mujoco.MjModel, one: Recording, other: Recording) -> bool:
-    """Whether two layouts give one motion, whatever the signs of quaternions."""
+    """Whether two layouts result in the same motion, up to the signs of quaternions."""
     if one.qpos.shape != other.qpos.shape:
         return False
     apart = one.qpos - other.qpos
@@ -275,7 +275,7 @@ def _moved(qpos: Array, source: Index, target: Index) -> Array:
 
 
 def _in_radians(model: mujoco.MjModel, found: Recording) -> Recording:
-    """A recording whose hinges are evidently in degrees, with a note; any other as it is."""
+    """Convert a recording whose hinges are evidently in degrees, with a note; others are unchanged."""
     if not in_degrees(model, found.qpos, found.time):
         return found
     hinges = model.jnt_qposadr[model.jnt_type == HINGE]

@@ -46,7 +46,7 @@ def torques(take: Take, forces: Forces) -> Columns:
 
 
 def wrench(take: Take, forces: Forces) -> Columns:
-    """At the free root that carries the figure; raises UserError where none does, whatever objects are free."""
+    """The wrench at the free root that carries the figure; raises UserError if there is none."""
     root_wrench, root = forces.wrench, take.figure.root
     if root_wrench is None or root is None or not root.is_free:
         raise UserError(f"{take.name}: the figure has no free root, so no wrench moves it from outside")

@@ -110,7 +110,7 @@ def configurations(
 
 
 def robot_joints(model: mujoco.MjModel) -> list[int]:
-    """MuJoCo's ids of the joints of a figure but for its root: free objects have joints that are no part of it."""
+    """MuJoCo's ids of the figure's joints, without its root and the joints of free objects."""
     root = root_of(model)
     if root is None:
         return list(range(model.njnt))

@@ -48,7 +48,7 @@ def unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, t
 
 
 def _whole_turns(angle: Array) -> Array:
-    """(T - 1,) whole turns from each sample to the next that the hinge has not made.
+    """(T - 1,) number of whole turns between samples that are artefacts of wrapping.
 
     Angles that all lie within one turn, from -180° or from 0°, are taken to be stored so; of others, only jumps that
     are nearly a whole turn count: a rotor recorded over many turns may pass half a turn between samples.

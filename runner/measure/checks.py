@@ -229,7 +229,7 @@ def coupled(fixed: Fixed) -> Check | None:
 
 
 def torn(fixed: Fixed) -> Check | None:
-    """Closed loops whose ends come apart."""
+    """Gaps in closed loops."""
     pairs = closures(fixed.figure)
     if not pairs:
         return None
@@ -271,7 +271,7 @@ def lengths(figure: Figure) -> Check | None:
 
 
 def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, fixed: Fixed) -> Check:
-    """Contacts whose points are over what they rest on, or over the surface below them, where there is one."""
+    """Contacts whose points are above their surface, or above the surface below them, if there is one."""
     text = "contact {} is {{}} up while it should rest"
     rows = [row_of("hover", rest.point.name, text.format(rest.point.name)) for rest in rests]
     points = tuple(rest.point for rest in rests)

@@ -17,7 +17,7 @@ SPAN = ("from, s", "to, s")
 
 
 def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
-    """The lines of two sides; `before` may lack what a report of an older version has not."""
+    """The lines of two sides; `before` may lack entries in a report of an older version."""
     for name, value in after.items():
         yield from _rows(name, before.get(name), value)
 

@@ -197,7 +197,7 @@ def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
 
 
 def _feet(figure: Figure, points: Sequence[Point]) -> Index:
-    """(L,) the link that stands for a foot: of a foot and its toes, if both have sole points, the first."""
+    """(L,) the link that represents a foot: of a foot and its toes with sole points, the first."""
     feet, soles = np.arange(len(figure.links)), {point.link for point in points}
     for i, link in enumerate(figure.links[1:], start=1):
         if i in soles and link.parent in soles:

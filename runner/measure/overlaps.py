@@ -101,7 +101,7 @@ def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
 
 
 def _exclude(model: mujoco.MjModel, body_link: Index, excluded: Mask) -> None:
-    """Let excluded pairs of links (L, L) not collide in a model whose flags are alike, in a quarter of the time.
+    """Exclude pairs of links (L, L) from collision in a model with uniform flags, which takes a quarter of the time.
 
     Every body has a bit of contype, and the bits of those that it meets in conaffinity.
     """

@@ -145,7 +145,7 @@ def plain(found: Sequence[Flaw]) -> list[dict[str, Any]]:
 
 
 def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Flaw]:
-    """The worst of every group in each keyframe that causes it, and on the path as far as it is worse than those."""
+    """The worst of every group in each keyframe that causes it, and on the path if it is worse there."""
     hits = hits.taken(hits.amount > check.bounds[hits.row])
     if not hits.row.size:
         return

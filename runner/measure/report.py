@@ -74,7 +74,7 @@ def report(
 
 
 def _cycle_report(clip: Clip) -> dict[str, float]:
-    """The cycle that the motion is drawn to, and how sure it is; empty where there is none.
+    """The gait cycle that the motion is drawn to, and its confidence; empty if there is none.
 
     gain   log-likelihood of the keyframes over that of the best smooth motion, per number that they give
     slip   speed of feet that are low, along the cycle, as a share of the travel; left out where nothing travels

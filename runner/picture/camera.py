@@ -87,7 +87,7 @@ def still(
     height: float = 1.8,
     cameras: Collection[str] = (),
 ) -> View:
-    """The one setting from which the figure is in the image wherever on its path it stands. Arguments as in `plan`."""
+    """A fixed setting with the figure in view all along its path. Arguments as in `plan`."""
     paths = _paths(root_path)
     if view in cameras:
         return _through(view)

@@ -241,7 +241,7 @@ def _version(package: str) -> str:
 
 
 def _tried(backend: str) -> bool:
-    """Draw in a child process, where neither an exception nor an abort nor a hang can reach us."""
+    """Draw in a child process, which contains exceptions, aborts and hangs."""
     if not sys.executable:
         return False
     environment = {**os.environ, "MUJOCO_GL": backend}

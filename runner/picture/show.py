@@ -136,7 +136,7 @@ def images(
     workers: int = 1,
     picks: Sequence[int] | None = None,
 ) -> Generator[Picture, None, None]:
-    """The images of a video; `still_keys` gives each keyframe once. The same whatever the number of workers.
+    """The frames of a video; `still_keys` returns each keyframe once. Independent of the number of workers.
 
     workers  processes that draw, at most: as many as there is work for
     picks    which of the images of a still to draw, if not all

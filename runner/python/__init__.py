@@ -1,1 +1,1 @@
-"""What `from dynsplines import ...` gives to users of Python, on top of the modules that the command line uses."""
+"""The Python API of `from dynsplines import ...`, on top of the modules that the command line uses."""

@@ -73,7 +73,7 @@ class Scene:
 
 @dataclass(frozen=True)
 class _Reference:
-    """One place in a model that names a file, the folder that the model gives for its kind, and how to rename it."""
+    """A reference to a file in a model, the model's folder for its kind, and how to rename it."""
 
     file: str
     folder: str
@@ -174,7 +174,7 @@ def _places(reference: _Reference, base: Path) -> list[Path]:
 
 
 def is_plain(name: str) -> bool:
-    """Whether a name is that of a file, in plain sight, in whatever folder: no path, and one on every system."""
+    """Whether a name is a plain file name, without a path, on every system."""
     return bool(name) and not name.startswith(".") and not ODD.search(name) and len(name.encode()) <= LONGEST
 
 

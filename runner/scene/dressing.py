@@ -1,4 +1,4 @@
-"""Materials for a model that has none: a floor's grid, and limbs light and dark in turn, so that one sees them bend."""
+"""Materials for a model without any: a floor's grid, and alternating light and dark limbs, so that bends show."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ def _told(reach: Array) -> float:
 
 
 def middles(figure: Figure, qpos: Array) -> Array:
-    """(T, 3) [m] where a figure is along qpos (T, nq): its root, or the middle of what hangs on the world."""
+    """(T, 3) [m] positions of a figure along qpos (T, nq): its root, or the middle of its moving parts."""
     if figure.root is not None and figure.root.is_free:
         return qpos[:, figure.tables.position_columns[:, 0]]
     if figure.root is not None and _travels(figure, figure.root):

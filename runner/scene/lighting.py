@@ -1,4 +1,4 @@
-"""Whether a model's own lamps light its figure wherever it goes: light added up on the ground where it stands.
+"""Whether a model's lamps light its figure everywhere: the sum of light on the ground around it.
 
 Many models of robots bring one lamp right above them, a cone in the dark that they walk out of, or none.
 """

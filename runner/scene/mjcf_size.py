@@ -137,7 +137,7 @@ class _Count:
 
 
 def _tags(text: str) -> Iterator[tuple[str, dict[str, str], bool, bool]]:
-    """Name, attributes, whether it closes one, whether it is empty; up to where MuJoCo, too, finds no XML any more."""
+    """Name, attributes, closing and empty flags of tags; up to the first invalid one, where MuJoCo stops as well."""
     place = text.find("<")
     while place >= 0:
         skipped = next((end for begin, end in SKIPPED.items() if text.startswith(begin, place)), None)

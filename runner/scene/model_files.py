@@ -40,7 +40,7 @@ def is_there(path: Path) -> bool:
 
 
 def models_in(path: Path) -> list[Model]:
-    """A model and those that it brings along; raises UserError for text that lies outside its folder."""
+    """A model and the models it attaches; raises UserError for text outside its folder."""
     models = [Model(path.parent)]
     _walk(path, models[0], models, path.parent, {path})
     return models

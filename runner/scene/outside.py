@@ -33,7 +33,7 @@ def is_allowed() -> bool:
 
 
 def check(place: Path, folder: Path, said: str) -> None:
-    """Raises UserError for a file that does not lie in the model's folder or below, wherever links lead.
+    """Raise UserError for a file outside the model's folder, after resolving links.
 
     place   where the file is
     folder  the model's

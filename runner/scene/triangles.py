@@ -162,7 +162,7 @@ def _plane(model: mujoco.MjModel, piece: Piece, reach: float) -> Triangles:
 
 
 def _box(half: Array) -> Triangles:
-    """Six faces, each with corners of its own."""
+    """Six faces, each with separate corners."""
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     points, normals = [], []
     for axis in range(3):

@@ -84,7 +84,7 @@ class Document:
         }
 
     def tree(self) -> Blocks:
-        """The text in blocks, to be changed; raises UserError for what is no TOML."""
+        """The text in editable blocks; raises UserError for invalid TOML."""
         from .edits.tables import Blocks  # only here: what takes texts apart is not needed to show one
 
         parsed_text = self._plain
@@ -166,7 +166,7 @@ class Document:
             self._put(zlib.decompress(packed).decode())
 
     def since(self, revision: int) -> list[str] | None:
-        """The texts from a revision on to the present one; None for one that is not known, or no more."""
+        """The texts from a revision to the present one; None for an unknown or too old one."""
         texts = [text for number, text in self._seen if number >= revision]
         if not self._seen or len(texts) != self.revision - revision:
             return None

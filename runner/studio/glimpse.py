@@ -41,7 +41,7 @@ def file_of(document: Document) -> Path | None:
 
 
 def read(file: Path | None) -> tuple[bytes, bytes] | None:
-    """The stage and a path, as pages are sent them; None if there are none that can be believed."""
+    """The stage and a path, in the page's format; None if they are missing or invalid."""
     with suppress(OSError, ValueError, KeyError, TypeError, struct.error):
         if file is None or file.stat().st_size > LARGEST + HEAD.size:
             return None

@@ -25,7 +25,7 @@ WIDTH = 4  # [bytes] of a number, and what a header's length is a multiple of
 
 
 def rate_of(duration: float) -> float:
-    """[1/s] how finely a motion that lasts so long [s] is sent."""
+    """[1/s] sample rate for a motion of this duration [s]."""
     return RATE if duration * RATE <= MOST_SAMPLES else MOST_SAMPLES / duration
 
 

@@ -19,7 +19,7 @@ EXAMPLES = "a clip (.toml), a model (.xml), a motion (.npz), a recording, or a s
 
 
 def opened(source: str, *, figure: str | None = None) -> Document:
-    """A document for whatever a file is; raises UserError.
+    """Open a file as a document; raises UserError.
 
     figure  for recordings that bring none
     """
@@ -82,7 +82,7 @@ def _motion(path: Path, figure: str | None) -> Document:
 
 
 def _text_in(path: Path, saved: Saved) -> str:
-    """The text of a solved clip, where its motion lies by now: if what it names is not there, the motion brings it."""
+    """The text of a solved clip at its motion's location: missing files are taken from the motion."""
     from ..clip.file import standing_alone
     from ..clip.parse import table_of
     from ..clip.text import tables, written

@@ -97,7 +97,7 @@ class Replacement:
 
 
 def real_target(target: Path) -> Path:
-    """The file that is to be replaced: where a link leads; raises UserError for what is no plain file."""
+    """The file to replace, after resolving links; raises UserError unless it is a plain file."""
     older = _older(target)
     if older is not None and not stat.S_ISREG(older.st_mode):
         raise UserError(f"cannot write '{target}': {REFUSED.get(stat.S_IFMT(older.st_mode), 'it is not a plain file')}")
@@ -105,7 +105,7 @@ def real_target(target: Path) -> Path:
 
 
 def check_target(target: Path) -> None:
-    """Raises UserError unless a file can be put there."""
+    """Raise UserError unless the file can be created."""
     real = real_target(target)
     if not real.parent.is_dir():
         raise UserError(f"cannot write '{target}': no folder '{real.parent if target.is_symlink() else target.parent}'")

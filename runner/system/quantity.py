@@ -15,12 +15,12 @@ RADIANS_A_SECOND = {"rad/s": 1.0, "deg/s": math.pi / 180}
 
 
 def length(given: str | float, what: str) -> float:
-    """Metres; raises UserError for what is no length above 0, or text without a unit. `what` is how errors call it."""
+    """Metres; raises UserError unless it is a length above 0 with a unit. `what` is the label in errors."""
     return _quantity(given, what, METRES, "a length above 0, such as 2cm, 20mm or 0.02m")
 
 
 def speed(given: str | float, what: str) -> float:
-    """Radians a second; raises UserError for what is no speed above 0, or text without a unit, as `length` does."""
+    """Radians per second; raises UserError unless it is a speed above 0 with a unit, as in `length`."""
     return _quantity(given, what, RADIANS_A_SECOND, "a speed above 0, such as 20rad/s or 1200deg/s")
 
 

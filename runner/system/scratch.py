@@ -39,7 +39,7 @@ def scratch() -> Iterator[Path]:
 
 
 def _begun() -> tuple[Path, int | None]:
-    """A new folder and the handle that locks it; none where there are no locks, and nothing is ever removed."""
+    """A new folder and the handle that locks it; None without locks, and then nothing is removed."""
     folder = Path(tempfile.mkdtemp(prefix=PREFIX))
     if fcntl is None:
         return folder, None
@@ -52,7 +52,7 @@ def _begun() -> tuple[Path, int | None]:
 
 
 def _clear(place: Path) -> None:
-    """Removes our own folders whose programs were killed."""
+    """Remove folders of killed programs of this user."""
     if fcntl is None:
         return
     with suppress(OSError):

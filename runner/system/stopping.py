@@ -1,4 +1,4 @@
-"""Signals that ask a command to end: a terminal's hangup and SIGTERM do what Ctrl-C does, with exit codes of their own.
+"""Signals that end a command: a terminal's hangup and SIGTERM act like Ctrl-C, with separate exit codes.
 
 The best result of a search is then written; the exit code still reports the signal, 129 or 143, so that
 the sender knows that the command was interrupted. Imports almost nothing: the handlers are set
@@ -30,7 +30,7 @@ def heed() -> None:
 
 
 def ignore() -> None:
-    """No more stopping: the command is about to end."""
+    """Ignore signals: the command is about to end."""
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)

@@ -23,7 +23,7 @@ def _letter(letter: str) -> str:
 
 
 def fit() -> None:
-    """Lets both streams write any text, whatever their encoding."""
+    """Allow any text on both streams, with any encoding."""
     codecs.register_error(NAME, _spelled)
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)

@@ -147,7 +147,7 @@ class Worker(Generic[Tool, Item, Result]):
         return result
 
     def stop(self, patience: float = 0.0) -> None:
-        """End the process, by force after so many seconds."""
+        """End the process, by force after a timeout [s]."""
         self.line.close()
         if patience:
             self.process.join(patience)

@@ -13,7 +13,7 @@ LATER = 10  # niceness: of two threads on one processor it gets a tenth of the t
 
 
 def yielding(pieces: Sequence[Callable[[], object]], patience: float) -> None:
-    """Does pieces of work in turn, others first; those that are left after so long [s] like anything else.
+    """Run tasks in turn with low priority; after a time [s] the remaining ones have normal priority.
 
     On Linux alone a thread can lower its own priority, and it cannot raise it again: so this thread ends afterwards.
     An exception of a task is raised again by the code that needs its result; here it only ends the thread.

@@ -237,7 +237,7 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
 
 
 def _inside(whole: Range) -> Range:
-    """A little less than a range: what is soft gives a little."""
+    """A range reduced by a margin, because soft constraints yield a little."""
     margin = min(INSIDE, 0.1 * (whole.high - whole.low))
     return replace(
         whole, low=whole.low + margin * (whole.low != 0 or whole.kind is not JointKind.BALL), high=whole.high - margin

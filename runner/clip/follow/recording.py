@@ -134,7 +134,7 @@ class Followed:
         return Frame.key(frame.time, frame.state) if far else frame
 
     def _is_void(self, rest: Rest, edits: Sequence[Frame], given: Sequence[Rest]) -> bool:
-        """Whether a stance of the recording is none in the clip, or lies where nothing changes."""
+        """Whether a stance of the recording is invalid in the clip, or lies outside every blend."""
         point, width = rest.point, self.width
         if self.table.blend is not None and not any(
             rest.first < edit.time + width and edit.time - width < rest.last for edit in edits

@@ -66,7 +66,7 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
 
 
 def _grown(figure: Figure, point: Point) -> Point:
-    """A site in the middle of a sphere of its link, as thick as that: a foot is meant, not a point of its sole."""
+    """Whether a site is in the middle of a sphere of its link with its radius: it marks a foot, not a sole point."""
     for (centre, _), radius in _round(figure, point.link, ROUND[:1]):
         if np.linalg.norm(point.position - centre) < 0.5 * radius:
             return Point(point.name, point.link, centre, radius)

@@ -70,7 +70,7 @@ class Places:
         return self.figure.links[self.soles[name].link].body if name in self.soles else None
 
     def alike(self, name: str) -> list[str]:
-        """All names of the kind that a name is first taken for: sites, feet, geoms or bodies."""
+        """All names of the first kind that a name can belong to: sites, feet, geoms or bodies."""
         kinds = (self._sites, self.soles, self._geoms, self._bodies)
         return next((list(names) for names in kinds if name in names), [])
 

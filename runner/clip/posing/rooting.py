@@ -48,7 +48,7 @@ def root_links(figure: Figure, row: KeyframeTable) -> set[int]:
 
 
 def posed_roots(figure: Figure, row: KeyframeTable) -> list[tuple[Root, Sequence[float | str]]]:
-    """Roots whose place depends on hinges that a keyframe leaves free, as where slides come after hinges.
+    """Roots whose position depends on hinges that a keyframe leaves free, where slides follow hinges.
 
     With the position (3,) [m] that the keyframe specifies, an axis may be "free": a pose has to be found for it.
     """
@@ -304,7 +304,7 @@ class _Chain:
         return link.dof + np.arange(3 if link.kind is JointKind.BALL else 1)
 
     def _turns_slides(self, i: int) -> bool:
-        """Whether a slide that may be set lies after a link that turns, and along another direction than its axis."""
+        """Whether a settable slide follows a rotating link, in another direction than its axis."""
         link = self.figure.links[i]
         after = [k for k in self.sliding if self.root.links.index(k) > self.root.links.index(i)]
         if link.kind is JointKind.BALL:

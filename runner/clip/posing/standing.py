@@ -125,7 +125,7 @@ class Stander:
         return raw_timeline(self.figure, list(keys), self.ends, slope, solve.travel, turn)
 
     def stood(self, keys: Sequence[Frame], left: Sequence[Placed]) -> list[Frame]:
-        """The keyframes, what the partial ones leave free posed as far as it is beyond doubt.
+        """Pose the free entries of partial keyframes as far as they are certain.
 
         left  points whose places are left to the search
         """
@@ -320,7 +320,7 @@ class _Seen:
         return None if i >= len(self.soles) or self._is_set(self.points[i], k) else self._stays(i, k, near)
 
     def staying(self, k: int) -> Array:
-        """(3, n) where the sole points stand that stay on one spot at keyframe k, whatever it sets; NaN for others."""
+        """(3, n) positions of sole points in a stance at keyframe k, whatever it sets; NaN for others."""
         spots = np.full((3, len(self.soles)), np.nan)
         for i in range(len(self.soles)):
             spot = self._stays(i, k, self._neighbours(i, k))

@@ -74,7 +74,7 @@ def recognises(path: Path) -> bool:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """The motion of SMPL's body on a figure, or as a figure of its own."""
+    """Read the motion of SMPL's body on a figure, or as a new figure."""
     arrays = _arrays(path)
     position, poses = _motion(arrays)
     name = _first(arrays, RATES)
@@ -186,7 +186,7 @@ def _on_person(person: Person, position: Array, local: Array) -> Array:
 
 
 def _lowest(model: mujoco.MjModel, qpos: Array) -> float:
-    """The least height [m] that a site of the figure comes to; soles have theirs."""
+    """The minimum height [m] of the figure's sites; soles have theirs."""
     if model.nsite == 0:
         return 0.0
     data = mujoco.MjData(model)

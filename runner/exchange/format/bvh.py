@@ -50,14 +50,14 @@ def recording(
     scale: float | None,
     notes: tuple[str, ...] = (),
 ) -> Recording:
-    """A skeleton's motion, of any format, as a figure of its own or on a figure; rate [1/s], scale [m] as in `read`."""
+    """Read a skeleton's motion, of any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`."""
     return of_captured(Captured.of(skeleton, scale, retarget.chosen().recording), rate, path, model, notes)
 
 
 def of_captured(
     captured: Captured, rate: float, path: Path, model: mujoco.MjModel | None, notes: tuple[str, ...]
 ) -> Recording:
-    """A captured motion as a figure of its own or on a figure; rate [1/s], path as errors name it."""
+    """Read a captured motion as a new figure or on a figure; rate [1/s], path is the label in errors."""
     time = np.arange(len(captured.position)) / rate
     if model is not None:
         qpos, more = retarget.onto(captured, model, str(path))

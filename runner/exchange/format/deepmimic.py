@@ -44,7 +44,7 @@ LOST = np.radians(1)  # rotation off the axis of a knee or elbow, above which th
 
 
 def ours(vector: Array) -> Array:
-    """(..., 3) in our axes, of theirs."""
+    """(..., 3) in our axes, from theirs."""
     return np.stack([vector[..., 0], -vector[..., 2], vector[..., 1]], -1)
 
 

@@ -1,4 +1,4 @@
-"""HTML: the motion in a page of its own that plays it, from the disk and without any other file or address.
+"""HTML: a page that plays the motion, without other files or addresses.
 
 The page is `player/page.html` with its style and its program put in, which is built from `pages/src/player` and
 three.js (MIT; see the head of `player/player.js`), and the motion as JSON: MuJoCo's poses of every body at equal times,

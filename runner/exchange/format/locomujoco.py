@@ -126,7 +126,7 @@ def _declared(found: Held, path: Path) -> int:
 
 
 def _before_1_0(found: Held, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
-    """An array a joint, of the models of that time, whose roots are slides and hinges."""
+    """Read one array per joint, for the models of that version, whose roots are slides and hinges."""
     joints = [model.joint(joint).name for joint in range(model.njnt)]
     missing = [name for name in joints if BEFORE + name not in found]
     if missing or not set(model.jnt_type.tolist()) <= {2, 3}:

@@ -34,7 +34,7 @@ NAME = "mjlab"
 
 
 def write(take: Take, path: Path) -> None:
-    """In double precision; raises UserError for a figure that is no robot on a free root."""
+    """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
     hinged = take.hinged
     robot = Robot.of(hinged.model, NAME)
     bodies = Bodies.of(hinged.model, hinged.qpos, hinged.qvel)

@@ -180,7 +180,7 @@ class _File:
 
 
 def _hermite(keys: Array, values: Array, into: Array, out: Array, at: Array) -> Array:
-    """Cubics between keys whose slopes before and after each may differ."""
+    """Cubic interpolation between keys with separate slopes before and after each."""
     if keys.size < FEWEST:
         return np.repeat(values, at.size, axis=0)
     span = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, keys.size - 2)

@@ -76,13 +76,13 @@ class _Unpickler(InPython):
         return constructor
 
     def count(self) -> None:
-        """Count an instruction; raises UserError once they come to more memory than a file may."""
+        """Count an instruction; raises UserError if they need more memory than the limit."""
         self.size += STEP_BYTES
         if self.size > self.most:
             largest.check(self.where, self.size, "what it holds")
 
     def check_top(self) -> None:
-        """Complete the top of the stack if its state is known by now; raises Refused for long integers."""
+        """Complete the top of the stack if its state is known; raises Refused for long integers."""
         top = self.stack[-1] if self.stack else None
         if isinstance(top, Unfinished) and top.value is not None:
             self.stack[-1] = top.value

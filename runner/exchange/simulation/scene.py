@@ -216,7 +216,7 @@ def _rotation_vectors(quaternions: Array) -> Array:
 
 
 def _scene(take: Take, actuators: list[Drive]) -> tuple[ElementTree.Element, list[str]]:
-    """The model's text with geoms that collide, actuators and options of its own; and notes on what it overrides."""
+    """The model's text with colliding geoms, actuators and options; and notes on what it overrides."""
     spec = take.saved.scene.spec()
     model, names = take.model, joint_names(take.model)
     notes = [*_set_options(spec, model), *_collide(spec, model)]
@@ -339,7 +339,7 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
 
 
 def _bases(model: mujoco.MjModel) -> set[int]:
-    """The static bodies, the world left out, that limbs hang on: parts of a figure."""
+    """The static bodies, without the world, that carry limbs: parts of a figure."""
     out: set[int] = set()
     for body in np.flatnonzero(model.body_weldid != 0).tolist():
         above = int(model.body_parentid[body])

@@ -38,7 +38,7 @@ Rows = list[list[str]]
 
 @dataclass(frozen=True)
 class Table:
-    """numbers (T, n); names (n,) of the columns, or None; fps [1/s] that a comment gives; notes on what was decided."""
+    """numbers (T, n); names (n,) of the columns, or None; fps [1/s] of a comment; notes on choices made."""
 
     numbers: Array
     names: list[str] | None = None
@@ -78,7 +78,7 @@ DIALECTS = [Dialect(separator, comma) for comma in (False, True) for separator i
 
 
 def table(path: Path) -> Table:
-    """Return the table in a file; raises UserError for a file that is none, naming row and separator."""
+    """Return the table in a file; raises UserError, with row and separator, for an invalid one."""
     lines, comments, heading, is_ended = _lines(path)
     if not lines:
         raise UserError(f"{path}: the file is empty")
@@ -125,7 +125,7 @@ def _cut(rows: Rows, numbers: list[list[float | None]], *, is_ended: bool) -> st
 
 
 def _truncated(path: Path, cut: str, count: int, is_wide: bool) -> str:
-    """Return the note on a table of which so many rows are complete; raises UserError unless those may be used."""
+    """Return the note on a table with this number of complete rows; raises UserError unless these may be used."""
     cut = f"the file is cut short: {cut}"
     if count < gaps.FEWEST:
         raise UserError(f"{path}: {cut}; a motion has at least {gaps.FEWEST} complete rows")
@@ -136,7 +136,7 @@ def _truncated(path: Path, cut: str, count: int, is_wide: bool) -> str:
 
 
 def is_cut(cell: str, number: float, above: Sequence[tuple[str, float | None]]) -> bool:
-    """Return whether a number has fewer digits than all above it, or is so far from them that its end is missing."""
+    """Return whether a number is truncated: it has fewer digits than all above it, or is far from them."""
     matches = [match for text, _ in above if (match := NUMBER.fullmatch(text))]
     match = NUMBER.fullmatch(cell)
     if match is None or not matches:

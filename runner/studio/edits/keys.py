@@ -43,7 +43,7 @@ def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
 
 
 def _follow(table: Any, end: str, was: Sequence[float], now: Mapping[int, float]) -> None:
-    """The end of a contact or hold goes with the keyframe that it lies on."""
+    """Move the ends of contacts and holds along with the keyframe at their time."""
     for index, time in enumerate(was):
         if abs(float(table[end]) - time) < SAME and abs(now[index] - time) > SAME:
             put(table, end, now[index])

@@ -65,7 +65,7 @@ class Blocks:
 
     @classmethod
     def of(cls, text: str, where: str, said: Mapping[str, Any] | None = None) -> Blocks:
-        """Raises UserError for what is no TOML, or is written in a way that cannot be edited by blocks.
+        """Raise UserError for invalid TOML, or notation that cannot be edited by blocks.
 
         said  the parsed text, if known
         """
@@ -107,7 +107,7 @@ class Blocks:
         return [block for block in self.blocks if block.is_row and block.path == path]
 
     def table(self, *path: str, make: bool = False) -> Any:
-        """The one table of a path, under its header or in the one above; None, or an empty one, if there is none."""
+        """The table of a path, under its header or in its parent; None, or an empty one, if there is none."""
         for depth in range(len(path), -1, -1):
             for block in self.blocks:
                 if block.is_row or block.path != path[:depth]:
@@ -147,7 +147,7 @@ def _block(path: tuple[str, ...], is_row: bool, text: str) -> Block:
 
 
 def row(blocks: Blocks, name: str, index: Any) -> Any:
-    """One of the [[name]] tables; raises UserError for a number that is none of theirs."""
+    """One of the [[name]] tables; raises UserError for an invalid index."""
     rows = blocks.rows(name)
     if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(rows):
         raise UserError(f"there is no {name} {index if not isinstance(index, int) else index + 1} any more")
@@ -168,7 +168,7 @@ def _shown(value: Any) -> str:
 
 
 def numbers(values: Any, what: str, count: int = 3) -> list[float]:
-    """So many finite numbers."""
+    """A list of `count` finite numbers."""
     if not isinstance(values, list | tuple) or len(values) != count:
         raise UserError(f"{what}: give {count} numbers")
     return [number(value, what) for value in values]
@@ -198,7 +198,7 @@ def put(table: Any, key: str, value: Any) -> None:
 
 
 def put_dotted(table: Any, group: str, key: str, value: Any) -> None:
-    """Sets `group.key`, such as joints.left_hip, on a line of its own if it is new."""
+    """Set `group.key`, such as joints.left_hip, on a separate line if it is new."""
     if group in table:
         inner = table[group]
         has_header = isinstance(inner, Table) and not inner.is_super_table()

@@ -26,5 +26,5 @@ class Foreseen:
     found: Solution | None = None
 
     def is_of(self, text: str, before: Clip | None) -> bool:
-        """Whether it is what a text comes to after the clip that is the present one."""
+        """Whether this is the result of a text, edited from the present clip."""
         return self.clip.text == text and self.before is before
