@@ -9,7 +9,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, unknown
-from .numbering import renumbered
+from .revision_map import renumbered
 from .session import Session
 
 if TYPE_CHECKING:
@@ -139,9 +139,9 @@ class Actions:
     def _rests(self) -> None:
         """Start a timer: after a pause in the drag the edit that it would make is solved speculatively."""
         self._keep_still()
-        self._rest = asyncio.get_running_loop().call_later(RESTS, self._foresee)
+        self._rest = asyncio.get_running_loop().call_later(RESTS, self._speculate)
 
-    def _foresee(self) -> None:
+    def _speculate(self) -> None:
         prepared_poser = self.session.poser
         if (
             self._last is None
@@ -153,7 +153,7 @@ class Actions:
         with suppress(UserError, LookupError):  # the keyframe no longer exists
             edit = self._meant(prepared_poser[1]) if len(self._home) == prepared_poser[1].figure.width else None
             if edit is not None:
-                self.session.foresee(*edit)
+                self.session.speculate(*edit)
 
     def _placed(self, index: int) -> list[str]:
         """The sites and bodies with a target position in a keyframe."""

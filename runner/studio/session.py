@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError, one_line
-from . import glimpse
+from . import startup_snapshot
 from .document import Document
-from .numbering import renumbered
+from .revision_map import renumbered
 from .solver import Solver
 
 Message = dict[str, Any]
@@ -66,9 +66,9 @@ class Session:
         self._trying: Message | None = None
         self._keeper: asyncio.TimerHandle | None = None
         self._curved: set[int] = set()
-        self._is_glimpse = self._is_foreseeing = False
-        self._glimpsed: str | None = None
-        self._foreseen: tuple[tuple[Any, ...], tuple[str, str]] | None = None  # an edit that may come; text and words
+        self._shows_snapshot = self._is_speculating = False
+        self._snapshot_text: str | None = None
+        self._speculation: tuple[tuple[Any, ...], tuple[str, str]] | None = None  # an edit; its text and words
 
     @property
     def timeline(self) -> Any:
@@ -94,11 +94,11 @@ class Session:
 
     def start(self) -> None:
         """Start the process and load the clip; messages are queued until the session listens."""
-        view = glimpse.read(glimpse.file_of(self.document))
+        view = startup_snapshot.read(startup_snapshot.file_of(self.document))
         self.solver.start(is_seen=view is not None)
         self._load(self.document.text, self.document.revision, first=True)
         if view is not None:
-            self._is_glimpse, self._stage, self._paths["found"] = True, _told_stage(view[0]), view[1]
+            self._shows_snapshot, self._stage, self._paths["found"] = True, _told_stage(view[0]), view[1]
 
     def begin(self) -> None:
         """Listen to the process, and start it if necessary."""
@@ -157,7 +157,7 @@ class Session:
         """
         async with self._lock:
             request = self.document.revision, name, said, revision
-            prepared_edit, self._foreseen = self._foreseen, None
+            prepared_edit, self._speculation = self._speculation, None
             text, words = (
                 prepared_edit[1]
                 if prepared_edit is not None and prepared_edit[0] == request
@@ -183,21 +183,21 @@ class Session:
             raise UserError(f"{name}: {one_line(error)}") from None
         return tree.as_string(), words
 
-    def foresee(self, name: str, said: Message, revision: int | None = None) -> None:
+    def speculate(self, name: str, said: Message, revision: int | None = None) -> None:
         """Solve speculatively for an edit that may follow, if there is nothing else to do."""
         if not self.go or self._lock.locked() or self.status["state"] != "settled":
             return
         with suppress(UserError):
             text, words = self._edited(name, said, revision)
             if text != self.document.text:
-                self._foreseen = (self.document.revision, name, said, revision), (text, words)
-                self._is_foreseeing = True
-                self.solver.send({"do": "foresee", **self._named(text)})
+                self._speculation = (self.document.revision, name, said, revision), (text, words)
+                self._is_speculating = True
+                self.solver.send({"do": "speculate", **self._named(text)})
 
     def wait(self) -> None:
         """End the speculative solve."""
-        if self._is_foreseeing:
-            self._is_foreseeing = False
+        if self._is_speculating:
+            self._is_speculating = False
             self.solver.send({"do": "wait"})
 
     async def undo(self) -> str:
@@ -256,7 +256,7 @@ class Session:
 
     async def _tried(self, text: str, *, first: bool = False) -> Message:
         """The solver's answer to a text, which it then searches; raises UserError for an invalid clip."""
-        self._verdict, self._is_glimpse = asyncio.get_running_loop().create_future(), False
+        self._verdict, self._shows_snapshot = asyncio.get_running_loop().create_future(), False
         self._load(text, self.document.revision + 1, first=first)
         try:
             verdict = await asyncio.wait_for(self._verdict, VERDICT)
@@ -270,7 +270,7 @@ class Session:
         return verdict
 
     def _load(self, text: str, revision: int, *, first: bool = False, found: Any = None) -> None:
-        self._is_foreseeing = False
+        self._is_speculating = False
         self._trying = {"do": "load", **self._named(text), "revision": revision, "go": self.go, "first": first}
         self.solver.send(self._trying if found is None else {**self._trying, "found": found})
 
@@ -339,8 +339,8 @@ class Session:
         self.stages += 1
         self.scene = message
         stage = _told_stage(message["stage"])
-        self._is_glimpse = self._is_glimpse and stage == self._stage
-        if self._is_glimpse:
+        self._shows_snapshot = self._shows_snapshot and stage == self._stage
+        if self._shows_snapshot:
             return
         self._paths.clear()
         self._stage = stage
@@ -383,12 +383,12 @@ class Session:
             self._timeline, self._pathed = message["timeline"], message["revision"]
             for waiting in [future for future in self._waiting if not future.done()]:
                 waiting.set_result(None)
-        if message["kind"] == "carried" and self._is_glimpse:
+        if message["kind"] == "carried" and self._shows_snapshot:
             self._paths["carried"] = message["data"]
             return  # pages show the cached result
         if message["kind"] == "carried":
             self._paths.pop("found", None)
-        self._is_glimpse = self._is_glimpse and message["kind"] == "raw"
+        self._shows_snapshot = self._shows_snapshot and message["kind"] == "raw"
         self._paths[message["kind"]] = message["data"]
         self.tell(message["data"])
 
@@ -396,25 +396,25 @@ class Session:
         self._status("searching")
 
     def _heard_settled(self, message: Message) -> None:
-        if self._is_glimpse:  # there was no search
+        if self._shows_snapshot:  # there was no search
             self._paths.pop("found", None)
             self.tell(self._paths["carried"])
-        self._settled, self._is_glimpse = message, False
+        self._settled, self._shows_snapshot = message, False
         if self.settled is not None:
             self.settled()
         self.tell(message)
         self._status("settled", stop=message["stop"])
-        self._keep_glimpse()
+        self._save_snapshot()
 
-    def _keep_glimpse(self) -> None:
+    def _save_snapshot(self) -> None:
         """Cache this text's view in the background, once per text, for the next time it is opened."""
         path = self._paths.get("found", self._paths.get("carried"))
-        if self._stage is None or path is None or self.document.text == self._glimpsed:
+        if self._stage is None or path is None or self.document.text == self._snapshot_text:
             return
         if self.document.is_dirty and self.document.revision:
             return
-        self._glimpsed, stage = self.document.text, self._stage[len(STAGE) : -1]
-        write = partial(glimpse.write, glimpse.file_of(self.document), stage, path)
+        self._snapshot_text, stage = self.document.text, self._stage[len(STAGE) : -1]
+        write = partial(startup_snapshot.write, startup_snapshot.file_of(self.document), stage, path)
         asyncio.get_running_loop().run_in_executor(None, write)
 
     def _heard_curves(self, message: Message) -> None:

@@ -38,7 +38,7 @@ from ...scene.outside import allowed
 from ...system.cache_folder import place as cache
 from .. import paths
 from ..outline import formats, kinds, outline
-from .foreseen import Foreseen
+from .speculation import Speculation
 from .stage import stage
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ class Work:
         self._is_going, self._is_near = True, False
         self._is_cut = False  # whether a message has interrupted the last search
         self._astray: str | None = None
-        self._foreseen: Foreseen | None = None
+        self._speculation: Speculation | None = None
         self._took = 0.0  # [s] loading time of the last edit
         self._before: tuple[float, int] | None = None  # E and the number of problems of the last good result
 
@@ -147,7 +147,7 @@ class Work:
         """
         self._is_going, self._astray = go, None
         before, solution = self.clip, self.found
-        ahead, self._foreseen = self._foreseen, None
+        ahead, self._speculation = self._speculation, None
         if ahead is not None and (first or found is not None or not ahead.is_of(text, before)):
             ahead = None
         clip = ahead.clip if ahead is not None else self._loaded(text, name, place, folder, None if first else before)
@@ -181,24 +181,24 @@ class Work:
         self._took = time.monotonic() - begun if like is not None else 0.0  # the figure was reused
         return clip
 
-    def do_foresee(self, text: str, name: str, place: str, folder: str) -> None:
+    def do_speculate(self, text: str, name: str, place: str, folder: str) -> None:
         """Solve speculatively for a text; any message ends this. The result is used when the text arrives."""
-        before, self._foreseen = self.clip, None
+        before, self._speculation = self.clip, None
         if before is None or not self._is_going or self._took > QUICK:
             return
         with suppress(Exception):  # reported when the text arrives
             clip = self._loaded(text, name, place, folder, before)
             begin, between = self._begin(clip, before, self.found, first=False, found=None)
             if clip.figure is before.figure and begin is not None:
-                ahead = self._foreseen = Foreseen(before, clip, begin, between)
+                ahead = self._speculation = Speculation(before, clip, begin, between)
                 solution = self._lowered(clip, begin, between, lambda improvement: None)
                 if solution is not None and solution.evaluations > 1:  # the first evaluation is the initial guess
-                    self._foreseen = replace(ahead, found=solution)
+                    self._speculation = replace(ahead, found=solution)
 
     def do_wait(self) -> None:
         """Do nothing: the message itself has ended the speculative solve."""
 
-    def _take_up(self, known: Foreseen, *, go: bool) -> None:
+    def _take_up(self, known: Speculation, *, go: bool) -> None:
         """Continue with a speculatively solved clip and its result."""
         clip, solution = known.clip, known.found
         if solution is None:

@@ -11,7 +11,7 @@ from ...clip.build import Clip
 
 
 @dataclass(frozen=True, eq=False)
-class Foreseen:
+class Speculation:
     """A clip, and how far the search of its path has come.
 
     before    the clip that it was made of by an edit

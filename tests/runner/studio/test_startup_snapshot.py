@@ -8,7 +8,7 @@ import json
 import numpy as np
 import pytest
 
-from dynsplines.studio import glimpse, paths
+from dynsplines.studio import paths, startup_snapshot
 from dynsplines.studio.document import Document
 from dynsplines.studio.session import Session
 
@@ -29,7 +29,7 @@ def document(tmp_path, monkeypatch):
 @pytest.fixture
 def session(document, monkeypatch):
     """One whose clip was seen before; its process is never begun."""
-    glimpse.write(glimpse.file_of(document), STAGE, path_of())
+    startup_snapshot.write(startup_snapshot.file_of(document), STAGE, path_of())
     found = Session(document)
     begun = []
     monkeypatch.setattr(found.solver, "start", lambda is_seen: begun.append(is_seen))
@@ -46,31 +46,31 @@ def entered(session):
 
 
 def test_what_was_kept_is_there_for_the_same_text_and_no_other(document):
-    file = glimpse.file_of(document)
-    assert glimpse.read(file) is None
-    glimpse.write(file, STAGE, path_of())
-    assert glimpse.read(file) == (STAGE, path_of())
+    file = startup_snapshot.file_of(document)
+    assert startup_snapshot.read(file) is None
+    startup_snapshot.write(file, STAGE, path_of())
+    assert startup_snapshot.read(file) == (STAGE, path_of())
     document.commit("another", "change")
-    assert glimpse.read(glimpse.file_of(document)) is None
+    assert startup_snapshot.read(startup_snapshot.file_of(document)) is None
 
 
 @pytest.mark.parametrize("at", [0, 9, 20, 60, -1])
 def test_one_that_is_damaged_is_as_good_as_none(document, at):
-    file = glimpse.file_of(document)
+    file = startup_snapshot.file_of(document)
     assert file is not None
-    glimpse.write(file, STAGE, path_of())
+    startup_snapshot.write(file, STAGE, path_of())
     data = bytearray(file.read_bytes())
     file.write_bytes(bytes(data[:at]))
-    assert glimpse.read(file) is None
-    glimpse.write(file, STAGE, path_of(bodies=5))
-    assert glimpse.read(file) is None  # of another figure
+    assert startup_snapshot.read(file) is None
+    startup_snapshot.write(file, STAGE, path_of(bodies=5))
+    assert startup_snapshot.read(file) is None  # of another figure
 
 
 def test_nothing_is_kept_where_nothing_is_to_be(document, monkeypatch):
     monkeypatch.setenv("DYNSPLINES_CACHE", "off")
-    assert glimpse.file_of(document) is None
-    glimpse.write(None, STAGE, path_of())
-    assert glimpse.read(None) is None
+    assert startup_snapshot.file_of(document) is None
+    startup_snapshot.write(None, STAGE, path_of())
+    assert startup_snapshot.read(None) is None
 
 
 def test_a_page_gets_it_before_anything_is_loaded_and_keeps_it_until_something_better_comes(session):
@@ -104,4 +104,4 @@ def test_where_nothing_is_searched_the_clip_s_own_path_takes_its_place(session):
     asyncio.run(heard())
     assert path_of("carried") in told
     assert path_of() not in entered(session)
-    assert glimpse.read(glimpse.file_of(session.document)) == (STAGE, path_of("carried"))
+    assert startup_snapshot.read(startup_snapshot.file_of(session.document)) == (STAGE, path_of("carried"))

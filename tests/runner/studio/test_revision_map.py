@@ -10,7 +10,7 @@ import pytest
 
 from dynsplines.errors import UserError
 from dynsplines.studio.document import Document
-from dynsplines.studio.numbering import renumbered
+from dynsplines.studio.revision_map import renumbered
 from dynsplines.studio.session import Session
 
 TEXT = (

@@ -27,8 +27,8 @@ def work(tmp_path):
     return found
 
 
-def foresee(work, folder, text):
-    work.do({"do": "foresee", "text": text, "name": "tiny", "place": "tiny.toml", "folder": str(folder)})
+def speculate(work, folder, text):
+    work.do({"do": "speculate", "text": text, "name": "tiny", "place": "tiny.toml", "folder": str(folder)})
     return work.line.taken()
 
 
@@ -52,9 +52,9 @@ def kinds(told):
     return [each["kind"] for each in told if each["is"] == "path"]
 
 
-def test_what_was_foreseen_is_there_as_soon_as_it_is_said(work, tmp_path, without):
+def test_a_speculative_result_is_used_as_soon_as_its_text_arrives(work, tmp_path, without):
     before = work.found
-    assert foresee(work, tmp_path, EDITED) == []
+    assert speculate(work, tmp_path, EDITED) == []
     assert work.found is before
     told = load(work, tmp_path, EDITED, 1)
     assert [each["is"] for each in told][:2] == ["loaded", "path"]
@@ -67,8 +67,8 @@ def test_what_was_foreseen_is_there_as_soon_as_it_is_said(work, tmp_path, withou
     np.testing.assert_array_equal(states, without[1])
 
 
-def test_what_came_otherwise_is_as_if_nothing_had_been_foreseen(work, tmp_path, without):
-    foresee(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 60, 0]"))
+def test_another_text_ignores_the_speculation(work, tmp_path, without):
+    speculate(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 60, 0]"))
     told = load(work, tmp_path, EDITED, 1)
     assert kinds(told)[0] == "carried"
     np.testing.assert_array_equal(ended(work)[1], without[1])
@@ -78,7 +78,7 @@ def test_what_came_otherwise_is_as_if_nothing_had_been_foreseen(work, tmp_path, 
 def test_one_that_lets_go_in_the_middle_of_it_continues_from_there(work, tmp_path, without, seen):
     asked = iter([False] * seen)
     work.is_awaited = lambda: next(asked, True)
-    foresee(work, tmp_path, EDITED)
+    speculate(work, tmp_path, EDITED)
     work.is_awaited = lambda: False
     told = load(work, tmp_path, EDITED, 1)
     assert kinds(told)[0] == ("found" if seen == 2 else "carried")
@@ -89,21 +89,21 @@ def test_one_that_lets_go_in_the_middle_of_it_continues_from_there(work, tmp_pat
 def test_an_invalid_clip_is_rejected_when_it_is_sent_and_not_before(work, tmp_path):
     text = tiny.CLIP.replace("time = 0.2", "time = -1.0")
     assert text != tiny.CLIP
-    assert foresee(work, tmp_path, text) == []
+    assert speculate(work, tmp_path, text) == []
     assert load(work, tmp_path, text, 1)[-1]["is"] == "refused"
 
 
-def test_nothing_is_foreseen_where_a_clip_takes_its_time_to_load(work, tmp_path, monkeypatch):
+def test_clips_that_load_slowly_are_not_solved_speculatively(work, tmp_path, monkeypatch):
     """Whatever is said meanwhile would wait for it."""
     monkeypatch.setattr("dynsplines.studio.solving.work.QUICK", 1e-6)
     load(work, tmp_path, tiny.CLIP + "\n", 1)
-    foresee(work, tmp_path, EDITED)
+    speculate(work, tmp_path, EDITED)
     assert kinds(load(work, tmp_path, EDITED, 2))[0] == "carried"
 
 
-def test_nothing_is_foreseen_where_the_search_was_stopped(work, tmp_path):
+def test_there_is_no_speculation_while_the_search_is_stopped(work, tmp_path):
     load(work, tmp_path, tiny.CLIP, go=False)
-    foresee(work, tmp_path, EDITED)
+    speculate(work, tmp_path, EDITED)
     told = load(work, tmp_path, EDITED, 1, go=False)
     assert kinds(told)[0] == "carried"
 
@@ -155,13 +155,13 @@ async def dragged(session, *, height=0.3, rests=0.2, partial=False, time=0.2):
 def test_a_hand_that_rests_has_searched_what_it_says_when_it_lets_go(session, monkeypatch):
     async def told():
         hand = await dragged(session)
-        foreseen, document = session.solver.last("foresee"), session.document.text
-        assert foreseen is not None
+        speculation, document = session.solver.last("speculate"), session.document.text
+        assert speculation is not None
         assert document == tiny.CLIP
         assert session.document.revision == 0
         monkeypatch.setattr(session, "_edited", None)  # nothing is to be taken apart again
         await hand.drop(time=0.2)
-        assert session.document.text == foreseen["text"] == session.solver.last("load")["text"]
+        assert session.document.text == speculation["text"] == session.solver.last("load")["text"]
         assert session.solver.last("wait") is None
 
     asyncio.run(told())
@@ -175,17 +175,17 @@ def test_what_somebody_else_says_meanwhile_is_kept(session):
         rows = session.document.tree_rows()
         assert rows[2]["joints"]["left_knee"]["rotvec"] == [0, 7, 0]
         assert rows[1]["root"]["position"] != [0.1, 0, "free"]
-        assert session.document.text != session.solver.last("foresee")["text"]
+        assert session.document.text != session.solver.last("speculate")["text"]
 
     asyncio.run(told())
 
 
 @pytest.mark.parametrize("partial", [False, True])
-def test_a_new_keyframe_is_foreseen_as_it_will_be_said(session, partial):
+def test_a_new_keyframe_is_solved_speculatively_as_the_edit_will_write_it(session, partial):
     async def told():
         hand = await dragged(session, partial=partial, time=0.1)
         await hand.drop(time=0.1, partial=partial)
-        assert session.document.text == session.solver.last("foresee")["text"]
+        assert session.document.text == session.solver.last("speculate")["text"]
 
     asyncio.run(told())
 
@@ -196,9 +196,9 @@ def test_a_drag_that_continues_ends_the_search_and_an_immediate_release_starts_n
         await hand.drag(position=[0.1, 0, 0.25])
         assert session.solver.asked[-1]["do"] == "wait"
         await hand.drop(time=0.2)
-        assert [each["do"] for each in session.solver.asked].count("foresee") == 1
+        assert [each["do"] for each in session.solver.asked].count("speculate") == 1
         await asyncio.sleep(0.1)
-        assert [each["do"] for each in session.solver.asked].count("foresee") == 1
+        assert [each["do"] for each in session.solver.asked].count("speculate") == 1
 
     asyncio.run(told())
 
@@ -208,7 +208,7 @@ def test_a_cancelled_drag_leaves_everything_unchanged(session):
         hand = await dragged(session, rests=0)
         path = session.solver.work.found
         await asyncio.sleep(0.2)
-        assert session.solver.asked[-1]["do"] == "foresee"
+        assert session.solver.asked[-1]["do"] == "speculate"
         await hand.cancel()
         assert session.solver.asked[-1]["do"] == "wait"
         assert session.solver.work.found is path
@@ -217,12 +217,12 @@ def test_a_cancelled_drag_leaves_everything_unchanged(session):
     asyncio.run(told())
 
 
-def test_nothing_is_foreseen_while_the_last_edit_is_searched(session):
+def test_there_is_no_speculation_while_the_last_edit_is_searched(session):
     async def told():
         hand = await dragged(session, rests=0)
         session.status = {**session.status, "state": "searching"}
         await asyncio.sleep(0.2)
         await hand.cancel()
-        assert session.solver.last("foresee") is None
+        assert session.solver.last("speculate") is None
 
     asyncio.run(told())
