@@ -8,7 +8,7 @@ leave the search its way.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Protocol
@@ -39,7 +39,6 @@ HOPELESS = 0.05  # [m, rad] by which a rough pose misses its goals where none th
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
 STEPS, FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e-12, 1e8
 BOLDER, MORE_CAREFUL = 5, 8  # times less damping after a step that leads down, and times more after another
-PULLS = 12  # steps of a pose that follows a hand
 ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
 SMALLEST_STEP = 1e-11
 MOST_REMEMBERED = 1000  # poses of a figure
@@ -248,24 +247,6 @@ def posed(
     return Posed(there, fixed, missed, tried)
 
 
-def pulled(
-    figure: Figure,
-    qpos: Array,
-    free: Mask,
-    goals: Sequence[Goal],
-    bends: BendLimits | None = None,
-    *,
-    begin: Array,
-    steps: int = PULLS,
-) -> Posed:
-    """As `posed`, in so few steps that a hand can be dragged: from one pose to begin with (nq,), and within a fraction
-    of a millimetre, or as near as it comes if the goals are out of reach."""
-    search = _PoseSearch(figure, np.array(qpos, float), np.asarray(free, bool), tuple(goals), bends)
-    if not search.dofs.size:
-        return search.result(search.home)
-    return search.result(search.near(np.array(begin, float), steps))
-
-
 _poses: WeakKeyDictionary[Figure, Remembered[Posed]] = WeakKeyDictionary()
 
 
@@ -286,10 +267,10 @@ def _known(
     home, free = np.where(own, home, figure.model.qpos0), free & own
     asked = content((home, free, goals, bends, beyond, starts))
     poses = _poses.setdefault(figure, Remembered(MOST_REMEMBERED))
-    return poses.of(asked, lambda: _posed(_PoseSearch(figure, home, free, goals, bends, beyond), starts))
+    return poses.of(asked, lambda: _posed(PoseSearch(figure, home, free, goals, bends, beyond), starts))
 
 
-def _posed(search: _PoseSearch, starts: int) -> Posed:
+def _posed(search: PoseSearch, starts: int) -> Posed:
     """The pose for goals that depend on one another."""
     best = search.result(search.home)
     if best.is_met or not search.dofs.size:
@@ -378,8 +359,11 @@ def _at_rest(model: mujoco.MjModel, body: int) -> Array:
     return quat.normalised(turn)
 
 
-class _PoseSearch:
-    """Least squares over the free degrees of freedom that the goals depend on."""
+class PoseSearch:
+    """Least squares over the free degrees of freedom that the goals depend on.
+
+    range_shares  by link, the share of its range that a joint may use
+    """
 
     def __init__(
         self,
@@ -389,6 +373,7 @@ class _PoseSearch:
         goals: tuple[Goal, ...],
         bends: BendLimits | None,
         beyond: float = 0.0,
+        range_shares: Mapping[int, float] | None = None,
     ) -> None:
         self.figure, self.model, self.home, self.goals = figure, figure.model, home, goals
         self.data = mujoco.MjData(self.model)
@@ -400,6 +385,8 @@ class _PoseSearch:
             i for i in links if figure.links[i].kind is not JointKind.FREE and free[entries(figure, i)].all()
         ]
         self.ranges = _Ranges.of(figure, self.joints, self.dofs, beyond)
+        if range_shares:
+            self.ranges = self.ranges.narrowed({figure.links[i].qpos: share for i, share in range_shares.items()}, home)
         self.bends = None if bends is None else _Bends.of(figure, bends, free)
 
     def _freedoms(self, links: list[int], free: Mask) -> tuple[Index, Array]:
@@ -418,7 +405,7 @@ class _PoseSearch:
 
     def bent_starts(self) -> list[Array]:
         """Poses to begin with: home with knees and elbows bent by so much at least; home itself if it has none."""
-        starts = [self._begun(self.home, angle) for angle in BENT]
+        starts = [self.begun(self.home, angle) for angle in BENT]
         return starts[:1] if np.array_equal(starts[0], starts[-1]) else starts
 
     def starts_around(self, count: int) -> Iterator[Array]:
@@ -428,14 +415,18 @@ class _PoseSearch:
         for i in self.joints:
             rest[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
         middle[self.ranges.simple] = self.ranges.limits.mean(axis=1)
-        yield from (self._begun(rest, BENT[0]), self._begun(middle, BENT[1]))[:count]
+        yield from (self.begun(rest, BENT[0]), self.begun(middle, BENT[1]))[:count]
         turns = self.weights != PER_METRE
         for number in range(count - 2):
-            start = self._moved(self.home if number % 2 else rest, SPREAD * rng.normal(size=self.dofs.size) * turns)
+            start = self.moved(self.home if number % 2 else rest, SPREAD * rng.normal(size=self.dofs.size) * turns)
             start[self.ranges.simple] = rng.uniform(*self.ranges.limits.T)
             yield start if self.bends is None else self.bends.begun(start, rng.uniform(BENT[0], BENT[-1]))
 
-    def _begun(self, qpos: Array, least: float) -> Array:
+    def clipped(self, qpos: Array) -> Array:
+        """qpos inside the ranges of hinges and slides."""
+        return self.ranges.begun(qpos, -np.inf)
+
+    def begun(self, qpos: Array, least: float) -> Array:
         """qpos inside the ranges of hinges and slides, every knee and elbow bent the right way by so much at least."""
         start = self.ranges.begun(qpos, least)
         return start if self.bends is None else self.bends.begun(start, least)
@@ -448,10 +439,6 @@ class _PoseSearch:
     def roughly(self, qpos: Array) -> tuple[Array, float]:
         """A pose that nearly meets goals that weigh little, and what it costs."""
         return self._levenberg(qpos, COARSE, None, ROUGHLY)
-
-    def near(self, qpos: Array, steps: int) -> Array:
-        """A pose that meets the goals but for what is left of their weight, or comes near them; in so many steps."""
-        return self._levenberg(qpos, FIRM, None, ROUGHLY, steps)[0]
 
     def around(self, qpos: Array) -> Array:
         """A pose near a start, wherever home is, that nearly meets the goals."""
@@ -471,7 +458,7 @@ class _PoseSearch:
         weight, last, shifts = FIRM, np.inf, None
         for _ in range(ROUNDS):
             qpos, _ = self._levenberg(qpos, weight, shifts, SETTLED)
-            off, over = (values for values, _ in self._linearised(qpos)[1:])
+            off, over = (values for values, _ in self.linearised(qpos)[1:])
             shifts = (
                 (off, np.maximum(over, 0)) if shifts is None else (off + shifts[0], np.maximum(over + shifts[1], 0))
             )
@@ -495,7 +482,7 @@ class _PoseSearch:
         cost = float(residuals @ residuals)
         for _ in range(steps):
             step = _step(residuals, rows, damping, is_exact=FIRMER * weight > SQUARED)
-            there = self._moved(qpos, step)
+            there = self.moved(qpos, step)
             residuals_there, rows_there = self._weighed(there, weight, shifts)
             cost_there = float(residuals_there @ residuals_there)
             if cost_there < cost:
@@ -515,7 +502,7 @@ class _PoseSearch:
         mujoco.mj_kinematics(self.model, self.data)
         mujoco.mj_comPos(self.model, self.data)
 
-    def _moved(self, qpos: Array, step: Array) -> Array:
+    def moved(self, qpos: Array, step: Array) -> Array:
         """qpos with its free degrees of freedom moved by a step (n,); the rest stays to the bit."""
         velocity, there = np.zeros(self.model.nv), np.array(qpos)
         velocity[self.dofs] = step
@@ -524,7 +511,7 @@ class _PoseSearch:
 
     def _weighed(self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None) -> Part:
         """All residuals (r,) of least squares and their derivatives by the free degrees of freedom (r, n)."""
-        near, (off, by_off), (over, by_over) = self._linearised(qpos)
+        near, (off, by_off), (over, by_over) = self.linearised(qpos)
         if shifts is not None:
             off, over = off + shifts[0], over + shifts[1]
         firm = FIRMER * weight * (over > 0)
@@ -538,7 +525,7 @@ class _PoseSearch:
         """(n, n) how the weighed distance from home changes with a step."""
         return np.diag(self.weights)
 
-    def _linearised(self, qpos: Array) -> tuple[Part, Part, Part]:
+    def linearised(self, qpos: Array) -> tuple[Part, Part, Part]:
         """How far a pose is from home, from the goals, and over its bounds (below zero: within), with derivatives."""
         self._place(qpos)
         from_home = np.zeros(self.model.nv)
@@ -552,7 +539,7 @@ class _PoseSearch:
             crooked, beyond = self.bends.linearised(qpos, self.model.nv)
             near.append((crooked[0], crooked[1][:, self.dofs]))
             over.append((beyond[0], beyond[1][:, self.dofs]))
-        return _joined(near), _joined(off), _joined(over)
+        return joined(near), joined(off), joined(over)
 
 
 def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> Array:
@@ -577,7 +564,8 @@ def _crossed(a: Array, b: Array) -> Array:
     return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
 
 
-def _joined(parts: Sequence[Part]) -> Part:
+def joined(parts: Sequence[Part]) -> Part:
+    """Several values and their derivatives, one after the other."""
     return np.concatenate([values for values, _ in parts]), np.concatenate([rows for _, rows in parts])
 
 
@@ -623,6 +611,19 @@ class _Ranges:
             ways,
             dofs.size,
         )
+
+    def narrowed(self, shares: Mapping[int, float], home: Array) -> _Ranges:
+        """The same with joints, by the first of their columns, kept to a share of their ranges about the middle, balls
+        about their rest; as far as they are beyond at home (nq,)."""
+        kept = np.array([shares.get(int(columns[0]), 1.0) for columns in self.balls])
+        there = np.linalg.norm(quat.rotation_vector(home[self.balls]), axis=-1)
+        most = np.minimum(self.most, np.maximum(kept * self.most, there))
+        spare = np.array([1 - shares.get(int(column), 1.0) for column in self.simple])
+        margin = np.outer(spare / 2 * np.ptp(self.limits, axis=1), [1, -1])
+        low, high = (self.limits + margin).T
+        at = np.clip(home[self.simple], *self.limits.T)
+        narrow = np.stack([np.minimum(low, at), np.maximum(high, at)], axis=1)
+        return replace(self, most=most, limits=np.where(spare[:, None] > 0, narrow, self.limits))
 
     def begun(self, qpos: Array, least: float) -> Array:
         """qpos with its hinges and slides inside their ranges, and those that bend one way bent by so much at least."""

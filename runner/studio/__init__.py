@@ -14,4 +14,5 @@ solver            the solver process, as seen from the server
 solving/          the solver process itself; the figure as the page draws it, curves
 startup_snapshot  the last view of a clip, shown at once when it is opened again
 files             save, export and render, in the clip's folder
+footing     contact points of feet, floor and support polygon of a drag
 """

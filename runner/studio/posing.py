@@ -1,12 +1,13 @@
 """The pose that follows a drag: of a hand, a foot, the head, the pelvis, or any other point of the figure.
 
-A limb that reaches goes alone. One that does not takes the whole figure along, but for the soles that stand.
+A limb that reaches moves alone. Otherwise the whole figure follows: soles stay on the ground, the centre of mass over
+the feet.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,10 +17,11 @@ from numpy.typing import ArrayLike
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.drag import Constraints, FloorClearance, SupportPolygon, dragged
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty.joints.bend import BendLimits
-from dynsplines.solver.posing import Goal, PointGoal, Posed, chain, entries, limb, pulled
-from dynsplines.solver.surface import Surface, static_surfaces
+from dynsplines.solver.posing import BodyGoal, PointGoal, Posed, chain, entries, limb
+from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
 from ..clip.constraints import chosen, posing_bends
@@ -28,8 +30,16 @@ from ..clip.posing.places import Places
 from ..clip.table import PenaltyTable
 from ..clip.text import rotation
 from ..errors import UserError, unknown
+from .footing import Footing, Spheres
 
-STANDS = 0.03  # [m] over what it may stand on from which on a sole does not stand
+END_RANGE = 0.78  # share of their ranges that ankles and wrists use
+LIFTED = 0.02  # [m] distance of a pulled knee from its target beyond which its foot leaves the ground
+LEVEL_WEIGHT = 2.0  # of a radian of a lifted foot's rotation, relative to one of a joint
+BALANCED = 0.01  # [m] by which the centre of mass of a balanced figure may be beyond the polygon of its limit
+KEPT = 0.005  # [m] likewise after a drag
+LANDINGS = 2  # solves while a foot lands
+CLEAR = 0.035  # [m] height of a foot that is not put down
+STANDS = 0.03  # [m] height below which a sole stands on the ground
 SHORT = 0.002  # [m] by which a limb that does not reach misses
 MOVED = 1e-5  # [rad, m] by which a joint differs that was moved
 DIGITS = 3  # after the point, of degrees: 2e-5 rad; places have two more
@@ -37,66 +47,178 @@ DIGITS = 3  # after the point, of degrees: 2e-5 rad; places have two more
 
 @dataclass(frozen=True)
 class Grip:
-    """What has been taken hold of: a point of a body, offset (3,) [m] in its axes, in a pose qpos (nq,)."""
+    """A grabbed point of a body, offset (3,) [m] in its axes, in a pose qpos (nq,).
+
+    limb, whole        (nq,) entries of its limb; of all that may move
+    planted            goals of the sole points that stand, of other limbs
+    standing, hanging  the feet that stand; the feet of the grabbed limb
+    is_balanced        whether the centre of mass is over the feet
+    limits             the floor
+    """
 
     qpos: Array
     body: int
     offset: Array
     limb: Mask
     whole: Mask
-    planted: tuple[Goal, ...]
+    planted: tuple[PointGoal, ...]
+    standing: tuple[Spheres, ...]
+    hanging: tuple[Spheres, ...]
+    is_balanced: bool
+    limits: tuple[FloorClearance, ...]
 
 
 class Poser:
     """Poses of one figure in its scene.
 
-    whole  (K, nq) keyframes that say every joint, by which feet are found
+    whole  (K, nq) keyframes that specify every joint, from which the feet are inferred
     """
 
     def __init__(self, figure: Figure, penalties: Sequence[PenaltyTable], whole: Array) -> None:
         self.figure = figure
         self.bends: BendLimits | None = posing_bends(figure, chosen(penalties, "clip"))
         self.soles: tuple[Point, ...] = sole_points(figure, np.reshape(whole, (-1, figure.width)))
-        self.surfaces: tuple[Surface, ...] = static_surfaces(figure.model)
+        self.footing = Footing(figure, self.soles, static_surfaces(figure.model))
         self.data = mujoco.MjData(figure.model)
 
     @cached_property
-    def _sole_goals(self) -> list[PointGoal]:
-        return [PointGoal.of(self.figure, point) for point in self.soles]
+    def _range_shares(self) -> dict[int, float]:
+        """By link: ankles and wrists stay off the ends of their ranges."""
+        knees = set() if self.bends is None else {joint.link for joint in self.bends.joints}
+        return dict.fromkeys(self.footing.end_joints - knees, END_RANGE)
 
     def gripped(self, qpos: Array, body: int, offset: ArrayLike, *, plant: bool = True, alone: bool = False) -> Grip:
-        """A point taken hold of; plant: whether soles that stand stay where they are; alone: its limb and no more."""
-        figure, width = self.figure, self.figure.width
-        own_limb = np.zeros(width, bool)
-        links = limb(figure, body)
+        """Return the grip of a point.
+
+        Args:
+            plant: Whether feet, floor and balance constrain the pose.
+            alone: Whether only the limb of the point may move.
+        """
+        figure = self.figure
+        links, root = limb(figure, body), (chain(figure, body)[-1:] or [0])[0]
+        own, whole = np.zeros(figure.width, bool), np.zeros(figure.width, bool)
         for link in links:
-            own_limb[entries(figure, link)] = figure.links[link].kind is not JointKind.FREE
-        own, whole = set(links), np.zeros(width, bool)
-        root = chain(figure, body)[-1:] or [0]
+            own[entries(figure, link)] = figure.links[link].kind is not JointKind.FREE
         for link in range(1, len(figure.links)):
-            if figure.tables.path[link, root[0]]:
-                whole[entries(figure, link)] = True
-        if alone and own_limb.any():
-            whole = own_limb
+            whole[entries(figure, link)] = bool(figure.tables.path[link, root])
+        if alone and own.any():
+            whole = own
         self._place(qpos)
-        planted: list[Goal] = []
-        for point, goal in zip(self.soles, self._sole_goals, strict=True):
-            place = goal.place(self.data)
-            stands = self._height(place) - point.radius < STANDS
-            if plant and stands and point.link not in own:
-                planted.append(PointGoal(goal.name, goal.index, goal.offset, place))
-        return Grip(np.array(qpos, float), body, np.array(offset, float), own_limb, whole, tuple(planted))
+        planted, standing, hanging = list[PointGoal](), list[Spheres](), list[Spheres]()
+        for link in dict.fromkeys(point.link for point in self.soles) if plant else ():
+            if own.any() and figure.tables.path[link, links[-1]]:
+                hanging.append(self.footing.spheres[link].lowest(self.footing.rest))
+            elif goals := self._standing_goals(link):
+                planted += goals
+                standing.append(self.footing.spheres[link].lowest(self.data))
+        floor = self.footing.floor(root, self.data) if plant else None
+        grip = Grip(
+            np.array(qpos, float), body, np.array(offset, float), own, whole, tuple(planted), tuple(standing),
+            tuple(hanging), False, () if floor is None else (floor,),
+        )  # fmt: skip
+        support = self._support(grip, hanging)
+        can_balance = support is not None and bool(whole[entries(figure, root)].all())
+        return replace(grip, is_balanced=can_balance and support.excess(self.data) < BALANCED)
+
+    def _standing_goals(self, link: int) -> list[PointGoal]:
+        """Return the goals of a link's sole points that touch the ground, where they are."""
+        goals = [PointGoal.of(self.figure, point) for point in self.soles if point.link == link]
+        radii = [point.radius for point in self.soles if point.link == link]
+        positions = [goal.place(self.data) for goal in goals]
+        return [
+            replace(goal, position=position)
+            for goal, radius, position in zip(goals, radii, positions, strict=True)
+            if self.footing.height(position) - radius < STANDS
+        ]
+
+    def _support(self, grip: Grip, hanging: Sequence[Spheres]) -> SupportPolygon | None:
+        """Return the support polygon: of feet that stand, as at first, and of feet of the limb, as they are now."""
+        here = self.data.qpos.copy()
+        points = [foot.centres(self.data) for foot in hanging]
+        self._place(grip.qpos)
+        points += [foot.centres(self.data) for foot in grip.standing]
+        self._place(here)
+        root = self.figure.links[(chain(self.figure, grip.body)[-1:] or [0])[0]].body
+        return SupportPolygon.of(root, np.concatenate(points)) if points else None
 
     def pulled(self, grip: Grip, position: ArrayLike, begin: Array) -> Posed:
-        """The pose with the point at a place (3,) [m], or as near to it as it comes; begin (nq,), the last one."""
-        goal = PointGoal("hand", grip.body, grip.offset, np.array(position, float))
-        found: Posed | None = None
-        if grip.limb.any():
-            alone = np.where(grip.limb, begin, grip.qpos)
-            found = pulled(self.figure, grip.qpos, grip.limb, [goal], self.bends, begin=alone)
-            if found.worst <= SHORT:
-                return found
-        return pulled(self.figure, grip.qpos, grip.whole, [goal, *grip.planted], self.bends, begin=begin)
+        """Return the pose with the point at a position (3,) [m], or as near as possible, from the last pose (nq,).
+
+        A limb that reaches moves alone. A foot that comes near the ground lands on it. A knee or thigh moves with its
+        foot fixed as long as that reaches.
+        """
+        target = PointGoal("target", grip.body, grip.offset, np.array(position, float))
+        has_foot = bool(grip.hanging) and grip.is_balanced
+        if grip.limb.any() and not has_foot and self._is_within_reach(grip, target.position):
+            pose = self._dragged(grip, target, np.where(grip.limb, begin, grip.qpos), free=grip.limb)
+            if pose.worst <= SHORT and self._keeps_balance(grip, pose):
+                return pose
+        feet = tuple(foot for foot in grip.hanging if foot.body == grip.body)
+        if has_foot and not feet:
+            pose = self._dragged(grip, target, begin, fixed=grip.hanging)
+            if pose.missed[0] <= LIFTED and self._keeps_balance(grip, pose):
+                return pose
+        if feet and has_foot:
+            landing = tuple(foot for foot in feet if self._lands(grip, foot, target.position))
+            return self._dragged(grip, target, begin, landing=landing)
+        pose = self._dragged(grip, target, begin)
+        for _ in range(LANDINGS if grip.hanging else 0):  # the foot slides, and the support polygon with it
+            self._place(pose.qpos)
+            low = tuple(foot for foot in grip.hanging if self.footing.clearance(foot, self.data) < STANDS)
+            pose = self._dragged(grip, target, pose.qpos, landing=low) if low else pose
+        return pose
+
+    def _dragged(
+        self,
+        grip: Grip,
+        target: PointGoal,
+        begin: Array,
+        *,
+        free: Mask | None = None,
+        fixed: Sequence[Spheres] = (),
+        landing: Sequence[Spheres] = (),
+    ) -> Posed:
+        """Return the pose of a drag, feet of the grabbed limb fixed, landing or in the air."""
+        footing = self.footing
+        self._place(grip.qpos)
+        goals = [footing.fixed(foot, self.data) for foot in (*grip.standing, *fixed)]
+        aloft = [foot for foot in grip.hanging if foot not in fixed and foot not in landing]
+        level = [(LEVEL_WEIGHT, BodyGoal("foot", self.data.xquat[foot.body].copy(), foot.body)) for foot in aloft]
+        self._place(begin)
+        goals += [footing.landed(foot, self.data) for foot in landing]
+        support = self._support(grip, (*fixed, *landing)) if grip.is_balanced else None
+        limits = grip.limits if support is None else (*grip.limits, support)
+        if support is not None and any(foot.body == grip.body for foot in aloft):
+            limits += tuple(foot.above(floor, CLEAR) for foot in aloft for floor in grip.limits)
+        constraints = Constraints(tuple(goals), limits, tuple(level))
+        may_restart = free is None and not fixed and not landing
+        return dragged(
+            self.figure, grip.qpos, grip.whole if free is None else free, target, constraints, self.bends,
+            begin=begin, limb=grip.limb if may_restart else None, range_shares=self._range_shares,
+        )  # fmt: skip
+
+    def _keeps_balance(self, grip: Grip, pose: Posed) -> bool:
+        self._place(pose.qpos)
+        support = self._support(grip, grip.hanging) if grip.is_balanced else None
+        return support is None or support.excess(self.data) < KEPT
+
+    def _is_within_reach(self, grip: Grip, position: Array) -> bool:
+        """Return whether the limb, straightened, is long enough for a position (3,) [m]."""
+        self._place(grip.qpos)
+        joints = [self.figure.links[link].joint for link in limb(self.figure, grip.body)]
+        path = np.array([self._point(grip, self.data), *self.data.xanchor[joints]])
+        length = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+        return float(np.linalg.norm(position - path[-1])) < length + SHORT
+
+    def _lands(self, grip: Grip, foot: Spheres, position: Array) -> bool:
+        """Return whether a foot touches the ground, or nearly, if it is level and its point at a position (3,) [m]."""
+        rest = self.footing.rest
+        bottom = float((foot.centres(rest)[:, 2] - foot.radii).min()) - self._point(grip, rest)[2]
+        return self.footing.height(position) + bottom < STANDS
+
+    @staticmethod
+    def _point(grip: Grip, data: mujoco.MjData) -> Array:
+        return np.array(data.xpos[grip.body] + data.xmat[grip.body].reshape(3, 3) @ grip.offset)
 
     def turned(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
         """(nq,) a pose with one joint turned on by a rotation in the world (4,) wxyz; a hinge by its share of it."""
@@ -184,11 +306,7 @@ class Poser:
     def _place(self, qpos: Array) -> None:
         self.data.qpos[:] = qpos
         mujoco.mj_kinematics(self.figure.model, self.data)
-
-    def _height(self, place: Array) -> float:
-        """[m] of a place over what lies under it."""
-        heights = [float(np.ravel(surface.height(place.reshape(3, 1)))[0]) for surface in self.surfaces]
-        return min(heights, default=np.inf)
+        mujoco.mj_comPos(self.figure.model, self.data)
 
 
 def _short(quaternion: Array) -> dict[str, list[float]]:

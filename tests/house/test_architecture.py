@@ -31,6 +31,7 @@ SCIPY_IN_SOLVER = {
     "solver/curve/banded.py",
     "solver/curve/spline.py",
     "solver/curve/unknowns.py",
+    "solver/drag.py",
     "solver/refine/limits.py",
     "solver/search/quadratic.py",
 }
@@ -129,6 +130,7 @@ STRATA = {
         reading
         penalty
         objective posing
+        drag
         search
         refine
         problem solution

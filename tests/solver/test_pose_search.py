@@ -27,10 +27,10 @@ from dynsplines.solver.posing import (
     Goal,
     PointGoal,
     Posed,
+    PoseSearch,
     SiteGoal,
     _Bends,
     _posed,
-    _PoseSearch,
     _Ranges,
     _step,
     entries,
@@ -230,7 +230,7 @@ def test_what_is_free_weighs_a_metre_as_five_radians_and_a_joint_where_limbs_bra
     free = np.ones(figure.model.nq, bool)
     free[1] = False  # the root's y
     goals = (SiteGoal("tip", np.zeros(3)), SiteGoal("toe", np.zeros(3)))
-    search = _PoseSearch(figure, np.array(figure.model.qpos0), free, goals, None)
+    search = PoseSearch(figure, np.array(figure.model.qpos0), free, goals, None)
     names = {link.name: link.dof for link in figure.links[1:]}
     weigh = dict(zip(search.dofs.tolist(), search.weights, strict=True))
     root = figure.links[1]
@@ -250,17 +250,17 @@ def test_what_a_search_adds_up_changes_as_its_rows_say(rng):
     knee = next(i for i, link in enumerate(figure.links) if link.name == "knee")
     bends = BendLimits((Bend("knee", knee, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])),), 0.1, 0.2, 0.3)
     goals = (SiteGoal("tip", np.ones(3)), PointGoal.of(figure, Point("foot", len(figure.links) - 1, np.ones(3))))
-    search = _PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends)
-    near = search._moved(home, 1e-3 * rng.normal(size=search.dofs.size))
+    search = PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends)
+    near = search.moved(home, 1e-3 * rng.normal(size=search.dofs.size))
     _, rows = search._weighed(near, 7.0, None)
     expected = differences(figure.model, near, lambda at: search._weighed(at, 7.0, None)[0])
     np.testing.assert_allclose(rows, expected[:, search.dofs], atol=2e-2)
     np.testing.assert_allclose(rows[search.dofs.size :], expected[search.dofs.size :, search.dofs], atol=1e-5)
 
 
-def searching(figure: Figure, home: Array, bends: BendLimits | None = None) -> _PoseSearch:
+def searching(figure: Figure, home: Array, bends: BendLimits | None = None) -> PoseSearch:
     goals = (SiteGoal("tip", np.ones(3)), SiteGoal("toe", np.zeros(3)))
-    return _PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends)
+    return PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends)
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 3, 7])
@@ -388,7 +388,7 @@ def test_how_far_a_pose_is_from_home_is_what_its_joints_have_moved_each_with_its
     figure = figure_of(RANGED)
     home, pose = (somewhere(figure.model, rng, 0.4) for _ in range(2))
     search = searching(figure, home)
-    (near, rows), _, _ = search._linearised(pose)
+    (near, rows), _, _ = search.linearised(pose)
     moved = np.zeros(figure.model.nv)
     moved[:3] = pose[:3] - home[:3]
     for link in figure.links[1:]:

@@ -35,7 +35,6 @@ from dynsplines.solver.posing import (
     chain,
     entries,
     posed,
-    pulled,
 )
 from dynsplines.solver.surface.points import Point, site_points
 
@@ -280,16 +279,16 @@ def test_with_joints_at_their_ranges_it_is_as_near_as_scipys_and_its_goals_weigh
     figure = figure_of(ARM.replace("-150 150", "-10 10").replace("-.1 .2", "-.02 .01"))
     home, weights, weighed = np.array([0.3 * side, 0, 0.1, 0]), np.array([1.0, 1, 1, 5]), []
     target = np.array([0.0, 0, 1]) + reach * np.array([np.cos(0.3), 0, -side * np.sin(0.3)])
-    levenberg = posing._PoseSearch._levenberg
+    levenberg = posing.PoseSearch._levenberg
 
-    def watched(self: posing._PoseSearch, qpos: Array, weight: float, *more: object) -> tuple[Array, float]:
+    def watched(self: posing.PoseSearch, qpos: Array, weight: float, *more: object) -> tuple[Array, float]:
         weighed.append(weight)
         return levenberg(self, qpos, weight, *more)  # type: ignore[arg-type]
 
     def cost(qpos: Array) -> float:
         return float(np.sum((weights * (qpos - home)) ** 2))
 
-    monkeypatch.setattr(posing._PoseSearch, "_levenberg", watched)
+    monkeypatch.setattr(posing.PoseSearch, "_levenberg", watched)
     found = posed(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
     assert found.is_met
     assert max(weighed) == posing.FIRM
@@ -347,47 +346,6 @@ def test_what_is_out_of_reach_is_missed_by_the_gap():
     assert not found.is_met
     assert found.missed[0] == pytest.approx(4 - 3.2, abs=1e-3)
     np.testing.assert_allclose(found.qpos, [0, 0, 0, 0.2], atol=1e-2)
-
-
-@pytest.mark.parametrize("steps", [1, 3, 12])
-def test_a_pose_that_follows_a_hand_is_the_least_of_its_cost_in_so_many_steps(steps, monkeypatch):
-    """From a pose to begin with, whatever home is; SciPy finds the least where there are steps enough."""
-    figure, looks = figure_of(ARM), []
-    home, begin = np.array([0.1, 0.9, -0.6, 0.0]), np.array([0.2, 0.7, -0.5, 0.1])
-    place = seen_at(figure, np.array([0.3, 0.75, -0.4, 0.05])) * [1, np.nan, 1]
-    weighed = posing._PoseSearch._weighed
-    monkeypatch.setattr(
-        posing._PoseSearch, "_weighed", lambda self, qpos, *told: looks.append(qpos) or weighed(self, qpos, *told)
-    )
-    found = pulled(figure, home, everything(figure), [SiteGoal("tip", place)], begin=begin, steps=steps)
-    assert len(looks) <= steps + 1
-    assert len(looks) == steps + 1 or steps == 12
-    np.testing.assert_array_equal(looks[0], begin)
-    search = posing._PoseSearch(figure, home, everything(figure), (SiteGoal("tip", place),), None)
-
-    def cost(qpos: Array) -> float:
-        return float(np.sum(weighed(search, qpos, posing.FIRM, None)[0] ** 2))
-
-    assert cost(found.qpos) < cost(begin)
-    np.testing.assert_array_equal(found.fixed, True)
-    missed = (seen_at(figure, found.qpos) - place)[[0, 2]]
-    assert found.missed[0] == pytest.approx(np.linalg.norm(missed))
-    if steps == 12:
-        assert np.abs(missed).max() < 1e-3
-        least = minimize(cost, found.qpos, method="BFGS").fun
-        assert least <= cost(found.qpos) < 1.002 * least
-
-
-def seen_at(figure: Figure, qpos: Array) -> Array:
-    return seen(figure, qpos).site("tip").xpos
-
-
-def test_with_nothing_free_a_hand_pulls_in_vain():
-    figure, home = figure_of(ARM), np.array([0.1, 0.2, 0.3, 0.0])
-    goal = SiteGoal("tip", np.array([9.0, 9.0, 9.0]))
-    found = pulled(figure, home, ~everything(figure), [goal], begin=home + 1)
-    np.testing.assert_array_equal(found.qpos, home)
-    assert found.missed[0] == pytest.approx(np.linalg.norm(seen_at(figure, home) - 9.0))
 
 
 def test_axes_that_are_free_are_not_held():

@@ -1,0 +1,137 @@
+"""The contact points of a figure's feet, and the constraints that keep feet and body on the ground."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.drag import FixedPoints, FloorClearance
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.posing import PointGoal, limb
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.plane import Plane
+from dynsplines.solver.surface.points import Point, body_points
+
+CONTACT = 0.004  # [m] height over the lowest point of a foot up to which its points touch the ground
+LEVEL = 0.99  # vertical component of the normal of a floor
+END = 0.45  # distance to the tip, relative to the limb's length, below which a joint is an ankle or a wrist
+
+
+@dataclass(frozen=True, eq=False)
+class Spheres:
+    """Spheres on a body, MuJoCo's id, that cover it: offsets (n, 3) [m] in its axes and radii (n,) [m]."""
+
+    body: int
+    offsets: Array
+    radii: Array
+
+    def centres(self, data: mujoco.MjData) -> Array:
+        """Return the centres (n, 3) [m] in the world."""
+        return data.xpos[self.body] + self.offsets @ data.xmat[self.body].reshape(3, 3).T
+
+    def lowest(self, data: mujoco.MjData) -> Spheres:
+        """Return the spheres that reach lowest, on which the body stands on level ground."""
+        bottoms = self.centres(data)[:, 2] - self.radii
+        return self._taken(np.flatnonzero(bottoms < bottoms.min() + CONTACT))
+
+    def outermost(self, data: mujoco.MjData) -> Spheres:
+        """Return at most four of them, the corners of their horizontal extent: enough to fix the body."""
+        centres = self.centres(data)[:, :2]
+        off = centres - centres.mean(axis=0)
+        _, _, axes = np.linalg.svd(off, full_matrices=False)
+        off = off @ axes.T
+        off = off / np.maximum(np.ptp(off, axis=0), 1e-3)
+        signs = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]])[:, : off.shape[1]]
+        return self._taken(np.unique(np.argmax(off @ signs.T, axis=0)))
+
+    def above(self, floor: FloorClearance, height: float) -> FloorClearance:
+        """Return the limit that keeps them so high [m] above a floor."""
+        bodies, allowed = np.full(len(self.radii), self.body), np.full(len(self.radii), -height)
+        return replace(floor, bodies=bodies, offsets=self.offsets, radii=self.radii, allowed=allowed)
+
+    def _taken(self, indices: Array) -> Spheres:
+        return Spheres(self.body, self.offsets[indices], self.radii[indices])
+
+
+class Footing:
+    """The spheres that cover a figure's links, and the surfaces of its scene.
+
+    soles  points that feet stand on
+    """
+
+    def __init__(self, figure: Figure, soles: Sequence[Point], surfaces: Sequence[Surface]) -> None:
+        self.figure, self.soles, self.surfaces = figure, tuple(soles), tuple(surfaces)
+
+    @cached_property
+    def spheres(self) -> dict[int, Spheres]:
+        """By link, with its sole points."""
+        points: dict[int, list[Point]] = {}
+        for point in (*body_points(self.figure), *self.soles):
+            points.setdefault(point.link, []).append(point)
+        out = {}
+        for link in sorted(points):
+            offsets = np.array([PointGoal.of(self.figure, point).offset for point in points[link]])
+            radii = np.array([point.radius for point in points[link]])
+            out[link] = Spheres(self.figure.links[link].body, offsets, radii)
+        return out
+
+    @cached_property
+    def rest(self) -> mujoco.MjData:
+        """The figure at rest."""
+        data = mujoco.MjData(self.figure.model)
+        mujoco.mj_kinematics(self.figure.model, data)
+        return data
+
+    @cached_property
+    def end_joints(self) -> frozenset[int]:
+        """The links of ankles and wrists: the joints of a limb that are near its tip."""
+        figure, out = self.figure, set[int]()
+        for leaf in set(self.spheres) - set(figure.tables.parents.tolist()):
+            links, tips = limb(figure, figure.links[leaf].body), self.spheres[leaf].centres(self.rest)
+            anchors = [self.rest.xanchor[figure.links[link].joint] for link in links]
+            lengths = [float(np.linalg.norm(tips - anchor, axis=1).max()) for anchor in anchors]
+            out |= {link for link, length in zip(links, lengths, strict=True) if length < END * max(lengths)}
+        return frozenset(out)
+
+    def height(self, position: Array) -> float:
+        """Return the height [m] of a position (3,) over the surface below it, infinite without one."""
+        heights = [float(np.ravel(surface.height(position.reshape(3, 1)))[0]) for surface in self.surfaces]
+        return min(heights, default=np.inf)
+
+    def clearance(self, foot: Spheres, data: mujoco.MjData) -> float:
+        """Return the height [m] of a foot's lowest point over the ground."""
+        return float((np.array([self.height(centre) for centre in foot.centres(data)]) - foot.radii).min())
+
+    def fixed(self, foot: Spheres, data: mujoco.MjData) -> FixedPoints:
+        """Return the goal that keeps a foot in its place."""
+        outermost = foot.outermost(data)
+        return FixedPoints("sole", foot.body, outermost.offsets, outermost.centres(data))
+
+    def landed(self, foot: Spheres, data: mujoco.MjData) -> FixedPoints:
+        """Return the goal that puts a foot down on the ground below it, free to slide."""
+        outermost = foot.outermost(data)
+        positions = outermost.centres(data)
+        heights = [self.height(position) for position in positions]
+        positions[:, 2] += outermost.radii - heights
+        positions[:, :2] = np.nan
+        return FixedPoints("sole", foot.body, outermost.offsets, positions)
+
+    def floor(self, root: int, data: mujoco.MjData) -> FloorClearance | None:
+        """Return the limit that keeps a tree above the highest level plane, as deep in it as it is; None without."""
+        planes = [surface for surface in self.surfaces if isinstance(surface, Plane) and surface.normal[2] > LEVEL]
+        moving = [spheres for link, spheres in self.spheres.items() if self.figure.tables.path[link, root]]
+        if not planes or not moving:
+            return None
+        plane = max(planes, key=lambda surface: float(surface.point[2]))
+        moving = sorted(moving, key=lambda spheres: spheres.body)
+        bodies = np.concatenate([np.full(len(spheres.radii), spheres.body) for spheres in moving])
+        offsets = np.concatenate([spheres.offsets for spheres in moving])
+        radii = np.concatenate([spheres.radii for spheres in moving])
+        level = float(plane.normal @ plane.point)
+        limit = FloorClearance(bodies, offsets, radii, np.zeros(len(radii)), plane.normal, level)
+        return replace(limit, allowed=np.maximum(limit.depth(data), 0))

@@ -1,0 +1,116 @@
+"""The pose that follows a pulled point: the least of its cost, soles and balance first, derivatives as they are."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+from dynsplines import models
+from dynsplines.solver.drag import (
+    MAX_MISS,
+    TARGET_WEIGHT,
+    Constraints,
+    FixedPoints,
+    FloorClearance,
+    SupportPolygon,
+    dragged,
+)
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.posing import PointGoal, PoseSearch
+
+ARM = """
+<mujoco><compiler angle="radian"/><worldbody>
+  <body name="upper" pos="0 0 1"><joint name="a" type="hinge" axis="0 1 0"/>
+    <joint name="b" type="hinge" axis="1 0 0"/><inertial mass="1" pos="0.5 0 0" diaginertia="1 1 1"/>
+    <body name="lower" pos="1 0 0"><joint name="c" type="hinge" axis="0 1 0"/>
+      <inertial mass="1" pos="0.5 0 0" diaginertia="1 1 1"/>
+    </body></body>
+</worldbody></mujoco>
+"""
+STEP = 1e-6  # [rad, m] of differences
+TIP = np.array([1.0, 0, 0])
+
+
+@pytest.fixture(scope="module")
+def human() -> Figure:
+    return Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")))
+
+
+def placed(figure: Figure, qpos) -> mujoco.MjData:
+    data = mujoco.MjData(figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(figure.model, data)
+    mujoco.mj_comPos(figure.model, data)
+    return data
+
+
+@pytest.fixture
+def arm() -> Figure:
+    return Figure(mujoco.MjModel.from_xml_string(ARM))
+
+
+def hand(figure: Figure, place) -> PointGoal:
+    return PointGoal("hand", figure.model.body("lower").id, TIP, np.array(place, float))
+
+
+def tip(figure: Figure, qpos) -> np.ndarray:
+    return hand(figure, np.zeros(3)).place(placed(figure, qpos))
+
+
+@pytest.mark.parametrize("far", [0.05, 2.0])
+def test_the_pose_is_the_least_of_its_cost(arm, far):
+    """SciPy finds no less: a squared distance from home, and a pull that grows no stronger where it misses by much."""
+    home, begin = np.array([0.1, 0.4, 0.6]), np.array([0.2, 0.3, 0.8])
+    place = tip(arm, home) * (1 + far)
+
+    def cost(qpos):
+        missed = np.linalg.norm(tip(arm, qpos) - place)
+        pull = missed**2 if missed < MAX_MISS else 2 * MAX_MISS * missed - MAX_MISS**2
+        search = PoseSearch(arm, home, np.ones(3, bool), (hand(arm, place),), None)
+        return float(np.sum((search.weights * (qpos - home)) ** 2) + TARGET_WEIGHT**2 * pull)
+
+    last = begin
+    for _ in range(4):
+        last = dragged(arm, home, np.ones(3, bool), hand(arm, place), Constraints(), begin=last).qpos
+    assert cost(last) <= 1.002 * minimize(cost, last, method="BFGS").fun
+
+
+def test_with_nothing_free_a_hand_pulls_in_vain(arm):
+    home = np.array([0.1, 0.2, 0.3])
+    found = dragged(arm, home, np.zeros(3, bool), hand(arm, [9, 9, 9]), Constraints(), begin=home + 1)
+    np.testing.assert_array_equal(found.qpos, home)
+    assert found.missed[0] == pytest.approx(np.linalg.norm(tip(arm, home) - 9))
+
+
+def test_derivatives_are_differences(human, rng):
+    model, foot = human.model, human.model.body("left_foot").id
+    qpos = np.array(model.qpos0)
+    mujoco.mj_integratePos(model, qpos, 0.2 * rng.normal(size=model.nv), 1.0)
+    places = rng.normal(size=(3, 3))
+    places[1, 0] = np.nan
+    pins = FixedPoints("foot", foot, 0.1 * rng.normal(size=(3, 3)), places)
+    balance = SupportPolygon.of(1, rng.normal(size=(6, 3)))
+    chest, offsets = model.body("chest").id, 0.1 * rng.normal(size=(4, 3))
+    above = FloorClearance(
+        np.array([chest, chest, foot, foot]), offsets, np.full(4, 0.1), np.zeros(4), np.eye(3)[2], 3.0
+    )
+    terms = [
+        (lambda data: pins.missed(model, data), lambda data: pins.rows(model, data)),
+        (lambda data: balance.linearized(model, data)[0], lambda data: balance.linearized(model, data)[1]),
+        (lambda data: above.linearized(model, data)[0], lambda data: above.linearized(model, data)[1]),
+    ]
+    for value, rows in terms:
+        differences = []
+        for direction in np.eye(model.nv):
+            ends = [np.array(qpos), np.array(qpos)]
+            for end, side in zip(ends, (STEP, -STEP), strict=True):
+                mujoco.mj_integratePos(model, end, direction, side)
+            differences.append((value(placed(human, ends[0])) - value(placed(human, ends[1]))) / (2 * STEP))
+        np.testing.assert_allclose(rows(placed(human, qpos)), np.transpose(differences), atol=1e-7)
+
+
+def test_a_line_gives_no_support_polygon():
+    assert SupportPolygon.of(1, np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]])) is None
+    assert SupportPolygon.of(1, np.zeros((0, 3))) is None
