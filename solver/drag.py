@@ -249,7 +249,7 @@ class _Drag:
             rows = here.rows * active[:, None]
             normal = rows.T @ rows
             normal.flat[:: len(normal) + 1] += damping * self.search.weights**2
-            inverse = np.linalg.inv(normal)
+            inverse = np.asarray(np.linalg.inv(normal), float)
             step = _limited(-inverse @ (rows.T @ here.values))
             predicted = here.active(here.values + here.rows @ step)
             if np.array_equal(predicted, active):

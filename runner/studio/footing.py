@@ -9,7 +9,7 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Index
 from dynsplines.solver.drag import FixedPoints, FloorClearance
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.posing import PointGoal, limb
@@ -54,7 +54,7 @@ class Spheres:
         bodies, allowed = np.full(len(self.radii), self.body), np.full(len(self.radii), -height)
         return replace(floor, bodies=bodies, offsets=self.offsets, radii=self.radii, allowed=allowed)
 
-    def _taken(self, indices: Array) -> Spheres:
+    def _taken(self, indices: Index) -> Spheres:
         return Spheres(self.body, self.offsets[indices], self.radii[indices])
 
 

@@ -92,6 +92,7 @@ def test_derivatives_are_differences(human, rng):
     places[1, 0] = np.nan
     pins = FixedPoints("foot", foot, 0.1 * rng.normal(size=(3, 3)), places)
     balance = SupportPolygon.of(1, rng.normal(size=(6, 3)))
+    assert balance is not None
     chest, offsets = model.body("chest").id, 0.1 * rng.normal(size=(4, 3))
     above = FloorClearance(
         np.array([chest, chest, foot, foot]), offsets, np.full(4, 0.1), np.zeros(4), np.eye(3)[2], 3.0

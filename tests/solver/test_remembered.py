@@ -122,7 +122,7 @@ def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_w
     searched: list[int] = []
     search = posing._posed
 
-    def counted(asked: posing._PoseSearch, starts: int) -> Posed:
+    def counted(asked: posing.PoseSearch, starts: int) -> Posed:
         searched.append(1)
         return search(asked, starts)
 

@@ -27,6 +27,7 @@ def test_random_drags_keep_soles_joints_and_balance(human, seed):
 def flexion(pulls: Pulls, qpos) -> dict[str, float]:
     """Return the flexion of knees and elbows [degrees]."""
     bends = posing_bends(pulls.figure, {})
+    assert bends is not None
     angles = bends.angles(Samples.still(pulls.figure, pulls.figure.to_state(qpos[None])))
     return {joint.name: float(np.degrees(angle)) for joint, angle in zip(bends.joints, angles[0, :, 0], strict=True)}
 
