@@ -163,8 +163,8 @@ def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
         row_of(kind, joint.name, f"{joint.name} {text}", bound)
         for kind, text in (
             ("backward", "is bent {} backward"),
-            ("sideways", "bends {} farther sideways than it may"),
-            ("twist", "is twisted {} farther than it may be"),
+            ("sideways", "bends {} sideways beyond its limit"),
+            ("twist", "is twisted {} beyond its limit"),
         )
         for joint in limits.joints
     ]
@@ -272,7 +272,7 @@ def lengths(figure: Figure) -> Check | None:
 
 def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, fixed: Fixed) -> Check:
     """Contacts whose points are above their surface, or above the surface below them, if there is one."""
-    text = "contact {} is {{}} up while it should rest"
+    text = "contact {} is {{}} above its surface"
     rows = [row_of("hover", rest.point.name, text.format(rest.point.name)) for rest in rests]
     points = tuple(rest.point for rest in rests)
     radii = np.array([point.radius for point in points])

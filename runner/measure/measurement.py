@@ -237,7 +237,7 @@ def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
     free = [stance for stance in inferred(clip, timeline) if not any(_same(stance, rest) for rest in rests)]
     for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
         yield (
-            Stay("stance", stance, f"{stance.point.name} moves {{}} between keyframes that put it in one place"),
+            Stay("stance", stance, f"{stance.point.name} moves {{}} between keyframes with the same position"),
             group,
         )
 
