@@ -71,29 +71,6 @@ class Goal(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class SiteGoal:
-    """A site at a place in the world: position (3,) [m], NaN along the axes that are free."""
-
-    name: str
-    position: Array
-
-    def body(self, model: mujoco.MjModel) -> int:
-        return int(model.site_bodyid[model.site(self.name).id])
-
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        return (data.site(self.name).xpos - self.position)[self._given]
-
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        rows = np.zeros((3, model.nv))
-        mujoco.mj_jacSite(model, data, rows, None, model.site(self.name).id)
-        return rows[self._given]
-
-    @cached_property
-    def _given(self) -> Mask:
-        return ~np.isnan(self.position)
-
-
-@dataclass(frozen=True, eq=False)
 class PointGoal:
     """A point fixed on a body, offset (3,) [m] in its axes, at a place in the world: position (3,) [m], NaN along the
     axes that are free."""

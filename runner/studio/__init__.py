@@ -10,9 +10,9 @@ edits/            one function for each way to change the text
 outline           the text's content on the timeline
 paths             a motion as the page plays it
 posing            the pose that follows a drag
+footing           contact points of feet, floor and support polygon of a drag
 solver            the solver process, as seen from the server
 solving/          the solver process itself; the figure as the page draws it, curves
 startup_snapshot  the last view of a clip, shown at once when it is opened again
 files             save, export and render, in the clip's folder
-footing     contact points of feet, floor and support polygon of a drag
 """

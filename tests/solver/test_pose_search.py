@@ -11,6 +11,7 @@ from figures import EVERY_JOINT, LEG, MIXED, figure_of
 from oracles import placed
 from scipy.optimize import lsq_linear
 from scipy.spatial.transform import Rotation
+from site_goal import SiteGoal
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -28,7 +29,6 @@ from dynsplines.solver.posing import (
     PointGoal,
     Posed,
     PoseSearch,
-    SiteGoal,
     _Bends,
     _posed,
     _Ranges,

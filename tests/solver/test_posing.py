@@ -11,6 +11,7 @@ import walkers
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
+from site_goal import SiteGoal
 
 from dynsplines import models
 from dynsplines.clip.constraints import posing_bends
@@ -31,7 +32,6 @@ from dynsplines.solver.posing import (
     HoldGoal,
     PointGoal,
     Posed,
-    SiteGoal,
     chain,
     entries,
     posed,

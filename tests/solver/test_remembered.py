@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from site_goal import SiteGoal
 
 from dynsplines import models
 from dynsplines.clip import load
@@ -17,7 +18,7 @@ from dynsplines.solver import posing
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
-from dynsplines.solver.posing import PointGoal, Posed, SiteGoal, entries, posed, reached
+from dynsplines.solver.posing import PointGoal, Posed, entries, posed, reached
 from dynsplines.solver.remembered import Remembered, content
 
 

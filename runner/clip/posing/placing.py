@@ -25,7 +25,6 @@ from dynsplines.solver.posing import (
     Goal,
     PointGoal,
     Posed,
-    SiteGoal,
     chain,
     entries,
     in_winding,
@@ -193,7 +192,7 @@ def _complaint(figure: Figure, key: Frame, goal: Goal, missed: float, starts: in
     if not joints:
         return f"{kind} '{goal.name}' {_held(figure, body)}"
     free = f"with the joints that are free: {', '.join(joints)}"
-    if isinstance(goal, SiteGoal | PointGoal):
+    if isinstance(goal, PointGoal):
         where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
         closest = f"({starts} starts; closest: {_metres(missed)} short)"
         return f"no pose found that puts {kind} '{goal.name}' at ({where}) {closest} {free}"
