@@ -32,7 +32,7 @@ class Unsupplied(NamedTuple):
 
 
 def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
-    """E for vectors w (n, S) and cones of K edges (n, K, S), of which some may be zero; softness ε."""
+    """E for vectors w (n, S) and cones of K edges (n, K, S), some of which may be zero; softness ε."""
     w, edges = np.ascontiguousarray(w.T), np.ascontiguousarray(edges.transpose(2, 1, 0))
     rest, pull = w.copy(), np.matmul(edges, w[:, :, None])[:, :, 0]
     todo = np.flatnonzero((pull > 0).any(axis=1))

@@ -22,5 +22,5 @@ def one_thread() -> Iterator[None]:
 
 @cache
 def _libraries() -> ThreadpoolController:
-    """BLAS as NumPy and SciPy have loaded it by now; looked for once, which takes as long as a small search."""
+    """The BLAS that NumPy and SciPy have loaded; searched once, which takes as long as a small solve."""
     return ThreadpoolController().select(user_api="blas")

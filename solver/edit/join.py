@@ -26,7 +26,7 @@ OF_TRUNK = 0.25  # least share of the mass that hangs from a link of the trunk: 
 
 @dataclass(frozen=True, eq=False)
 class Placement:
-    """A turn about the vertical and a shift of everything that hangs from free joints.
+    """A rotation about the vertical and a translation of everything with free joints.
 
     turn   (4,) wxyz, about z
     shift  (3,) [m], after the turn

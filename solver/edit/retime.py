@@ -29,7 +29,7 @@ def retimed(timeline: Timeline, speed: float) -> Timeline:
 
 
 def check_interval(span: tuple[float, float], first: float, last: float) -> None:
-    """Raises TimelineError unless `first` to `last` [s] lies in a motion's span."""
+    """Raise TimelineError unless `first` to `last` [s] is within the motion."""
     if not first < last:
         raise TimelineError(f"an interval ends after it begins, not from {first:g} to {last:g} s")
     if first < span[0] - SAME_TIME or last > span[1] + SAME_TIME:

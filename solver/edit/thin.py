@@ -121,7 +121,7 @@ class Recorded:
 
     @cached_property
     def _lengths(self) -> Array:
-        """(n, S) [m] how far the points may be off."""
+        """(n, S) [m] allowed errors of the points."""
         return self.bound.distance * np.where(self.stands, CLOSELY, 1.0)
 
     @cached_property
@@ -176,7 +176,7 @@ class Recorded:
         return np.bincount(owner, over**2, len(sets)).astype(float)
 
     def _near(self, count: int, at: int) -> tuple[Index, int, int]:
-        """Numbers of the keyframes, of `count`, around number `at`, and which two of these bound what is looked at."""
+        """Indices of keyframes, of `count`, around `at`, and the two that bound the examined span."""
         if self.ends == "periodic":
             before = min(REACH, (count - 1) // 2)
             after = min(REACH, count - 1 - before)
@@ -229,7 +229,7 @@ class Thinned:
 
 
 def thin(recorded: Recorded, told: Callable[[str], None] = lambda note: None) -> Thinned:
-    """The fewest instants found whose raw spline keeps the bound at every instant of the recording."""
+    """Return the fewest instants found whose raw spline stays within the bound at every sample of the recording."""
     selection = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, told).kept
     while True:
         fewer = _repaired(recorded, _without(recorded, list(selection), told), told)

@@ -87,7 +87,7 @@ class Cotangent:
             self._parts[name] = np.array(gradient)
 
     def absorb(self, name: Quantity, gradient: Array) -> None:
-        """`accumulate` of an array that the caller has no more use for: it may be kept and added into."""
+        """`accumulate` of an array that the caller gives up: it may be stored and modified."""
         if self._knows(name):
             self._parts[name] += gradient
         else:

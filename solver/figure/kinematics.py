@@ -111,7 +111,7 @@ class Samples:
         return self.y.shape[0]
 
     def taken(self, at: Index) -> Samples:
-        """The samples of these indices (R,), which may repeat, as samples of their own."""
+        """The samples of these indices (R,), with possible repetitions, as separate samples."""
         return Samples(self.figure, self.y[at], self.y_d[at], self.y_dd[at], t=self.t[at])
 
     def parts(self, longest: int) -> list[Samples]:

@@ -126,7 +126,7 @@ class _Tree:
             body = onward
 
     def _onward(self, body: int) -> int | None:
-        """The only body that hangs on a light one by joints; None where that is what the root carries."""
+        """The only child body of a light one; None unless the root carries it."""
         model = self.model
         rigid = np.flatnonzero(model.body_weldid == body)
         hanging = [
@@ -163,7 +163,7 @@ class _Tree:
 
 
 def _under(model: mujoco.MjModel, top: int) -> Mask:
-    """(nbody,) which bodies are `top` or hang on it."""
+    """(nbody,) which bodies are `top` or its descendants."""
     out = np.zeros(model.nbody, bool)
     out[top] = True
     for body in range(top + 1, model.nbody):

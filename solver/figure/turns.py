@@ -55,7 +55,7 @@ def on_quaternions(moments: Orders, turns: Array) -> Orders:
 
 
 def summed(one: Array | None, other: Array) -> Array:
-    """The sum, where one may be zero."""
+    """The sum of two terms, one of which may be zero."""
     return other if one is None else one + other
 
 
@@ -81,7 +81,7 @@ def places(figure: Figure) -> tuple[Index, Index]:
 
 
 def relatives(figure: Figure) -> Index:
-    """The links whose quaternions turn with their parents."""
+    """The links whose quaternions rotate with their parents."""
     tables = figure.tables
     return tables.quaternion_links[~tables.in_world[tables.quaternion_links]]
 
@@ -111,12 +111,12 @@ def following(figure: Figure) -> Array:
 
 @lru_cache(maxsize=8)
 def followers(figure: Figure) -> Index:
-    """(L, L): on the way to a link (row) the next after another (column) whose orientation is in the state, or 0."""
+    """(L, L): on the path to a link (row) the next one after another (column) with orientation in the state, or 0."""
     path, tables = figure.tables.path > 0, figure.tables
     out = np.zeros(path.shape, np.intp)
     for link in range(len(path)):
-        direction = [i for i in tables.quaternion_links if path[link, i] and tables.in_world[i]]
-        out[link, direction[:-1]] = direction[1:]
+        chain = [i for i in tables.quaternion_links if path[link, i] and tables.in_world[i]]
+        out[link, chain[:-1]] = chain[1:]
     return out
 
 

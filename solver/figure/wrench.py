@@ -42,7 +42,7 @@ class RootWrench:
         self.moment = self.inverse.moment[:, root] - cross(self._lever, self.force)
 
     def pull_back(self, into: Cotangent, force_bar: Array, moment_bar: Array, centre_bar: Array | None = None) -> None:
-        """Adds the gradient of a scalar whose gradients with respect to force, moment, centre are given, (3, S)."""
+        """Add the gradient of a scalar with given gradients with respect to force, moment and centre, (3, S)."""
         moments, forces = np.zeros_like(self.inverse.force), np.zeros_like(self.inverse.force)
         moments[:, self.root] = moment_bar
         forces[:, self.root] = force_bar + cross(self._lever, moment_bar)

@@ -1,4 +1,4 @@
-"""Wrenches on links, and the rows of a residual's Jacobian that they stand for.
+"""Wrenches on links, and the rows of a residual's Jacobian that they represent.
 
 A residual of positions, directions, velocities or angular velocities changes with a wrench on a link:
 
@@ -88,7 +88,7 @@ class Wrenches:
         return cls(at, link, **vectors_by_name)
 
     def rows(self, samples: Samples) -> Array:
-        """(P, 1 to 3, N): the gradients of the residuals with respect to y, and to y' and y'' as far as they matter."""
+        """(P, 1 to 3, N): the gradients of the residuals with respect to y, and to y' and y'' if they matter."""
         if compiled.kernel is not None:
             return _compiled_rows(samples, self)
         out = np.zeros((self.at.size, self.orders, samples.y.shape[1]))

@@ -83,7 +83,7 @@ class Block:
 
     @classmethod
     def joined(cls, parts: Sequence[Block]) -> Block:
-        """One-sided residuals by wrenches, one wrench each, some after others; none if there are no parts."""
+        """One-sided residuals by wrenches, one wrench each, concatenated; empty without parts."""
         none = np.zeros(0, np.intp)
         if not parts:
             return cls(none, np.zeros(0), (Wrenches(none, none, np.zeros((3, 0))),), one_sided=True)
@@ -97,7 +97,7 @@ class Block:
         return np.maximum(self.value, 0) if self.one_sided else self.value
 
     def values(self, count: int) -> Array:
-        """f at every one of so many samples, (S,)."""
+        """f at every sample, (S,)."""
         return np.bincount(self.at, self.weight * self.counted * self.counted, count).astype(float)
 
     def pull_back(self, into: Cotangent, scale: Array) -> None:
@@ -129,7 +129,7 @@ class Block:
         curvature.add_rows(at, factor, rows, tuple(range(rows.shape[1])))
 
     def rows(self, samples: Samples) -> Array:
-        """(P, 1 to 3, N): the residuals' gradients with respect to y, and to y' and y'' as far as they matter."""
+        """(P, 1 to 3, N): the residuals' gradients with respect to y, and to y' and y'' if they matter."""
         total = np.zeros((self.at.size, max(change.orders for change in self.changes), samples.y.shape[1]))
         for change in self.changes:
             rows = change.rows(samples)
@@ -179,7 +179,7 @@ class Block:
 
 @dataclass(frozen=True, eq=False)
 class Dense:
-    """Residuals that are no wrenches on links: R of them at every sample, (R, S); f is the sum of their squares.
+    """Residuals without wrenches on links: R of them at every sample, (R, S); f is the sum of their squares.
 
     pulled_back  pulled_back(cotangent, bar) adds the gradient of Σ bar r, bar (R, S)
     curved       curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,); without it

@@ -1,4 +1,4 @@
-"""Knees and elbows: not backward, and neither sideways nor twisted beyond a bound (§5 of the paper).
+"""Knees and elbows: bounds on backward, sideways and twist angles (§5 of the paper).
 
 With u the child's long axis and v its hinge axis, both seen in the parent (Rᵀ_parent R_child e): flexion is the angle
 of u in the parent's sagittal plane, sideways bend the angle of u out of it, twist the angle of v about u (too large by

@@ -97,7 +97,7 @@ def couplings(figure: Figure) -> tuple[Coupling, ...]:
 
 
 def in_order(chosen: Sequence[Coupling]) -> list[Coupling]:
-    """Couplings such that a follower that drives others comes before those, as far as there is an order."""
+    """Couplings sorted so that a follower that drives others comes before these, as far as possible."""
     remaining, done = list(chosen), []
     while remaining:
         followers = {c.follower for c in remaining}

@@ -188,7 +188,7 @@ class JointRange(Penalty):
 
     @cached_property
     def _has_homes(self) -> bool:
-        """Whether some angles are measured from a rotation of their own."""
+        """Whether angles are measured from a separate rotation."""
         return any(joint.home is not None for joint in self.joints)
 
     def _rest(self, figure: Figure) -> Array:

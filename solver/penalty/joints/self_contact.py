@@ -224,7 +224,7 @@ def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
 
 
 def _carrier(figure: Figure, link: int, carrying: set[int]) -> int:
-    """The nearest link before another that has shapes, 0 if there is none."""
+    """The nearest ancestor of a link with shapes, 0 if there is none."""
     parent = figure.links[link].parent
     while parent and parent not in carrying:
         parent = figure.links[parent].parent
@@ -259,7 +259,7 @@ def _outer(bars: list[Bar]) -> tuple[Bar, ...]:
 
 
 def _inside(bar: Bar, other: Bar) -> bool:
-    """Whether a bar lies inside another but for `HAIR`: both its ends do, and the other is convex."""
+    """Whether a bar lies inside another within `HAIR`: both its ends do, and the other is convex."""
     for side in (-1, 1):
         away = bar.centre + side * bar.half * bar.axis - other.centre
         away = away - np.clip(other.axis @ away, -other.half, other.half) * other.axis

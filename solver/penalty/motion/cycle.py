@@ -1,4 +1,4 @@
-"""Cycle: joints are where the clip's own walking or running cycle has them, as far as that is known.
+"""Cycle: deviation of joints from the clip's gait cycle, as far as it is known.
 
 Keyframes half a period apart contain little information on the motion between them, but together they determine it (see
 `rhythm`). How far a joint is off counts by how certain the cycle is there: least where no keyframe has the same phase.
@@ -81,7 +81,7 @@ class Cycle(Guide):
         return 2 * np.arctan2(np.linalg.norm(v, axis=0), np.abs(w))
 
     def led(self, timeline: Timeline, most: int | None) -> Timeline:
-        """The cycle itself where variable frames are, a period's in eight frames if there may be so many."""
+        """The cycle itself at the variable frames, with eight frames per period if their number allows it."""
         ends = timeline.times[[0, -1]]
         fixed = [frame for frame in timeline.frames if not frame.is_variable or frame.time in ends]
         edges, apart = np.array([frame.time for frame in fixed]), self.rhythm.period / FRAMES
@@ -167,6 +167,6 @@ def _moved(w: Array, v: Array, rotation: Array) -> Array:
 
 @lru_cache(maxsize=8)
 def _joints(figure: Figure) -> tuple[Index, Index]:
-    """The links with quaternions and those they hang on, (n,) each."""
+    """The links with quaternions and their parents, (n,) each."""
     child = figure.tables.quaternion_links
     return child, figure.tables.parents[child]

@@ -38,7 +38,7 @@ class PeakAcceleration(Penalty):
         return self._larger(samples, NEGLIGIBLE, STEEPER)
 
     def _larger(self, samples: Samples, least: float, steeper: float) -> Iterator[Block]:
-        """Residuals |α|⁴ whose gradients are larger than `least` of the largest, so many times as steep."""
+        """Residuals |α|⁴ whose gradients exceed `least` times the largest, scaled."""
         directions, sizes = relative_accelerations(samples)
         slopes = POWER * sizes ** (POWER - 1)
         at, link = np.nonzero(least * slopes.max(initial=0.0) < slopes.T)

@@ -1,4 +1,4 @@
-"""Posture: joints turn no more than they need to, against the overshoot of long segments.
+"""Posture: angular velocity of joints, against the overshoot of long segments.
 
 Acceleration alone swings a joint far out between keyframes that are a second apart; people come back to a posture in a
 fraction of that. Squared angular velocity beside squared acceleration is a spline in tension: it feels like the former
@@ -78,7 +78,7 @@ def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
 
 @lru_cache(maxsize=8)
 def _joints(figure: Figure) -> tuple[Index, Index]:
-    """The links of the ball joints and those they hang on, (n,) each."""
+    """The links of the ball joints and their parents, (n,) each."""
     child = np.array([i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL], np.intp)
     return child, figure.tables.parents[child]
 
