@@ -186,7 +186,7 @@ def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser
         if any("spawn_main" in word for word in child.cmdline())
     ]
     solver.kill()
-    one.until("document.getElementById('toast').textContent.includes('another one')")
+    one.until("document.getElementById('toast').textContent.includes('a new one')")
     one.settled()
     one.seek(1.5)
     one.changes(lambda: one.press("k"))
@@ -197,7 +197,7 @@ def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser
     # the server is killed: what was not saved is offered again
     time.sleep(0.6)
     running.end(signal.SIGKILL)
-    one.until("document.getElementById('state').textContent.includes('no line')")
+    one.until("document.getElementById('state').textContent.includes('no connection')")
     assert file.read_text(encoding="utf-8") == models.clip_text("run_and_step")
     with browsers.studio(tmp_path, "run.toml") as again:
         tab = Tab(browser, again.address)
@@ -308,8 +308,8 @@ def test_a_line_that_is_lost_in_the_middle_of_an_edit_comes_back_and_nothing_is_
     before = tab.look("studio.model.document.keys.map((key) => key.time)")
     other.seek(1.7)
     other.press("k")
-    other.until("document.getElementById('toast').textContent.includes('was lost')")
-    other.until("document.getElementById('state').textContent !== 'no line to the studio'")
+    other.until("document.getElementById('toast').textContent.includes('studio lost')")
+    other.until("document.getElementById('state').textContent !== 'no connection to the studio'")
     other.until(f"studio.model.document.keys.length === {len(before) + 1}")  # done, and once
     assert len(lines) == 2
     tab.until(f"studio.model.document.keys.length === {len(before) + 1}")
