@@ -120,20 +120,24 @@ class FloorClearance:
 
     def linearized(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
         """Return the depths (k,) [m] of bodies near the plane, negative above it, and their Jacobian (k, nv)."""
-        centres = self._centres(data)
-        depth, first = self._depth(centres), np.flatnonzero(np.diff(self.bodies, prepend=-1))
-        values, rows, jacobian = list[float](), list[Array](), np.zeros((3, model.nv))
-        for begin, end in zip(first, [*first[1:], len(depth)], strict=True):
-            deepest = begin + int(np.argmax(depth[begin:end]))
-            if depth[deepest] > -NEAR_FLOOR:
-                mujoco.mj_jac(model, data, jacobian, None, centres[deepest], self.bodies[deepest])
-                values.append(depth[deepest])
-                rows.append(-self.normal @ jacobian)
-        return np.array(values), np.reshape(rows, (-1, model.nv))
+        centres, first = self._centres(data), self._first
+        depth = self._depth(centres)
+        near = np.flatnonzero(np.maximum.reduceat(depth, first) > -NEAR_FLOOR)
+        ends = np.append(first[1:], len(depth))
+        values, rows, jacobian = np.empty(near.size), np.empty((near.size, model.nv)), np.empty((3, model.nv))
+        for row, body in enumerate(near):
+            deepest = first[body] + int(np.argmax(depth[first[body] : ends[body]]))
+            mujoco.mj_jac(model, data, jacobian, None, centres[deepest], self.bodies[deepest])
+            values[row], rows[row] = depth[deepest], -self.normal @ jacobian
+        return values, rows
 
     def depth(self, data: mujoco.MjData) -> Array:
         """Return the depth (n,) [m] of every sphere beyond what is permitted, negative above the plane."""
         return self._depth(self._centres(data))
+
+    @cached_property
+    def _first(self) -> Index:
+        return np.flatnonzero(np.diff(self.bodies, prepend=-1))
 
     def _centres(self, data: mujoco.MjData) -> Array:
         turns = data.xmat[self.bodies].reshape(-1, 3, 3)
