@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from dataclasses import FrozenInstanceError
+from dataclasses import FrozenInstanceError, replace
 from pathlib import Path
 from typing import Any
 
@@ -122,7 +122,8 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
 @pytest.mark.slow
 def test_the_error_for_a_renamed_attribute_names_the_new_one():
     clip = load("tumble")
-    assert clip.with_problem(ends=clip.ends) == clip
+    settings = replace(clip.settings, tolerance=0.5)
+    assert clip.with_problem(settings=settings).settings is settings
     with pytest.raises(AttributeError, match="Clip has no attribute 'asking'; it is named 'with_problem'"):
         clip.asking  # type: ignore[attr-defined]  # noqa: B018
     with pytest.raises(AttributeError, match=r"Clip has no attribute 'missing'$"):
