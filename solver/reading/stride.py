@@ -32,8 +32,12 @@ FEWEST, MOST = 3, 100  # whole keyframes that a cycle is looked for in
 CYCLES = 0.8  # least number of cycles in a clip
 GAIN = -0.15  # least log-likelihood over that of a smooth motion
 SLIP = 0.33  # of the travel, most that feet which are low may slide
+# the same of the likeliest period, where its rivals slip RIVAL times as much and the body travels steadily
+LOOSE = 0.85
+RIVAL, AS_LIKELY = 1.5, 0.3  # and the difference in log-likelihood up to which a period is a rival
+UNSTEADY = 0.25  # least spread of the speeds between keyframes, as a share of their mean, of what is not steady
 LEVEL = 0.05  # [m] by which the ground may rise or fall
-TRUST = 0.5  # least of a rhythm, over all of the clip
+TRUST = 0.4  # least of a rhythm, over all of the clip
 LOW = 0.04  # [m] over where soles are lowest
 LOWEST = 0.25  # of the keyframes, those in which they are lowest
 TRIED = 4  # candidates that are looked at
@@ -91,9 +95,21 @@ class Gait:
             return None
         shortest, longest = self._periods
         longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
-        sure = [r for r in self.candidates(Process(poses), (shortest, longest), GAIN) if r.slip <= SLIP]
+        found = self.candidates(Process(poses), (shortest, longest), GAIN)
+        sure = [r for r in found if r.slip <= SLIP] or self._without_rival(found)
         best = max(sure, key=lambda rhythm: rhythm.gain, default=None)
         return None if best is None or best.trust.mean() < TRUST else best
+
+    def _without_rival(self, found: list[Rhythm]) -> list[Rhythm]:
+        """Return the likeliest cycle, if feet slip much more in all that are about as likely, and it travels steadily.
+
+        Sparse keyframes blur the feet of the true cycle, but those of an alias more.
+        """
+        if not found or self._unsteadiness >= UNSTEADY:
+            return []
+        best, *others = found
+        rivals = [r for r in others if r.gain > best.gain - AS_LIKELY]
+        return [best] if best.slip <= LOOSE and all(r.slip >= RIVAL * best.slip for r in rivals) else []
 
     def likeliest(self) -> Rhythm | None:
         """The cycle that the keyframes tell best, however well; None where they are too few."""
@@ -156,6 +172,12 @@ class Gait:
         """[m/s] of the root over ground."""
         way = float(np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1).sum())
         return way / float(self.keys.times[-1] - self.keys.times[0])
+
+    @cached_property
+    def _unsteadiness(self) -> float:
+        """The standard deviation of the root's speeds between keyframes, as a share of their mean."""
+        speeds = np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1) / np.diff(self.keys.times)
+        return float(speeds.std() / speeds.mean())
 
     @cached_property
     def _standing(self) -> tuple[Array, Array]:

@@ -49,6 +49,25 @@ def test_it_does_not_matter_which_way_the_figure_walks(way):
     assert abs(rhythm.period / PERIOD - 1) < 0.05
 
 
+def sped_up(factor: float, stops: bool = False) -> np.ndarray:
+    """The walk, carried along faster than its feet go; if it stops, at a tenth of that in its last quarter."""
+    out, step = WALK.copy(), factor * np.diff(WALK[:, 0], prepend=WALK[0, 0])
+    if stops:
+        step[3 * step.size // 4 :] *= 0.1
+    out[:, 0] = np.cumsum(step)
+    return out
+
+
+@pytest.mark.parametrize("every", [0.3, 0.42, 0.5])
+def test_feet_that_slip_are_believed_where_those_of_other_periods_slip_more_and_the_body_travels_steadily(every):
+    rhythm = gait(sped_up(2.0), every).told()
+    assert rhythm is not None
+    assert rhythm.slip > SLIP
+    assert abs(rhythm.period / PERIOD - 1) < 0.05
+    assert gait(sped_up(2.0, stops=True), every).told() is None
+    assert gait(sped_up(5.0), every).told() is None
+
+
 def test_an_alias_explains_the_keyframes_about_as_well_and_slides():
     seen = gait(WALK, 0.5)
     poses = PoseVectors.of(FIGURE, seen.keys)
