@@ -31,6 +31,7 @@ from .table import ClipTable, SolveTable
 
 Own = Sequence[tuple[Penalty, float]]
 
+AT_REST = "begins and ends at rest, like its first and last keyframes; [solve] ends = 'free' leaves their speeds open"
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop in a period
 RENAMED = {"asking": "with_problem"}  # attributes of Clip
 NEXT = 1e-6  # [s] by which a saved keyframe may differ from its time in the text
@@ -141,10 +142,14 @@ def build(
     _check_timeline(problem, source.where)
     surfaces = static_surfaces(figure.model)
     context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.hold)
+    resting: tuple[str, ...] = ()
+    if "ends" not in solve.given and context.stands_at_its_ends:
+        problem = replace(problem, ends="clamped", end_slope=np.zeros((2, figure.width)))
+        context, resting = replace(context, keys=problem.raw), (AT_REST,)
     broken = complaints(figure, problem.raw, keys)
     soft_constraints = constraints(context, source.options)
     problem = replace(problem, penalties=soft_constraints.penalties)
-    notes = (*broken, *soft_constraints.notes, *_too_many(problem))
+    notes = (*resting, *broken, *soft_constraints.notes, *_too_many(problem))
     return Clip(source.name, source.text, scene, fps, problem, soft_constraints.context, notes)
 
 

@@ -39,6 +39,7 @@ from .posing.feet import sole_points
 from .posing.places import Places
 from .table import ContactTable, HoldTable
 
+REPEATED = 1e-3  # [m] and of a quaternion's entries (0.1°): a keyframe that differs by less repeats its neighbour
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
 
@@ -93,6 +94,20 @@ class Context:
             holds(figure, keys, held, where, points),
             placed,
         )
+
+    @property
+    def stands_at_its_ends(self) -> bool:
+        """Whether the first and the last keyframe are poses at rest: they repeat their neighbour, or all feet stand."""
+        keys = self.keys
+        if keys.ends != "free" or not keys.fixed[[0, -1]].all():
+            return False
+        feet, found = {point.link for point in self.points}, (*self.stances, *self.contacts.stances)
+        standing = (
+            {stance.point.link for stance in found if stance.first <= keys.times[0]},
+            {stance.point.link for stance in found if stance.last >= keys.times[-1]},
+        )
+        repeated = (np.abs(keys.states[a] - keys.states[b]).max() < REPEATED for a, b in ((0, 1), (-1, -2)))
+        return all(same or (bool(feet) and feet <= links) for same, links in zip(repeated, standing, strict=True))
 
     @property
     def lacking(self) -> list[str]:

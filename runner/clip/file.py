@@ -36,10 +36,10 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
         table = table_of(saved.text, saved.name)
     else:
         keys = keyframe_tables(saved.figure, saved.keys)
-        named = {"figure": shipped_scene(saved.scene), "fps": saved.fps, "solve": _ends(saved), "keyframe": keys}
+        named = {"figure": shipped_scene(saved.scene), "fps": saved.fps, "solve": _solve_table(saved), "keyframe": keys}
         table = ClipTable.unchecked(**named)
     if exact:
-        table = table.changed(solve=table.solve.model_copy(update=AS_SPLINE))
+        table = table.changed(solve=table.solve.model_copy(update={**AS_SPLINE, **_ends(saved)}))
     files: list[tuple[Path, bytes]] = []
     if table.figure not in models.figures() or (saved.text and not _tells_scene(saved)):
         scene = target.with_suffix(".xml")
@@ -74,7 +74,7 @@ def standing_alone(saved: Saved) -> Saved:
     keys = tuple(Frame.many(timeline.times, figure.to_qpos(timeline.states), everything))
     frames = tuple(Frame.many(timeline.times, timeline.states, everything))
     entries = {key: value for key, value in table.given.items() if key in OF_MOTIONS}
-    text = written(ClipTable.unchecked(**entries, solve=_ends(saved), keyframe=keyframe_tables(figure, keys)))
+    text = written(ClipTable.unchecked(**entries, solve=_solve_table(saved), keyframe=keyframe_tables(figure, keys)))
     return replace(saved, text=text, keys=keys, timeline=Timeline(frames, timeline.end_slope, timeline.ends))
 
 
@@ -110,7 +110,11 @@ def _tells_scene(saved: Saved) -> bool:
         return False
 
 
-def _ends(saved: Saved) -> SolveTable:
+def _solve_table(saved: Saved) -> SolveTable:
     """The [solve] table of a motion's ends and coordinates."""
-    ends = {"ends": saved.timeline.ends} if saved.timeline.ends in ("periodic", "clamped") else {}
-    return SolveTable.unchecked(coordinates=saved.figure.coordinates, **ends, **around(saved).given)
+    return SolveTable.unchecked(coordinates=saved.figure.coordinates, **_ends(saved), **around(saved).given)
+
+
+def _ends(saved: Saved) -> dict[str, str]:
+    """The ends of a motion as a key of [solve]; none of ends that are held by other keyframes."""
+    return {"ends": saved.timeline.ends} if saved.timeline.ends != "held" else {}
