@@ -1,7 +1,7 @@
-"""Recordings made physical: what slides, sinks, floats and jumps in them is mended, the motion is kept.
+"""Recordings made physical: sliding, sinking, floating and jumps are removed, the motion is preserved.
 
 lead_in    the pose before a recording's motion: that to which cameras or skeleton were set
-repairs    gaps, jumps, samples that come twice or are no numbers, rest poses: found, told and bridged
+repairs    gaps, jumps, duplicate and invalid samples, rest poses: found, reported and bridged
 cleaning   a repaired recording, its stances, and the motion near it that keeps to them
 sinking    how deep a figure is in what is round it, and where a search did not see it
 comparing  before and after: depth, slip, ranges, accelerations, forces, and how far what has moved

@@ -37,12 +37,12 @@ STRICTER, TRIES = 2.0, 7  # how much more the recording counts every time that s
 
 @dataclass(frozen=True, eq=False)
 class Cleaned:
-    """A recording and the motion that it was made.
+    """A recording and its cleaned motion.
 
     before   the spline through the samples as they were recorded
     recorded what the motion is near: smoothed, on its soles
     rests    the stances that it keeps
-    problem  what was asked for
+    problem  the problem that was solved
     """
 
     ground: Ground
@@ -135,9 +135,9 @@ def cleaned(
 def _out_of_edges(
     ground: Ground, asked: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
 ) -> tuple[Problem, Solution]:
-    """The search gone on with more frames where something went through an edge between two samples, and is seen now.
+    """Continue the search with more frames where a point went through an edge between two samples.
 
-    Of a long recording only about there: all of it anew comes out a little better, and takes as long again.
+    In a long recording only around these places: another search of all of it would double the time for little.
     """
     for _ in range(LOOKS):
         path, times = path_of(solution.timeline), solution.timeline.times
@@ -174,9 +174,9 @@ def _is_deep(ground: Ground, recorded: Recorded) -> bool:
 def _eased(
     asked: Problem, near: Near, shares: Sequence[float], improved: Callable[[Improvement], None] | None
 ) -> Problem:
-    """To go on from where the search ends if all but the recording counts less: a share of it after the other.
+    """Return the problem with its start at the solutions for smaller weights of all penalties but the recording's.
 
-    What is stiff, and a recording that noise puts far into things, make a bad valley of the first step.
+    Stiff penalties, and a recording that noise puts deep into surfaces, would lead to a poor local minimum.
     """
     for share in shares:
         weights = tuple((p, w if p is near or isinstance(p, UnitMagnitude) else share * w) for p, w in asked.penalties)

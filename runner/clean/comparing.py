@@ -30,7 +30,7 @@ RANGE = 0.5  # [°] beyond a joint's range, likewise
 
 @dataclass(frozen=True)
 class Line:
-    """One thing that was measured, before and after, in a unit; bound: of what is sound, where anything is not."""
+    """A measured quantity before and after, with its unit, and the bound of acceptable values, if there is one."""
 
     says: str
     unit: str
@@ -84,7 +84,7 @@ class Comparison:
 
     @property
     def figures(self) -> dict[str, tuple[float, float]]:
-        """What was measured, before and after, by what it says and its unit."""
+        """The measured quantities before and after, by name and unit."""
         return {f"{line.says} [{line.unit}]": (round(line.before, 6), round(line.after, 6)) for line in self.lines}
 
     @cached_property

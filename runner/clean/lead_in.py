@@ -1,7 +1,7 @@
-"""What a recording begins with before its motion: the pose to which the cameras or the skeleton were set.
+"""The lead-in of a recording: the calibration pose of cameras or skeleton before the motion.
 
-Two signs tell it, and standing still has neither. A T-pose: both arms straight out to the sides, legs and trunk
-upright. Or the figure's own rest, every joint at its nought, that nobody leaves as fast as the next image has it.
+There are two signs of it, which a person standing still does not show. A T-pose: both arms straight out to the sides,
+legs and trunk upright. Or the figure's rest pose, every joint at zero, left faster than a person can move.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def without(saved: Saved) -> Saved:
 
 
 def told(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
-    """A recording's lead-in is said, and left out if asked for; any other motion stays as it is."""
+    """Report a recording's lead-in and leave it out with `skip`; return any other motion unchanged."""
     found = of_motion(saved)
     if found is not None:
         progress.say(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
@@ -92,7 +92,7 @@ def told(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
 
 @dataclass(frozen=True)
 class _Rest:
-    """Whether every joint is at the nought of the model; somebody may stand so, so it tells nothing alone."""
+    """Whether every joint is at the model's zero; a person may stand so, so that it is no sign by itself."""
 
     model: mujoco.MjModel
     tells_alone: bool = False
@@ -160,7 +160,7 @@ def _moved(model: mujoco.MjModel, one: Array, other: Array) -> Array:
 
 
 def _jumps(model: mujoco.MjModel, times: Array, qpos: Array, at: int) -> bool:
-    """Whether a joint is turned into image `at` as none turns, and goes on from there as if nothing had been."""
+    """Return whether a joint turns impossibly fast to image `at`, and normally after it."""
     into, after = (
         _moved(model, qpos[i - 1], qpos[i]).max(initial=0.0) / (times[i] - times[i - 1]) for i in (at, at + 1)
     )

@@ -1,6 +1,6 @@
-"""Gaps, jumps, samples that come twice or are no numbers, rest poses at the ends: found, told and bridged.
+"""Gaps, jumps, duplicate and invalid samples, rest poses at the ends: found, reported and bridged.
 
-A sample that is not believed is left out; what moves there is found from those before and after it.
+An implausible sample is left out, and the motion there follows from the samples before and after it.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ class Repaired:
 
 
 def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
-    """Of samples at times (T,) [s], qpos (T, nq), some entries no numbers; where is how errors call them.
+    """Of samples at times (T,) [s], qpos (T, nq), some entries not finite; where is their name in errors.
 
-    Raises UserError for too few samples, times that go back, and gaps that nobody can bridge.
+    Raises UserError for too few samples, times that go back, and gaps too long to bridge.
     """
     notes: list[str] = []
     if time.size < FEWEST:
@@ -116,7 +116,7 @@ def _ending(back: LeadIn, time: Array) -> str:
 def _filled(
     figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str], where: str
 ) -> tuple[Array, Array, Mask]:
-    """With samples that nobody knows where some are missing."""
+    """Insert unknown samples where some are missing."""
     step = float(np.median(np.diff(time)))
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
     missing[np.diff(time) < GAP * step] = 0

@@ -79,7 +79,7 @@ def run(
     result, saved = made(source, within, progress)
     table = Comparison(result).table()
     missed = () if within is None else tuple(_missed(result, within))
-    del result  # as large as all that is written
+    del result  # as large as the files that are written
     if form is None:
         motion.save(saved, target)
     else:

@@ -16,7 +16,7 @@ from ..measure.depths import bunches, depths
 
 RATE = 240.0  # [1/s]
 RUN = 1000  # samples looked at at once
-DEEP = 0.001  # [m] that a search should not have let pass
+DEEP = 0.001  # [m] that a search should have prevented
 SEEN = LONGEST_PANEL / POINTS  # [s] that the samples of a search are apart: what lasts longer it has seen
 
 

@@ -29,22 +29,22 @@ from .posing.places import Places
 from .table import ContactTable, HoldTable
 
 ROUNDING = 1e-9  # [s]
-STRETCH = 0.01  # [m] that two points of one body may be told to come nearer or apart
-NEARLY = 1e-3  # [m, rad] by which a pose may miss a place and still tell what is there
-REACH = 0.15  # [m] by which a keyframe may put a hold out of reach and still tell where the limb is, stretched for it
+STRETCH = 0.01  # [m] by which the distance of two points of one body may change
+NEARLY = 1e-3  # [m, rad] by which a pose may miss a place that it still specifies
+REACH = 0.15  # [m] by which a keyframe may put a hold out of reach of the limb, which is stretched towards it
 SLACK = 1.0  # of that, what the site may be away from there: a limb stretched to its end whips there and back
 
 
 @dataclass(frozen=True)
 class Contacts:
-    """What the tables say: stances whose spots are known, rests whose are not, and all of them as they were given."""
+    """The contacts of the tables: stances with known spots, rests with unknown ones, and all of them as specified."""
 
     stances: tuple[Stance, ...] = ()
     rests: tuple[Rest, ...] = ()
     given: tuple[Rest, ...] = ()
 
     def overlaps(self, stance: Stance) -> bool:
-        """Whether a table speaks of a stance's point at some time of it."""
+        """Return whether a table is about a stance's point at any time of the stance."""
         return any(
             own.point.link == stance.point.link
             and np.array_equal(own.point.position, stance.point.position)
@@ -113,7 +113,7 @@ def check_interval(table: ContactTable | HoldTable, keys: Timeline, name: str) -
 def check_overlap(
     table: ContactTable | HoldTable, before: Sequence[ContactTable | HoldTable], name: str, kind: str, why: str
 ) -> None:
-    """Raises UserError if a table speaks of the time of one `before` it that is of the same point or site."""
+    """Raise UserError if a table overlaps an earlier one (`before`) of the same point or site."""
     for number, other in enumerate(before, start=1):
         first, last = max(table.start, other.start), min(table.end, other.end)
         if other.subject == table.subject and last - first > ROUNDING:
@@ -123,7 +123,7 @@ def check_overlap(
 def _spots(
     figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
 ) -> list[tuple[float, Array]]:
-    """Where the point is to be at some times of the interval, by the table and by keyframes that say where it is."""
+    """Return the point's specified places at times of the interval, from the table and from keyframes."""
     samples = Samples.still(figure, keys.states)
     centres, _, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
@@ -149,8 +149,9 @@ def _spots(
 
 
 def _risen(spot: tuple[float, Array], end: float, sunk: Allowance, up: Array) -> list[tuple[float, Array]]:
-    """Where a point rests at an end [s] of its contact if the keyframe next to it has it in a surface: higher by what
-    clearance lets pass less there.
+    """Return the place of a point at an end [s] of its contact if the nearest keyframe has it in a surface.
+
+    It is higher by the decrease of the allowed depth.
 
     spot  when [s] and where (3,) [m] the keyframe has it;  sunk  how deep keyframes have it;  up  (3,) the way out
     """
@@ -161,11 +162,12 @@ def _risen(spot: tuple[float, Array], end: float, sunk: Allowance, up: Array) ->
 def agreeing(
     places: Array, said: Index, exact: Mask, wanted: Array | None, contradicts: Callable[[int, float, int | None], str]
 ) -> list[int]:
-    """Those keyframes of `said` whose places, of (3, K) [m], are the wanted one (3,), or without one that of the first
-    keyframe, but for what may drift.
+    """Return the keyframes of `said` whose places, of (3, K) [m], agree with the wanted one (3,) within the drift.
 
-    exact        (K,) which keyframes fix the place: what was posed has less to say, and is left out where it is off
-    contradicts  what to tell of one that fixes another place: its index, how far off it is [m], and that of the first
+    Without a wanted place, that of the first keyframe counts.
+
+    exact        (K,) which keyframes fix the place: posed ones count less, and are left out where they disagree
+    contradicts  the error for one that fixes another place: its index, how far off it is [m], and that of the first
     """
     kept: list[int] = []
     said = said[np.argsort(~exact[said], kind="stable")]
@@ -207,7 +209,7 @@ def _check_bodies(stances: Sequence[Stance], where: str) -> None:
 
 @dataclass(frozen=True)
 class _HoldRow:
-    """A table with the hold that it asks for, and how errors call it."""
+    """A table with its hold, and its name in errors."""
 
     table: HoldTable
     hold: Hold
@@ -263,7 +265,7 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
 
 
 def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
-    """Where the site is on the body over the interval, as far as the table and keyframes say."""
+    """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
     hold, table = row.hold, row.table
     said, places, exact = _hold_places(figure, keys, hold)
     wanted = None
@@ -304,7 +306,7 @@ def _hold_stretches(found: dict[float, Array], hold: Hold) -> Iterator[tuple[flo
 
 
 def _hold_places(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Mask]:
-    """The keyframes (k,) within a hold that tell both site and body, the place on the body in all (3, K), and which of
+    """The keyframes (k,) within a hold that set both site and body, the place on the body in all (3, K), and which of
     them fix it (K,)."""
     samples = Samples.still(figure, keys.states)
     both = [hold.point, Point(hold.body, hold.link, np.zeros(3))]

@@ -1,10 +1,10 @@
-"""What keyframes and recordings tell by themselves, before anything is searched.
+"""Inference from keyframes and recordings, before the search.
 
-rhythm        the walking or running cycle that keyframes tell, as a Gaussian process of poses
-stride        which cycle a figure's legs make of its keyframes
-pose_vectors  poses as vectors: what a figure's joints do about their mean, wherever it is and wherever it faces
-recorded      a recording as a curve to be near: smoothed as much as its own noise asks for, bridged in gaps
-moving        how likely the places of a point are if it moves
-stances       which points of the soles stood when, read off a recording
-settled       a recording set down on what stands
+rhythm        the walking or running cycle of keyframes, as a Gaussian process of poses
+stride        the choice of the cycle: periods that suit the size of the body, feet that do not slip
+pose_vectors  poses as vectors: the joints' deviation from their mean, independent of place and heading
+recorded      a recording as a curve to track: smoothed according to its noise, bridged in gaps
+moving        the likelihood of the places of a point that moves
+stances       the stances of a recording's soles
+settled       a recording moved down or up onto the ground
 """

@@ -1,7 +1,8 @@
-"""How likely the recorded places of a point are if it moves as limbs do, whichever way it goes.
+"""The likelihood of the recorded places of a point that moves like a limb, in any direction.
 
-Its acceleration is white noise, so its place a twice integrated Wiener process, and a sample is its place and noise:
-Kalman's filter (1960) says of every sample how likely it is after those before it. What rests is likelier at rest.
+Its acceleration is white noise, so that its place is a twice integrated Wiener process, and a sample is the place plus
+noise. Kalman's filter (1960) gives the likelihood of every sample after the previous ones. A point at rest is likelier
+under the model of `stances`.
 """
 
 from __future__ import annotations
@@ -17,11 +18,11 @@ FASTEST = 3.0  # [m/s] about so fast is a point when nothing is known of it yet
 
 
 def surprise(times: Array, places: Array, variance: Array, known: Mask) -> Array:
-    """(p, T) minus the log density [m⁻³] of each of places (3, p, T) after those before it; 0 where nothing is known.
+    """Return minus the log density [m⁻³] of each of places (3, p, T) after the previous ones, (p, T); 0 where unknown.
 
     times     (T,) [s], rising
     variance  (p,) [m²] of a sample, in every direction
-    known     (T,) which samples there are; the first of them says nothing
+    known     (T,) whether there is a sample; the first one has no density
     """
     count, size = times.size, variance.size
     out = np.zeros((size, count))

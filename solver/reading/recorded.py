@@ -1,10 +1,10 @@
-"""A recording as a curve to be near: smoothed as much as its own noise asks for, bridged where it has gaps.
+"""A recording as a curve to track: smoothed according to its noise, bridged where it has gaps.
 
-A sample is the motion and noise, white and of its own size in every joint, which differences of samples tell; the
-motion's acceleration is as large as that of people who move. The curve that is most likely then is a smoothing spline
-(G. Wahba 1978): it minimises Σ trust (d − z)² / σ² + ∫ z''² / A, and E of another curve is E of this one and the same
-sum of its differences from it. So differences are what is to be kept small, and their accelerations; the recording's
-own detail costs nothing. Samples that do not fit to their neighbours are trusted less.
+A sample is the motion plus white noise, whose size in every joint follows from differences of samples; the motion's
+acceleration is that of people. The most likely curve is then a smoothing spline (G. Wahba 1978): it minimises
+Σ trust (d − z)² / σ² + ∫ z''² / A, and E of another curve is E of this one plus the same sum of its differences from
+it. The penalty is therefore on the differences and their accelerations; the recording's own detail costs nothing.
+Samples that do not fit their neighbours are trusted less.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ ROBUST = 2.5  # noises off, from which a sample is trusted less
 UNLIKE = 8.0  # times as far from its neighbours' middle as the usual sample: one that the first curve leaves out
 ROUNDS = 4  # of trusting samples by how far off they are
 AGREES = 1e-12  # noises off, that are none
-SPARSE = 1e-9  # of the largest weight, added to all: a curve is told by its acceleration alone where nothing is known
+SPARSE = 1e-9  # of the largest weight, added to all: where nothing is known, acceleration alone determines the curve
 
 
 def groups(figure: Figure) -> list[Index]:
@@ -65,7 +65,7 @@ class Recorded:
     times  (T,) [s], rising
     states (T, N) as they were recorded, quaternions unit and of continuous sign; anything where there is no sample
     known  (T, N) 1 where there is a sample, 0 in gaps
-    exact  the samples are of a motion that nobody filmed: the curve runs through them
+    exact  the samples are of a computed motion: the curve runs through them
     """
 
     figure: Figure
@@ -78,7 +78,7 @@ class Recorded:
     def of(
         cls, figure: Figure, times: Array, qpos: Array, known: Array | None = None, *, exact: bool = False
     ) -> Recorded:
-        """Of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), all of it if nobody says."""
+        """Of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), all of it by default."""
         states = np.array(figure.to_state(qpos))
         every = np.ones(states.shape) if known is None else np.ones(states.shape) * known
         for columns in figure.tables.quaternion_columns.T:
@@ -100,7 +100,7 @@ class Recorded:
         return replace(self, states=states)
 
     def bent(self, ways: Array) -> Recorded:
-        """Every sample on its way (T, N), as `between` tells ways."""
+        """Return the recording with every sample displaced by ways (T, N), see `between`."""
         states = self.states + ways
         for columns in self.figure.tables.quaternion_columns.T:
             turn = quat.from_rotation_vector(ways[:, columns[:3]])

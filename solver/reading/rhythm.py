@@ -1,8 +1,8 @@
-"""Rhythm: what a clip's own keyframes tell of a walking or running cycle, as a Gaussian process of its poses.
+"""Rhythm: the walking or running cycle of a clip's keyframes, as a Gaussian process of its poses.
 
-The poses (see `pose_vectors`) have a periodic part, whose left-right mirror image half a period on is the same motion,
-and a smooth part for all else. Nothing is learned from other clips. The likelihood of the keyframes says how well a
-period explains them; several periods may do about equally, for keyframes tell no more than they are dense (aliasing).
+The poses (see `pose_vectors`) have a periodic part, whose left-right mirror image half a period later is the same
+motion, and a smooth part for the rest. Nothing is learned from other clips. The likelihood of the keyframes measures
+how well a period explains them. Several periods may explain sparse keyframes about equally (aliasing).
 """
 
 from __future__ import annotations
@@ -88,11 +88,11 @@ def _periodic(a: Array, b: Array, period: float) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Rhythm:
-    """A clip's cycle: its period, how sure it is, and the poses that it tells between keyframes.
+    """A clip's cycle: its period, the confidence in it, and its poses between keyframes.
 
     period     [s]
     gain       log-likelihood over the best smooth motion, per number that the keyframes give
-    slip       how fast feet that are low move, at their slowest, as a share of the travel; NaN where nobody looked
+    slip       how fast feet that are low move, at their slowest, as a share of the travel; NaN if not computed
     times      (T,) [s] evenly spaced
     rotations  (T, q, 4) of the links with quaternions, as in qpos, no sign changes
     angles     (T, h) [rad] of the hinges

@@ -1,7 +1,7 @@
-"""A recording set down: as high as those points say that stand, its soles as level as they are in its stances.
+"""A recording moved onto the ground: at the height at which its stances touch it, with soles level in them.
 
-A captured skeleton's ankle is as high over the ground as its maker meant, and a sole that is flat in the figure may be
-on its toes all along. Both are constants of the recording, and no motion.
+The height of a captured skeleton's ankle depends on its marker set, and a sole that is flat in the recording may stand
+on its toes in the figure. Both are constants of the recording, not motion.
 """
 
 from __future__ import annotations

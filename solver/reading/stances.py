@@ -1,9 +1,9 @@
-"""Which points of the soles stood when, read off a recording: those that were low and stayed where they were.
+"""Stances of a recording: when points of the soles were low and stayed in one place.
 
-A sample says how much likelier it is of a point that rests, its places scattered about one by the recording's noise and
-a foot that rolls, than of one that moves as limbs do; of all ways to cut a recording into stances and what is none, the
-likeliest is taken (B. Jackson et al. 2005). How high a stance is counts once: what makes a recording sink or hover does
-so for as long as a stance lasts.
+Every sample has a likelihood under two models: a point that rests, scattered about its place by noise and by a foot
+that rolls, and a point that moves like a limb. Of all segmentations of a recording into stances and the rest, the
+likeliest is taken (B. Jackson et al. 2005). The height of a stance counts once, because a recording that sinks or
+hovers does so for the whole stance.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ HOVERS = 0.04  # [m] that a stance is over the ground, or in it, by and large
 HIGHEST = 0.3  # [m] up to which what does not stand is as often as anywhere; no stance is half as high
 REACH = 0.1  # [m] beside a point, that the edge of what it stands on may be: recordings drift
 LONGEST = 1.0  # [s] of a stance that is looked at at once
-FINEST = 60.0  # [1/s] samples that are told apart
-DEAR = 6.0  # what speaks against a stance before it is looked at: one sample in e³ begins one, or ends it
+FINEST = 60.0  # [1/s] rate above which samples are thinned
+DEAR = 6.0  # prior cost of a stance: one sample in e³ begins or ends one
 FAST = 0.35  # [m/s] from which on a point does not stand
 BLURRED = 0.03  # [s]: the noise of places by so much is that of speeds, once they are smoothed
 SURE = 3.0  # noises that two samples may be apart
@@ -73,7 +73,7 @@ def unsure(recorded: Recorded, points: Sequence[Point]) -> float:
 
 
 class _Seen(NamedTuple):
-    """Times (T,) that are told apart, places (3, p, T) [m], which times are known (T,), the noise of places (p,)."""
+    """Times (T,), places (3, p, T) [m], which times are known (T,), the noise of places (p,)."""
 
     times: Array
     places: Array

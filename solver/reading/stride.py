@@ -1,7 +1,7 @@
-"""Which cycle a figure's legs make of its keyframes: periods that a body of its size may have, feet that stand.
+"""The choice of the cycle of a figure's legs: periods that suit the size of the body, feet that do not slip.
 
-Where several periods explain the keyframes, feet decide: in the cycle that it is, a foot that is low stands on the
-ground while the body travels; in an alias it slides as fast as that. Animals and people of one dynamic similarity have
+Where several periods explain the keyframes, feet decide: in the true cycle, a low foot stands on the ground while the
+body travels; in an alias it slides as fast as the body. Animals and people of one dynamic similarity have
 strides of 2.3 Fr^0.3 hip heights, with the Froude number Fr = v²/(g h) (R. McN. Alexander 1976).
 """
 
@@ -47,7 +47,7 @@ GRAVITY = 9.81  # [m/s²] that strides are known at
 
 @dataclass(frozen=True, eq=False)
 class Gait:
-    """A figure that travels over surfaces: its keyframes, and what of it stands on them.
+    """A figure that travels over surfaces: its keyframes and the points of its soles.
 
     keys    in the figure's coordinates
     points  of its soles
@@ -59,8 +59,11 @@ class Gait:
     surfaces: tuple[Surface, ...]
 
     def told(self) -> Rhythm | None:
-        """The cycle that the keyframes tell beyond doubt, if any; the first and the last may stand outside it, as a
-        pose does from which somebody sets out, where the others tell it much better without."""
+        """Return the cycle of the keyframes, if it is beyond doubt.
+
+        The first and the last keyframe may be outside it, such as a standing pose at the start of a walk, if the
+        likelihood of the others rises much without them.
+        """
         if self.keys.ends == "periodic":
             return None
         best, gain = None, -np.inf
@@ -75,7 +78,7 @@ class Gait:
 
     @property
     def _periods(self) -> tuple[float, float]:
-        """[s] between which the period of a cycle is."""
+        """The bounds of the period of a cycle [s]."""
         return SHORTER * self.usual_period, LONGER * self.usual_period
 
     def _without(self, first: int, last: int) -> Gait:
@@ -112,7 +115,7 @@ class Gait:
         return [best] if best.slip <= LOOSE and all(r.slip >= RIVAL * best.slip for r in rivals) else []
 
     def likeliest(self) -> Rhythm | None:
-        """The cycle that the keyframes tell best, however well; None where they are too few."""
+        """Return the likeliest cycle of the keyframes, without a threshold; None where they are too few."""
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None:
             return None
@@ -121,7 +124,7 @@ class Gait:
         return min(found, key=lambda rhythm: (rhythm.slip > SLIP, -rhythm.gain), default=None)
 
     def given(self, period: float) -> Rhythm | None:
-        """The cycle of a period [s] that somebody knows; None where whole keyframes are too few."""
+        """Return the cycle of a given period [s]; None where whole keyframes are too few."""
         poses = PoseVectors.of(self.figure, self.keys)
         return None if poses is None else self._rhythm(Process(poses), period)
 

@@ -73,7 +73,7 @@ class Grounding:
         return not all(key.known[self._height] for key in keys)
 
     def leaping(self, timeline: Timeline) -> Grounding:
-        """With the flights, too, that keyframes tell which say how high they are."""
+        """Return it with the flights that keyframes with a height imply."""
         if self.figure.links[self.root].kind is not JointKind.FREE:
             return self
         held = stances(self.figure, timeline, self.soles, self.surfaces)
@@ -82,7 +82,7 @@ class Grounding:
         return replace(self, aloft=(*self.aloft, *found))
 
     def put_down(self, keys: Sequence[Frame], timeline: Timeline, staying: Callable[[int], Array]) -> list[Frame]:
-        """The keyframes, those that are to stand put on the ground; the timeline is of them, and says the rest.
+        """Return the keyframes, with standing ones moved onto the ground; the timeline through them has the rest.
 
         staying  where the figure's sole points (3, n) [m] stand that stay on one spot at keyframe k; NaN for others
         """
@@ -130,11 +130,11 @@ class Grounding:
         return height(self.figure, self.root)
 
     def _stands(self, timeline: Timeline, k: int, low: Array, *, between: bool) -> bool:
-        """Whether keyframe k, of no height of its own, is to stand.
+        """Return whether keyframe k, which sets no height, stands.
 
-        low      [m] how far over the ground the figure is in the keyframes before and after that say so, of which one
-                 at least is to be low; in all that do, if they are all before or all after
-        between  two of them; then this one has to say where its feet are but for the height
+        low      [m] height of the figure in the nearest keyframes before and after that set it, of which
+                 at least one must be low; in all of them, if they are all before or all after
+        between  whether there are two; then this one must set the place of its feet except the height
         """
         is_free = self.figure.links[self.root].kind is JointKind.FREE
         time, alone = timeline.times[k], self.figure.tables.free_links.size == int(is_free)
@@ -226,7 +226,7 @@ def _slides(figure: Figure, root: int) -> dict[int, tuple[int, float]]:
 
 
 def _beside(told: Mask, k: int, *, loop: bool) -> list[int]:
-    """The nearest keyframes before and after keyframe k of which something is told, in a loop round its end."""
+    """Return the nearest keyframes before and after keyframe k in a mask (K,), in a loop across its end."""
     at = np.flatnonzero(told)
     before, after = at[at < k], at[at > k]
     if loop and at.size:

@@ -21,7 +21,7 @@ REACH = 1.25  # [m] from an adult's hips along the bones to the fingertips or to
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
 ODD_UNITS = {"inches": 0.0254, "the CMU database's units": 0.0254 / 0.45}
 UPRIGHT = 0.8  # cosine to the vertical of legs and trunk in a pose that counts as standing
-LIKELY = (0.55, 3.0)  # [m] that reach of anybody
+LIKELY = (0.55, 3.0)  # [m] plausible reach of a person
 DRIFT = 0.01  # of the reach that a bone may change its length unmentioned
 
 

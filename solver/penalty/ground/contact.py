@@ -50,7 +50,7 @@ class Contact(Penalty):
         return self.called
 
     def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Contact:
-        """The same that lets pass how deep points whose places keyframes fix are in them, margin and all.
+        """Return the same penalty, which does not count the depth that keyframes fix, including the margin.
 
         holding  links that hold on to the surfaces, with their limbs, each from when to when [s]: where a keyframe
                  leaves these free, all of a link may be as deep as any point of it at the next one that fixes it
@@ -105,7 +105,7 @@ class Contact(Penalty):
 
     @cached_property
     def _places(self) -> tuple[Index, Index]:
-        """Where every point stands in `_by_group`: rank (n,) in its group and group (n,)."""
+        """Return the index of every point in `_by_group`: its rank in its group (n,) and its group (n,)."""
         _, owner = self._groups
         order, counts = np.argsort(owner, kind="stable"), np.bincount(owner)
         rank = np.empty_like(order)
@@ -133,7 +133,7 @@ class Contact(Penalty):
         return Allowance(self.allowed.times, padded)
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
-        """The points as `places_of` tells."""
+        """Return the points' places, see `places_of`."""
         return places_of(self.points, samples)
 
     def seen(self, samples: Samples, points: Array) -> Array:

@@ -1,7 +1,7 @@
-"""What carries the figure when, read off the keyframes: feet that stand, and flights between them.
+"""The support of the figure over time, inferred from keyframes: feet that stand, and flights between them.
 
 A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `stances`; a flight if
-nothing can carry the figure there; and else unknown: a foot may come and go in between.
+nothing can carry the figure there; otherwise unknown, because a foot may touch down and lift off in between.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ...surface.points import Point, placed, places_of
 from .planted import NEAR_SURFACE, Stance
 from .resting import Rest
 
-HIGHEST = 0.6  # [m] that a centre of mass rises in a flight that nobody asked for
+HIGHEST = 0.6  # [m] that a centre of mass rises in an inferred flight, at most
 PUSHED = 0.2  # of its speed at take-off and landing, the centre of mass has on the average in the segments beside
 ALOFT = 0.05  # [m] over which all soles are in the air beyond doubt
 STRAY = 0.15  # [m] that keyframes in the air may be off the free fall between the ends of the flight
@@ -135,7 +135,7 @@ def flights(
     is no more flat on the ground; a foot that lands stands afterwards. The free fall through both ends rises by no
     more than 0.6 m and passes keyframes in between within 15 cm; in the segments before and after the centre of mass
     rises and sinks at a fifth of its speeds at least, as a body does that pushes itself off and catches itself.
-    Keyframes that set the legs and no height are passed over, in a flight between others that tell of a push-off and a
+    Keyframes that set the legs and no height are passed over, in a flight between others that imply a push-off and a
     landing.
     """
     if not points or not surfaces or not figure.gravity.any():
@@ -162,7 +162,7 @@ def flights(
 
 @dataclass(frozen=True)
 class _Keys:
-    """What keyframes say of contact: free (K − 1,) segments that nothing carries; touched, flat (K,): whether a foot
+    """Contact in keyframes: free (K − 1,) segments that nothing carries; touched, flat (K,): whether a foot
     touches there, and with all its points; lowest (K,) [m] how high the lowest point of a foot is."""
 
     free: Mask
@@ -183,7 +183,7 @@ class _Keys:
         height = _heights(figure, keys, points, surfaces)[0]
         low = np.abs(height) < NEAR_SURFACE
         known = np.logical_and.reduce(placed(figure, keys.known, points))
-        known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > ALOFT)  # else who can say whether it touches
+        known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > ALOFT)  # otherwise contact is unknown
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
         flat = np.zeros_like(known)
         for foot in feet:
@@ -257,7 +257,7 @@ def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -
 
 
 def _tell_height(figure: Figure, root: int, keys: Timeline, points: Sequence[Point]) -> Mask:
-    """(K,) all keyframes but those that set the legs and leave it open how high they are: these go where others say."""
+    """Return whether keyframes set a height, (K,): not those that set the legs alone, which stand where others do."""
     place = figure.links[root].qpos + np.arange(3)
     fixed = np.array(keys.fixed)
     fixed[:, place] = True

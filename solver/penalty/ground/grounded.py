@@ -1,7 +1,7 @@
 """Bodies that do not float: between keyframes that touch the ground, the lowest point of the body stays near it.
 
-The paper leaves floating to future work (§6). A body that rises far all the same, in a leap that the keyframes ask for,
-is let go: the pull fades with the height. Not so where keyframes leave the height to the search: none asks for a leap.
+The paper leaves floating to future work (§6). The pull fades with the height, because a body that rises far leaps. It
+does not fade where keyframes leave the height to the search: no leap is specified there.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be 
 AWAY = 0.25  # of the way to a keyframe in the air, how far one stays low that is on the ground
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 TINY = 1e-300  # [m] a residual that is zero
-REACH, BLEND = 0.05, 0.01  # [m] unless told
+REACH, BLEND = 0.05, 0.01  # [m] by default
 CLOSE, FIRM = 0.002, 10.0  # [m] the blend of a body that nothing else holds to a height, and how much firmer it is held
 Interval = tuple[float, float]
 

@@ -1,7 +1,7 @@
 """Holds: a hand stays where it took hold of another body, while both may move.
 
-Where keyframes say the spot on that body, the hand is held to it; where nobody does, it does not slide there: its
-velocity is that of the body's own matter under it. A contact (`resting`) is the same with what does not move.
+Where keyframes specify the spot on that body, the hand is held to it. Otherwise it does not slide: its velocity is that
+of the body's material under it. A contact (`resting`) is the same on a surface that does not move.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class Hold:
     """A point of one link that holds another from `first` to `last` [s].
 
     link   index of the link that is held;  body  its name
-    spots  where on it, one after the other without gaps; none if nobody says
+    spots  where on it, one after the other without gaps; none if unknown
     """
 
     point: Point
@@ -72,7 +72,7 @@ class Hold:
         return f"{self.point.name} on {self.body}"
 
     def spot(self, t: Array) -> Array | None:
-        """(3, S) where on the link it is held at times t (S,) of the hold [m], or None if nobody says."""
+        """(3, S) where on the link it is held at times t (S,) of the hold [m], or None if unknown."""
         if not self.spots:
             return None
         out = np.empty((3, t.size))
@@ -97,7 +97,7 @@ class Hold:
 @dataclass(frozen=True)
 class Holding(Penalty):
     """Σ over holds of the squared distance [m²] of the point from its spot on the body, less the spot's slack, or of
-    (0.05 s)² |u|², u its velocity beside that of the body where it is, if the spot is unknown; while they last."""
+    (0.05 s)² |u|², u its velocity relative to the body there, if the spot is unknown; while they last."""
 
     holds: tuple[Hold, ...]
 

@@ -24,9 +24,9 @@ from ..penalty import Normalization, Penalty, Role
 
 NEAR_SURFACE = 0.012  # [m] by which a sole that stands may be off its surface in a keyframe
 SAME_SPOT = 0.05  # [m] that keyframes may put a standing point apart
-SAME_PLACE = 0.001  # [m] by which keyframes may put a thing that lies differently: it has no reason to drift
-ARM = 0.2  # [m] from a thing's origin to the points that tell how it lies: about half of what a person carries
-HELD = 10.0  # times as much a stance weighs that a posed keyframe tells: nothing exact holds the point at its end
+SAME_PLACE = 0.001  # [m] that keyframes may put an object apart that lies: it has no reason to drift
+ARM = 0.2  # [m] from an object's origin to the points that fix its pose: half the size of what a person carries
+HELD = 10.0  # factor of the weight of a stance of a posed keyframe, which holds no point exactly
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class Planted(Penalty):
 
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
     """The stances that a timeline of keyframes implies: a point within 12 mm of a surface in two neighbouring ones,
-    on spots less than 5 cm apart, and both keyframes tell every joint from the root to the point."""
+    on spots less than 5 cm apart, and both keyframes set every joint from the root to the point."""
     if not points or not surfaces:
         return ()
     states = keys.states
@@ -126,8 +126,10 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
 
 
 def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
-    """Stances of things, links with trees of their own, that two neighbouring keyframes put in the same place, turned
-    alike: three points of each."""
+    """Return stances of objects that two neighbouring keyframes put in the same pose: three points of each.
+
+    An object is a link with a kinematic tree of its own.
+    """
     points = [Point(figure.links[link].name, link, ARM * axis) for link in links for axis in np.eye(3)]
     if not points:
         return ()

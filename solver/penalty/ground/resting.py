@@ -1,7 +1,7 @@
 """Resting points: at rest on a surface from one time to another, wherever that is.
 
-For contacts whose spot nobody has said. Where keyframes say the spot, see `planted`. A foot that is round, as heels and
-the tips of shoes are, rolls: what rests of it is its lowest point, which may be another one at every instant.
+For contacts whose spot is not specified; where keyframes specify it, see `planted`. A round foot, such as the heel or
+the tip of a shoe, rolls: its lowest point rests, which may be another one at every instant.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Feet that stay: a point of the sole near a surface is slow, the slower the nearer.
 
-The paper leaves skidding to future work (§6). Nothing here needs to know when a foot is down: the height says it.
+The paper leaves skidding to future work (§6). No times of contact are needed: the height decides.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ from ..penalty import Normalization, Penalty, Role
 NEGLIGIBLE, TINY = 0.03, 1e-8  # of the weight's root: higher up a point is free in a model of E, and in E
 STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point is in the air in between
 SHORTLY = 0.25  # [s] between them, up to which it cannot stand on the way as well
-LONG = 0.45  # [s] between two keyframes, from which on they tell less of where feet stand in between
+LONG = 0.45  # [s] between two keyframes, from which on they say little about the feet in between
 WORTH = 1e-3  # [m² rad⁻² s²]: 3 cm/s of a point on the ground count like half a radian per s²
-REACH = 0.04  # [m] unless told
+REACH = 0.04  # [m] by default
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ class Bound:
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], *, swings: bool = True) -> Bound:
-        """Less in a long segment, by the square of its length: a foot may take steps there that nobody told of. Not at
+        """Less in a long segment, by the square of its length: a foot may take steps there. Not at
         all, if it may be that a foot `swings`, where two keyframes up to 0.25 s apart put a point more than 8 cm apart:
         one that comes so far so fast passes low, and is not to be braked."""
         spans = np.diff(keys.times)
