@@ -112,24 +112,24 @@ def cleaned(
     if is_noisy or _is_deep(ground, recorded):
         asked = _eased(asked, near, SOFTER, improved)
     asked, solution = _out_of_edges(ground, asked, inbetween(asked, improved=improved), improved)
-    found = Cleaned(ground, before, recorded, rests, asked, solution)
+    result = Cleaned(ground, before, recorded, rests, asked, solution)
     if within is None:
-        return found
-    off = verdict(found).off
+        return result
+    off = verdict(result).off
     for _ in range(TRIES):
         if off <= within:
             break
         weights = [(p, STRICTER * w if p is near else w) for p, w in asked.penalties]
         asked = replace(asked, penalties=tuple(weights))
         closer = replace(
-            found, solution=inbetween(replace(asked, keys=_from(figure, found.solution)), improved=improved)
+            result, solution=inbetween(replace(asked, keys=_from(figure, result.solution)), improved=improved)
         )
-        told = verdict(closer)
-        if not told.is_sound:
+        report = verdict(closer)
+        if not report.is_sound:
             break
-        if told.off < off:
-            found, off = closer, told.off
-    return found
+        if report.off < off:
+            result, off = closer, report.off
+    return result
 
 
 def _out_of_edges(
@@ -206,8 +206,8 @@ def _curve(asked: Problem) -> Path:
 def _second_look(ground: Ground, recorded: Recorded, calmed: Problem) -> tuple[Rest, ...]:
     """Of a noisy recording more stances are seen once the surest of them are kept."""
     calm = ground.figure.to_qpos(_curve(calmed).at(recorded.times))
-    seen = Recorded.of(ground.figure, recorded.times, calm)
-    return tuple(Rest(*stance, rolls=True) for stance in stood(seen, ground.points, ground.surfaces))
+    smoothed = Recorded.of(ground.figure, recorded.times, calm)
+    return tuple(Rest(*stance, rolls=True) for stance in stood(smoothed, ground.points, ground.surfaces))
 
 
 def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:
@@ -219,7 +219,7 @@ def _by_state(figure: Figure, known: Mask) -> Array:
     """(T, N) what is known of states, from what is of qpos: turned in the world, a link takes all above it."""
     out = known.astype(float)
     for link in figure.links[1:]:
-        own, above = quaternion_columns(link), quaternion_columns(figure.links[link.parent])
-        if own is not None and above is not None and figure.tables.in_world[link.joint + 1]:
-            out[:, own] *= out[:, above].min(axis=1, keepdims=True)
+        columns, above = quaternion_columns(link), quaternion_columns(figure.links[link.parent])
+        if columns is not None and above is not None and figure.tables.in_world[link.joint + 1]:
+            out[:, columns] *= out[:, above].min(axis=1, keepdims=True)
     return out

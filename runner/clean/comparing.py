@@ -75,12 +75,12 @@ class Comparison:
     @property
     def problems(self) -> list[dict[str, Any]]:
         """What is not sound after it, the worst first, as a batch's manifest has it."""
-        found = [
+        violations = [
             {"text": f"{line.says}: {line.after:.3g} {line.unit}", "amount": line.after, "bound": line.bound}
             for line in self.lines
             if line.bound is not None and line.after > line.bound
         ]
-        return sorted(found, key=lambda one: -one["amount"] / one["bound"])
+        return sorted(violations, key=lambda one: -one["amount"] / one["bound"])
 
     @property
     def figures(self) -> dict[str, tuple[float, float]]:
@@ -96,7 +96,7 @@ class Comparison:
     @cached_property
     def moved(self) -> tuple[Farthest, ...]:
         """How far pelvis, hands and feet are off what was recorded, farthest first."""
-        figure, found = self.cleaned.figure, list[Farthest]()
+        figure, farthest = self.cleaned.figure, list[Farthest]()
         links = followed(figure)
         sides = (along(figure, path, self.times) for path in (self.cleaned.recorded.path, self.cleaned.after))
         off = [
@@ -105,8 +105,8 @@ class Comparison:
         for link, row in zip(links, np.concatenate(off, axis=1), strict=True):
             high, at = float(np.percentile(row, 95)), int(row.argmax())
             name = figure.model.body(figure.links[link].body).name or figure.links[link].name
-            found.append(Farthest(name, float(np.median(row)), high, float(row[at]), float(self.times[at])))
-        return tuple(sorted(found, key=lambda one: -one.most))
+            farthest.append(Farthest(name, float(np.median(row)), high, float(row[at]), float(self.times[at])))
+        return tuple(sorted(farthest, key=lambda one: -one.most))
 
     def table(self) -> Table:
         """For the terminal."""
@@ -126,9 +126,9 @@ class Comparison:
 
 def verdict(cleaned: Cleaned) -> Verdict:
     """How far a pelvis, hand or foot is off the recording, at most, and whether nothing slips or sinks."""
-    found = Comparison(cleaned)
-    look = Look(cleaned, cleaned.after, found.times)
-    return Verdict(max(one.most for one in found.moved), look.slip <= SLIP and look.depth <= DEPTH)
+    comparison = Comparison(cleaned)
+    look = Look(cleaned, cleaned.after, comparison.times)
+    return Verdict(max(one.most for one in comparison.moved), look.slip <= SLIP and look.depth <= DEPTH)
 
 
 def followed(figure: Figure) -> list[int]:
@@ -166,7 +166,7 @@ class Look:
             return np.zeros((3, 0, self.times.size)), np.zeros((0, self.times.size)), np.zeros((4, 0, self.times.size))
         links, _, radius = arrays_of(points)
         parts = [(places_of(points, samples)[0], samples.links.Q[:, links]) for samples in self._parts()]
-        places, turned = (np.concatenate(some, axis=2) for some in zip(*parts, strict=True))
+        places, turned = (np.concatenate(part, axis=2) for part in zip(*parts, strict=True))
         return places, height_over(self.ground.surfaces, places, radius)[0], turned
 
     def _resting(self) -> Iterator[tuple[Array, Array]]:
@@ -177,12 +177,14 @@ class Look:
             i = row.get(id(rest.point))
             during = (self.times >= rest.first) & (self.times <= rest.last)
             if i is not None and during.any():
-                own = heights[i, during]
+                resting_heights = heights[i, during]
                 if rest.ground is not None:
-                    own = height_over((rest.ground,), places[:, [i]][..., during], np.array([rest.point.radius]))[0][0]
+                    resting_heights = height_over(
+                        (rest.ground,), places[:, [i]][..., during], np.array([rest.point.radius])
+                    )[0][0]
                 its_turns = turned[:, i, during]
                 rolling = Rolling.of(rest, its_turns[:, its_turns.shape[1] // 2])
-                yield places[:, i, during] - rolling.way(its_turns), own
+                yield places[:, i, during] - rolling.way(its_turns), resting_heights
 
     @property
     def depth(self) -> float:
@@ -199,10 +201,10 @@ class Look:
 
     @property
     def range(self) -> float:
-        found = joint_ranges(self.ground.figure)
-        if not found:
+        joints = joint_ranges(self.ground.figure)
+        if not joints:
             return 0.0
-        beyond = max(float(JointRange(found).evaluate(samples).max()) for samples in self._parts())
+        beyond = max(float(JointRange(joints).evaluate(samples).max()) for samples in self._parts())
         return float(np.degrees(np.sqrt(beyond)))
 
     @property

@@ -56,8 +56,8 @@ def lead_in(model: mujoco.MjModel, times: Array, qpos: Array) -> LeadIn | None:
         count = next((i for i, row in enumerate(qpos) if not still.shows(row)), len(qpos))
         if not 0 < count <= len(qpos) - LEAST:
             continue
-        held = times[count - 1] - times[0] >= HELD and _travel(model, times[:count], qpos[:count]) <= SLOW
-        if _jumps(model, times, qpos, count) or (held and still.tells_alone):
+        is_still = times[count - 1] - times[0] >= HELD and _travel(model, times[:count], qpos[:count]) <= SLOW
+        if _jumps(model, times, qpos, count) or (is_still and still.tells_alone):
             return LeadIn(count, float(times[0]), float(times[count - 1]), what)
     return None
 
@@ -72,10 +72,10 @@ def of_motion(saved: Saved) -> LeadIn | None:
 
 def without(saved: Saved) -> Saved:
     """A recording without its lead-in, the spline through the rest of it; times stay."""
-    found = of_motion(saved)
-    if found is None:
+    pose = of_motion(saved)
+    if pose is None:
         return saved
-    keys = saved.keys[found.count :]
+    keys = saved.keys[pose.count :]
     raw = raw_timeline(saved.figure, list(keys))
     return replace(saved, keys=keys, timeline=raw, raw=raw, trace=[], report={})
 
@@ -113,25 +113,25 @@ class _Spread:
 
     @classmethod
     def of(cls, model: mujoco.MjModel) -> _Spread | None:
-        found = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
+        bodies = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
         parts = ("upper_arm", "forearm", "thigh", "shin")
-        if any(f"{side}_{part}" not in found for side in ("left", "right") for part in parts):
+        if any(f"{side}_{part}" not in bodies for side in ("left", "right") for part in parts):
             return None
-        return cls(model, mujoco.MjData(model), {role: 1 + body for role, body in found.items()})
+        return cls(model, mujoco.MjData(model), {role: 1 + body for role, body in bodies.items()})
 
     def shows(self, qpos: Array) -> bool:
         self.data.qpos[:] = qpos
         mujoco.mj_kinematics(self.model, self.data)
         at = {role: self.data.xpos[body] for role, body in self.roles.items()}
-        left = at["left_thigh"] - at["right_thigh"]
+        leftward = at["left_thigh"] - at["right_thigh"]
         hips, shoulders = (0.5 * (at[f"left_{part}"] + at[f"right_{part}"]) for part in ("thigh", "upper_arm"))
         up = np.array([0.0, 0, 1])
         pairs = [(shoulders - hips, up, UPRIGHT)]
         for side, sign in (("left", 1.0), ("right", -1.0)):
-            pairs.append((at[f"{side}_forearm"] - at[f"{side}_upper_arm"], sign * left, OUT))
-            pairs.append((self._end(f"{side}_forearm", f"{side}_hand") - at[f"{side}_forearm"], sign * left, OUT))
+            pairs.append((at[f"{side}_forearm"] - at[f"{side}_upper_arm"], sign * leftward, OUT))
+            pairs.append((self._end(f"{side}_forearm", f"{side}_hand") - at[f"{side}_forearm"], sign * leftward, OUT))
             pairs.append((at[f"{side}_shin"] - at[f"{side}_thigh"], -up, UPRIGHT))
-        return all(_cosine(limb, way) > least for limb, way, least in pairs)
+        return all(_cosine(limb, direction) > least for limb, direction, least in pairs)
 
     def _end(self, role: str, onward: str) -> Array:
         """(3,) where a limb goes on, or its farthest site or geom."""

@@ -101,9 +101,9 @@ def moving(file: Path, figure: str, scene: SceneTable) -> Moving:
             f"'{file}' is neither a motion, .npz, nor a clip, .toml, nor a recording by its ending ({known}); "
             f"`dynsplines clean` or `import` makes a motion of others"
         )
-    seen = file.stat()
-    asked = scene.model_dump_json(by_alias=True, exclude_unset=True)
-    return _moving(file, figure, asked, (seen.st_mtime_ns, seen.st_size), outside.is_allowed())
+    stat = file.stat()
+    scene_json = scene.model_dump_json(by_alias=True, exclude_unset=True)
+    return _moving(file, figure, scene_json, (stat.st_mtime_ns, stat.st_size), outside.is_allowed())
 
 
 @lru_cache(maxsize=2)
@@ -117,8 +117,8 @@ def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allow
 def made(source: Source, within: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
     """A recording cleaned, and its motion; within [m] as `run` takes it. Raises UserError."""
     around = _around(source)
-    found = _read(source, around, progress)
-    return _cleaned(found, around, within, progress, apart=source.apart, speed=source.speed)
+    recording = _read(source, around, progress)
+    return _cleaned(recording, around, within, progress, apart=source.apart, speed=source.speed)
 
 
 def motion_cleaned(saved: Saved, within: float | None, progress: Progress) -> Saved:
@@ -162,8 +162,8 @@ def _around(source: Source) -> SurroundingsTable:
 
 def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Read:
     """From a motion's file, or that of another program."""
-    told = source.figure is not None or source.kind is not None
-    if not told and motion.is_motion(str(source.file)) and not formats.is_foreign(source.file):
+    is_specified = source.figure is not None or source.kind is not None
+    if not is_specified and motion.is_motion(str(source.file)) and not formats.is_foreign(source.file):
         if around.scene.model_fields_set:
             raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
         if source.map is not None:
@@ -175,7 +175,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
         chosen = retarget.Map(told_by.figure, told_by.recording)
     with retarget.by(chosen) as met, gaps.allowed():
         try:
-            found = taken(
+            take = taken(
                 source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress
             )
         except UserError as error:
@@ -189,8 +189,8 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
         _write_map(source.map, met[0], progress)
     said = around.scene.step
     step = None if said is None else Step(**said.model_dump())
-    scene = compose(found.spec, step, obstacles(around.scene), bare=found.model)
-    return _Read(found.name, scene, found.time, found.qpos, found.fps)
+    scene = compose(take.spec, step, obstacles(around.scene), bare=take.model)
+    return _Read(take.name, scene, take.time, take.qpos, take.fps)
 
 
 def _write_map(target: Path, used: retarget.Used, progress: Progress) -> None:
@@ -215,12 +215,12 @@ def _cleaned(
         progress.say(f"note: {note}")
     ground = replace(ground_of(figure, mended.qpos), apart=apart, speed=speed)
     span = float(mended.time[0]), float(mended.time[-1])
-    given = rests_of(ground, around.contact, span, found.name) if around.contact else None
+    requested = rests_of(ground, around.contact, span, found.name) if around.contact else None
 
     def improved(improvement: Improvement) -> None:
         progress.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
 
-    result = cleaned(ground, mended, given, within=within, verdict=verdict, improved=improved)
+    result = cleaned(ground, mended, requested, within=within, verdict=verdict, improved=improved)
     if not result.rests:
         progress.say("note: no stance is found in it: nothing is kept from slipping")
     for line in _stances(result):

@@ -46,11 +46,11 @@ class Contacts:
     def overlaps(self, stance: Stance) -> bool:
         """Return whether a table is about a stance's point at any time of the stance."""
         return any(
-            own.point.link == stance.point.link
-            and np.array_equal(own.point.position, stance.point.position)
-            and own.first < stance.last - ROUNDING
-            and stance.first < own.last - ROUNDING
-            for own in (*self.stances, *self.rests)
+            contact.point.link == stance.point.link
+            and np.array_equal(contact.point.position, stance.point.position)
+            and contact.first < stance.last - ROUNDING
+            and stance.first < contact.last - ROUNDING
+            for contact in (*self.stances, *self.rests)
         )
 
 
@@ -95,8 +95,8 @@ def contacts(
 def requested_rests(figure: Figure, tables: Sequence[ContactTable], soles: Sequence[Point]) -> tuple[Rest, ...]:
     """The contacts of tables whose points are there, however little a motion keeps to them."""
     places = Places(figure, soles)
-    found = [(places.point(table.point), table) for table in tables]
-    return tuple(Rest(point, table.start, table.end) for point, table in found if point is not None)
+    points = [(places.point(table.point), table) for table in tables]
+    return tuple(Rest(point, table.start, table.end) for point, table in points if point is not None)
 
 
 def check_interval(table: ContactTable | HoldTable, keys: Timeline, name: str) -> None:
@@ -127,7 +127,7 @@ def _spots(
     samples = Samples.still(figure, keys.states)
     centres, _, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
-    said = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
+    setting = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
     wanted = None if table.position is None else np.array(table.position, float)
     exact = placed(figure, keys.fixed, [point])[0]
 
@@ -138,13 +138,13 @@ def _spots(
             f"a contact may drift by {SAME_SPOT:g} m"
         )
 
-    kept = agreeing(centres[:, 0], said, exact, wanted, contradicts)
-    if not kept:
+    agreed = agreeing(centres[:, 0], setting, exact, wanted, contradicts)
+    if not agreed:
         return [] if wanted is None else [(table.start, wanted)]
     height, up = height_over(surfaces, centres, np.array([point.radius]))
     sunk = Allowance(keys.times, np.maximum(-height[0], 0.0) * exact)
-    spots = [(float(keys.times[k]), centres[:, 0, k].copy()) for k in kept]
-    first, last = (_risen(spots[i], end, sunk, up[:, 0, kept[i]]) for i, end in ((0, table.start), (-1, table.end)))
+    spots = [(float(keys.times[k]), centres[:, 0, k].copy()) for k in agreed]
+    first, last = (_risen(spots[i], end, sunk, up[:, 0, agreed[i]]) for i, end in ((0, table.start), (-1, table.end)))
     return [*first, *spots, *last]
 
 
@@ -241,10 +241,10 @@ def holds(
 def requested_holds(figure: Figure, tables: Sequence[HoldTable], soles: Sequence[Point]) -> tuple[Hold, ...]:
     """The holds of tables whose sites and bodies are there, however little a motion keeps to them."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
-    found = [(places.point(table.hand), table) for table in tables if table.body in bodies]
+    points = [(places.point(table.hand), table) for table in tables if table.body in bodies]
     return tuple(
         Hold(point, int(figure.body_link[bodies[table.body]]), table.body, table.start, table.end)
-        for point, table in found
+        for point, table in points
         if point is not None
     )
 
@@ -267,7 +267,7 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
 def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
     """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
     hold, table = row.hold, row.table
-    said, places, exact = _hold_places(figure, keys, hold)
+    setting, places, exact = _hold_places(figure, keys, hold)
     wanted = None
     if table.position is not None:
         wanted = figure.point_on_link(moving_bodies(figure)[table.body], np.array(table.position, float))[1]
@@ -279,24 +279,24 @@ def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
             f"the body; a hold may drift by {SAME_SPOT:g} m"
         )
 
-    firm = said[exact[said]] if exact[said].any() else said
-    found = {float(keys.times[k]): places[:, k].copy() for k in agreeing(places, firm, exact, wanted, contradicts)}
-    if wanted is not None and not found:
-        found = {hold.first: wanted}
-    if not found:
+    firm = setting[exact[setting]] if exact[setting].any() else setting
+    spots = {float(keys.times[k]): places[:, k].copy() for k in agreeing(places, firm, exact, wanted, contradicts)}
+    if wanted is not None and not spots:
+        spots = {hold.first: wanted}
+    if not spots:
         return []
-    there = replace(hold, spots=tuple(Spot(*stretch) for stretch in _hold_stretches(found, hold)))
+    there = replace(hold, spots=tuple(Spot(*stretch) for stretch in _hold_stretches(spots, hold)))
     slack: dict[float, float] = {}
-    for k in np.setdiff1d(said, firm):
+    for k in np.setdiff1d(setting, firm):
         t = float(keys.times[k])
         spot = there.spot(np.array([t]))
         assert spot is not None
         short = float(np.linalg.norm(places[:, k] - spot[:, 0]))
         if short <= REACH:
-            found[t], slack[t] = places[:, k].copy(), SLACK * short * (short > NEARLY)
+            spots[t], slack[t] = places[:, k].copy(), SLACK * short * (short > NEARLY)
     return [
         Spot(*stretch, (slack.get(stretch[0], 0.0), slack.get(stretch[1], 0.0)))
-        for stretch in _hold_stretches(found, hold)
+        for stretch in _hold_stretches(spots, hold)
     ]
 
 
@@ -310,6 +310,6 @@ def _hold_places(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Arr
     them fix it (K,)."""
     samples = Samples.still(figure, keys.states)
     both = [hold.point, Point(hold.body, hold.link, np.zeros(3))]
-    known, exact = (np.logical_and.reduce(placed(figure, told, both)) for told in (keys.known, keys.fixed))
+    is_set, exact = (np.logical_and.reduce(placed(figure, mask, both)) for mask in (keys.known, keys.fixed))
     inside = (keys.times >= hold.first - ROUNDING) & (keys.times <= hold.last + ROUNDING)
-    return np.flatnonzero(inside & known), slipped(samples, hold), exact
+    return np.flatnonzero(inside & is_set), slipped(samples, hold), exact

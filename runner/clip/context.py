@@ -101,10 +101,10 @@ class Context:
         keys = self.keys
         if keys.ends != "free" or not keys.fixed[[0, -1]].all():
             return False
-        feet, found = {point.link for point in self.points}, (*self.stances, *self.contacts.stances)
+        feet, inferred = {point.link for point in self.points}, (*self.stances, *self.contacts.stances)
         standing = (
-            {stance.point.link for stance in found if stance.first <= keys.times[0]},
-            {stance.point.link for stance in found if stance.last >= keys.times[-1]},
+            {stance.point.link for stance in inferred if stance.first <= keys.times[0]},
+            {stance.point.link for stance in inferred if stance.last >= keys.times[-1]},
         )
         repeated = (np.abs(keys.states[a] - keys.states[b]).max() < REPEATED for a, b in ((0, 1), (-1, -2)))
         return all(same or (bool(feet) and feet <= links) for same, links in zip(repeated, standing, strict=True))

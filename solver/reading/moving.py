@@ -26,18 +26,25 @@ def surprise(times: Array, places: Array, variance: Array, known: Mask) -> Array
     """
     count, size = times.size, variance.size
     out = np.zeros((size, count))
-    seen = np.flatnonzero(known)
-    if not seen.size:
+    samples = np.flatnonzero(known)
+    if not samples.size:
         return out
-    place, velocity = places[:, :, seen[0]], np.zeros((3, size))
-    own, both, speed = np.array(variance), np.zeros(size), np.full(size, FASTEST**2)
-    for before, now in pairwise(seen.tolist()):
+    place, velocity = places[:, :, samples[0]], np.zeros((3, size))
+    variance_of_place, both, speed = np.array(variance), np.zeros(size), np.full(size, FASTEST**2)
+    for before, now in pairwise(samples.tolist()):
         h = float(times[now] - times[before])
         place = place + h * velocity
-        own, both = own + h * (2 * both + h * speed) + LIVELY * h**3 / 3, both + h * speed + LIVELY * h**2 / 2
+        variance_of_place, both = (
+            variance_of_place + h * (2 * both + h * speed) + LIVELY * h**3 / 3,
+            both + h * speed + LIVELY * h**2 / 2,
+        )
         speed = speed + LIVELY * h
-        expected, off = own + variance, places[:, :, now] - place
+        expected, off = variance_of_place + variance, places[:, :, now] - place
         out[:, now] = 0.5 * np.sum(off**2, axis=0) / expected + 1.5 * np.log(2 * np.pi * expected)
-        place, velocity = place + own / expected * off, velocity + both / expected * off
-        own, both, speed = own - own**2 / expected, both - own * both / expected, speed - both**2 / expected
+        place, velocity = place + variance_of_place / expected * off, velocity + both / expected * off
+        variance_of_place, both, speed = (
+            variance_of_place - variance_of_place**2 / expected,
+            both - variance_of_place * both / expected,
+            speed - both**2 / expected,
+        )
     return out

@@ -113,21 +113,21 @@ class PoseVectors:
         if len(whole) < 3 or tables.free_links.size > 1:
             return None
         times = np.array([frame.time for frame in whole])
-        own = figure.to_qpos(np.array([frame.state for frame in whole]))
+        qpos = figure.to_qpos(np.array([frame.state for frame in whole]))
         heading = Heading(np.zeros(1), 0.0)
         for column in tables.position_columns[0]:
             turn = slice(column + 3, column + 7)
-            heading = Heading.of(times, own[:, turn])
-            own[:, turn] = quat.product(heading.turn(times, -1), own[:, turn])
+            heading = Heading.of(times, qpos[:, turn])
+            qpos[:, turn] = quat.product(heading.turn(times, -1), qpos[:, turn])
         try:
-            poses = np.concatenate([own, Mirror.of(figure, LOPSIDED).configurations(own)])
+            poses = np.concatenate([qpos, Mirror.of(figure, LOPSIDED).configurations(qpos)])
         except MirrorError:
-            poses = own
-        found = [quaternion_columns(figure.links[i]) for i in tables.quaternion_links]
-        columns = np.array([np.arange(figure.width)[some] for some in found if some is not None], np.intp).reshape(
-            -1, 4
-        )
-        means = np.array([_mean(poses[:, some]) for some in columns]).reshape(-1, 4)
+            poses = qpos
+        quaternions = [quaternion_columns(figure.links[i]) for i in tables.quaternion_links]
+        columns = np.array(
+            [np.arange(figure.width)[block] for block in quaternions if block is not None], np.intp
+        ).reshape(-1, 4)
+        means = np.array([_mean(poses[:, block]) for block in columns]).reshape(-1, 4)
         heights = tables.position_columns[2]
         mean_height = float(poses[:, heights].mean()) if heights.size else 0.0
         root = np.flatnonzero(np.isin(tables.quaternion_links, tables.free_links))
@@ -135,7 +135,7 @@ class PoseVectors:
             heading, tables.quaternion_links, root, columns.T, means, tables.hinge_columns, heights, mean_height
         )
         rows = drawn.vectors(poses)
-        return None if np.ptp(rows, axis=0).max() < STILL else cls(drawn, times, rows, len(poses) // len(own))
+        return None if np.ptp(rows, axis=0).max() < STILL else cls(drawn, times, rows, len(poses) // len(qpos))
 
 
 def _mean(rotations: Array) -> Array:

@@ -50,12 +50,12 @@ def places(figure: Figure) -> Mask:
 def between(figure: Figure, first: Array, last: Array, known: Mask) -> Array:
     """(K, N) ways from states to others (K, N) in what is known of these (K, N): rotation vectors in the first three
     columns of quaternions, in the links' own axes, and differences in all else."""
-    ways = np.where(known, last - first, 0.0)
+    offset = np.where(known, last - first, 0.0)
     for columns in figure.tables.quaternion_columns.T:
         turn = quat.rotation_vector(quat.product(quat.inverse(first[:, columns]), last[:, columns]))
         whole = np.all(known[:, columns], axis=1, keepdims=True)
-        ways[:, columns] = np.pad(np.where(whole, turn, 0.0), ((0, 0), (0, 1)))
-    return ways
+        offset[:, columns] = np.pad(np.where(whole, turn, 0.0), ((0, 0), (0, 1)))
+    return offset
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,8 +82,8 @@ class Recorded:
         states = np.array(figure.to_state(qpos))
         every = np.ones(states.shape) if known is None else np.ones(states.shape) * known
         for columns in figure.tables.quaternion_columns.T:
-            seen = np.flatnonzero((every[:, columns] > 0).all(axis=1))  # what fills a gap has no part in it
-            states[seen[:, None], columns] = quat.aligned(states[seen[:, None], columns])
+            samples = np.flatnonzero((every[:, columns] > 0).all(axis=1))  # what fills a gap has no part in it
+            states[samples[:, None], columns] = quat.aligned(states[samples[:, None], columns])
         return cls(figure, np.asarray(times, float), states, every, exact)
 
     def moved(self, way: ArrayLike) -> Recorded:
@@ -133,9 +133,9 @@ class Recorded:
         differences = np.abs(np.diff(self.states, ORDER, axis=0)) / GAIN
         windows = np.lib.stride_tricks.sliding_window_view(self.known, ORDER + 1, axis=0).min(axis=-1) > 0
         for columns in self.groups:
-            seen = differences[:, columns][windows[:, columns]]
-            if seen.size:
-                out[columns] = np.maximum(out[columns], NORMAL * np.median(seen))
+            differences_seen = differences[:, columns][windows[:, columns]]
+            if differences_seen.size:
+                out[columns] = np.maximum(out[columns], NORMAL * np.median(differences_seen))
         return out
 
     @cached_property

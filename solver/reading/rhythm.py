@@ -61,8 +61,8 @@ class Process:
             return out
         alike = REST * _smooth(times, times, SMOOTH)
         for first in range(0, out.shape[0], times.size):
-            some = slice(first, first + times.size)
-            out[some, some] += alike
+            block = slice(first, first + times.size)
+            out[block, block] += alike
         return out
 
     def predicted(self, period: float, at: Array) -> tuple[Array, Array]:
@@ -72,9 +72,9 @@ class Process:
         covariance[np.diag_indices_from(covariance)] += NOISE
         across = self._across(period, at)
         root = np.linalg.cholesky(covariance)
-        white, left = np.linalg.solve(root, rows), np.linalg.solve(root, across.T)
-        unexplained = np.maximum(PERIODIC + REST - np.sum(left**2, axis=0), 0.0)
-        return left.T @ white, unexplained * float(np.mean(white**2))
+        white, projected = np.linalg.solve(root, rows), np.linalg.solve(root, across.T)
+        unexplained = np.maximum(PERIODIC + REST - np.sum(projected**2, axis=0), 0.0)
+        return projected.T @ white, unexplained * float(np.mean(white**2))
 
 
 def _smooth(a: Array, b: Array, length: float) -> Array:

@@ -49,20 +49,20 @@ def stood(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surfac
     """The stances of points on surfaces, point after point, in order of time."""
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
-    times, centres, known, noise = _seen(recorded, points)
+    times, centres, is_known, noise = _seen(recorded, points)
     height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), REACH)
-    moving = surprise(times, centres, noise**2 + ROLLS**2, known)
+    moving = surprise(times, centres, noise**2 + ROLLS**2, is_known)
     slow = _speeds(recorded, points, times) <= (FAST + noise / BLURRED)[:, None]
-    found = []
+    stances_found = []
     for i, point in enumerate(points):
-        place, own = centres[:, i], float(noise[i])
-        runs = _joined(times, _cut(times, place, height[i], moving[i], known, own), place, own)
+        place, point_noise = centres[:, i], float(noise[i])
+        runs = _joined(times, _cut(times, place, height[i], moving[i], is_known, point_noise), place, point_noise)
         trimmed = [_trimmed(slow[i], *run) for run in runs]
         for a, b in trimmed:
             if b - a > 1:
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, REACH)
-                found.append(Stood(point, float(times[a]), float(times[b - 1]), ground))
-    return tuple(found)
+                stances_found.append(Stood(point, float(times[a]), float(times[b - 1]), ground))
+    return tuple(stances_found)
 
 
 def unsure(recorded: Recorded, points: Sequence[Point]) -> float:
@@ -85,13 +85,13 @@ def _seen(recorded: Recorded, points: Sequence[Point]) -> _Seen:
     step = max(1, round(recorded.rate / FINEST))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _, _ = places_of(points, Samples.still(recorded.figure, states))
-    known = recorded.known.min(axis=1)[::step]
-    return _Seen(recorded.times[::step], centres, known > 0, white(centres, known))
+    is_known = recorded.known.min(axis=1)[::step]
+    return _Seen(recorded.times[::step], centres, is_known > 0, white(centres, is_known))
 
 
 def _speeds(recorded: Recorded, points: Sequence[Point], times: Array) -> Array:
     """(p, T) [m/s] of points of the smoothed motion at times (T,)."""
-    ends = [np.clip(times + way, *recorded.path.span) for way in (-INSTANT, INSTANT)]
+    ends = [np.clip(times + shift, *recorded.path.span) for shift in (-INSTANT, INSTANT)]
     before, after = (places_of(points, Samples.still(recorded.figure, recorded.path.at(t)))[0] for t in ends)
     return np.linalg.norm(after - before, axis=0) / (ends[1] - ends[0])
 

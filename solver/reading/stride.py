@@ -98,8 +98,8 @@ class Gait:
             return None
         shortest, longest = self._periods
         longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
-        found = self.candidates(Process(poses), (shortest, longest), GAIN)
-        sure = [r for r in found if r.slip <= SLIP] or self._without_rival(found)
+        cycles = self.candidates(Process(poses), (shortest, longest), GAIN)
+        sure = [r for r in cycles if r.slip <= SLIP] or self._without_rival(cycles)
         best = max(sure, key=lambda rhythm: rhythm.gain, default=None)
         return None if best is None or best.trust.mean() < TRUST else best
 
@@ -120,8 +120,8 @@ class Gait:
         if poses is None:
             return None
         between = self._periods if self._may_walk else ANY_PERIOD
-        found = self.candidates(Process(poses), between, -np.inf)
-        return min(found, key=lambda rhythm: (rhythm.slip > SLIP, -rhythm.gain), default=None)
+        cycles = self.candidates(Process(poses), between, -np.inf)
+        return min(cycles, key=lambda rhythm: (rhythm.slip > SLIP, -rhythm.gain), default=None)
 
     def given(self, period: float) -> Rhythm | None:
         """Return the cycle of a given period [s]; None where whole keyframes are too few."""
@@ -173,8 +173,8 @@ class Gait:
     @cached_property
     def _travel(self) -> float:
         """[m/s] of the root over ground."""
-        way = float(np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1).sum())
-        return way / float(self.keys.times[-1] - self.keys.times[0])
+        length = float(np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1).sum())
+        return length / float(self.keys.times[-1] - self.keys.times[0])
 
     @cached_property
     def _unsteadiness(self) -> float:

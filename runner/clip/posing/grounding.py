@@ -65,8 +65,8 @@ class Grounding:
         if root is None or not surfaces or 2 not in _slides(figure, root):
             return None
         mine = np.flatnonzero([figure.tables.path[point.link, root] for point in soles])
-        own, body = hanging(figure, root, soles), hanging(figure, root, body_points(figure))
-        return cls(figure, root, mine, own, (*own, *body), tuple(surfaces), tuple(aloft))
+        soles_of_tree, body = hanging(figure, root, soles), hanging(figure, root, body_points(figure))
+        return cls(figure, root, mine, soles_of_tree, (*soles_of_tree, *body), tuple(surfaces), tuple(aloft))
 
     def is_asked(self, keys: Sequence[Frame]) -> bool:
         """Whether one of the keyframes leaves the height to be found."""
@@ -76,10 +76,10 @@ class Grounding:
         """Return it with the flights that keyframes with a height imply."""
         if self.figure.links[self.root].kind is not JointKind.FREE:
             return self
-        held = stances(self.figure, timeline, self.soles, self.surfaces)
+        standing = stances(self.figure, timeline, self.soles, self.surfaces)
         body = self.points[len(self.soles) :]
-        found = flights(self.figure, self.root, timeline, self.soles, self.surfaces, held, body)
-        return replace(self, aloft=(*self.aloft, *found))
+        inferred = flights(self.figure, self.root, timeline, self.soles, self.surfaces, standing, body)
+        return replace(self, aloft=(*self.aloft, *inferred))
 
     def put_down(self, keys: Sequence[Frame], timeline: Timeline, staying: Callable[[int], Array]) -> list[Frame]:
         """Return the keyframes, with standing ones moved onto the ground; the timeline through them has the rest.
@@ -90,12 +90,14 @@ class Grounding:
         centres, _, _ = places_of(self.points, Samples.still(self.figure, timeline.states))
         low = heights(self.surfaces, centres, radii)[0].min(axis=0)
         bottom = (centres[2] - radii[:, None]).min(axis=0)
-        told = timeline.known[:, self._height]
-        found = list(keys)
+        sets_height = timeline.known[:, self._height]
+        moved = list(keys)
         for k, key in enumerate(keys):
-            beside = _beside(told, k, loop=timeline.ends == "periodic")
+            beside = _beside(sets_height, k, loop=timeline.ends == "periodic")
             between = len(beside) > 1
-            if told[k] or not self._stands(timeline, k, low[beside if between else told], between=between):
+            if sets_height[k] or not self._stands(
+                timeline, k, low[beside if between else sets_height], between=between
+            ):
                 continue
             levels = [np.max(bottom[beside] - low[beside])] if beside else [bottom[k], bottom[k] + self._length]
             above = [np.array([0.0, 0.0, level + DEEP - bottom[k]]) for level in levels]
@@ -112,8 +114,8 @@ class Grounding:
                 there = self._shallowest(centres[..., k], radii, [*drops, down])
                 stay, down = (None, down) if there is None or there is down else (stay, there)
             which = (stay is not None, stay is not None, True)
-            found[k] = self._placed(key, timeline.states[k], down, which)
-        return found
+            moved[k] = self._placed(key, timeline.states[k], down, which)
+        return moved
 
     @cached_property
     def _columns(self) -> dict[int, tuple[int, float]]:
@@ -144,9 +146,9 @@ class Grounding:
             return False
         if not between:
             return True
-        known = np.array(timeline.known[k : k + 1])
-        known[:, [column for column, _ in self._columns.values()]] = True
-        return bool(placed(self.figure, known, self.soles).all())
+        mask = np.array(timeline.known[k : k + 1])
+        mask[:, [column for column, _ in self._columns.values()]] = True
+        return bool(placed(self.figure, mask, self.soles).all())
 
     def _drops(self, centres: Array, radii: Array, starts: Sequence[Array]) -> Iterator[Array]:
         """How far spheres (3, n) move [m] that first go by one of the starts (3,) and then straight down, or up, on
@@ -172,8 +174,8 @@ class Grounding:
     def _shallowest(self, centres: Array, radii: Array, moves: Iterable[Array]) -> Array | None:
         """The move (3,) [m] of spheres (3, n) that puts them least deep into anything, of those that do as well the
         first; None of none."""
-        ways = np.hstack([np.eye(3), -np.eye(3)])
-        skin = (centres[..., None] + radii[:, None] * ways[:, None, :]).reshape(3, -1)
+        axes = np.hstack([np.eye(3), -np.eye(3)])
+        skin = (centres[..., None] + radii[:, None] * axes[:, None, :]).reshape(3, -1)
         best, least = None, np.inf
         for move in moves:
             deep = max(float(surface.inside(skin + move[:, None]).max()) for surface in self.surfaces)

@@ -26,13 +26,13 @@ def tree_of(figure: Figure, link: int) -> int:
 def carried_links(figure: Figure, holds: Sequence[Hold]) -> tuple[int, ...]:
     """The links, rising, of the trees that are held by a point of another one and hold nothing themselves."""
     holders = {tree_of(figure, hold.point.link) for hold in holds}
-    held = {tree_of(figure, hold.link) for hold in holds} - holders
-    return tuple(i for i in range(1, len(figure.links)) if tree_of(figure, i) in held)
+    trees = {tree_of(figure, hold.link) for hold in holds} - holders
+    return tuple(i for i in range(1, len(figure.links)) if tree_of(figure, i) in trees)
 
 
 def surfaces_on(figure: Figure, link: int) -> tuple[Surface, ...]:
     """The solid geoms of a link as surfaces in its axes."""
-    found: list[Surface] = []
+    surfaces: list[Surface] = []
     for geom in movers(figure.model):
         body = int(figure.model.geom_bodyid[geom])
         if figure.body_link[body] != link:
@@ -41,5 +41,5 @@ def surfaces_on(figure: Figure, link: int) -> tuple[Surface, ...]:
         turn = quat.product(figure.body_turn[body], figure.model.geom_quat[geom])
         surface = moving_surface(figure.model, geom, np.asarray(centre), quat.matrices(turn))
         if surface is not None:
-            found.append(surface)
-    return tuple(found)
+            surfaces.append(surface)
+    return tuple(surfaces)

@@ -60,17 +60,17 @@ class Contact(Penalty):
         samples = Samples.still(figure, keys.states)
         centres = self.seen(samples, self.centres(samples)[0])
         deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
-        known = placed(figure, keys.fixed, self.points)
-        excess, path = deep * known, figure.tables.path > 0
+        is_set = placed(figure, keys.fixed, self.points)
+        excess, path = deep * is_set, figure.tables.path > 0
         for link, first, last in holding:
             limb = np.flatnonzero((path[:, link] | path[link])[self._arrays[0]])
             during = np.flatnonzero((keys.times >= first - ROUNDING) & (keys.times <= last + ROUNDING))
             for before, k in [*pairwise(during), *pairwise(during[::-1])]:
-                free = limb[~known[limb, k] & known[limb, before]]
+                free = limb[~is_set[limb, k] & is_set[limb, before]]
                 for own in np.unique(self._arrays[0][free]):
-                    some = free[self._arrays[0][free] == own]
-                    excess[some, k] = excess[some, before].max()
-                known[free, k] = True
+                    points = free[self._arrays[0][free] == own]
+                    excess[points, k] = excess[points, before].max()
+                is_set[free, k] = True
         return replace(self, allowed=Allowance(keys.times, excess))
 
     @property
@@ -88,11 +88,11 @@ class Contact(Penalty):
         """Points are looked at in groups, those of a link or, where it has many, of a part of it: links of the groups
         (m,), and every point's group (n,)."""
         links, positions, _ = self._arrays
-        found = [part for link in np.unique(links) for part in neighbours(positions, np.flatnonzero(links == link))]
+        groups = [part for link in np.unique(links) for part in neighbours(positions, np.flatnonzero(links == link))]
         owner = np.empty(links.size, np.intp)
-        for k, part in enumerate(found):
+        for k, part in enumerate(groups):
             owner[part] = k
-        return np.array([links[part[0]] for part in found]), owner
+        return np.array([links[part[0]] for part in groups]), owner
 
     @cached_property
     def _bounds(self) -> tuple[Index, Array, Array]:
@@ -157,11 +157,11 @@ class Contact(Penalty):
         around = self.seen(samples, samples.links.points(carriers, middles)[0])
         touching = [surface.near(around, reach[:, None] + margin) for surface in self.surfaces]
         near = np.flatnonzero(np.logical_or.reduce(touching))
-        seen = self._near(samples, near) if near.size else None
+        block = self._near(samples, near) if near.size else None
         parts = []
         for surface, touched in zip(self.surfaces, touching, strict=True):
-            if seen is not None and touched.any():
-                parts.append(self._in(surface, samples, seen, margin))
+            if block is not None and touched.any():
+                parts.append(self._in(surface, samples, block, margin))
         yield Block.joined(parts)
 
     def _in(self, surface: Surface, samples: Samples, seen: _Near, margin: float) -> Block:
@@ -170,10 +170,10 @@ class Contact(Penalty):
         some = np.flatnonzero(about > 0)
         depth, direction = about.ravel()[some], away.reshape(3, -1)[:, some]
         if margin:  # depth of what is off the surface grows by |away| a metre, through a box's sides by more than 1
-            exact, way = surface.depth(centres[:, some], radii[some])
+            exact, normal = surface.depth(centres[:, some], radii[some])
             inside = exact[:, 0] > 0
             beyond = np.minimum(depth - margin * np.sqrt(dot(direction, direction)), 0)
-            depth, direction = np.where(inside, exact[:, 0], beyond), np.where(inside, way[..., 0], direction)
+            depth, direction = np.where(inside, exact[:, 0], beyond), np.where(inside, normal[..., 0], direction)
         link, at = np.divmod(flat[some % flat.size], samples.count)
         direction, leg = self._in_world(samples, at, direction, centres[:, some, 0])
         changes = [of_point(at, link, arms[:, some], direction)]

@@ -62,16 +62,16 @@ def footings(
     links = np.array([point.link for point in every])
     begin, end = np.array([s.first for s in stances]), np.array([s.last for s in stances])
     standing = np.array([s.point.link for s in stances])
-    found = []
+    footings_found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for link in np.unique(standing[(begin <= first) & (last <= end)]):
             on, at = np.nonzero(spots.touches[:, k : k + 2] & (links == link)[:, None])
             if on.size:
-                kept, normal = spots.outermost(int(link), on, k + at)
-                found += [
-                    Footing(Point(every[i].name, int(link), p), float(first), float(last), normal) for i, p in kept
+                outer, normal = spots.outermost(int(link), on, k + at)
+                footings_found += [
+                    Footing(Point(every[i].name, int(link), p), float(first), float(last), normal) for i, p in outer
                 ]
-    return tuple(found)
+    return tuple(footings_found)
 
 
 @dataclass(frozen=True)
@@ -104,9 +104,9 @@ class _Spots:
         touched -= self.samples.links.x[:, link, keys]
         rotation = self.samples.links.rotation[:, :, link, keys]
         local = np.einsum("ijp,ip->jp", rotation, touched)
-        ways = rotation[:, :, 0].T @ _around(normal)
-        kept = np.unique(np.argmax(local.T @ ways, axis=0))
-        return [(int(points[i]), local[:, i]) for i in kept], normal
+        directions = rotation[:, :, 0].T @ _around(normal)
+        outer = np.unique(np.argmax(local.T @ directions, axis=0))
+        return [(int(points[i]), local[:, i]) for i in outer], normal
 
 
 def _around(normal: Array, count: int = 8) -> Array:
@@ -140,24 +140,26 @@ def flights(
     """
     if not points or not surfaces or not figure.gravity.any():
         return ()
-    told = np.flatnonzero(_tell_height(figure, root, keys, points))
-    if told.size < 2:
+    with_height = np.flatnonzero(_tell_height(figure, root, keys, points))
+    if with_height.size < 2:
         return ()
-    keys = Timeline(tuple(keys.frames[i] for i in told), keys.end_slope, keys.ends)
-    seen = _Keys.of(figure, keys, points, surfaces, stances, body)
+    keys = Timeline(tuple(keys.frames[i] for i in with_height), keys.end_slope, keys.ends)
+    contact = _Keys.of(figure, keys, points, surfaces, stances, body)
     times, rising = np.asarray(keys.times), _rising(figure, root, keys)
-    found, first = [], 0
+    intervals, first = [], 0
     for k in range(times.size - 1):
-        if not seen.free[k]:
+        if not contact.free[k]:
             first = k + 1
-        elif k + 2 == times.size or seen.touched[k + 1] or not seen.free[k + 1]:
-            is_told = seen.leaves(first) and seen.lands(k + 1) and not seen.leaves_room(times, first, k + 1)
-            if told[k + 1] - told[first] > k + 1 - first:  # some are passed over, so a foot that touches has to push
-                is_told &= not seen.ends_down(first, k + 1)
+        elif k + 2 == times.size or contact.touched[k + 1] or not contact.free[k + 1]:
+            is_told = contact.leaves(first) and contact.lands(k + 1) and not contact.leaves_room(times, first, k + 1)
+            if (
+                with_height[k + 1] - with_height[first] > k + 1 - first
+            ):  # some are passed over, so a foot that touches has to push
+                is_told &= not contact.ends_down(first, k + 1)
             if is_told and _falls(figure, times, rising, first, k + 1):
-                found.append((float(times[first]), float(times[k + 1])))
+                intervals.append((float(times[first]), float(times[k + 1])))
             first = k + 1
-    return tuple(found)
+    return tuple(intervals)
 
 
 @dataclass(frozen=True)

@@ -127,15 +127,15 @@ def open_intervals(
         return ()
     down = clearance(figure, keys, points, surfaces) < TOUCHING
     is_open &= down
-    found: list[Interval] = []
+    intervals: list[Interval] = []
     for k in np.flatnonzero(is_open[:-1] | is_open[1:]).tolist():
         (first, last), begins, ends = keys.times[k : k + 2].tolist(), is_open[k], is_open[k + 1]
         part = 1.0 if down[k] and down[k + 1] else AWAY
         if begins:
-            found.append((first, first + part * (last - first)))
+            intervals.append((first, first + part * (last - first)))
         elif ends:
-            found.append((last - part * (last - first), last))
-    return tuple(one for one in found if not any(begin < one[1] and one[0] < end for begin, end in flights))
+            intervals.append((last - part * (last - first), last))
+    return tuple(one for one in intervals if not any(begin < one[1] and one[0] < end for begin, end in flights))
 
 
 def clearance(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Array:

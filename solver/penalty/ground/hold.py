@@ -108,14 +108,17 @@ class Holding(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block]:
         for hold, at in self._during(samples.t):
             spot = hold.spot(samples.t[at])
-            offset, own, away = _apart(samples, hold, at, spot)
+            offset, spot_offset, away = _apart(samples, hold, at, spot)
             if spot is None:
-                yield _sliding(samples, hold, at, offset, own)
+                yield _sliding(samples, hold, at, offset, spot_offset)
                 continue
             counted = _counted(hold, samples.t[at], away)
             one, two = (np.full(3 * at.size, link) for link in (hold.point.link, hold.link))
-            ways, when = np.concatenate(list(_residual_ways(away, counted)), axis=1), np.tile(at, 3)
-            changes = of_point(when, one, np.tile(offset, 3), ways), of_point(when, two, np.tile(own, 3), -ways)
+            directions, when = np.concatenate(list(_residual_ways(away, counted)), axis=1), np.tile(at, 3)
+            changes = (
+                of_point(when, one, np.tile(offset, 3), directions),
+                of_point(when, two, np.tile(spot_offset, 3), -directions),
+            )
             yield Block(when, (counted * away).ravel(), changes)
 
     def _during(self, t: Array) -> Iterator[tuple[Hold, Index]]:
@@ -147,8 +150,8 @@ def _sliding(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array)
 def slipped(samples: Samples, hold: Hold) -> Array:
     """(3, S) [m] where a hold's point is on the body that it holds, in that link's axes."""
     at = np.arange(samples.count)
-    _, own, _ = _apart(samples, hold, at, None)
-    return np.einsum("ijs,is->js", samples.links.rotation[:, :, hold.link], own)
+    _, spot_offset, _ = _apart(samples, hold, at, None)
+    return np.einsum("ijs,is->js", samples.links.rotation[:, :, hold.link], spot_offset)
 
 
 def _apart(samples: Samples, hold: Hold, at: Index, spot: Array | None) -> tuple[Array, Array, Array]:
@@ -157,8 +160,8 @@ def _apart(samples: Samples, hold: Hold, at: Index, spot: Array | None) -> tuple
     links = samples.links
     offset = np.einsum("ijp,j->ip", links.rotation[:, :, hold.point.link, at], hold.point.position)
     between = links.x[:, hold.point.link, at] + offset - links.x[:, hold.link, at]
-    own = between if spot is None else applied(links.rotation[:, :, hold.link, at], spot)
-    return offset, own, between - own
+    spot_offset = between if spot is None else applied(links.rotation[:, :, hold.link, at], spot)
+    return offset, spot_offset, between - spot_offset
 
 
 def _counted(hold: Hold, t: Array, away: Array) -> Array:

@@ -53,17 +53,17 @@ class Placement(Momentary):
         if not which.size:
             return
         flat, offset, away = self._seen(samples, which, at)
-        axis, some = np.nonzero(self._arrays[3][:, which])
-        at, link, arm = at[some], flat[some] // samples.count, offset[:, some]
-        yield Block(at, away[axis, some], (of_point(at, link, arm, np.eye(3)[:, axis]),))
+        axis, pair = np.nonzero(self._arrays[3][:, which])
+        at, link, arm = at[pair], flat[pair] // samples.count, offset[:, pair]
+        yield Block(at, away[axis, pair], (of_point(at, link, arm, np.eye(3)[:, axis]),))
 
     def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
         """link · S + sample (p,), the points' arms and their ways from the targets (3, p), zero along free axes."""
-        links, positions, targets, given = self._arrays
+        links, positions, targets, specified = self._arrays
         flat = links[which] * samples.count + at
         x, rotation = samples.links.poses(flat)
         offset = applied(rotation, positions[:, which])
-        return flat, offset, (x + offset - targets[:, which]) * given[:, which]
+        return flat, offset, (x + offset - targets[:, which]) * specified[:, which]
 
     @cached_property
     def _times(self) -> Array:
@@ -74,7 +74,7 @@ class Placement(Momentary):
     def _arrays(self) -> tuple[Index, Array, Array, Array]:
         """Links (n,), positions on them, targets, and 1 where an axis is given, (3, n) each."""
         targets = np.array([p.target for p in self.placed], float).reshape(-1, 3).T
-        given = ~np.isnan(targets)
+        specified = ~np.isnan(targets)
         positions = np.array([p.point.position for p in self.placed]).reshape(-1, 3).T
         links = np.array([p.point.link for p in self.placed], np.intp)
-        return links, positions, np.where(given, targets, 0.0), given.astype(float)
+        return links, positions, np.where(specified, targets, 0.0), specified.astype(float)

@@ -115,14 +115,14 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
         (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points),
         placed(figure, keys.fixed, points),
     )
-    found = []
+    stances_found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
             spot, landed = centres[:, i, k], centres[:, i, k + 1]
             if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
                 weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
-                found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
-    return tuple(found)
+                stances_found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
+    return tuple(stances_found)
 
 
 def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
@@ -135,13 +135,13 @@ def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance,
         return ()
     states = keys.states
     centres, _, _ = places_of(points, Samples.still(figure, states))
-    told = placed(figure, keys.known, points)
-    found: list[Stance] = []
+    is_set = placed(figure, keys.known, points)
+    resting: list[Stance] = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
             here, there = centres[:, i, k], centres[:, i, k + 1]
-            own = slice(i - i % 3, i - i % 3 + 3)
-            moved = np.linalg.norm(centres[:, own, k + 1] - centres[:, own, k], axis=0)
-            if told[i, k] and told[i, k + 1] and np.all(moved < SAME_PLACE):
-                found.append(Stance(point, float(first), float(last), here.copy(), there.copy()))
-    return tuple(found)
+            trio = slice(i - i % 3, i - i % 3 + 3)
+            moved = np.linalg.norm(centres[:, trio, k + 1] - centres[:, trio, k], axis=0)
+            if is_set[i, k] and is_set[i, k + 1] and np.all(moved < SAME_PLACE):
+                resting.append(Stance(point, float(first), float(last), here.copy(), there.copy()))
+    return tuple(resting)

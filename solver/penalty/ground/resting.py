@@ -77,11 +77,11 @@ class Resting(Penalty):
     normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        seen = self._seen(samples)
-        yield Block(seen.at, seen.height, (of_point(seen.at, seen.link, seen.offset, seen.up),))
-        at, link, axes = along_axes(seen.at, seen.link)
-        moved = of_velocity(samples, at, link, np.tile(seen.foot, 3), axes, turning=np.tile(seen.offset, 3))
-        yield Block(at, seen.velocity.ravel(), (moved,), SETTLING**2)
+        below = self._seen(samples)
+        yield Block(below.at, below.height, (of_point(below.at, below.link, below.offset, below.up),))
+        at, link, axes = along_axes(below.at, below.link)
+        moved = of_velocity(samples, at, link, np.tile(below.foot, 3), axes, turning=np.tile(below.offset, 3))
+        yield Block(at, below.velocity.ravel(), (moved,), SETTLING**2)
 
     @cached_property
     def _grounds(self) -> tuple[Mask, Array, Array]:

@@ -49,8 +49,8 @@ class Bound:
             samples = Samples.still(figure, keys.states)
             centres, _, _ = places_of(points, samples)
             steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
-            told = placed(figure, keys.known, points)
-            shares[(steps > STRIDDEN) & (spans <= SHORTLY) & told[:, 1:] & told[:, :-1]] = 0.0
+            is_set = placed(figure, keys.known, points)
+            shares[(steps > STRIDDEN) & (spans <= SHORTLY) & is_set[:, 1:] & is_set[:, :-1]] = 0.0
         return cls(keys.times, shares)
 
     def at(self, t: Array) -> Array:
@@ -107,10 +107,10 @@ class Skate(Penalty):
         link, arm, share, high = links[which], arms[:, which, at], root[which, at], height[which, at]
         velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], arm)
         fading = (-share * high / self.reach**2 * velocity).ravel()
-        value, ways = (share * velocity).ravel(), np.tile(up[:, which, at], 3)
+        value, normals = (share * velocity).ravel(), np.tile(up[:, which, at], 3)
         arm, share = np.tile(arm, 3), np.tile(share, 3)
         at, link, axes = along_axes(at, link)
-        changes = of_velocity(samples, at, link, arm, share * axes), of_point(at, link, arm, fading * ways)
+        changes = of_velocity(samples, at, link, arm, share * axes), of_point(at, link, arm, fading * normals)
         yield Block(at, value, changes)
 
     def _weight(self, height: Array, t: Array) -> Array:

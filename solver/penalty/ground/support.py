@@ -110,12 +110,12 @@ class Support(Penalty):
 
         wrench  at the root; by default that of masses and gravity alone
         """
-        known = np.flatnonzero(self.known(samples.t))
-        which, _, _ = self._pairs(samples.t[known])
+        supported = np.flatnonzero(self.known(samples.t))
+        which, _, _ = self._pairs(samples.t[supported])
         if not which.size:
             none = np.zeros(0, np.intp)
             return Reactions(none, none, np.zeros((3, 0)), np.zeros((3, 0)))
-        pushes = self._found(samples, known, wrench).pushes
+        pushes = self._found(samples, supported, wrench).pushes
         x, _ = samples.links.poses(pushes.link * samples.count + pushes.at)
         return Reactions(pushes.at, which, x + pushes.offset, pushes.force)
 
@@ -123,20 +123,20 @@ class Support(Penalty):
         at = np.flatnonzero(self.known(samples.t))
         if not at.size:
             return
-        found = self._found(samples, at)
+        solution = self._found(samples, at)
         value, more = np.zeros((6, samples.count)), np.zeros(samples.count)
-        value[:, at] = found.left.rest
-        more[at] = found.left.value - np.sum(found.left.rest**2, axis=0)
+        value[:, at] = solution.left.rest
+        more[at] = solution.left.value - np.sum(solution.left.rest**2, axis=0)
         share = np.repeat([1.0, 1 / self.length], 3)[:, None] / self.unit
 
         def pulled_back(into: Cotangent, bar: Array) -> None:
             force_bar, moment_bar = (share * bar).reshape(2, 3, -1)
-            found.pushes.pull_back(found.wrench, into, force_bar, moment_bar)
+            solution.pushes.pull_back(solution.wrench, into, force_bar, moment_bar)
 
         def curved(into: Curvature, scale: Array) -> None:
-            pushes = replace(found.pushes, at=np.searchsorted(at, found.pushes.at))
+            pushes = replace(solution.pushes, at=np.searchsorted(at, solution.pushes.at))
             rows = wrench_rows(RootWrench(samples.taken(at), self.root), pushes).reshape(at.size, 6, -1)
-            root = share * np.linalg.cholesky(projection(found.left, found.edges, self.softness))
+            root = share * np.linalg.cholesky(projection(solution.left, solution.edges, self.softness))
             rows = np.matmul(root.swapaxes(1, 2), rows)
             each = np.repeat(at, 6)
             into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
@@ -152,16 +152,16 @@ class Support(Penalty):
         link, sample = links[which], known[at]
         x, rotation = samples.links.poses(link * samples.count + sample)
         offset = applied(rotation, positions[:, which])
-        ways = edges[:, which]
+        edges_at = edges[:, which]
         lever = (x + offset - wrench.centre[:, sample]) / self.length
         pyramid = np.zeros((6, max(int(slot.max(initial=-1)) + 1, 1), EDGES, known.size))
-        pyramid[:3, slot, :, at] = ways.transpose(1, 0, 2)
-        pyramid[3:, slot, :, at] = cross(lever[:, :, None], ways).transpose(1, 0, 2)
+        pyramid[:3, slot, :, at] = edges_at.transpose(1, 0, 2)
+        pyramid[3:, slot, :, at] = cross(lever[:, :, None], edges_at).transpose(1, 0, 2)
         pyramid = pyramid.reshape(6, -1, known.size)
-        left = unsupplied(w, pyramid, self.softness)
-        shares = left.shares.reshape(-1, EDGES, known.size)[slot, :, at]
-        force = self.unit * np.einsum("ipe,pe->ip", ways, shares)
-        return _Found(wrench, left, Pushes(sample, link, offset, force), pyramid)
+        unsupplied_part = unsupplied(w, pyramid, self.softness)
+        shares = unsupplied_part.shares.reshape(-1, EDGES, known.size)[slot, :, at]
+        force = self.unit * np.einsum("ipe,pe->ip", edges_at, shares)
+        return _Found(wrench, unsupplied_part, Pushes(sample, link, offset, force), pyramid)
 
     def _active(self, t: Array) -> Mask:
         """(n, S) whether a footing holds at times t (S,)."""
@@ -193,5 +193,5 @@ def friction_edges(normal: Array, friction: float) -> Array:
     across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     across /= np.linalg.norm(across)
     along = np.cross(across, normal)
-    ways = np.array([across + along, along - across, -across - along, across - along]) / np.sqrt(2)
-    return (normal + friction * ways).T
+    tangents = np.array([across + along, along - across, -across - along, across - along]) / np.sqrt(2)
+    return (normal + friction * tangents).T
