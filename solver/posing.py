@@ -151,27 +151,27 @@ class HoldGoal:
     @classmethod
     def of(cls, figure: Figure, point: Point, link: int, spot: Array) -> HoldGoal:
         """A point that is to be at a spot (3,) [m] of a link, in its axes."""
-        hand, held = PointGoal.of(figure, point), PointGoal.of(figure, Point(point.name, link, spot))
-        return cls(point.name, hand.index, hand.offset, held.index, held.offset)
+        hand, grip = PointGoal.of(figure, point), PointGoal.of(figure, Point(point.name, link, spot))
+        return cls(point.name, hand.index, hand.offset, grip.index, grip.offset)
 
     def body(self, model: mujoco.MjModel) -> int:
         return self.index
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        hand, held = self._places(data)
-        return hand - held
+        hand, spot = self._places(data)
+        return hand - spot
 
     def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         rows, back = np.zeros((3, model.nv)), np.zeros((3, model.nv))
-        hand, held = self._places(data)
+        hand, spot = self._places(data)
         mujoco.mj_jac(model, data, rows, None, hand, self.index)
-        mujoco.mj_jac(model, data, back, None, held, self.held)
+        mujoco.mj_jac(model, data, back, None, spot, self.held)
         return rows - back
 
     def _places(self, data: mujoco.MjData) -> tuple[Array, Array]:
         ends = ((self.index, self.offset), (self.held, self.spot))
-        hand, held = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ offset for body, offset in ends)
-        return hand, held
+        hand, spot = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ offset for body, offset in ends)
+        return hand, spot
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,10 +217,10 @@ def posed(
     """
     free, there = np.asarray(free, bool), np.array(qpos, float)
     fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
-    for some in _apart(figure, free, goals):
-        found = _known(figure, there, free, tuple(goals[i] for i in some), bends, beyond, starts)
-        there, fixed, tried = np.where(found.fixed, found.qpos, there), fixed | found.fixed, max(tried, found.starts)
-        missed[some] = found.missed
+    for group in _apart(figure, free, goals):
+        pose = _known(figure, there, free, tuple(goals[i] for i in group), bends, beyond, starts)
+        there, fixed, tried = np.where(pose.fixed, pose.qpos, there), fixed | pose.fixed, max(tried, pose.starts)
+        missed[group] = pose.missed
     return Posed(there, fixed, missed, tried)
 
 
@@ -240,11 +240,11 @@ def _known(
 
     So it depends on nothing but its arguments: editing a clip repeats most of its poses.
     """
-    own = reached(figure, goals)
-    home, free = np.where(own, home, figure.model.qpos0), free & own
-    asked = content((home, free, goals, bends, beyond, starts))
+    goal_key = reached(figure, goals)
+    home, free = np.where(goal_key, home, figure.model.qpos0), free & goal_key
+    question = content((home, free, goals, bends, beyond, starts))
     poses = _poses.setdefault(figure, Remembered(MOST_REMEMBERED))
-    return poses.of(asked, lambda: _posed(PoseSearch(figure, home, free, goals, bends, beyond), starts))
+    return poses.of(question, lambda: _posed(PoseSearch(figure, home, free, goals, bends, beyond), starts))
 
 
 def _posed(search: PoseSearch, starts: int) -> Posed:
@@ -253,20 +253,20 @@ def _posed(search: PoseSearch, starts: int) -> Posed:
     if best.is_met or not search.dofs.size:
         return best
     near = [search.roughly(start) for start in search.bent_starts()[:starts]]
-    found: list[Posed] = []
+    poses: list[Posed] = []
     last = 0.0
     for rough, cost in sorted(near, key=lambda pair: pair[1]):
         if cost > (1 + ALIKE) * last:  # else it leads where the one before did
-            found.append(search.followed(rough))
-            if found[-1].is_met:
-                return found[-1]
+            poses.append(search.followed(rough))
+            if poses[-1].is_met:
+                return poses[-1]
         last = cost
     for start in search.starts_around(starts - len(near)):
-        found.append(search.followed(search.around(start)))
-        if found[-1].is_met:
-            return found[-1]
-    closest = search.exactly(min(found, key=lambda pose: pose.worst).qpos)
-    return replace(min([best, *found, closest], key=lambda pose: pose.worst), starts=starts)
+        poses.append(search.followed(search.around(start)))
+        if poses[-1].is_met:
+            return poses[-1]
+    closest = search.exactly(min(poses, key=lambda pose: pose.worst).qpos)
+    return replace(min([best, *poses, closest], key=lambda pose: pose.worst), starts=starts)
 
 
 def in_winding(figure: Figure, qpos: Array, near: Array, which: Mask) -> Array:
@@ -285,9 +285,9 @@ def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]
         links = {i for i in moved_by(figure, goal) if free[entries(figure, i)].any()}
         touched = [group for group in groups if group[0] & links]
         groups = [group for group in groups if not group[0] & links]
-        merged = sorted(i for _, own in touched for i in own)
-        groups.append((links.union(*(own for own, _ in touched)), [*merged, number]))
-    return [own for _, own in groups]
+        merged = sorted(i for _, members in touched for i in members)
+        groups.append((links.union(*(members for members, _ in touched)), [*merged, number]))
+    return [members for _, members in groups]
 
 
 def chain(figure: Figure, body: int) -> list[int]:
@@ -323,8 +323,8 @@ def limb(figure: Figure, body: int) -> list[int]:
 def entries(figure: Figure, link: int) -> slice:
     """The columns of qpos that belong to a link's joint."""
     size = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
-    own = figure.links[link]
-    return slice(own.qpos, own.qpos + size[own.kind])
+    joint = figure.links[link]
+    return slice(joint.qpos, joint.qpos + size[joint.kind])
 
 
 def _at_rest(model: mujoco.MjModel, body: int) -> Array:
@@ -576,7 +576,7 @@ class _Ranges:
         columns = np.array([link.qpos for link in simple], np.intp)
         share = (model.qpos0[columns] - limits[:, 0]) / np.maximum(np.ptp(limits, axis=1), NARROW)
         hinges = np.array([link.kind is JointKind.HINGE for link in simple], bool)
-        ways = hinges * (1.0 * (share < ONE_SIDED) - (share > 1 - ONE_SIDED))
+        directions = hinges * (1.0 * (share < ONE_SIDED) - (share > 1 - ONE_SIDED))
         margin = np.minimum(INSIDE, np.ptp(limits, axis=1) / 4) - beyond * hinges
         return cls(
             np.array([link.qpos for link in balls], np.intp)[:, None] + np.arange(4),
@@ -585,16 +585,16 @@ class _Ranges:
             columns,
             np.searchsorted(dofs, np.array([link.dof for link in simple], np.intp)),
             limits + np.array([1, -1]) * margin[:, None],
-            ways,
+            directions,
             dofs.size,
         )
 
     def narrowed(self, shares: Mapping[int, float], home: Array) -> _Ranges:
         """The same with joints, by the first of their columns, kept to a share of their ranges about the middle, balls
         about their rest; as far as they are beyond at home (nq,)."""
-        kept = np.array([shares.get(int(columns[0]), 1.0) for columns in self.balls])
+        shares_kept = np.array([shares.get(int(columns[0]), 1.0) for columns in self.balls])
         there = np.linalg.norm(quat.rotation_vector(home[self.balls]), axis=-1)
-        most = np.minimum(self.most, np.maximum(kept * self.most, there))
+        most = np.minimum(self.most, np.maximum(shares_kept * self.most, there))
         spare = np.array([1 - shares.get(int(column), 1.0) for column in self.simple])
         margin = np.outer(spare / 2 * np.ptp(self.limits, axis=1), [1, -1])
         low, high = (self.limits + margin).T

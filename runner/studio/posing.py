@@ -96,24 +96,24 @@ class Poser:
         """
         figure = self.figure
         links, root = limb(figure, body), (chain(figure, body)[-1:] or [0])[0]
-        own, whole = np.zeros(figure.width, bool), np.zeros(figure.width, bool)
+        limb_mask, whole = np.zeros(figure.width, bool), np.zeros(figure.width, bool)
         for link in links:
-            own[entries(figure, link)] = figure.links[link].kind is not JointKind.FREE
+            limb_mask[entries(figure, link)] = figure.links[link].kind is not JointKind.FREE
         for link in range(1, len(figure.links)):
             whole[entries(figure, link)] = bool(figure.tables.path[link, root])
-        if alone and own.any():
-            whole = own
+        if alone and limb_mask.any():
+            whole = limb_mask
         self._place(qpos)
         planted, standing, hanging = list[PointGoal](), list[Spheres](), list[Spheres]()
         for link in dict.fromkeys(point.link for point in self.soles) if plant else ():
-            if own.any() and figure.tables.path[link, links[-1]]:
+            if limb_mask.any() and figure.tables.path[link, links[-1]]:
                 hanging.append(self.footing.spheres[link].lowest(self.footing.rest))
             elif goals := self._standing_goals(link):
                 planted += goals
                 standing.append(self.footing.spheres[link].lowest(self.data))
         floor = self.footing.floor(root, self.data) if plant else None
         grip = Grip(
-            np.array(qpos, float), body, np.array(offset, float), own, whole, tuple(planted), tuple(standing),
+            np.array(qpos, float), body, np.array(offset, float), limb_mask, whole, tuple(planted), tuple(standing),
             tuple(hanging), False, () if floor is None else (floor,),
         )  # fmt: skip
         support = self._support(grip, hanging)
@@ -237,9 +237,9 @@ class Poser:
             out[link.qpos] = value
             return out
         start = link.qpos + (3 if link.kind is JointKind.FREE else 0)
-        own = out[start : start + 4]
-        base = quat.product(self.data.xquat[link.body], quat.inverse(own))
-        there = quat.product(quat.product(quat.inverse(base), moved), quat.product(base, own))
+        quaternion = out[start : start + 4]
+        base = quat.product(self.data.xquat[link.body], quat.inverse(quaternion))
+        there = quat.product(quat.product(quat.inverse(base), moved), quat.product(base, quaternion))
         out[start : start + 4] = quat.normalised(there)
         return out
 
@@ -252,18 +252,18 @@ class Poser:
         root: dict[str, Any] = {}
         roots: dict[str, Any] = {}
         for index, link in enumerate(self.figure.links[1:], start=1):
-            own = entries(self.figure, index)
-            if home is not None and np.abs(qpos[own] - home[own]).max() < MOVED:
+            columns = entries(self.figure, index)
+            if home is not None and np.abs(qpos[columns] - home[columns]).max() < MOVED:
                 continue
             if link.kind is JointKind.FREE:
-                place = [round(float(x), DIGITS + 2) for x in qpos[own][:3]]
-                told = {"position": place, "rotation": _short(qpos[own][3:])}
+                place = [round(float(x), DIGITS + 2) for x in qpos[columns][:3]]
+                table = {"position": place, "rotation": _short(qpos[columns][3:])}
                 if link.name == self.root:
-                    root = told
+                    root = table
                 else:
-                    roots[link.name] = told
+                    roots[link.name] = table
             elif link.kind is JointKind.BALL:
-                joints[link.name] = _short(qpos[own])
+                joints[link.name] = _short(qpos[columns])
             else:
                 value = float(qpos[link.qpos])
                 joints[link.name] = round(np.degrees(value) if link.kind is JointKind.HINGE else value, DIGITS + 1)
@@ -279,16 +279,18 @@ class Poser:
 
     def among(self, said: dict[str, Any], names: Collection[str]) -> dict[str, Any]:
         """What is said of some joints, by name, those of free bodies among them."""
-        kept = {group: {k: v for k, v in said.get(group, {}).items() if k in names} for group in ("joints", "roots")}
+        selected = {
+            group: {k: v for k, v in said.get(group, {}).items() if k in names} for group in ("joints", "roots")
+        }
         root = {"root": said["root"]} if self.root in names and "root" in said else {}
-        return {"joints": kept["joints"], **root, **({"roots": kept["roots"]} if kept["roots"] else {})}
+        return {"joints": selected["joints"], **root, **({"roots": selected["roots"]} if selected["roots"] else {})}
 
     def ways(self, place: str) -> tuple[set[str], set[str]]:
         """The joints that decide where a place is, of all and of its own limb; none of one that is not known."""
         body = self._places.body(place)
-        found = ([], []) if body is None else (chain(self.figure, body), limb(self.figure, body))
-        whole, own = ({self.figure.links[link].name for link in links} for links in found)
-        return whole, own
+        links_of = ([], []) if body is None else (chain(self.figure, body), limb(self.figure, body))
+        whole, limb_names = ({self.figure.links[link].name for link in links} for links in links_of)
+        return whole, limb_names
 
     @cached_property
     def _places(self) -> Places:

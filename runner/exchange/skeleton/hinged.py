@@ -57,7 +57,7 @@ def angles(rotation: Array, order: str = ORDER) -> Array:
     for t in range(len(out)):
         a = np.where(free[t], before[:, 0], first[t])
         both = [_near(_completed(matrix[t], a + turn, i, j, k, sign), before) for turn in (0.0, np.pi)]
-        far = [np.abs(each - before).sum(-1) for each in both]
+        far = [np.abs(candidate - before).sum(-1) for candidate in both]
         before = out[t] = np.where((far[0] <= far[1])[:, None], *both)
     return out
 
@@ -120,7 +120,7 @@ class HingeLayout:
             name = model.joint(joint).name or f"joint{joint}"
             is_ball = model.jnt_type[joint] == BALL
             out.append((joint, tuple(f"{name}_{axis}" for axis in self.order) if is_ball else (name,)))
-        names = [name for _, own in out for name in own]
+        names = [name for _, hinges in out for name in hinges]
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
             raise UserError(f"with hinges for ball joints, the figure would have two joints '{twice}'")
@@ -129,11 +129,11 @@ class HingeLayout:
     @property
     def names(self) -> list[str]:
         """The joints of the variant, in order."""
-        return [name for _, own in self.joints for name in own]
+        return [name for _, hinges in self.joints for name in hinges]
 
     @cached_property
     def balls(self) -> list[int]:
-        return [joint for joint, own in self.joints if len(own) == 3]
+        return [joint for joint, hinges in self.joints if len(hinges) == 3]
 
     def qpos(self, qpos: Array) -> Array:
         """Configurations (T, nq') of the variant, of configurations (T, nq) of the model."""
@@ -168,12 +168,12 @@ class HingeLayout:
 
     def nearest_lock(self, hinges: Array) -> tuple[float, str, int] | None:
         """The angle [rad] from the lock at its least, the ball joint, the sample; None without ball joints."""
-        found = []
+        locks = []
         for (_, own), start in zip(self.joints, self._starts, strict=True):
             if len(own) == 3:
                 off = np.abs(np.arcsin(np.clip(np.cos(hinges[:, start + 1]), -1, 1)))
-                found.append((float(off.min()), own[0][:-2], int(off.argmin())))
-        return min(found, default=None)
+                locks.append((float(off.min()), own[0][:-2], int(off.argmin())))
+        return min(locks, default=None)
 
     def mjcf(self, text: str) -> str:
         """The variant's complete MJCF text, of the model's; keyframes, and what acts on or measures ball joints, go.
@@ -189,15 +189,15 @@ class HingeLayout:
         bodies = [] if world is None else list(world.iter("body"))
         if len(bodies) != self.model.nbody - 1:
             raise UserError("the model's text does not name its bodies one by one; hinges cannot be written into it")
-        own = dict(self.joints)
+        hinges_of = dict(self.joints)
         for body, element in enumerate(bodies, 1):
             first, count = self.model.body_jntadr[body], self.model.body_jntnum[body]
             written = [child for child in element if child.tag in ("joint", "freejoint")]
             if len(written) != count:
                 raise UserError(f"the text of body '{self.model.body(body).name}' does not name its joints one by one")
             for joint, child in zip(range(first, first + count), written, strict=True):
-                if len(own[joint]) == 3:
-                    _replace(element, child, own[joint])
+                if len(hinges_of[joint]) == 3:
+                    _replace(element, child, hinges_of[joint])
         _drop_references(root, {self.model.joint(joint).name for joint in self.balls})
         ElementTree.indent(root)
         return ElementTree.tostring(root, encoding="unicode")
@@ -209,7 +209,9 @@ class HingeLayout:
     @cached_property
     def _starts(self) -> list[int]:
         """The first column in the variant's qpos of every joint of the model."""
-        widths = [3 if len(own) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0] for joint, own in self.joints]
+        widths = [
+            3 if len(hinges) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0] for joint, hinges in self.joints
+        ]
         return [0, *np.cumsum(widths[:-1]).tolist()]
 
 
@@ -217,18 +219,22 @@ def _replace(body: ElementTree.Element, ball: ElementTree.Element, names: tuple[
     """Three hinges where a ball joint stands."""
     place = list(body).index(ball)
     body.remove(ball)
-    kept = {key: value for key, value in ball.attrib.items() if key not in ROTATION_ONLY}
+    attributes = {key: value for key, value in ball.attrib.items() if key not in ROTATION_ONLY}
     for n, name in enumerate(names):
         axis = " ".join("1" if letter == name[-1] else "0" for letter in "xyz")
-        own = {"name": name, "type": "hinge", "axis": axis, "ref": "0", "limited": "false"}
-        body.insert(place + n, ElementTree.Element("joint", own | kept))
+        hinge = {"name": name, "type": "hinge", "axis": axis, "ref": "0", "limited": "false"}
+        body.insert(place + n, ElementTree.Element("joint", hinge | attributes))
 
 
 def _drop_references(root: ElementTree.Element, balls: set[str]) -> None:
     """Takes out actuators, sensors and constraints of joints that are no more."""
-    for section in (each for tag in REFERRING for each in root.findall(tag)):
+    for section in (section_element for tag in REFERRING for section_element in root.findall(tag)):
         for child in list(section):
-            named = {each.get(key) for each in child.iter() for key in ("joint", "joint1", "joint2", "jointinparent")}
+            named = {
+                section_element.get(key)
+                for section_element in child.iter()
+                for key in ("joint", "joint1", "joint2", "jointinparent")
+            }
             if balls & named:
                 section.remove(child)
 
@@ -264,10 +270,10 @@ class Hinged:
 
     def warning(self, time: Array) -> str | None:
         """One line if the motion comes close to a gimbal lock."""
-        found = self.layout.nearest_lock(self.qpos)
-        if found is None or found[0] > NEAR:
+        lock = self.layout.nearest_lock(self.qpos)
+        if lock is None or lock[0] > NEAR:
             return None
-        off, name, sample = found
+        off, name, sample = lock
         return (
             f"'{name}' comes within {np.degrees(off):.0f}° of gimbal lock at {time[sample]:.2f} s: "
             "its three hinges turn fast there"

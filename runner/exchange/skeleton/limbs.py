@@ -73,21 +73,23 @@ def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arr
     going = np.arange(len(qpos))  # images whose limb still moves
     for _ in range(STEPS):
         now = qpos[going]
-        seen = _bent(model, now, limb.bodies, carried[going])
+        bend_state = _bent(model, now, limb.bodies, carried[going])
         off, rows = list[Array](), list[Array]()
         if limb.about is not None:
-            off.append((limb.about[going] - seen.end) / PLACE)
-            rows.append(np.cross(seen.axes, seen.end[:, None] - seen.anchors) / PLACE)
+            off.append((limb.about[going] - bend_state.end) / PLACE)
+            rows.append(np.cross(bend_state.axes, bend_state.end[:, None] - bend_state.anchors) / PLACE)
         for body, wanted in limb.turns.items():
-            short = quat.product(wanted[going], quat.conjugate(seen.turn[body]))
+            short = quat.product(wanted[going], quat.conjugate(bend_state.turn[body]))
             off.append(quat.rotation_vector(short) / spread[body])
-            above = np.array([limb.bodies.index(each) <= limb.bodies.index(body) for each in seen.moved])
-            rows.append(np.where(above[:, None], seen.axes, 0.0) / spread[body])
-        left, jacobian = np.concatenate(off, axis=1), np.concatenate(rows, axis=2)  # (T, R), (T, D, R)
-        cost = np.sum(left**2, axis=1)
+            above = np.array(
+                [limb.bodies.index(moved_body) <= limb.bodies.index(body) for moved_body in bend_state.moved]
+            )
+            rows.append(np.where(above[:, None], bend_state.axes, 0.0) / spread[body])
+        residual, jacobian = np.concatenate(off, axis=1), np.concatenate(rows, axis=2)  # (T, R), (T, D, R)
+        cost = np.sum(residual**2, axis=1)
         better = cost < least[going]
         best[going[better]], least[going[better]] = now[better], cost[better]
-        step = _step(jacobian, left, _values(model, now, limb.bodies), low, high)
+        step = _step(jacobian, residual, _values(model, now, limb.bodies), low, high)
         _move(model, now, limb.bodies, step, low, high)
         qpos[going] = now
         going = going[np.abs(step).max(axis=1, initial=0.0) >= STILL]

@@ -77,10 +77,10 @@ class _Standing:
     def of(cls, model: mujoco.MjModel) -> _Standing:
         rest = hierarchy.rest(model)
         parents = [int(p) - 1 for p in model.body_parentid[1:]]
-        found = {role: 1 + body for role, body in roles(hierarchy.names(model)[1:], parents).items()}
-        stand, notes = standing_turn(rest.position[0], found)
+        bodies = {role: 1 + body for role, body in roles(hierarchy.names(model)[1:], parents).items()}
+        stand, notes = standing_turn(rest.position[0], bodies)
         place, turn = quat.rotated(stand, rest.position[0]), quat.product(stand, rest.rotation[0])
-        return cls(model, place, turn, completed(model, found, place, turn), notes)
+        return cls(model, place, turn, completed(model, bodies, place, turn), notes)
 
     def joint_of(self, role: str) -> Array:
         """(3,) where a part of a limb is hung up: a robot's hip is a body for each hinge, which lie apart."""
@@ -192,10 +192,10 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
             captured.names,
         )
     )
-    for what, found in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
-        missing = [role for role in NEEDED if role not in found]
+    for what, by_role in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
+        missing = [role for role in NEEDED if role not in by_role]
         if missing:
-            listed = captured.names if found is captured.roles else hierarchy.names(model)[1:]
+            listed = captured.names if by_role is captured.roles else hierarchy.names(model)[1:]
             raise UserError(
                 f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}; "
                 f"{unsaid.MAP}"
@@ -232,8 +232,10 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     notes += _beyond_root(model, root, qpos, turns, missed)
     notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
     toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
-    told = {joint for role in (*shared, *toes_of_feet) for joint in lineage(captured.roles[role], captured.parents)}
-    lost = [name for i, name in enumerate(captured.names) if i not in told]
+    joints_of_roles = {
+        joint for role in (*shared, *toes_of_feet) for joint in lineage(captured.roles[role], captured.parents)
+    }
+    lost = [name for i, name in enumerate(captured.names) if i not in joints_of_roles]
     moved = {above for body in turns for above in hierarchy.above(model, body, itself=True)}
     still = [names[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in moved]
     toes = " and ".join(captured.names[captured.roles[f"{side}_toe"]] for side in bent)
@@ -257,8 +259,8 @@ def _limbs(captured: Captured, standing: _Standing, turns: Mapping[int, Array], 
         about = captured.position[:, joints[-1]] - captured.position[:, joints[0]]
         pelvis = standing.roles.get("pelvis", -1)
         if parts is LEG and pelvis in turns:
-            own = quat.rotated(quat.conjugate(standing.turn[pelvis]), standing.bracket(side))
-            about = about + quat.rotated(turns[pelvis], own) / size
+            bracket = quat.rotated(quat.conjugate(standing.turn[pelvis]), standing.bracket(side))
+            about = about + quat.rotated(turns[pelvis], bracket) / size
         yield Limb(bodies, size * about, {body: turns[body] for body in bodies if body in turns})
 
 
@@ -358,9 +360,9 @@ def _heading(left: Array) -> Array:
 
 def _upright(captured: Captured, standing: _Standing, shared: list[str]) -> dict[str, Array]:
     """A by role, from the pose in which nothing is turned."""
-    left = captured.at_zero[captured.roles["left_thigh"]] - captured.at_zero[captured.roles["right_thigh"]]
-    own = standing.place[standing.roles["left_thigh"]] - standing.place[standing.roles["right_thigh"]]
-    facing = quat.product(_heading(left), quat.conjugate(_heading(own)))
+    captured_left = captured.at_zero[captured.roles["left_thigh"]] - captured.at_zero[captured.roles["right_thigh"]]
+    standing_left = standing.place[standing.roles["left_thigh"]] - standing.place[standing.roles["right_thigh"]]
+    facing = quat.product(_heading(captured_left), quat.conjugate(_heading(standing_left)))
     out = {}
     for role in shared:
         part = role.partition("_")[2]
@@ -423,9 +425,9 @@ def _by_bends(captured: Captured, standing: _Standing, shared: list[str]) -> dic
                 continue
             along = [_world(captured, role) for role in pair]
             bend = sign * np.cross(along[0], along[1])
-            told = float(np.linalg.norm(bend, axis=1).mean()) > BENT
+            is_bent = float(np.linalg.norm(bend, axis=1).mean()) > BENT
             for role, direction in zip(pair, along, strict=True):
-                axis = bend if told else lateral.get(upper, np.tile([0.0, 1, 0], (len(bend), 1)))
+                axis = bend if is_bent else lateral.get(upper, np.tile([0.0, 1, 0], (len(bend), 1)))
                 axis = axis - direction * np.sum(axis * direction, axis=1, keepdims=True)
                 theirs = _frame(_bone(captured, role), _seen(captured, role, axis))
                 out[role] = _quaternion(theirs @ _frame(standing.bone(role), np.array([0.0, 1, 0])).T)
@@ -456,12 +458,12 @@ def _flat(captured: Captured, standing: _Standing, side: str) -> Array:
 def _like_parent(captured: Captured, role: str, out: dict[str, Array]) -> Array:
     """A that keeps a part as it lies on the next one above with an A, in the mean."""
     joint = captured.roles[role]
-    known = {captured.roles[other]: other for other in out}
-    above = next((i for i in lineage(joint, captured.parents)[1:] if i in known), None)
+    role_of = {captured.roles[other]: other for other in out}
+    above = next((i for i in lineage(joint, captured.parents)[1:] if i in role_of), None)
     if above is None:
         return np.array([1.0, 0, 0, 0])
     relative = quat.product(quat.conjugate(captured.rotation[:, joint]), captured.rotation[:, above])
-    return quat.product(quat.normalised(quat.aligned(relative).mean(axis=0)), out[known[above]])
+    return quat.product(quat.normalised(quat.aligned(relative).mean(axis=0)), out[role_of[above]])
 
 
 def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
@@ -480,8 +482,8 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
         while int(parent[chain[0]]) not in settled:
             chain.insert(0, int(parent[chain[0]]))
         _reach(model, qpos, chain, world[:, parent[chain[0]]], turns[body])
-        for each in chain:
-            world[:, each] = _forward(model, qpos, [each], world[:, parent[each]])
+        for link_of_chain in chain:
+            world[:, link_of_chain] = _forward(model, qpos, [link_of_chain], world[:, parent[link_of_chain]])
         settled.update(chain)
     for joint in range(model.njnt):
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE and not model.jnt_limited[joint]:
@@ -545,9 +547,9 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
         donor = near[np.argmin(np.abs(rows[:, None] - near), axis=1)]
         again = qpos[rows]
         again[:, columns] = qpos[donor][:, columns]
-        again, left = turned(again, rows)
-        better = left < short[rows]
-        qpos[rows[better]], short[rows[better]] = again[better], left[better]
+        again, remainder = turned(again, rows)
+        better = remainder < short[rows]
+        qpos[rows[better]], short[rows[better]] = again[better], remainder[better]
 
 
 def _placed(captured: Captured, standing: _Standing, root: Root, qpos: Array, scale: float) -> tuple[Array, Array]:
@@ -557,14 +559,14 @@ def _placed(captured: Captured, standing: _Standing, root: Root, qpos: Array, sc
     hips = captured.position[:, [captured.roles["left_thigh"], captured.roles["right_thigh"]]].mean(axis=1)
     middle = 0.5 * (standing.joint_of("left_thigh") + standing.joint_of("right_thigh"))
     pelvis = standing.roles["pelvis"]
-    own = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.place[pelvis])
+    offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.place[pelvis])
 
     def away(qpos: Array) -> Array:
         data, out = mujoco.MjData(model), np.zeros((len(qpos), 3))
         for i, row in enumerate(qpos):
             data.qpos = row
             mujoco.mj_kinematics(model, data)
-            out[i] = scale * hips[i] - data.xpos[pelvis] - quat.rotated(data.xquat[pelvis], own)
+            out[i] = scale * hips[i] - data.xpos[pelvis] - quat.rotated(data.xquat[pelvis], offset)
         return out
 
     there = shifted(model, root, qpos, away(qpos))

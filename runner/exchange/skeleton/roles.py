@@ -131,31 +131,31 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
     """
     parts = [split(name) for name in without_prefix(names)]
     hinged = [bool(AXES.intersection(word.lower() for word in SPLIT.findall(name))) for name in names]
-    found: dict[str, int] = {}
+    by_role: dict[str, int] = {}
     for side in ("left", "right"):
         on = {role: _going_on(role, side, parts, parents) for role in WORDS}
         for role, words in WORDS.items():
             fitting = [i for i, (s, word) in enumerate(parts) if s == side and word in words]
             general = [i for i, part in enumerate(parts) if part[0] == side and role in EITHER.get(part[1], ())]
             at_ends = on[role].isdisjoint(fitting) and not on[role].isdisjoint(general)
-            _first(found, f"{side}_{role}", [] if at_ends else _preferred(fitting, on[role]))
+            _first(by_role, f"{side}_{role}", [] if at_ends else _preferred(fitting, on[role]))
         for word, choices in EITHER.items():
             same = [i for i, part in enumerate(parts) if part == (side, word)]
             for role in choices:
-                if f"{side}_{role}" not in found and _fits(found, side, role, word, same, parents):
-                    _first(found, f"{side}_{role}", _preferred(same, on[role]))
+                if f"{side}_{role}" not in by_role and _fits(by_role, side, role, word, same, parents):
+                    _first(by_role, f"{side}_{role}", _preferred(same, on[role]))
                     break
     for role, words in MIDDLE.items():
-        _first(found, role, [i for i, (side, word) in enumerate(parts) if side is None and word in words])
+        _first(by_role, role, [i for i, (side, word) in enumerate(parts) if side is None and word in words])
     for side in ("left", "right"):
-        _foot_below_ankle(found, side, parts, parents)
-    for role, first in found.items():  # of bodies that turn a hip one after the other, the last is the thigh
+        _foot_below_ankle(by_role, side, parts, parents)
+    for role, first in by_role.items():  # of bodies that turn a hip one after the other, the last is the thigh
         same = [i for i, part in enumerate(parts) if part == parts[first] and hinged[i]]
         if hinged[first] and all(first in lineage(i, parents) for i in same):
-            found[role] = max(same, key=lambda i: len(lineage(i, parents)))
-    found = with_trunk(found, names, parents)
-    _spine_above_chest(found, parts, parents)
-    return found
+            by_role[role] = max(same, key=lambda i: len(lineage(i, parents)))
+    by_role = with_trunk(by_role, names, parents)
+    _spine_above_chest(by_role, parts, parents)
+    return by_role
 
 
 def with_trunk(found: Mapping[str, int], names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
@@ -251,11 +251,11 @@ def unique(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
     """Names without duplicates, and with none of those taken: later ones are numbered."""
     used, out = set(taken), []
     for name in names:
-        count, each = 2, name
-        while each in used:
-            each, count = f"{name}_{count}", count + 1
-        used.add(each)
-        out.append(each)
+        count, candidate = 2, name
+        while candidate in used:
+            candidate, count = f"{name}_{count}", count + 1
+        used.add(candidate)
+        out.append(candidate)
     return out
 
 
