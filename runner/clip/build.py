@@ -149,7 +149,7 @@ def build(
     broken = complaints(figure, problem.raw, keys)
     soft_constraints = constraints(context, source.options)
     problem = replace(problem, penalties=soft_constraints.penalties)
-    notes = (*resting, *broken, *soft_constraints.notes, *_too_many(problem))
+    notes = (*broken, *soft_constraints.notes, *resting, *_too_many(problem))
     return Clip(source.name, source.text, scene, fps, problem, soft_constraints.context, notes)
 
 

@@ -436,9 +436,9 @@ def test_without_a_free_joint_there_is_nothing_to_fly(tmp_path):
 
 def test_an_optimiser_that_does_nothing_with_so_many_unknowns_is_reported():
     standing = 'figure = "human"\n' + "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in range(5))
-    dense = clip.from_text(standing + '[solve]\noptimiser = "slsqp"', name="dense")
+    dense = clip.from_text(standing + '[solve]\nends = "free"\noptimiser = "slsqp"', name="dense")
     assert "optimiser 'slsqp' is dense: with some 612 unknowns, over 300" in dense.notes[-1]
-    assert not clip.from_text(standing + '[solve]\noptimiser = "lbfgs"', name="sparse").notes
+    assert not clip.from_text(standing + '[solve]\nends = "free"\noptimiser = "lbfgs"', name="sparse").notes
 
 
 LYING = """<mujoco><compiler angle="degree"/><worldbody>
