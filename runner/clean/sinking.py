@@ -48,7 +48,7 @@ def unseen(ground: Ground, path: Path, frames: Array) -> Array:
     deep = depth(ground, path, times)
     under = np.flatnonzero(deep > DEEP)
     runs = np.split(under, np.flatnonzero(np.diff(under) > 1) + 1) if under.size else []
-    times_of_depth = list[float]()
+    missed_times = list[float]()
     for run in runs:
         if run.size / RATE > SEEN:
             continue
@@ -56,5 +56,5 @@ def unseen(ground: Ground, path: Path, frames: Array) -> Array:
         after = int(np.clip(np.searchsorted(frames, worst), 1, frames.size - 1))
         about = frames[max(0, after - 2) : after + 2]
         wanted = [worst] if np.abs(frames - worst).min() > NEXT_TO else (0.5 * (about[1:] + about[:-1])).tolist()
-        times_of_depth += [t for t in wanted if np.abs(frames - t).min() > NEXT_TO]
-    return np.unique(times_of_depth)
+        missed_times += [t for t in wanted if np.abs(frames - t).min() > NEXT_TO]
+    return np.unique(missed_times)

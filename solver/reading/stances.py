@@ -53,7 +53,7 @@ def stood(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surfac
     height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), REACH)
     moving = surprise(times, centres, noise**2 + ROLLS**2, is_known)
     slow = _speeds(recorded, points, times) <= (FAST + noise / BLURRED)[:, None]
-    stances_found = []
+    result = []
     for i, point in enumerate(points):
         place, point_noise = centres[:, i], float(noise[i])
         runs = _joined(times, _cut(times, place, height[i], moving[i], is_known, point_noise), place, point_noise)
@@ -61,8 +61,8 @@ def stood(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surfac
         for a, b in trimmed:
             if b - a > 1:
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, REACH)
-                stances_found.append(Stood(point, float(times[a]), float(times[b - 1]), ground))
-    return tuple(stances_found)
+                result.append(Stood(point, float(times[a]), float(times[b - 1]), ground))
+    return tuple(result)
 
 
 def unsure(recorded: Recorded, points: Sequence[Point]) -> float:

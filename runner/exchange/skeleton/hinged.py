@@ -228,12 +228,10 @@ def _replace(body: ElementTree.Element, ball: ElementTree.Element, names: tuple[
 
 def _drop_references(root: ElementTree.Element, balls: set[str]) -> None:
     """Takes out actuators, sensors and constraints of joints that are no more."""
-    for section in (section_element for tag in REFERRING for section_element in root.findall(tag)):
+    for section in (element for tag in REFERRING for element in root.findall(tag)):
         for child in list(section):
             named = {
-                section_element.get(key)
-                for section_element in child.iter()
-                for key in ("joint", "joint1", "joint2", "jointinparent")
+                element.get(key) for element in child.iter() for key in ("joint", "joint1", "joint2", "jointinparent")
             }
             if balls & named:
                 section.remove(child)

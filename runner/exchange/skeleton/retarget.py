@@ -482,8 +482,8 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
         while int(parent[chain[0]]) not in settled:
             chain.insert(0, int(parent[chain[0]]))
         _reach(model, qpos, chain, world[:, parent[chain[0]]], turns[body])
-        for link_of_chain in chain:
-            world[:, link_of_chain] = _forward(model, qpos, [link_of_chain], world[:, parent[link_of_chain]])
+        for link in chain:
+            world[:, link] = _forward(model, qpos, [link], world[:, parent[link]])
         settled.update(chain)
     for joint in range(model.njnt):
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE and not model.jnt_limited[joint]:

@@ -62,16 +62,16 @@ def footings(
     links = np.array([point.link for point in every])
     begin, end = np.array([s.first for s in stances]), np.array([s.last for s in stances])
     standing = np.array([s.point.link for s in stances])
-    footings_found = []
+    result = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for link in np.unique(standing[(begin <= first) & (last <= end)]):
             on, at = np.nonzero(spots.touches[:, k : k + 2] & (links == link)[:, None])
             if on.size:
                 outer, normal = spots.outermost(int(link), on, k + at)
-                footings_found += [
+                result += [
                     Footing(Point(every[i].name, int(link), p), float(first), float(last), normal) for i, p in outer
                 ]
-    return tuple(footings_found)
+    return tuple(result)
 
 
 @dataclass(frozen=True)

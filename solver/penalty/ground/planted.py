@@ -115,14 +115,14 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
         (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points),
         placed(figure, keys.fixed, points),
     )
-    stances_found = []
+    result = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
             spot, landed = centres[:, i, k], centres[:, i, k + 1]
             if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
                 weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
-                stances_found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
-    return tuple(stances_found)
+                result.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
+    return tuple(result)
 
 
 def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
