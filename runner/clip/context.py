@@ -140,7 +140,7 @@ class Context:
         """Whether there are flights: who runs has feet on the ground for a short while only, between keyframes."""
         return self.support is not None and bool(self.support.flights)
 
-    @property
+    @cached_property
     def stances(self) -> tuple[Stance, ...]:
         """The stances inferred from keyframes, except for points that the clip's contacts already cover."""
         inferred = stances(self.figure, self.keys, self.points, self.surfaces)
