@@ -171,15 +171,19 @@ class Gait:
         return self.keys.states[:, self.figure.tables.position_columns[:, 0]]
 
     @cached_property
-    def _travel(self) -> float:
-        """[m/s] of the root over ground."""
-        length = float(np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1).sum())
-        return length / float(self.keys.times[-1] - self.keys.times[0])
+    def _lengths(self) -> Array:
+        """The horizontal lengths of the root's chords between keyframes [m], (K − 1,)."""
+        return np.asarray(np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1))
 
     @cached_property
+    def _travel(self) -> float:
+        """[m/s] of the root over ground."""
+        return float(self._lengths.sum()) / float(self.keys.times[-1] - self.keys.times[0])
+
+    @property
     def _unsteadiness(self) -> float:
         """The standard deviation of the root's speeds between keyframes, as a share of their mean."""
-        speeds = np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1) / np.diff(self.keys.times)
+        speeds = self._lengths / np.diff(self.keys.times)
         return float(speeds.std() / speeds.mean())
 
     @cached_property
