@@ -42,7 +42,7 @@ from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.curve.spline import natural_spline
-from dynsplines.solver.reading.recorded import Recorded
+from dynsplines.solver.inference.recording import Recorded
 from dynsplines.system.progress import Progress
 
 STEPS, ROUNDS = 0.02, 10  # [s] of mink's integration, and how many for each sample

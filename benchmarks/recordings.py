@@ -41,8 +41,8 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inference.recording import Recorded
 from dynsplines.solver.penalty import Near
-from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of
 from dynsplines.system.progress import Progress

@@ -13,11 +13,11 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.inbetween import inbetween, resumed
+from dynsplines.solver.inference.ground_alignment import on_the_ground, settled
+from dynsplines.solver.inference.recording import Recorded
+from dynsplines.solver.inference.stances import Stood, stood, unsure
 from dynsplines.solver.penalty import Near, Rest, UnitMagnitude
 from dynsplines.solver.problem import Problem
-from dynsplines.solver.reading.recorded import Recorded
-from dynsplines.solver.reading.settled import on_the_ground, settled
-from dynsplines.solver.reading.stances import Stood, stood, unsure
 from dynsplines.solver.solution import Improvement, Solution
 
 from ..clip.follow.keeping import Ground, loose, problem

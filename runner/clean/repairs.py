@@ -12,7 +12,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.reading.recorded import groups, places
+from dynsplines.solver.inference.recording import groups, places
 
 from ..errors import UserError
 from .lead_in import LeadIn, lead_in

@@ -12,6 +12,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.inference.gait import Rhythm
+from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.penalty import (
     Bend,
     Hold,
@@ -28,8 +30,6 @@ from dynsplines.solver.penalty import (
     stances,
     steady,
 )
-from dynsplines.solver.reading.rhythm import Rhythm
-from dynsplines.solver.reading.stride import Gait
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging
 

@@ -127,7 +127,7 @@ STRATA = {
         compiled quaternion cone one_thread remembered
         figure
         curve surface
-        reading
+        inference
         penalty
         objective posing
         drag

@@ -17,9 +17,9 @@ from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam, heading_between
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.objective import SMALL_SHARE
 from dynsplines.solver.penalty import SelfContact
-from dynsplines.solver.reading.stride import Gait
 from dynsplines.solver.search.restart import is_poor_minimum
 from dynsplines.solver.surface.points import places_of
 

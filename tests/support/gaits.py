@@ -7,7 +7,7 @@ from walker import FINE, walk, walker
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.reading.stride import Gait
+from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.surface import Plane
 
 PERIOD = 1.1

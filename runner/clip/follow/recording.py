@@ -18,11 +18,11 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.retime import repeated
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inference.recording import Recorded, between
+from dynsplines.solver.inference.stances import stood
 from dynsplines.solver.penalty import Near, Rest
 from dynsplines.solver.penalty.motion.near import FINEST
 from dynsplines.solver.problem import Problem
-from dynsplines.solver.reading.recorded import Recorded, between
-from dynsplines.solver.reading.stances import stood
 from dynsplines.solver.surface.points import Point, placed, places_of
 
 from ... import motion

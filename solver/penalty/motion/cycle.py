@@ -20,8 +20,8 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...reading.pose_vectors import HEIGHT
-from ...reading.rhythm import Rhythm
+from ...inference.gait import Rhythm
+from ...inference.pose_vectors import HEIGHT
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Guide, Normalization, Role

@@ -16,7 +16,7 @@ from ...curve.spline import Path, natural_spline
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_point
-from ...reading.recorded import Recorded
+from ...inference.recording import Recorded
 from ..block import Block, every
 from ..penalty import Guide, Normalization, Role
 

@@ -16,8 +16,8 @@ from dynsplines.motion import samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path, natural_spline
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inference.recording import Recorded
 from dynsplines.solver.penalty import Near
-from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import body_points
 

@@ -9,8 +9,8 @@ from dynsplines.clip.follow.keeping import NEXT_TO, Ground, ground_of, problem
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inference.recording import Recorded
 from dynsplines.solver.penalty import Near
-from dynsplines.solver.reading.recorded import Recorded
 
 
 @pytest.mark.parametrize("beside", [3e-4, -0.004, 0.02])

@@ -18,9 +18,9 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inference.recording import Recorded
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, Near, Penalty, RootAcceleration, UnitMagnitude
-from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.search.restart import (

@@ -19,11 +19,11 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.inference.gait_period import Gait
+from dynsplines.solver.inference.pose_vectors import HEIGHT
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.reading.pose_vectors import HEIGHT
-from dynsplines.solver.reading.stride import Gait
 from dynsplines.solver.refine.subdivision import evenly
 
 LYING = """<mujoco><worldbody><body pos="0 0 1" quat=".7071 .7071 0 0"><freejoint/><geom size=".1"/>

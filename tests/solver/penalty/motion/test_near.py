@@ -12,10 +12,10 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import natural_spline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inference.recording import Recorded
 from dynsplines.solver.penalty import Near
 from dynsplines.solver.penalty.curvature import Curvature, add_differences
 from dynsplines.solver.penalty.motion.near import AWAY, BACK, EASED, FOR, STRAYS, levers
-from dynsplines.solver.reading.recorded import Recorded
 
 TIMES = np.linspace(0, 2, 61)
 

@@ -8,9 +8,9 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.reading.recorded import Recorded
-from dynsplines.solver.reading.settled import ENOUGH, LOWEST, NOTHING, on_the_ground, settled
-from dynsplines.solver.reading.stances import Stood
+from dynsplines.solver.inference.ground_alignment import ENOUGH, LOWEST, NOTHING, on_the_ground, settled
+from dynsplines.solver.inference.recording import Recorded
+from dynsplines.solver.inference.stances import Stood
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 

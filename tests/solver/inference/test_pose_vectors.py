@@ -13,7 +13,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.reading.pose_vectors import HEIGHT, Heading, PoseVectors
+from dynsplines.solver.inference.pose_vectors import HEIGHT, Heading, PoseVectors
 
 
 def facing(angles: Array) -> Array:

@@ -19,8 +19,8 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.points import Point, places_of
+from .gait import TICK, Process, Rhythm
 from .pose_vectors import PoseVectors
-from .rhythm import TICK, Process, Rhythm
 
 SLOWEST = 0.25  # [m/s] of a body with hips 1 m high, below which it does not travel
 STRIDE, POWER = 2.3, 0.3  # of Alexander's

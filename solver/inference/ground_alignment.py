@@ -17,7 +17,7 @@ from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import height_over
 from ..surface.points import Point, arrays_of, places_of
-from .recorded import Recorded
+from .recording import Recorded
 from .stances import Stood
 
 LOWEST, ELSEWHERE = 2.0, 0.05  # per cent of samples that may be deeper; [m] that a floor is elsewhere

@@ -11,10 +11,10 @@ from dynsplines.clip.follow.keeping import Ground
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.motion import samples_at
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.reading.moving import surprise
-from dynsplines.solver.reading.recorded import ORDER, Recorded
-from dynsplines.solver.reading.settled import settled
-from dynsplines.solver.reading.stances import (
+from dynsplines.solver.inference.ground_alignment import settled
+from dynsplines.solver.inference.point_likelihood import surprise
+from dynsplines.solver.inference.recording import ORDER, Recorded
+from dynsplines.solver.inference.stances import (
     DEAR,
     HIGHEST,
     HOVERS,

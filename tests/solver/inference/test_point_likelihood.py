@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from densities import log_normal
 
-from dynsplines.solver.reading.moving import FASTEST, LIVELY, surprise
+from dynsplines.solver.inference.point_likelihood import FASTEST, LIVELY, surprise
 
 
 def covariance(times: np.ndarray, variance: float, first: float) -> np.ndarray:

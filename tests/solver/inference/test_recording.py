@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import multivariate_normal
 
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.reading.recorded import LIVELINESS, Recorded, between
+from dynsplines.solver.inference.recording import LIVELINESS, Recorded, between
 
 TIMES = np.linspace(0.3, 3.3, 181)
 

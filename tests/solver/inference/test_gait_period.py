@@ -10,12 +10,12 @@ from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.reading.pose_vectors import PoseVectors
-from dynsplines.solver.reading.rhythm import Process
-from dynsplines.solver.reading.stride import (
+from dynsplines.solver.inference.gait import Process
+from dynsplines.solver.inference.gait_period import (
     GRAVITY,
     Gait,
 )
+from dynsplines.solver.inference.pose_vectors import PoseVectors
 from dynsplines.solver.surface import Plane
 
 

@@ -17,10 +17,10 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inference.gait import ALIKE, NOISE, Process
+from dynsplines.solver.inference.gait_period import SLIP, Gait
+from dynsplines.solver.inference.pose_vectors import PoseVectors
 from dynsplines.solver.penalty import Cycle
-from dynsplines.solver.reading.pose_vectors import PoseVectors
-from dynsplines.solver.reading.rhythm import ALIKE, NOISE, Process
-from dynsplines.solver.reading.stride import SLIP, Gait
 from dynsplines.solver.surface import Plane
 
 

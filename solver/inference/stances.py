@@ -18,8 +18,8 @@ from ..figure.kinematics import Samples
 from ..surface import Plane, Surface
 from ..surface.heights import ground_at, grounds
 from ..surface.points import Point, places_of
-from .moving import surprise
-from .recorded import GAIN, NORMAL, ORDER, Recorded
+from .point_likelihood import surprise
+from .recording import GAIN, NORMAL, ORDER, Recorded
 
 ROLLS = 0.015  # [m] that a point which stands may be off its middle, by and large
 HOVERS = 0.04  # [m] that a stance is over the ground, or in it, by and large
