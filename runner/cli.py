@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from .edit import files, thin_files
     from .exchange import formats, imported, quantities, take
     from .exchange.skeleton import maps
-    from .measure import chart, problems, summary
+    from .measure import chart, summary, violation
     from .measure import report as reports
     from .picture import film, graphics, rendering, show
     from .scene import outside
@@ -58,7 +58,7 @@ else:
     kinds, load, starter = _lazy(".clip", "kinds load starter")
     files, thin_files = _lazy(".edit", "files thin_files")
     formats, imported, quantities, take, maps = _lazy(".exchange", "formats imported quantities take skeleton.maps")
-    chart, problems, summary, reports = _lazy(".measure", "chart problems summary report")
+    chart, summary, violation, reports = _lazy(".measure", "chart summary violation report")
     film, graphics, rendering, show = _lazy(".picture", "film graphics rendering show")
     studio_sources, studio_start = _lazy(".studio", "sources start")
     outputs, terminal, quantity = _lazy(".system", "output progress quantity")
@@ -479,7 +479,7 @@ def report(
         with inputs.complete_report(source):
             text = reports.tables(measured)
         Console(highlight=False).print(text, markup=False)
-    _judge(measured["problems"], strict)
+    _judge(measured["violations"], strict)
 
 
 @app.command(rich_help_panel="Analyse")
@@ -554,8 +554,8 @@ def import_motion(
         recording = imported.imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
         saved = lead_in.told(recording, progress, skip=skip_rest)
         motion.save(saved, target)
-        violations = problems.of_motion(saved)
-        _conclude(progress, target, problems.by_name(violations), target)
+        violations = violation.of_motion(saved)
+        _conclude(progress, target, violation.by_name(violations), target)
     _judge(violations, strict)
 
 
@@ -651,7 +651,7 @@ def batch(
         tally = batches.run(clips or [], output, progress, options)
         if cleaning is not None:
             recordings.tell(tally, progress)
-        for line in [*([] if cleaning is not None else tally.problems), *tally.failures()]:
+        for line in [*([] if cleaning is not None else tally.violations), *tally.failures()]:
             progress.say(line)
         progress.say(f"{output}: {tally.line}")
     if tally.failed:
@@ -713,9 +713,9 @@ def _renderer() -> "graphics.Graphics":
         return trial.result()
 
 
-def _conclude(progress: Any, target: Path, violations: "Sequence[problems.Flaw]", file: object) -> None:
+def _conclude(progress: Any, target: Path, violations: "Sequence[violation.Violation]", file: object) -> None:
     """Print what was written, and its violations; `file` is what `dynsplines report` takes for all of them."""
-    for line in (f"wrote {target}", *problems.lines(violations, file)):
+    for line in (f"wrote {target}", *violation.lines(violations, file)):
         progress.say(line)
 
 

@@ -1,10 +1,18 @@
-"""UserError: an error the user can correct, in one line with the place, the problem and the alternatives."""
+"""UserError: an error the user can correct, in one line with the place, the problem and the alternatives.
+
+Former names of public attributes and arguments raise errors, too, that give the present ones.
+"""
 
 from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
+from functools import wraps
+from typing import TYPE_CHECKING, ClassVar, ParamSpec, TypeVar
+
+Arguments = ParamSpec("Arguments")
+Result = TypeVar("Result")
 
 LONGEST_WORD = 300  # letters; a path is hardly longer
 LONGEST = 4000  # letters of an error; a person's joints are 700
@@ -45,3 +53,33 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> str:
     guess = f"; did you mean '{close[0]}'?" if close else "."
     several = {"penalty": "Penalties", "criterion": "Criteria", "body": "Bodies"}.get(kind, f"{kind.capitalize()}s")
     return f"no {kind} '{name}'{guess} {several}: {', '.join(names) or 'none'}"
+
+
+class Renames:
+    """Base of public classes: reading a renamed attribute raises an AttributeError that gives its present name."""
+
+    RENAMED: ClassVar[Mapping[str, str]] = {}
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            if name in self.RENAMED:
+                raise AttributeError(
+                    f"{type(self).__name__} has no attribute '{name}'; it is named '{self.RENAMED[name]}'"
+                )
+            return object.__getattribute__(self, name)  # raises the usual error
+
+
+def renamed_arguments(**successors: str) -> Callable[[Callable[Arguments, Result]], Callable[Arguments, Result]]:
+    """Return a decorator of public functions: a renamed argument raises a TypeError that gives its present name."""
+
+    def decorated(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
+        @wraps(function)
+        def checked(*args: Arguments.args, **kwargs: Arguments.kwargs) -> Result:
+            for name in successors.keys() & kwargs.keys():
+                raise TypeError(f"{function.__name__} has no argument '{name}'; it is named '{successors[name]}'")
+            return function(*args, **kwargs)
+
+        return checked
+
+    return decorated

@@ -16,7 +16,7 @@ from .errors import UserError
 from .motion import Saved
 
 if TYPE_CHECKING:
-    from .measure.problems import Flaw
+    from .measure.violation import Violation
     from .system.progress import Progress
 
 
@@ -52,20 +52,20 @@ def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]
 
 def solved(
     source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True, fresh: bool = False
-) -> tuple[Saved, Sequence[Flaw]]:
+) -> tuple[Saved, Sequence[Violation]]:
     """Return the motion of a source, played `repeat` times, and its violations; none if it is not solved.
 
     fresh  solve a clip even if the cache holds its motion
     """
     from . import kept, work  # only here: a clip that is refused is not solved
-    from .measure import problems
+    from .measure import violation
 
-    violations: Sequence[Flaw] | None = None if solve else ()
+    violations: Sequence[Violation] | None = None if solve else ()
     if isinstance(source, Saved):
         out = source
     elif solve:
         result = kept.solved(source, progress, fresh=fresh)
-        out, violations = result.saved(progress, with_report=False), result.problems if repeat is None else None
+        out, violations = result.saved(progress, with_report=False), result.violations if repeat is None else None
     else:
         out = work.unsolved(source).saved(progress, with_report=False)
     if repeat is not None:
@@ -74,14 +74,14 @@ def solved(
         reason = f"one period was solved and is played {repeat} times"
         out = replace(edits.repeated(out, repeat), search=out.search | {"stopped because": reason})
     if violations is None:
-        violations = () if problems.is_recording(out) else problems.of_motion(out)
+        violations = () if violation.is_recording(out) else violation.of_motion(out)
     return out, violations
 
 
 def measured(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
     """Return the motion of a source with its report, measured unless its file holds it; `fresh` as for `solved`."""
     from . import kept  # only here, as above
-    from .measure import problems
+    from .measure import violation
 
     if not isinstance(source, Saved):
         return kept.solved(source, progress, fresh=fresh).saved(progress)
@@ -89,9 +89,9 @@ def measured(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -
         from .edit import edits  # only here, likewise
 
         return edits.measured(source, progress, "not searched: imported")
-    if "problems" in source.report:
+    if "violations" in source.report:
         return source
-    return replace(source, report={"problems": problems.plain(problems.of_motion(source))} | source.report)
+    return replace(source, report={"violations": violation.plain(violation.of_motion(source))} | source.report)
 
 
 @contextmanager

@@ -16,7 +16,7 @@ from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.build import Clip
-from .measure.problems import Flaw, problems
+from .measure.violation import Violation, violations
 from .motion import Saved, Search
 from .system import largest
 from .system.progress import Progress
@@ -49,9 +49,9 @@ class Solved:
     seconds: float | None
 
     @cached_property
-    def problems(self) -> tuple[Flaw, ...]:
+    def violations(self) -> tuple[Violation, ...]:
         """The violations, worst first."""
-        return problems(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
+        return violations(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
 
     @property
     def search(self) -> Search:

@@ -48,9 +48,9 @@ class Tally:
         """Solved clips with violations, worst first, each by the ratio of its worst violation to the bound."""
 
         def severity(entry: Entry) -> tuple[float, str]:
-            return entry.problems[0]["amount"] / entry.problems[0]["bound"], entry.clip
+            return entry.violations[0]["amount"] / entry.violations[0]["bound"], entry.clip
 
-        return sorted((entry for entry in self.good if entry.problems), key=severity, reverse=True)
+        return sorted((entry for entry in self.good if entry.violations), key=severity, reverse=True)
 
     @property
     def line(self) -> str:
@@ -58,12 +58,12 @@ class Tally:
         return f"{self.solved} solved{f', {unchanged} already there' if unchanged else ''}, {len(self.failed)} failed"
 
     @property
-    def problems(self) -> list[str]:
-        """ "3 of 200 clips have problems; worst: walk: left_heel is 196 mm in the floor at 1.00 s", or no line."""
+    def violations(self) -> list[str]:
+        """ "3 of 200 clips have violations; worst: walk: left_heel is 196 mm in the floor at 1.00 s", or no line."""
         wrong = self.wrong[:1]
-        count = sum(bool(entry.problems) for entry in self.good)
-        share = f"{count} of {len(self.good)} clips {'has' if count == 1 else 'have'} problems"
-        return [f"{share}; worst: {entry.clip}: {entry.problems[0]['text']}" for entry in wrong]
+        count = sum(bool(entry.violations) for entry in self.good)
+        share = f"{count} of {len(self.good)} clips {'has' if count == 1 else 'have'} violations"
+        return [f"{share}; worst: {entry.clip}: {entry.violations[0]['text']}" for entry in wrong]
 
     def failures(self, most: int = 50) -> list[str]:
         """Return a line for each failed clip, up to a number of clips."""

@@ -82,9 +82,9 @@ def table(good: Iterable[Entry]) -> Table:
 
 
 def worst(wrong: Iterable[Entry]) -> Iterator[str]:
-    """A line each on the recordings with problems, which are given with the worst first: ten of them."""
+    """A line each on the recordings with violations, which are given with the worst first: ten of them."""
     wrong = list(wrong)
     for entry in wrong[:WORST]:
-        yield f"{entry.clip}: {'; '.join(problem['text'] for problem in entry.problems)}"
+        yield f"{entry.clip}: {'; '.join(violation['text'] for violation in entry.violations)}"
     if len(wrong) > WORST:
-        yield f"... and {len(wrong) - WORST} more with problems; the manifest has them all"
+        yield f"... and {len(wrong) - WORST} more with violations; the manifest has them all"

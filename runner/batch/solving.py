@@ -38,7 +38,7 @@ def _solved(task: Task, folder: Path) -> Outcome:
     from rich.console import Console
 
     from .. import recordings, work
-    from ..measure.problems import plain
+    from ..measure.violation import plain
     from ..system.progress import Progress
 
     source, figure = task.files.clip, task.files.others.get("figure")
@@ -47,7 +47,7 @@ def _solved(task: Task, folder: Path) -> Outcome:
     progress = Progress(Console(quiet=True))
     result = work.solve(problem, progress)
     saved = result.saved(progress, with_report=task.options.report)
-    return replace(_written(saved, task, folder, task.options.fps), problems=tuple(plain(result.problems)))
+    return replace(_written(saved, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
 
 def _cleaned(task: Task, folder: Path) -> Outcome:
@@ -71,7 +71,7 @@ def _cleaned(task: Task, folder: Path) -> Outcome:
     result, saved = running.made(source, cleaning.within, Progress(Console(quiet=True)))
     comparison = Comparison(result)
     outcome = _written(saved, task, folder, None)
-    return replace(outcome, problems=tuple(comparison.problems), figures=comparison.figures)
+    return replace(outcome, violations=tuple(comparison.violations), figures=comparison.figures)
 
 
 def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outcome:

@@ -9,7 +9,7 @@ from functools import cache
 from importlib import metadata
 from typing import Annotated, Any
 
-from pydantic import AfterValidator
+from pydantic import AfterValidator, AliasChoices, Field
 
 from ..errors import UserError
 from ..exchange import formats
@@ -128,7 +128,7 @@ def _violation(table: dict[str, Any]) -> dict[str, Any]:
     """A violation as a table; raises ValueError where a batch cannot print and compare it."""
     numbers = [table.get(name) for name in ("amount", "bound")]
     if not isinstance(table.get("text"), str) or not all(isinstance(x, int | float) and x > 0 for x in numbers):
-        raise ValueError(f"'problems' has {table!r}")
+        raise ValueError(f"'violations' has {table!r}")
     return table
 
 
@@ -140,7 +140,7 @@ class Result:
     worker    address of the Dask worker
     cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker ended)
     bound     the limit of a failure by time [s] or memory [MB]
-    problems  violations, worst first, as tables
+    violations  violations, worst first, as tables
     notes     what the output's format cannot store, and warnings
     figures   of a recording: values before and after cleaning, by quantity and unit
     """
@@ -150,7 +150,10 @@ class Result:
     bound: float | None = None
     seconds: float = 0.0
     worker: str = ""
-    problems: tuple[Annotated[dict[str, Any], AfterValidator(_violation)], ...] = ()
+    violations: Annotated[
+        tuple[Annotated[dict[str, Any], AfterValidator(_violation)], ...],
+        Field(validation_alias=AliasChoices("violations", "problems")),  # its former name, in older manifests
+    ] = ()
     figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
 

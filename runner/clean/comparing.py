@@ -73,7 +73,7 @@ class Comparison:
         return tuple(Line(says, unit, getattr(before, of), getattr(after, of), bound) for says, unit, of, bound in rows)
 
     @property
-    def problems(self) -> list[dict[str, Any]]:
+    def violations(self) -> list[dict[str, Any]]:
         """What is not sound after it, the worst first, as a batch's manifest has it."""
         violations = [
             {"text": f"{line.says}: {line.after:.3g} {line.unit}", "amount": line.after, "bound": line.bound}

@@ -17,7 +17,7 @@ from dynsplines.solver.figure.root import root_of
 
 from ..exchange.skeleton import hierarchy
 from ..exchange.skeleton.roles import roles
-from ..measure.problems import is_recording
+from ..measure.violation import is_recording
 from ..motion import Saved
 from ..scene.framing import root_places
 from ..system.progress import Progress

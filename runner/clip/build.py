@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.search.refinement import DENSE, is_practical
 from dynsplines.solver.surface import static_surfaces
 
-from ..errors import UserError
+from ..errors import Renames, UserError
 from ..motion import Saved
 from ..scene.assets import Scene
 from .constraints import constraints, weight_factors
@@ -33,12 +33,11 @@ Own = Sequence[tuple[Penalty, float]]
 
 AT_REST = "begins and ends at rest, like its first and last keyframes; [solve] ends = 'free' leaves their speeds open"
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop in a period
-RENAMED = {"asking": "with_problem"}  # attributes of Clip
 NEXT = 1e-6  # [s] by which a saved keyframe may differ from its time in the text
 
 
 @dataclass(frozen=True, repr=False)
-class Clip:
+class Clip(Renames):
     """A problem ready to solve, and its inputs for reports.
 
     text     the TOML text (empty for MJCF and NPZ clips)
@@ -57,6 +56,7 @@ class Clip:
     context: Context
     notes: tuple[str, ...]
     own: tuple[tuple[Penalty, float], ...] = ()
+    RENAMED: ClassVar[Mapping[str, str]] = {"asking": "with_problem"}
 
     @property
     def figure(self) -> Figure:
@@ -106,13 +106,6 @@ class Clip:
     def with_problem(self, **changes: Any) -> Clip:
         """Return the same clip with fields of its problem changed: penalties, settings, ends."""
         return replace(self, problem=replace(self.problem, **changes))
-
-    if not TYPE_CHECKING:
-
-        def __getattr__(self, name):
-            """Raise an error that names the successor of a renamed attribute."""
-            successor = f"; it is named '{RENAMED[name]}'" if name in RENAMED else ""
-            raise AttributeError(f"Clip has no attribute '{name}'{successor}")
 
     def __repr__(self) -> str:
         """ "<Clip run_and_step: 2.20 s, 12 keyframes (3 partial), 15 penalties, 39 DOF>" """

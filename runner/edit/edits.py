@@ -30,7 +30,7 @@ from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
 from ..clip.table import ClipTable, ContactTable, HoldTable, PenaltyTable, SolveTable
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
-from ..measure.problems import stop_of
+from ..measure.violation import stop_of
 from ..motion import Saved
 from ..system.progress import Progress
 from ..work import Solved

@@ -19,14 +19,14 @@ from ..clip.parse import table_of
 from ..clip.table import ClipTable
 from ..clip.text import written
 from ..errors import UserError
-from ..measure import problems
-from ..measure.problems import Flaw
+from ..measure import violation
+from ..measure.violation import Violation
 from ..motion import Saved
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress
 from . import edits
 
-Problems = tuple[Flaw, ...]
+Violations = tuple[Violation, ...]
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Edit:
 
 def run(
     sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, fresh: bool = False, progress: Progress
-) -> tuple[Path, Problems]:
+) -> tuple[Path, Violations]:
     """Apply an edit; return the target, a motion or by the ending .toml a clip, and the violations of a motion.
 
     fresh  clips are solved now, and not as they may have been before
@@ -71,7 +71,7 @@ def run(
     search = {"stopped because": f"not searched: {edit.word}"}
     saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
     motion.save(saved, target)
-    violations = problems.of_motion(saved)
+    violations = violation.of_motion(saved)
     return target, tuple(f for f in violations if f.keyframe is None) if any(map(_is_sampled, inputs)) else violations
 
 
@@ -80,7 +80,7 @@ def _is_sampled(found: Clip | Saved) -> bool:
     if isinstance(found, Clip):
         return found.follows
     follows = bool(found.text) and table_of(found.text, found.name).recording is not None
-    return follows or problems.is_recording(found)
+    return follows or violation.is_recording(found)
 
 
 def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:

@@ -3,7 +3,7 @@
 checks       kinds of violations as rows of amounts over time
 overlaps     moving bodies in each other, by MuJoCo's collision detection
 measurement  the amounts of all checks along a motion, measured once
-problems     violations, worst first
+violation    violations, worst first
 bounds       tolerances of violations
 report       a motion before and after
 quantities   what a report has of one side, of violations and *between* the samples that the optimiser saw

@@ -1,4 +1,4 @@
-"""From where on something about a motion is a problem: all bounds stand here. docs/problems.md has them too."""
+"""The bounds of violations. docs/violations.md has them, too."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Bound:
-    """Kinds of violations and their tolerances: docs/problems.md has the same table.
+    """Kinds of violations and their tolerances: docs/violations.md has the same table.
 
     most  in `unit`: "m", "degrees", "degrees/s", "rad/s²", or "" for what has none
     why   of this size

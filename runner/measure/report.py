@@ -28,8 +28,8 @@ from dynsplines.solver.surface.points import places_of
 
 from ..clip.build import Clip
 from .formatting import rows
-from .problems import plain, violations
 from .quantities import Side
+from .violation import plain, violations_of
 
 LOCAL_EVALUATIONS = 25  # of a local solve that estimates the remaining decrease of a segment
 LOCAL_TOLERANCE = 1e-4  # of a segment's E; what is left is known to a tenth, in a quarter of the time that 1e-7 takes
@@ -57,7 +57,7 @@ def report(
         "away from trouble": float(drift[_far_from_trouble(clip, before.samples)].max(initial=0.0)),
     }
     return {
-        "problems": plain(violations(after.measurement, motion.stop)),
+        "violations": plain(violations_of(after.measurement, motion.stop)),
         "clip": clip.name,
         "duration, s": float(np.ptp(before.samples.t)),
         "left to gain": _left_to_gain(motion) if searched else {},
@@ -173,17 +173,19 @@ def tables(data: dict[str, Any]) -> Group:
             *(f"{row[key]:.3g}" for key in ("deviation before", "deviation after", "delta", "delta · EL", "left")),
             f"{row['variable frames']:.0f}",
         )
-    listed = data.get("problems", [])
-    wrong = [Text(f"problem: {text}") for text in ([p["text"] for p in listed] if searched else _worst_of_each(listed))]
+    listed = data.get("violations", [])
+    wrong = [
+        Text(f"violation: {text}") for text in ([p["text"] for p in listed] if searched else _worst_of_each(listed))
+    ]
     return Group(*wrong, head, main, *([segments] if data["segments"] else []))
 
 
 def _worst_of_each(told: list[dict[str, Any]]) -> list[str]:
-    """The problems of a recording, worst first, only the first of each kind and name: most samples repeat them."""
-    count = Counter((problem["kind"], problem["name"]) for problem in told)
+    """The violations of a recording, worst first, only the first of each kind and name: most samples repeat them."""
+    count = Counter((violation["kind"], violation["name"]) for violation in told)
     first: dict[tuple[str, str], str] = {}
-    for problem in told:
-        first.setdefault((problem["kind"], problem["name"]), problem["text"])
+    for violation in told:
+        first.setdefault((violation["kind"], violation["name"]), violation["text"])
     return [text + (f"; {count[key] - 1} times more" if count[key] > 1 else "") for key, text in first.items()]
 
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..motion import Saved
-from .problems import Flaw, plain
+from .violation import Violation, plain
 
 
-def summary(saved: Saved, found: Sequence[Flaw]) -> dict[str, Any]:
+def summary(saved: Saved, found: Sequence[Violation]) -> dict[str, Any]:
     """Plain numbers for JSON; the objective where a search left its values, and what the file keeps of that search."""
     times, trace = saved.timeline.times, saved.trace
     values = {"objective before": trace[0][2], "objective": trace[-1][2]} if trace else {}
@@ -21,5 +21,5 @@ def summary(saved: Saved, found: Sequence[Flaw]) -> dict[str, Any]:
         "variable frames": saved.timeline.variable_count,
         **values,
         **saved.search,
-        "problems": plain(found),
+        "violations": plain(found),
     }

@@ -6,11 +6,11 @@ import html
 import io
 import os
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import mujoco
 import numpy as np
@@ -26,10 +26,10 @@ from ..clip import file as clip_file
 from ..clip import load as clips
 from ..clip.build import Clip
 from ..edit import edits, thinning
-from ..errors import UserError
-from ..measure import problems
-from ..measure.problems import Flaw
+from ..errors import Renames, UserError
+from ..measure import violation
 from ..measure.report import tables
+from ..measure.violation import Violation
 from ..motion import Sampled, Saved
 from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
@@ -104,7 +104,7 @@ class Apart:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Motion:
+class Motion(Renames):
     """A motion of a figure over time, with its keyframes and its scene.
 
     saved  the content of its file
@@ -112,6 +112,7 @@ class Motion:
 
     saved: Saved
     _solved: Solved | None = field(default=None)
+    RENAMED: ClassVar[Mapping[str, str]] = {"problems": "violations"}
 
     def __repr__(self) -> str:
         """ "<Motion run_and_step: 2.20 s, 12 keyframes, 33 variable frames, 39 DOF>" """
@@ -234,14 +235,14 @@ class Motion:
         return replace(self.saved, report=dict(self._report)) if "_report" in self.__dict__ else self.saved
 
     @property
-    def problems(self) -> list[Flaw]:
+    def violations(self) -> list[Violation]:
         """The violations, worst first; empty if there are none. Computed once."""
-        return list(self._problems)
+        return list(self._violations)
 
     @cached_property
     @as_python_warnings()
-    def _problems(self) -> tuple[Flaw, ...]:
-        return problems.of_motion(self.saved) if self._solved is None else self._solved.problems
+    def _violations(self) -> tuple[Violation, ...]:
+        return violation.of_motion(self.saved) if self._solved is None else self._solved.violations
 
     def apart(self, other: Motion) -> Apart:
         """Return the largest distance and angle to another motion of the same figure.

@@ -67,7 +67,7 @@ def _model(path: Path) -> Document:
 def _motion(path: Path, figure: str | None) -> Document:
     """A solved clip's own text; or a clip that follows what was recorded."""
     from ..clip.load import load_motion
-    from ..measure.problems import is_recording
+    from ..measure.violation import is_recording
 
     try:
         saved = load_motion(path)

@@ -31,7 +31,7 @@ from dynsplines.clip.parse import references, table_of
 from dynsplines.clip.starter import starter
 from dynsplines.exchange import formats
 from dynsplines.exchange.imported import imported
-from dynsplines.measure import problems
+from dynsplines.measure import violation
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
@@ -196,7 +196,7 @@ def _read_keys(path: Path) -> Clip:
 
 def _read_motion(path: Path) -> None:
     saved = motion.load(path)
-    problems.of_motion(saved)
+    violation.of_motion(saved)
     if saved.timeline.times[-1] - saved.timeline.times[0] <= MOST_SECONDS:
         formats.export(saved, "csv", path.with_name("out.csv"), fps=10.0)
 

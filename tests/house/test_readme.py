@@ -64,7 +64,7 @@ def test_the_example_clips_pasted_one_below_the_other_solve_and_nothing_is_wrong
     assert len(parts) == 4 and len(parts[0].splitlines()) <= 12
     assert blocks("toml") == parts[:1]
     motion = inbetween(clip.from_text("".join(parts[:pasted]), name="readme"))
-    assert not motion.problems
+    assert not motion.violations
 
 
 def test_every_picture_and_linked_file_is_there() -> None:

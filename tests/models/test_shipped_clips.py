@@ -10,7 +10,7 @@ from move import Move, of
 from paper.penetration import self_penetration
 
 from dynsplines import models
-from dynsplines.measure.problems import problems
+from dynsplines.measure.violation import violations
 from dynsplines.motion import sampled
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import Mirror
@@ -180,8 +180,8 @@ UNHINDERED = {"tumble"}  # nothing is in its way: its raw spline breaks nothing 
 
 def problems_of(move: Move, *, raw: bool):
     if raw:
-        return problems(move.clip, move.motion.raw, move.motion.raw)
-    return problems(move.clip, move.motion.timeline, move.motion.raw, move.motion.stop)
+        return violations(move.clip, move.motion.raw, move.motion.raw)
+    return violations(move.clip, move.motion.timeline, move.motion.raw, move.motion.stop)
 
 
 @pytest.mark.parametrize("name", models.clips())

@@ -73,7 +73,7 @@ def test_the_version_is_reported_and_that_of_mujoco(run: Command) -> None:
 
 def told_last(done: Done) -> str:
     """The last line but for what is wrong with the motion."""
-    return [line for line in done.err.splitlines() if not line.startswith("problem: ")][-1]
+    return [line for line in done.err.splitlines() if not line.startswith("violation: ")][-1]
 
 
 def size_of(path: Path) -> tuple[int, int]:
@@ -883,7 +883,7 @@ SINKING = changed('root.position = [0.1, 0, "free"]', "root.position = [0.1, 0, 
     "joints.left_knee = {rotvec = [0, 40, 0]}",
     "root.rotation = {rotvec = [0, 0, 0]}\njoints.left_knee = {rotvec = [0, 0, 0]}",
 )
-SUNK = "problem: keyframe 2 itself: shin is 140 mm in the floor at 0.20 s"
+SUNK = "violation: keyframe 2 itself: shin is 140 mm in the floor at 0.20 s"
 
 
 @pytest.fixture
@@ -927,7 +927,7 @@ def test_json_says_how_it_went_and_what_is_wrong_and_measures_nothing(sinking):
     told = json.loads(done.out)
     assert {"objective", "objective before", "evaluations", "seconds", "stopped because"} <= told.keys()
     assert told["objective"] < told["objective before"]
-    worst = told["problems"][0]
+    worst = told["violations"][0]
     assert SUNK.endswith(worst["text"])
     assert (worst["kind"], worst["name"], worst["keyframe"], worst["unit"]) == ("penetration", "shin", 2, "m")
     assert worst["amount"] == pytest.approx(0.14)
@@ -956,7 +956,7 @@ def test_the_report_begins_with_what_is_wrong(run, tmp_path):
         assert done.code == 3
         assert done.out.startswith(SUNK)
     told = json.loads(run("report", "sinks.npz", "--json").out)
-    assert SUNK.endswith(told["problems"][0]["text"])
+    assert SUNK.endswith(told["violations"][0]["text"])
     assert told["evaluations"] > 0
     assert "seconds" not in told  # a file knows no clock
 
@@ -977,10 +977,10 @@ def test_the_same_command_writes_the_same_bytes_whatever_threads_are_requested(t
 def test_a_report_of_an_older_file_has_its_problems_too(run, tmp_path, motion_file):
     with np.load(motion_file) as data:
         old = json.loads(str(data["report"]))
-        del old["problems"]
+        del old["violations"]
         np.savez(tmp_path / "m.npz", **{**data, "report": json.dumps(old), "search": "{}"})  # type: ignore[arg-type]
     told = json.loads(run("report", "m.npz", "--json").out)
-    assert [each["name"] for each in told["problems"]] == ["root", "left_knee"]
+    assert [each["name"] for each in told["violations"]] == ["root", "left_knee"]
 
 
 def flat(data: Any, place: str = "") -> dict[str, Any]:

@@ -83,7 +83,7 @@ def assert_same(one: Solved, other: Solved) -> None:
         assert a.ends == b.ends
     assert one.search == other.search
     assert list(one.motion.trace) == list(other.motion.trace)
-    assert one.problems == other.problems
+    assert one.violations == other.violations
 
 
 def test_an_unchanged_clip_is_not_solved_again_and_is_the_same(tmp_path, cache, counted):

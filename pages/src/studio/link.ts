@@ -93,7 +93,7 @@ const HEARD: Record<string, (told: Told) => void> = {
     model.tell("document");
   },
   loaded: (told) => { model.loaded = told as never; model.tell("loaded"); },
-  settled: (told) => { model.flaws = told.problems; model.astray = told.astray ?? null; model.tell("settled"); },
+  settled: (told) => { model.violations = told.violations; model.astray = told.astray ?? null; model.tell("settled"); },
   status: (told) => { model.status = told as never; model.tell("status"); },
   kinds: (told) => { model.kinds = told.kinds; model.tell("kinds"); },
   curves: (told) => { curves = told.curves; model.tell("curves"); },

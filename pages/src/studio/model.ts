@@ -30,7 +30,7 @@ export interface Stage extends Drawn {
   bodies: string[]; parents: number[]; still: boolean[]; size: number; joints: Joint[]; sites: Marked[]; soles: Marked[];
   limbs: { name: string; joints: string[]; end: number }[];
 }
-export interface Flaw { kind: string; name: string; time: number | null; amount: number; unit: string; keyframe: number | null; text: string; }
+export interface Violation { kind: string; name: string; time: number | null; amount: number; unit: string; keyframe: number | null; text: string; }
 export interface Kind { kind: string; part: string; term: string; weight: number; "keeps small": string; "is on": boolean; }
 export interface Course { value?: number; parts?: Record<string, number>; evaluation?: number; frames: number[]; kind: string; }
 
@@ -47,7 +47,7 @@ class Model {
   raw: Path | null = null;
   snapshot: Path | null = null;
   course: Course | null = null;
-  flaws: Flaw[] = [];
+  violations: Violation[] = [];
   astray: string | null = null; // why the search should be restarted
   kinds: Kind[] = [];
   status: { state: string; go: boolean; stop?: string; words?: string } = { state: "loading", go: true };

@@ -138,7 +138,7 @@ const pose = (): void => {
 };
 
 const problems = (): void => {
-  const { flaws, astray } = model, count = flaws.length;
+  const { violations, astray } = model, count = violations.length;
   $("count").textContent = count ? String(count) : "";
   $("count").hidden = !count;
   const box = $("panel-problems");
@@ -148,15 +148,15 @@ const problems = (): void => {
   }
   const lost = astray === null ? [] : [el("div", { class: "astray", role: "status" }, el("p", { text: astray }),
     el("button", { type: "button", id: "astray-anew", class: "main", text: "Restart search", onclick: () => void act("go", { anew: true }) }))];
-  box.replaceChildren(...lost, el("p", { class: "hint", text: count ? "Worst first. Click one to go there." : "" }), el("ol", { class: "flaws" }, ...flaws.map((flaw) =>
+  box.replaceChildren(...lost, el("p", { class: "hint", text: count ? "Worst first. Click one to go there." : "" }), el("ol", { class: "violations" }, ...violations.map((violation) =>
     el("li", {}, el("button", {
-      type: "button", class: flaw.keyframe === null ? "" : "own", text: flaw.text,
+      type: "button", class: violation.keyframe === null ? "" : "own", text: violation.text,
       onclick: () => {
-        if (flaw.time !== null) { model.playing = false; model.seek(flaw.time); }
-        const joint = model.stage?.joints.find((each) => each.name === flaw.name);
+        if (violation.time !== null) { model.playing = false; model.seek(violation.time); }
+        const joint = model.stage?.joints.find((each) => each.name === violation.name);
         if (joint) { model.joint = joint.name; model.tell("joint"); }
-        if (flaw.keyframe !== null) model.select([flaw.keyframe - 1]);
-        if (flaw.time === null) toast("it concerns the whole motion", "note");
+        if (violation.keyframe !== null) model.select([violation.keyframe - 1]);
+        if (violation.time === null) toast("it concerns the whole motion", "note");
       },
     })))));
 };

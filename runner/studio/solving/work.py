@@ -1,4 +1,4 @@
-"""The loop of the solver process: a text in; its keyframes, every better path and its problems out.
+"""The loop of the solver process: a text in; its keyframes, every better path and its violations out.
 
 A message during a search ends it: the best path so far is the initial guess of the next one.
 """
@@ -113,7 +113,7 @@ class Work:
         self._astray: str | None = None
         self._speculation: Speculation | None = None
         self._took = 0.0  # [s] loading time of the last edit
-        self._before: tuple[float, int] | None = None  # E and the number of problems of the last good result
+        self._before: tuple[float, int] | None = None  # E and the number of violations of the last good result
 
     def do(self, message: Message) -> None:
         """Handle one message; errors are reported to the page."""
@@ -399,13 +399,13 @@ class Work:
             del self.seen[next(iter(self.seen))]
 
     def _judge(self, stop: str) -> None:
-        """Send the present path's problems, and why the search ended."""
+        """Send the present path's violations, and why the search ended."""
         clip, solution = self.clip, self.found
         assert clip is not None and solution is not None
         self._send_raw()
-        from ...measure.problems import plain, problems
+        from ...measure.violation import plain, violations
 
-        wrong = problems(clip, solution.timeline, solution.raw)
+        wrong = violations(clip, solution.timeline, solution.raw)
         self._astray = self._suspected(len(wrong)) if stop in (Stop.CONVERGED.name, Stop.STUCK.name) else None
         if not self._has_told:
             self._has_told = True
@@ -414,7 +414,7 @@ class Work:
             "settled",
             revision=self.revision,
             stop=stop,
-            problems=plain(wrong),
+            violations=plain(wrong),
             frames=solution.timeline.times.tolist(),
             astray=self._astray,
         )

@@ -294,9 +294,9 @@ def test_a_cluster_elsewhere_gets_all_it_needs_and_gives_back_the_files(tmp_path
     assert said.splitlines()[0].startswith(f"Dask: {address}, 1 workers")
     assert said.splitlines()[-2].startswith("failed: wrong: wrong.toml: keyframe 1 (t = 0 s): no joint 'knee'")
     assert said.splitlines()[-1] == "out: 6 solved, 1 failed"
-    assert any(line.startswith("6 of 6 clips have problems; worst: ") for line in said.splitlines())
+    assert any(line.startswith("6 of 6 clips have violations; worst: ") for line in said.splitlines())
     solved = [entry for entry in journal(tmp_path / "out") if entry.state == "done"]
-    assert [[each["name"] for each in entry.problems] for entry in solved] == [["root", "left_knee"]] * 6
+    assert [[each["name"] for each in entry.violations] for entry in solved] == [["root", "left_knee"]] * 6
     assert len((tmp_path / "out/left/clip000.csv").read_text(encoding="utf-8").splitlines()) == 12
     until(lambda: not solvers(cluster.pid), "the end of the batch's processes at the workers")
 
@@ -311,7 +311,7 @@ def test_what_a_killed_program_had_begun_to_write_is_removed_whatever_the_ending
     _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 0, said
     assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["manifest.jsonl", "tiny.keys.xml"]
-    problem = "1 of 1 clips has problems; worst: tiny: keyframe 1 itself: the figure never comes down"
+    problem = "1 of 1 clips has violations; worst: tiny: keyframe 1 itself: the figure never comes down"
     assert said.splitlines()[-2].startswith(problem)
     again = start("batch", "tiny.toml", "-o", "out", "--no-report", "--to", "mjcf", "--strict")
     _, said = again.communicate(timeout=PATIENCE)

@@ -158,7 +158,7 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
     path.unlink()
     product = solving.solved(Task(files, "tiny.npz"), there)
     (tmp_path / "result.npz").write_bytes(product.files["tiny.npz"])
-    assert [problem["name"] for problem in product.problems] == ["root", "left_knee"]
+    assert [problem["name"] for problem in product.violations] == ["root", "left_knee"]
     saved = load(tmp_path / "result.npz")
     assert saved.name == "tiny"
     assert saved.text == problem.text

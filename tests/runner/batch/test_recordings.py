@@ -88,7 +88,7 @@ def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(folder: Path, t
 
 def entry(name: str, slip: float, problem: float | None = None) -> Entry:
     found = () if problem is None else ({"text": f"slip: {problem} mm", "amount": problem, "bound": 5.0},)
-    return Entry(clip=name, source=f"{name}.bvh", state="done", problems=found, figures={"slip [mm]": (40.0, slip)})
+    return Entry(clip=name, source=f"{name}.bvh", state="done", violations=found, figures={"slip [mm]": (40.0, slip)})
 
 
 def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
@@ -99,7 +99,7 @@ def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
     assert lines[0].split() == ["15", "recordings", "median", "before", "after", "worst", "before", "after"]
     assert lines[1].split() == ["slip", "[mm]", "40", "7", "40", "14"]
     assert [line.split(":")[0] for line in lines[2:12]] == [f"r{i}" for i in range(14, 4, -1)]
-    assert lines[12] == "... and 2 more with problems; the manifest has them all"
+    assert lines[12] == "... and 2 more with violations; the manifest has them all"
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from dynsplines import inbetween
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
-from dynsplines.measure.problems import problems
+from dynsplines.measure.violation import violations
 from tests.support.biped import biped, scene
 
 HARD = '[[penalty]]\nkind = "limits"\nrange = "hard"\n'
@@ -62,7 +62,7 @@ def test_what_cannot_be_hard_is_refused(tmp_path: Path) -> None:
 def test_a_path_beyond_a_hard_range_is_a_violation(tmp_path: Path) -> None:
     problem = read(tmp_path, KICK)
     raw = problem.problem.raw
-    found = [each for each in problems(problem, raw, raw) if each.kind == "hard range"]
+    found = [each for each in violations(problem, raw, raw) if each.kind == "hard range"]
     assert {each.name for each in found} >= {"left_knee"}
     assert found[0].bound == 0.05 and "beyond its hard range" in found[0].text
     model = problem.figure.model

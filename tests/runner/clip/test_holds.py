@@ -17,8 +17,8 @@ from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import written
 from dynsplines.edit.edits import retimed_tables, trimmed
 from dynsplines.errors import UserError
-from dynsplines.measure.problems import problems
 from dynsplines.measure.quantities import Side
+from dynsplines.measure.violation import violations
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.inbetween import inbetween
@@ -180,8 +180,8 @@ def test_the_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate(
             track = np.array([place(clip, clip.figure.to_qpos(y), hand) for y in path(timeline).at(time)])
             moved.append(np.linalg.norm(track - track[0], axis=1).max())
         assert max(moved) > 0.006 if most is None else max(moved) <= most
-    assert not [each for each in problems(clip, motion.timeline, motion.raw) if each.kind == "hold"]
-    assert {each.name for each in problems(clip, motion.raw, motion.raw) if each.kind == "hold"}
+    assert not [each for each in violations(clip, motion.timeline, motion.raw) if each.kind == "hold"]
+    assert {each.name for each in violations(clip, motion.raw, motion.raw) if each.kind == "hold"}
 
 
 @pytest.mark.slow

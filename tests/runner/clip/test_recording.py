@@ -277,12 +277,12 @@ def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported(tmp
     over = at[..., 2] - np.where(at[..., 0] > 2.63, 0.12, 0.0)
     assert over.min() > -0.01
     assert at[-1, 0, 2] == pytest.approx(0.12, abs=1e-6)
-    assert [flaw.text for flaw in solved.problems] == []
+    assert [violation.text for violation in solved.violations] == []
     found = penetration(model, times, clip.figure.to_qpos(path.at(times)))
     assert found.deepest < 0.004, found.worst()
     saved = solved.saved(Progress(), with_report=False)
     report = measured(saved, Progress(), "").report
-    assert report["problems"] == []
+    assert report["violations"] == []
     assert (report["keyframes"], report["partial keyframes"]) == (3, 3)
     assert report["segments"] == []
     assert all(joint["backward"] < 1 for joint in report["after"]["bends, degrees"].values())

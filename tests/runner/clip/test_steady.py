@@ -42,7 +42,7 @@ def test_an_arm_is_held_before_and_after_a_fast_motion() -> None:
     motion = inbetween(problem)
     assert off(problem, motion.at(np.linspace(0, 1, 200)), 0) < 4
     assert off(problem, motion.at(np.linspace(1.3, 2.3, 200)), -120) < 4
-    assert motion.problems == []
+    assert motion.violations == []
 
 
 @pytest.mark.slow

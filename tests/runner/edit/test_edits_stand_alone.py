@@ -20,7 +20,7 @@ from dynsplines.clip.text import tables
 from dynsplines.edit import edits, thinning
 from dynsplines.edit import files as edit_files
 from dynsplines.errors import UserError
-from dynsplines.measure import problems
+from dynsplines.measure import violation
 from dynsplines.motion import Saved, sampled
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.system.progress import Progress
@@ -91,7 +91,7 @@ def test_what_is_edited_of_a_motion_that_follows_a_recording_is_a_motion_of_keyf
     np.testing.assert_allclose(at(edited, when(times)), at(followed, times), rtol=0, atol=1e-9)
     measured = edits.measured(edited, quiet(), "edited")
     assert measured.report
-    problems.of_motion(edited)
+    violation.of_motion(edited)
     for exact in (False, True):
         clip_file.write(edited, tmp_path / "part.toml", exact=exact, overwrite=True)
         again = recordings.load(str(tmp_path / "part.toml"))
@@ -115,7 +115,7 @@ def test_a_clip_that_follows_a_recording_is_edited_as_a_motion(folder, tmp_path,
     edit = edit_files.mirrored() if word == "mirror" else edit_files.retimed(2.0, None)
     name = "step_on_kerb" if word == "mirror" else str(folder / "following.toml")
     target, told = edit_files.run([name], edit, tmp_path / "out.npz", overwrite=False, progress=quiet())
-    assert [flaw.text for flaw in told if flaw.keyframe is not None] == []
+    assert [violation.text for violation in told if violation.keyframe is not None] == []
     assert "recording" not in motion.load(target).text
     with pytest.raises(UserError, match=r"-o NAME\.npz"):
         edit_files.run([name], edit, tmp_path / "out.toml", overwrite=False, progress=quiet())
@@ -153,7 +153,7 @@ def test_flights_are_cut_and_shifted_as_contacts_are(flying):
     assert flights(edits.trimmed(flying, 0.1, 0.3)) == [[0.1, 0.15]]
     cut = edits.trimmed(flying, 0.2, 0.4)
     assert flights(cut) == []
-    problems.of_motion(cut)
+    violation.of_motion(cut)
     assert edits.measured(cut, quiet(), "cut").report
     both = flights(edits.joined(flying, flying, 0.2, quiet()))
     assert both is not None

@@ -187,8 +187,8 @@ def test_an_import_reports_violations_as_solve_does(run, tmp_path):
     (tmp_path / "low.csv").write_text(rows + "\n")
     words = ("import", "low.csv", "--from", "csv", "--figure", "robot.xml", "--fps", "30", "-o", "low.npz")
     done = run(*words)
-    first, *problems = done.err.splitlines()
+    first, *violations = done.err.splitlines()
     assert (done.code, first) == (0, "wrote low.npz")
-    assert "problem: base is 600 mm in the floor at 0.00 s, 5 samples in all" in problems
-    assert len({line.split()[1] for line in problems}) == len(problems)  # one line a body
+    assert "violation: base is 600 mm in the floor at 0.00 s, 5 samples in all" in violations
+    assert len({line.split()[1] for line in violations}) == len(violations)  # one line a body
     assert run(*words, "--strict", "--overwrite").code == 3 and (tmp_path / "low.npz").exists()

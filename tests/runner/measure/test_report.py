@@ -195,7 +195,7 @@ def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
     assert {name: data["before"][name] for name in data["before"]} == {
         name: data["after"][name] for name in data["before"]
     }
-    assert len(data["problems"]) > 30  # every image has the box in the floor itself
+    assert len(data["violations"]) > 30  # every image has the box in the floor itself
     out = io.StringIO()
     Console(file=out, width=160).print(tables(json.loads(json.dumps(data))))
     shown = out.getvalue()

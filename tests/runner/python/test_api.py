@@ -126,7 +126,9 @@ def test_the_error_for_a_renamed_attribute_names_the_new_one():
     assert clip.with_problem(settings=settings).settings is settings
     with pytest.raises(AttributeError, match="Clip has no attribute 'asking'; it is named 'with_problem'"):
         clip.asking  # type: ignore[attr-defined]  # noqa: B018
-    with pytest.raises(AttributeError, match=r"Clip has no attribute 'missing'$"):
+    with pytest.raises(AttributeError, match="Motion has no attribute 'problems'; it is named 'violations'"):
+        object.__new__(Motion).problems  # type: ignore[attr-defined]  # noqa: B018
+    with pytest.raises(AttributeError, match=r"'Clip' object has no attribute 'missing'$"):
         clip.missing  # type: ignore[attr-defined]  # noqa: B018
 
 

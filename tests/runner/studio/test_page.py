@@ -109,9 +109,9 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         tab.press("o")
         for _ in range(6):
             tab.settled()
-            if not tab.look("studio.model.flaws.length"):
+            if not tab.look("studio.model.violations.length"):
                 break
-            page.locator("#panel-problems .flaws button").first.click()
+            page.locator("#panel-problems .violations button").first.click()
             assert tab.look("studio.model.time") is not None
             tab.changes(lambda: tab.press("Control+z"))
         tab.until(page.locator("#nothing-wrong").is_visible)
@@ -495,7 +495,9 @@ def test_a_robot_crouches_and_reaches_in_less_than_twenty_actions(tab, name):
     assert now[0][2] < low[2] - 0.04
     assert now[1][0] > far[0] + 0.08
     soles = [
-        flaw for flaw in tab.look("studio.model.flaws") if flaw["kind"] in ("depth", "ground") and flaw["amount"] > 0.02
+        violation
+        for violation in tab.look("studio.model.violations")
+        if violation["kind"] in ("depth", "ground") and violation["amount"] > 0.02
     ]
     assert soles == []
     assert actions < 20

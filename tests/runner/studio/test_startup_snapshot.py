@@ -99,7 +99,7 @@ def test_where_nothing_is_searched_the_clip_s_own_path_takes_its_place(session):
     async def heard():
         session._heard({"is": "stage", "stage": STAGE})
         session._heard({"is": "path", "kind": "carried", "revision": 0, "data": path_of("carried"), "timeline": b""})
-        session._heard({"is": "settled", "stop": "paused", "problems": []})
+        session._heard({"is": "settled", "stop": "paused", "violations": []})
 
     asyncio.run(heard())
     assert path_of("carried") in told

@@ -37,7 +37,7 @@ FEW = 60  # samples of what a whole motion is like
 
 
 @dataclass(frozen=True)
-class Flaw:
+class Violation:
     """One violation.
 
     kind      of `dynsplines.measure.bounds.BOUNDS`
@@ -66,32 +66,32 @@ class Flaw:
         return self.text
 
 
-def problems(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Flaw, ...]:
+def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """Return the violations of a timeline that answers a clip, worst first.
 
     raw   the raw spline through its keyframes, to which whips are compared
     stop  why the search ended
     """
-    return violations(Measurement.of(clip, timeline, raw), stop)
+    return violations_of(Measurement.of(clip, timeline, raw), stop)
 
 
-def violations(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Flaw, ...]:
+def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """Return everything beyond its bound in a measured motion, worst first."""
-    flaws = [flaw for check, hits in motion.checks for flaw in _worst(check, hits, motion)]
-    flaws += [*_drifts(motion), *_aloft(motion), *_beyond_hard(motion.clip, motion.timeline)]
+    violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
+    violations += [*_drifts(motion), *_aloft(motion), *_beyond_hard(motion.clip, motion.timeline)]
     if stop in (Stop.BUDGET, Stop.STUCK):
         row = row_of("search", stop.name.lower(), f"the search ended before it was done: {stop.value}")
-        flaws.append(_flaw(row, row.bound, None))
-    return tuple(sorted(flaws, key=lambda flaw: -flaw.severity))
+        violations.append(_as_violation(row, row.bound, None))
+    return tuple(sorted(violations, key=lambda violation: -violation.severity))
 
 
-def of_motion(saved: Saved) -> tuple[Flaw, ...]:
+def of_motion(saved: Saved) -> tuple[Violation, ...]:
     """The violations of a motion, from the content of its file."""
     try:
         clip = clips.clip_from_motion(saved)
     except UserError:  # a text that this program cannot read, in a file from elsewhere
         clip = clips.of_motion(replace(saved, text=""))
-    return problems(clip, saved.timeline, saved.raw, stop_of(saved))
+    return violations(clip, saved.timeline, saved.raw, stop_of(saved))
 
 
 def stop_of(saved: Saved) -> Stop:
@@ -104,47 +104,47 @@ def is_recording(saved: Saved) -> bool:
     return not saved.search and saved.timeline.variable_count == 0
 
 
-def lines(found: Sequence[Flaw], file: object = None) -> list[str]:
+def lines(found: Sequence[Violation], file: object = None) -> list[str]:
     """For the terminal: a line each of the worst, and how many more there are."""
     counts: dict[tuple[str, int], int] = {}
-    first: list[Flaw] = []
-    for problem in found:
-        if problem.keyframe is not None:
-            place = problem.kind, problem.keyframe
+    first: list[Violation] = []
+    for violation in found:
+        if violation.keyframe is not None:
+            place = violation.kind, violation.keyframe
             counts[place] = counts.get(place, 0) + 1
             if counts[place] > 1:
                 continue
-        first.append(problem)
+        first.append(violation)
     out = []
-    for problem in first[:MOST_TOLD]:
-        others = counts.get((problem.kind, problem.keyframe or 0), 1) - 1
-        out.append(f"problem: {problem.text}" + (f"; {others} more like it there" if others else ""))
+    for violation in first[:MOST_TOLD]:
+        others = counts.get((violation.kind, violation.keyframe or 0), 1) - 1
+        out.append(f"violation: {violation.text}" + (f"; {others} more like it there" if others else ""))
     more = len(first) - MOST_TOLD
     return [*out, f"... and {more} more" + (f": dynsplines report {file}" if file else "")] if more > 0 else out
 
 
-def by_name(found: Sequence[Flaw]) -> tuple[Flaw, ...]:
+def by_name(found: Sequence[Violation]) -> tuple[Violation, ...]:
     """Return the worst violation of each point, joint or contact of a recording, worst first, with their count.
 
     Every sample of a recording is a keyframe; listed one by one, a single joint would fill the terminal.
     """
-    groups: dict[tuple[str, str], list[Flaw]] = {}
-    for flaw in found:
-        groups.setdefault((flaw.kind, flaw.name), []).append(flaw)
+    groups: dict[tuple[str, str], list[Violation]] = {}
+    for violation in found:
+        groups.setdefault((violation.kind, violation.name), []).append(violation)
     out = []
     for first, *others in groups.values():
-        samples = len({flaw.keyframe for flaw in (first, *others)})
+        samples = len({violation.keyframe for violation in (first, *others)})
         text = first.text.removeprefix(f"keyframe {first.keyframe} itself: ")
         out.append(replace(first, keyframe=None, text=f"{text}, {samples} samples in all" if samples > 1 else text))
     return tuple(out)
 
 
-def plain(found: Sequence[Flaw]) -> list[dict[str, Any]]:
+def plain(found: Sequence[Violation]) -> list[dict[str, Any]]:
     """For JSON."""
-    return [asdict(problem) for problem in found]
+    return [asdict(violation) for violation in found]
 
 
-def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Flaw]:
+def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]:
     """The worst of every group in each keyframe that causes it, and on the path if it is worse there."""
     hits = hits.taken(hits.amount > check.bounds[hits.row])
     if not hits.row.size:
@@ -159,10 +159,10 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Flaw]:
         caps.setdefault(int(group[i]), np.zeros(motion.key_at.size))[key[i]] = hits.amount[i]
     for i in _largest(hits, np.where(caused, group if check.is_once else group * keys.size + key, -1)):
         row, time = _named(check, hits, group, i), float(motion.time[hits.at[i]])
-        flaw = _flaw(check.row(row), float(hits.amount[i]), time, int(motion.numbers[key[i]]))
+        violation = _as_violation(check.row(row), float(hits.amount[i]), time, int(motion.numbers[key[i]]))
         others = np.count_nonzero(caps[int(group[i])]) - 1 if check.is_once else 0
         also = f", and in {others} other keyframe{'s' if others > 1 else ''}" if others else ""
-        yield replace(flaw, text=flaw.text + also)
+        yield replace(violation, text=violation.text + also)
     before = np.clip(np.searchsorted(motion.key_at, hits.at, side="right") - 1, 0, motion.key_at.size - 2)
     tolerated = np.zeros(hits.row.size)
     for number, cap in caps.items():
@@ -171,7 +171,7 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Flaw]:
     bound = np.where(tolerated > 0, check.bounds[hits.row], 0.0)
     for i in _largest(hits, np.where(hits.amount > tolerated + bound, group, -1)):
         row = _named(check, hits, group, i)
-        yield _flaw(check.row(row), float(hits.amount[i]), float(motion.time[hits.at[i]]))
+        yield _as_violation(check.row(row), float(hits.amount[i]), float(motion.time[hits.at[i]]))
 
 
 def _largest(hits: Hits, label: Index) -> list[int]:
@@ -191,7 +191,7 @@ def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
     return int(hits.row[worst])
 
 
-def _drifts(motion: Measurement) -> Iterator[Flaw]:
+def _drifts(motion: Measurement) -> Iterator[Violation]:
     """Keyframes that put a point that is to rest somewhere else than the keyframe before."""
     worst: dict[tuple[str, int, int], tuple[float, Row, float]] = {}
     for stay, group in motion.stays:
@@ -202,10 +202,10 @@ def _drifts(motion: Measurement) -> Iterator[Flaw]:
             text = f"{stance.point.name}, which is to rest, is {{}} from where the keyframe before has it"
             worst[place] = drift, row_of(stay.kind, stance.point.name, text), stance.last
     for (_, _, k), (drift, row, time) in worst.items():
-        yield _flaw(row, drift, time, int(motion.numbers[k]))
+        yield _as_violation(row, drift, time, int(motion.numbers[k]))
 
 
-def _aloft(motion: Measurement) -> Iterator[Flaw]:
+def _aloft(motion: Measurement) -> Iterator[Violation]:
     """A jointed figure that moves about and is above the ground all the time, without a flight in the clip."""
     context, figure = motion.clip.context, motion.clip.figure
     flies = context.support is not None and context.support.flights
@@ -224,7 +224,7 @@ def _aloft(motion: Measurement) -> Iterator[Flaw]:
             text = f"the figure never comes down: lowest point {height:.2f} m above the floor"
             row = row_of("aloft", figure.links[root].name, text)
             keyframe = int(motion.numbers[lowest]) if lowest < motion.key_at.size else None
-            yield _flaw(row, height, float(motion.time[at[lowest]]), keyframe)
+            yield _as_violation(row, height, float(motion.time[at[lowest]]), keyframe)
 
 
 def _lowest(surfaces: Sequence[Surface], points: Sequence[Point], samples: Samples) -> Array:
@@ -235,22 +235,22 @@ def _lowest(surfaces: Sequence[Surface], points: Sequence[Point], samples: Sampl
     return above.min(axis=0)
 
 
-def _beyond_hard(clip: Clip, timeline: Timeline) -> Iterator[Flaw]:
+def _beyond_hard(clip: Clip, timeline: Timeline) -> Iterator[Violation]:
     """Joints beyond ranges that the clip makes hard, at any time."""
     for joint, over, time in farthest(clip.figure, timeline, hard_ranges(clip.penalties)):
         slides = joint.kind is JointKind.SLIDE
         kind, amount = ("hard travel", over) if slides else ("hard range", float(np.degrees(over)))
         row = row_of(kind, joint.name, f"{joint.name} is {{}} beyond its hard range")
         if amount > row.bound:
-            yield _flaw(row, amount, time)
+            yield _as_violation(row, amount, time)
 
 
-def _flaw(row: Row, amount: float, time: float | None, keyframe: int | None = None) -> Flaw:
+def _as_violation(row: Row, amount: float, time: float | None, keyframe: int | None = None) -> Violation:
     unit = BOUNDS[row.kind].unit
     text = row.text.format(_spoken(amount, unit)) + ("" if time is None else f" at {time:.2f} s")
     if keyframe is not None:
         text = f"keyframe {keyframe} itself: {text}"
-    return Flaw(row.kind, row.name, time, amount, unit, row.bound, keyframe, text)
+    return Violation(row.kind, row.name, time, amount, unit, row.bound, keyframe, text)
 
 
 def _spoken(amount: float, unit: str) -> str:

@@ -20,9 +20,9 @@ from dynsplines import Keyframe, build, inbetween, load_motion, motion, work
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
-from dynsplines.measure import problems
+from dynsplines.measure import violation
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE
-from dynsplines.measure.problems import Flaw
+from dynsplines.measure.violation import Violation
 from dynsplines.motion import sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -64,10 +64,10 @@ def read(text: str, figure: str = "", folder: Path | None = None) -> Clip:
     return clip.from_text(text, name="it", folder=folder)
 
 
-def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Flaw, ...]:
+def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """With the raw spline, or with another timeline through its keyframes; figures here may hang in the air."""
     raw = work.unsolved(problem).motion.raw
-    found = problems.problems(problem, timeline or raw, raw, stop)
+    found = violation.violations(problem, timeline or raw, raw, stop)
     return tuple(each for each in found if each.kind != "aloft")
 
 
@@ -76,7 +76,7 @@ def unposed(problem: Clip) -> Clip:
     return problem.with_problem(keys=tuple(replace(key, posed=None) for key in problem.keys))
 
 
-def kinds(found: Sequence[Flaw]) -> set[str]:
+def kinds(found: Sequence[Violation]) -> set[str]:
     return {each.kind for each in found}
 
 
@@ -137,7 +137,7 @@ def test_a_joint_that_swings_in_a_hold_is_reported(tmp_path):
     assert (first.kind, first.name, second.kind) == ("overshoot", "arm", "overshoot")
     assert first.amount == pytest.approx(np.abs(raw).max() - 1, abs=0.1)
     assert "the keyframes at 0 and 1 s both specify" in first.text
-    assert work.solve(problem, quiet()).problems == ()
+    assert work.solve(problem, quiet()).violations == ()
 
 
 @pytest.mark.slow
@@ -456,18 +456,20 @@ def test_the_worst_comes_first_by_how_many_times_its_bound_it_is():
 
 
 def test_of_many_lines_the_worst_are_reported_and_the_rest_counted():
-    many = [Flaw("range", f"joint {i}", 0.1, 20.0 - i, "degrees", 2.0, None, f"joint {i} is off") for i in range(14)]
-    lines = problems.lines(many, "it.npz")
-    assert lines[:2] == ["problem: joint 0 is off", "problem: joint 1 is off"]
+    many = [
+        Violation("range", f"joint {i}", 0.1, 20.0 - i, "degrees", 2.0, None, f"joint {i} is off") for i in range(14)
+    ]
+    lines = violation.lines(many, "it.npz")
+    assert lines[:2] == ["violation: joint 0 is off", "violation: joint 1 is off"]
     assert lines[10:] == ["... and 4 more: dynsplines report it.npz"]
-    assert problems.lines(many[:10]) == lines[:10]
-    assert problems.lines([]) == []
+    assert violation.lines(many[:10]) == lines[:10]
+    assert violation.lines([]) == []
 
 
 def test_limbs_that_one_keyframe_sinks_are_one_line():
     found = wrong(read(SQUAT))
-    (line,) = problems.lines(found)
-    assert line == f"problem: {found[0].text}; {len(found) - 1} more like it there"
+    (line,) = violation.lines(found)
+    assert line == f"violation: {found[0].text}; {len(found) - 1} more like it there"
     assert len(found) == 4
 
 
@@ -479,7 +481,7 @@ def test_the_look_is_quick():
     spent = []
     for _ in range(3):
         begin = time.perf_counter()
-        problems.problems(problem, raw, raw)
+        violation.violations(problem, raw, raw)
         spent.append(time.perf_counter() - begin)
     assert min(spent) < 0.5  # a twentieth of that, on a machine that has nothing else to do
 
@@ -496,7 +498,7 @@ def walked() -> motion.Saved:
 
 
 def said(saved: motion.Saved) -> set[tuple[str, str]]:
-    return {(each.kind, each.name) for each in problems.of_motion(saved)}
+    return {(each.kind, each.name) for each in violation.of_motion(saved)}
 
 
 @pytest.mark.slow
@@ -504,49 +506,49 @@ def test_a_motion_from_a_file_has_the_problems_that_it_had(walked, tmp_path):
     assert said(walked) >= {("contact", "right_toe"), ("placement", "left_hand")}
     motion.save(walked, tmp_path / "m.npz")
     again = motion.load(tmp_path / "m.npz")
-    assert [each.text for each in problems.of_motion(again)] == [each.text for each in problems.of_motion(walked)]
-    assert [each.text for each in load_motion(tmp_path / "m.npz").problems] == [
-        each.text for each in problems.of_motion(walked)
+    assert [each.text for each in violation.of_motion(again)] == [each.text for each in violation.of_motion(walked)]
+    assert [each.text for each in load_motion(tmp_path / "m.npz").violations] == [
+        each.text for each in violation.of_motion(walked)
     ]
 
 
 @pytest.mark.slow
 def test_edited_motions_are_looked_at_as_what_they_are(walked):
     assert said(edits.mirrored(walked)) >= {("contact", "left_toe"), ("placement", "right_hand")}
-    fast = problems.of_motion(edits.retimed(walked, 2.0))
+    fast = violation.of_motion(edits.retimed(walked, 2.0))
     assert {each.time for each in fast if each.kind == "placement"} == {1.0}
     assert ("contact", "right_toe") in said(edits.trimmed(walked, 1.1, 2.0))
     assert ("contact", "right_toe") not in said(edits.trimmed(walked, 0.0, 1.1))
-    later = problems.of_motion(edits.joined(walked, walked, 0.4, quiet()))
+    later = violation.of_motion(edits.joined(walked, walked, 0.4, quiet()))
     assert {each.kind for each in later} >= {"contact"}
 
 
 def test_a_text_that_is_unreadable_is_no_reason_not_to_look(walked):
-    assert isinstance(problems.of_motion(replace(walked, text="figure = ")), tuple)
+    assert isinstance(violation.of_motion(replace(walked, text="figure = ")), tuple)
 
 
 @pytest.mark.slow
 def test_why_the_search_ended_is_in_the_file(tmp_path):
     keys = [Keyframe(0, others="rest"), Keyframe(0.8, root={"position": [0.7, 0, 1.2]}, others="rest")]
     found = inbetween(build("human", keys, scene={"step": {"x": 0.4, "height": 0.27}}, solve={"evaluations": 2}))
-    assert [each.kind for each in found.problems].count("search") == 1
+    assert [each.kind for each in found.violations].count("search") == 1
     found.save(tmp_path / "m.npz")
     assert motion.load(tmp_path / "m.npz").report == {}
     again = load_motion(tmp_path / "m.npz")
-    assert [each.text for each in again.problems] == [each.text for each in found.problems]
+    assert [each.text for each in again.violations] == [each.text for each in found.violations]
     assert again.report()["evaluations"] == found.saved.search["evaluations"] > 0
     assert found.saved.search["seconds"] > 0
     assert "seconds" not in again.report()  # a file knows no clock
     assert again.report()["stopped because"] == Stop.BUDGET.value
-    assert [each["text"] for each in again.report()["problems"]] == [each.text for each in found.problems]
-    assert str(again.report()).splitlines()[0].startswith("problem: ")
+    assert [each["text"] for each in again.report()["violations"]] == [each.text for each in found.violations]
+    assert str(again.report()).splitlines()[0].startswith("violation: ")
     again.save(tmp_path / "measured.npz")
     assert motion.load(tmp_path / "measured.npz").report["keyframes"] == 2
 
 
 def test_the_bounds_of_the_page_are_those_of_the_code():
     """A row for every bound, or one for two of the same size."""
-    page = (Path(__file__).parents[3] / "docs" / "problems.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[3] / "docs" / "violations.md").read_text(encoding="utf-8")
     told = {}
     for names, most in re.findall(r"^\| (`[^|]+`) \| ([^|]+) \|", page, flags=re.MULTILINE):
         told |= dict.fromkeys(re.findall(r"`([^`]+)`", names), most)
@@ -568,7 +570,7 @@ FLOOR = '<geom type="plane" size="1 1 .1" pos="0 0 .1"/>'
 def aloft(text: str, model: str, folder: Path) -> list[str]:
     raw = work.unsolved(read(text, model, folder)).motion.raw
     problem = read(text, model, folder)
-    return [each.text for each in problems.problems(problem, raw, raw) if each.kind == "aloft"]
+    return [each.text for each in violation.violations(problem, raw, raw) if each.kind == "aloft"]
 
 
 def hung(*heights: float) -> str:
