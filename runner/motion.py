@@ -60,6 +60,8 @@ class Sampled:
     qacc: Array
 
 
+FORMER = {"own penalties": "custom penalties"}  # entries of a search in files of version 0.2, and their names now
+
 # of a search: its evaluations, its time [s], why it ended by name and in words, the stances and penalties that it had
 Search = TypedDict(
     "Search",
@@ -69,7 +71,7 @@ Search = TypedDict(
         "stop": str,
         "stopped because": str,
         "stances": Sequence[Mapping[str, object]],
-        "own penalties": list[str],
+        "custom penalties": list[str],
     },
     total=False,
 )
@@ -306,6 +308,13 @@ def _check_arrays(data: Arrays, shapes: Mapping[str, tuple[int, ...]]) -> None:
             raise ValueError(f"'{name}' holds an entry that is too large")
 
 
+def _present_names(search: Any) -> Any:
+    """Return the entries of a search, with names of version 0.2 replaced."""
+    if not isinstance(search, dict):
+        return search
+    return {FORMER.get(key, key): FORMER.get(value, value) if key == "stop" else value for key, value in search.items()}
+
+
 def _restored(data: Arrays) -> Saved:
     scene = Scene.received(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
@@ -328,5 +337,5 @@ def _restored(data: Arrays) -> Saved:
         raw=timelines[1],
         trace=json.loads(str(data["trace"])),
         report=json.loads(str(data["report"])),
-        search=json.loads(str(data.get("search", "{}"))),
+        search=_present_names(json.loads(str(data.get("search", "{}")))),
     )

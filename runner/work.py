@@ -65,8 +65,8 @@ class Solved:
         search |= {"stop": motion.stop.name, "stopped because": motion.stop.value}
         if stances := self.clip.stances:
             search["stances"] = stances
-        if self.clip.own:
-            search["own penalties"] = [penalty.name for penalty, _ in self.clip.own]
+        if self.clip.custom_penalties:
+            search["custom penalties"] = [penalty.name for penalty, _ in self.clip.custom_penalties]
         return search
 
     def saved(self, progress: Progress, with_report: bool = True) -> Saved:

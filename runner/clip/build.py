@@ -29,7 +29,7 @@ from .parse import Parsed, table_of
 from .posing.couplings import complaints
 from .table import ClipTable, SolveTable
 
-Own = Sequence[tuple[Penalty, float]]
+CustomPenalties = Sequence[tuple[Penalty, float]]
 
 AT_REST = "begins and ends at rest, like its first and last keyframes; [solve] ends = 'free' leaves their speeds open"
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop in a period
@@ -45,7 +45,7 @@ class Clip(Renames):
     problem  what is to be solved: figure, keyframes, soft constraints, settings, ends
     context  the inputs of the soft constraints: soles, knees and elbows, contacts, holds, flights, a cycle
     notes    one line each on what is missing or doubtful
-    own      custom soft constraints, which are among the problem's; no file contains them
+    custom_penalties  those of a program, with their weights, also among the problem's; no file contains them
     """
 
     name: str
@@ -55,8 +55,8 @@ class Clip(Renames):
     problem: Problem
     context: Context
     notes: tuple[str, ...]
-    own: tuple[tuple[Penalty, float], ...] = ()
-    RENAMED: ClassVar[Mapping[str, str]] = {"asking": "with_problem"}
+    custom_penalties: tuple[tuple[Penalty, float], ...] = ()
+    RENAMED: ClassVar[Mapping[str, str]] = {"asking": "with_problem", "own": "custom_penalties"}
 
     @property
     def figure(self) -> Figure:
@@ -208,15 +208,15 @@ def radians(degrees: float | None) -> float | None:
     return None if degrees is None else float(np.radians(degrees))
 
 
-def with_own(clip: Clip, own: Own) -> Clip:
+def with_custom_penalties(clip: Clip, added: CustomPenalties) -> Clip:
     """Return the clip with custom soft constraints, each with its weight, after those that it has.
 
     Raises:
         UserError: for an entry that is no soft constraint with a weight, and for a name that exists already.
     """
     names = {penalty.name for penalty, _ in clip.penalties} | {k.term(part) for k in KINDS.values() for part in k.parts}
-    where = f"{clip.name}: own"
-    for entry in own:
+    where = f"{clip.name}: custom_penalties"
+    for entry in added:
         if not (isinstance(entry, tuple) and len(entry) == 2 and isinstance(entry[0], Penalty)):
             raise UserError(f"{where}: every entry is (penalty, weight), a soft constraint and a number, not {entry!r}")
         penalty, weight = entry
@@ -225,8 +225,9 @@ def with_own(clip: Clip, own: Own) -> Clip:
         if penalty.name in names:
             raise UserError(f"{where}: a soft constraint called '{penalty.name}' already exists; give it another name")
         names.add(penalty.name)
-    more = tuple((penalty, float(weight)) for penalty, weight in own if weight > 0)
-    return replace(clip, own=(*clip.own, *more), problem=replace(clip.problem, penalties=(*clip.penalties, *more)))
+    more = tuple((penalty, float(weight)) for penalty, weight in added if weight > 0)
+    with_more = clip.with_problem(penalties=(*clip.penalties, *more))
+    return replace(with_more, custom_penalties=(*clip.custom_penalties, *more))
 
 
 def _too_many(problem: Problem) -> Iterator[str]:

@@ -131,8 +131,8 @@ class Context:
         """The links that hands hold."""
         return tuple(carried_links(self.figure, self.holds))
 
-    def own(self, points: Sequence[Point]) -> tuple[Point, ...]:
-        """The points that are not of what is carried."""
+    def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
+        """Return the points that do not belong to grasped objects."""
         return tuple(point for point in points if point.link not in self.carried)
 
     @property
@@ -175,7 +175,8 @@ class Context:
             return None
         root_link = free_root(figure, self.points)
         root = int(figure.tables.free_links[0]) if root_link is None else root_link
-        points, body = hanging(figure, root, self.points), hanging(figure, root, self.own(body_points(figure)))
+        points = hanging(figure, root, self.points)
+        body = hanging(figure, root, self.exclude_grasped(body_points(figure)))
         every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
         supports = tuple(stance for stance in every if figure.tables.path[stance.point.link, root])
         carriers = footings(figure, keys, points, self.surfaces, supports, body)

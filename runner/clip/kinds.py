@@ -237,7 +237,7 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
 def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
     """The figure's corners out of the objects that it holds. They are near its hands all the time, so that all of its
     skin would take ten times as long."""
-    points = context.own(body_points(context.figure))
+    points = context.exclude_grasped(body_points(context.figure))
     objects = [(link, surfaces_on(context.figure, link)) for link in context.carried]
     return tuple(
         Contact(points, surfaces, margin, called=BODY, carrier=link).allowing(
@@ -295,7 +295,7 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
     """The lowest point of soles or body stays down between keyframes that are down, except in flights."""
     if not context.points and not context.figure.tables.free_links.size:
         return None
-    points, support = context.own((*context.points, *body_points(context.figure))), context.support
+    points, support = context.exclude_grasped((*context.points, *body_points(context.figure))), context.support
     if support is not None:  # then there may be other free bodies
         points = hanging(context.figure, support.root, points)
     aloft = () if support is None else support.flights

@@ -334,4 +334,5 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     if clip.text:
         keys = stander_of(source, clip.figure).stood(keys, placed)
     rebuilt = build(source, clip.scene, clip.figure, keys, placed, clip.fps)
-    return replace(rebuilt.with_problem(penalties=(*rebuilt.penalties, *clip.own)), own=clip.own)
+    with_custom = rebuilt.with_problem(penalties=(*rebuilt.penalties, *clip.custom_penalties))
+    return replace(with_custom, custom_penalties=clip.custom_penalties)

@@ -16,9 +16,9 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 
 from .. import recordings
-from ..clip.build import Clip, Own, with_own
+from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..clip.text import keyframe_tables, tables, written
-from ..errors import UserError
+from ..errors import UserError, renamed_arguments
 from ..scene import outside
 from ..scene.compose import first_line, quietly
 from ..scene.model_inputs import spec_of
@@ -58,6 +58,7 @@ class Keyframe:
 
 
 @as_python_warnings()
+@renamed_arguments(own="custom_penalties")
 def build(
     figure: str | os.PathLike[str] | mujoco.MjSpec | mujoco.MjModel,
     keyframes: Sequence[Keyframe],
@@ -70,7 +71,7 @@ def build(
     penalties: Mapping[str, float | Table] | None = None,
     solve: Table | None = None,
     recording: Table | None = None,
-    own: Own = (),
+    custom_penalties: CustomPenalties = (),
     allow_outside: bool = False,
 ) -> Clip:
     """Build a clip from keyframes.
@@ -89,7 +90,7 @@ def build(
         solve: Its [solve] table: {"ends": "periodic", "variable": 3}.
         recording: Its [recording] table: {"file": "walk.npz", "blend": 0.4}, relative to the current folder; keyframes
             then edit the recording.
-        own: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
+        custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
         allow_outside: Let the figure's model read files outside its folder.
 
     Returns:
@@ -109,7 +110,9 @@ def build(
         raw |= {"hold": [_plain(row) for row in holds]} if holds else {}
         raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
         raw |= {"keyframe": [_table(key, posed) for key in keyframes]}
-        return with_own(recordings.from_text(written(raw), name=name, where=name, spec=spec), own)
+        return with_custom_penalties(
+            recordings.from_text(written(raw), name=name, where=name, spec=spec), custom_penalties
+        )
 
 
 def _figure(spec: mujoco.MjSpec, called: str) -> Figure:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from .. import motion as files
 from .. import recordings
 from ..clip import load as clips
-from ..clip.build import Clip, Own, with_own
-from ..errors import UserError
+from ..clip.build import Clip, CustomPenalties, with_custom_penalties
+from ..errors import UserError, renamed_arguments
 from ..scene import outside
 from ..scene.model_inputs import is_text, spec_of_text
 from ..system.mujoco_warnings import as_python_warnings
@@ -21,8 +21,13 @@ if TYPE_CHECKING:
 
 
 @as_python_warnings()
+@renamed_arguments(own="custom_penalties")
 def load(
-    source: str | os.PathLike[str], *, fps: float | None = None, own: Own = (), allow_outside: bool = False
+    source: str | os.PathLike[str],
+    *,
+    fps: float | None = None,
+    custom_penalties: CustomPenalties = (),
+    allow_outside: bool = False,
 ) -> Clip:
     """Load a clip.
 
@@ -30,7 +35,7 @@ def load(
         source: Name of a shipped clip (see `clips()`), path of a .toml file or of an MJCF file with <keyframe>
             elements, or the text of either; TOML text contains a line break.
         fps: Samples per second [1/s] of outputs, instead of the clip's.
-        own: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
+        custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
         allow_outside: Let the model read files outside its folder.
 
     Returns:
@@ -46,14 +51,16 @@ def load(
     source = str(os.fspath(source))
     if is_text(source):
         with outside.allowed(allow_outside):
-            return with_own(clips.from_spec("clip", spec_of_text(source), fps, "clip"), own)
+            return with_custom_penalties(clips.from_spec("clip", spec_of_text(source), fps, "clip"), custom_penalties)
     if "\n" in source:
         with outside.allowed(allow_outside):
-            return with_own(recordings.from_text(source, name="clip", where="clip", fps=fps), own)
+            return with_custom_penalties(
+                recordings.from_text(source, name="clip", where="clip", fps=fps), custom_penalties
+            )
     if files.is_motion(source):
         raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
     with outside.allowed(allow_outside):
-        return with_own(recordings.load(source, fps=fps), own)
+        return with_custom_penalties(recordings.load(source, fps=fps), custom_penalties)
 
 
 @as_python_warnings()

@@ -171,7 +171,7 @@ class Motion(Renames):
         """The clip that was solved; warns of custom soft constraints, which files do not store."""
         if self._solved is not None:
             return self._solved.clip
-        if names := self.saved.search.get("own penalties"):
+        if names := self.saved.search.get("custom penalties"):
             called = " and ".join(f"'{name}'" for name in names)
             line = f"its search also had the custom penalty {called}, which files do not contain; pass it again"
             warnings.warn(f"{self.name}: {line}", stacklevel=2)
@@ -366,9 +366,10 @@ class Motion(Renames):
             UserError: For another ending, or if the file cannot be written.
         """
         target = Path(path)
-        if names := self.saved.search.get("own penalties"):
+        if names := self.saved.search.get("custom penalties"):
             warnings.warn(
-                f"{target}: custom penalties are not stored: {', '.join(names)}; pass them again as own=", stacklevel=2
+                f"{target}: custom penalties are not stored: {', '.join(names)}; pass them again as custom_penalties=",
+                stacklevel=2,
             )
         if target.suffix == ".toml":
             clip_file.write(replace(self.saved, name=target.stem), target, exact=exact, overwrite=overwrite)

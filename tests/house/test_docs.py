@@ -45,7 +45,7 @@ def commands(example: Example) -> None:
             with contextlib.redirect_stderr(said), pytest.raises(SystemExit) as ended:
                 cli.main()
         assert not ended.value.code, said.getvalue()
-        print(*[each for each in said.getvalue().splitlines() if each.startswith("problem")], sep="\n")
+        print(*[each for each in said.getvalue().splitlines() if each.startswith("violation")], sep="\n")
 
 
 def kept(example: Example) -> None:

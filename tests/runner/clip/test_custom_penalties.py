@@ -69,7 +69,7 @@ def swing(**more: object) -> Clip:
 
 @pytest.fixture(scope="module")
 def calm() -> Motion:
-    return inbetween(swing(own=[(Calm(), 30.0)]))
+    return inbetween(swing(custom_penalties=[(Calm(), 30.0)]))
 
 
 def speed(motion: Motion) -> float:
@@ -79,23 +79,39 @@ def speed(motion: Motion) -> float:
 
 def test_it_takes_part_in_the_search(calm: Motion) -> None:
     assert calm.clip.penalties[-1][0].name == "calm"
-    assert calm.clip.own == ((Calm(), 30.0),)
+    assert calm.clip.custom_penalties == ((Calm(), 30.0),)
     assert speed(calm) < 0.99 * speed(inbetween(swing()))
 
 
 def test_load_takes_it_too_and_other_keyframes_keep_it(tmp_path: Path) -> None:
-    clip = load(written(tmp_path), own=[(Calm(), 0.1)])
+    clip = load(written(tmp_path), custom_penalties=[(Calm(), 0.1)])
     assert [penalty.name for penalty, _ in clip.penalties][-1] == "calm"
     again = clips.with_keys(clip, clip.keys)
-    assert again.own == clip.own and again.penalties[-1] == (Calm(), 0.1)
+    assert again.custom_penalties == clip.custom_penalties and again.penalties[-1] == (Calm(), 0.1)
+
+
+def test_the_former_name_of_the_argument_gives_the_present_one() -> None:
+    for function in (load, build):
+        with pytest.raises(TypeError, match="has no argument 'own'; it is named 'custom_penalties'"):
+            function("walk_loop", own=[(Calm(), 0.1)])
+
+
+def test_a_motion_of_version_0_2_names_its_custom_penalties(calm: Motion, tmp_path: Path) -> None:
+    with pytest.warns(UserWarning):
+        calm.save(tmp_path / "up.npz")
+    with np.load(tmp_path / "up.npz") as arrays:
+        older = dict(arrays)
+    older["search"] = str(older["search"]).replace("custom penalties", "own penalties")
+    np.savez(tmp_path / "older.npz", **older)
+    assert load_motion(tmp_path / "older.npz").saved.search["custom penalties"] == ["calm"]
 
 
 def test_without_a_weight_it_is_not_there() -> None:
-    assert swing(own=[(Calm(), 0)]).own == ()
+    assert swing(custom_penalties=[(Calm(), 0)]).custom_penalties == ()
 
 
 @pytest.mark.parametrize(
-    ("own", "says"),
+    ("custom_penalties", "says"),
     [
         ([Calm()], "every entry is (penalty, weight)"),
         ([("calm", 1.0)], "every entry is (penalty, weight)"),
@@ -106,15 +122,15 @@ def test_without_a_weight_it_is_not_there() -> None:
         ([(Calm(), 1.0), (Calm(), 2.0)], "called 'calm' already exists"),
     ],
 )
-def test_what_is_none_is_refused(own: object, says: str) -> None:
+def test_what_is_none_is_refused(custom_penalties: object, says: str) -> None:
     with pytest.raises(UserError) as error:
-        swing(own=own)
+        swing(custom_penalties=custom_penalties)
     assert says in str(error.value)
 
 
 @pytest.mark.parametrize("ending", ["npz", "toml"])
 def test_saving_says_that_no_file_holds_it(calm: Motion, tmp_path: Path, ending: str) -> None:
-    with pytest.warns(UserWarning, match="custom penalties are not stored: calm; pass them again as own="):
+    with pytest.warns(UserWarning, match="custom penalties are not stored: calm; pass them again as custom_penalties="):
         calm.save(tmp_path / f"up.{ending}")
 
 
@@ -127,7 +143,7 @@ def test_loading_it_warns_once_its_clip_is_requested(calm: Motion, tmp_path: Pat
         np.testing.assert_array_equal(found.at(0.7), calm.at(0.7))
     with pytest.warns(UserWarning, match="also had the custom penalty 'calm'"):
         clip = found.clip
-    assert clip.own == ()
+    assert clip.custom_penalties == ()
 
 
 def test_check_lets_a_right_one_pass_and_says_what_is_wrong_with_others(figure: Figure) -> None:
