@@ -54,7 +54,7 @@ def share(monkeypatch: pytest.MonkeyPatch) -> None:
     solve = work.solve
 
     def shared(problem: Clip, progress: Progress, **more: Any) -> Solved:
-        return solve(problem, progress, **more) if more or problem.own else _once(problem, progress, solve)
+        return solve(problem, progress, **more) if more or problem.custom_penalties else _once(problem, progress, solve)
 
     monkeypatch.setattr(work, "solve", shared)
 
