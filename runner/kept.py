@@ -62,7 +62,7 @@ def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
     solution = None if fresh else read(file, clip)
     if solution is None:
         solution = work.solve(clip, progress)
-        if solution.motion.stop is not Stop.ASKED:
+        if solution.motion.stop is not Stop.INTERRUPTED:
             write(solution, file)
         return solution
     work.tell_notes(clip, progress)

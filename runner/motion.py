@@ -60,7 +60,12 @@ class Sampled:
     qacc: Array
 
 
-FORMER = {"own penalties": "custom penalties"}  # entries of a search in files of version 0.2, and their names now
+FORMER = {  # names in the search of files of version 0.2, and their present ones
+    "own penalties": "custom penalties",
+    "ASKED": "INTERRUPTED",
+    "BUDGET": "MAX_EVALUATIONS",
+    "STUCK": "NO_PROGRESS",
+}
 
 # of a search: its evaluations, its time [s], why it ended by name and in words, the stances and penalties that it had
 Search = TypedDict(

@@ -74,7 +74,7 @@ class Solved:
         clip, motion = self.clip, self.motion
         data = {}
         with _unhurried() as interrupted:
-            if motion.stop is Stop.ASKED:
+            if motion.stop is Stop.INTERRUPTED:
                 progress.say("stopped; the best path so far is kept")
             if with_report:
                 progress.step("measuring", 0.0, force=True)

@@ -95,10 +95,10 @@ def _found(
         try:
             timeline = search(loop)
             moved = limited(problem.figure, timeline, hard)
-            if moved is not timeline and loop.is_whole and loop.stop is not Stop.ASKED:
+            if moved is not timeline and loop.is_whole and loop.stop is not Stop.INTERRUPTED:
                 timeline = loop.descend(moved, problem.settings.tolerance)  # so that other joints make up for it
         except KeyboardInterrupt:
-            timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.ASKED
+            timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.INTERRUPTED
         timeline = limited(problem.figure, timeline, hard)
     return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
 
@@ -170,7 +170,7 @@ class _Loop:
                 cut = Cut.about(begin, raw.times, span)
                 assert cut is not None, "as above: keyframes alone decide"
                 begin = self._on_from_cut(cut, begin, raw, budget, parts)
-                if self.stop is Stop.ASKED:
+                if self.stop is Stop.INTERRUPTED:
                     break
                 if parts is not None:
                     inside = cut.inside(raw.times)
@@ -212,14 +212,14 @@ class _Loop:
                 self.optimiser = self.fresh()
             ends += self.run(waiting.pop(0)(), segments, budget)
             values.append(sum(self.last.values()))
-            if self.stop is Stop.ASKED:
+            if self.stop is Stop.INTERRUPTED:
                 break
             if self._is_settled(ends[-1].timeline, values):
                 is_last_word = len(values) > 1 or not cost_increased(self.objective, self.last)
                 waiting = [] if is_last_word else waiting[-1:]
         selected = select_best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is selected)
-        self.stop = Stop.ASKED if self.stop is Stop.ASKED else end.stop
+        self.stop = Stop.INTERRUPTED if self.stop is Stop.INTERRUPTED else end.stop
         return selected
 
     def _starts(self, timeline: Timeline) -> list[Callable[[], Timeline]]:
@@ -256,7 +256,7 @@ class _Loop:
             is_last = timeline.variable_count >= budget
             timeline = self.descend(timeline, tolerance if is_last else rough)
             ends.append(_End(timeline, self.stop))
-            if self.stop is Stop.ASKED or is_last:
+            if self.stop is Stop.INTERRUPTED or is_last:
                 return ends
             chosen, promise = self.chosen(timeline, budget - timeline.variable_count)
             if not chosen.size and rough <= tolerance:
@@ -286,7 +286,7 @@ class _Loop:
             opened = assembly.opened(window)
             solved = self.searched(opened, count, None if budget is None else assembly.room(window, budget))
             assembly.close(window, solved)
-            if self.stop is Stop.ASKED:
+            if self.stop is Stop.INTERRUPTED:
                 break
             self.round += 1
         return assembly.timeline()

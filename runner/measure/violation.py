@@ -79,7 +79,7 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     """Return everything beyond its bound in a measured motion, worst first."""
     violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
     violations += [*_drifts(motion), *_aloft(motion), *_beyond_hard(motion.clip, motion.timeline)]
-    if stop in (Stop.BUDGET, Stop.STUCK):
+    if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended before it was done: {stop.value}")
         violations.append(_as_violation(row, row.bound, None))
     return tuple(sorted(violations, key=lambda violation: -violation.severity))

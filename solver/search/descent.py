@@ -83,6 +83,6 @@ def optimised(
     """
     descent = Descent(objective, timeline)
     minimum = descent.run(max_evaluations=max_evaluations, tolerance=tolerance)
-    if minimum.stop is Stop.ASKED:
+    if minimum.stop is Stop.INTERRUPTED:
         raise KeyboardInterrupt
     return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))

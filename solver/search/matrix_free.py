@@ -36,7 +36,7 @@ def matrix_free(
     try:
         stop = search.start() or _run(search, tolerance)
     except (KeyboardInterrupt, StopSearch):
-        stop = Stop.ASKED
+        stop = Stop.INTERRUPTED
     return search.minimum(stop)
 
 
@@ -61,11 +61,11 @@ def _run(search: Search, tolerance: float) -> Stop:
             max_evaluations=search.budget - search.count,
             tolerance=tolerance,
         )
-        if result.stop is Stop.ASKED:
+        if result.stop is Stop.INTERRUPTED:
             raise StopSearch
         if search.is_negligible(before - search.value, RESTART_GAIN * tolerance):
             return Stop.CONVERGED
-    return Stop.BUDGET
+    return Stop.MAX_EVALUATIONS
 
 
 def _predicted_reduction(search: Search, metric: FlatMetric) -> float:

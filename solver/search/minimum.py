@@ -20,9 +20,9 @@ class Stop(Enum):
     """Why a minimisation ended, and what the caller can do about it."""
 
     CONVERGED = "progress per evaluation fell below the tolerance"
-    BUDGET = "the evaluation budget is spent; raise max_evaluations (in a clip, solve.evaluations) to continue"
-    ASKED = "interrupted; the best path so far is kept"
-    STUCK = "the optimiser found no further descent; the best path so far is kept"
+    MAX_EVALUATIONS = "the evaluation budget is spent; raise max_evaluations (in a clip, solve.evaluations) to continue"
+    INTERRUPTED = "interrupted; the best path so far is kept"
+    NO_PROGRESS = "the optimiser found no further descent; the best path so far is kept"
 
 
 @dataclass(frozen=True)
@@ -64,6 +64,6 @@ class Optimiser(Protocol):
             max_evaluations: The evaluation budget.
             tolerance: Relative progress at which the search ends.
             improved: Called with (evaluation, Evaluation, x) whenever E falls below all earlier values. It may raise
-                StopSearch, which like KeyboardInterrupt must end the search with Stop.ASKED.
+                StopSearch, which like KeyboardInterrupt must end the search with Stop.INTERRUPTED.
         """
         ...

@@ -66,7 +66,7 @@ class GaussNewton:
             if self.refine is not None and search.factor is not None and tolerance <= self.final:
                 self.refine(search, search.factor, tolerance)
         except (KeyboardInterrupt, StopSearch):
-            stop = Stop.ASKED
+            stop = Stop.INTERRUPTED
         self.damping = search.damping
         return search.minimum(stop)
 
@@ -86,7 +86,7 @@ def _run(search: Search, tolerance: float) -> Stop:
             return Stop.CONVERGED
         previous = predicted
         search.update_damping(gain_ratio)
-    return Stop.BUDGET
+    return Stop.MAX_EVALUATIONS
 
 
 class Search:
@@ -122,7 +122,7 @@ class Search:
         self.evaluate(self.x)
         self.first = self.value
         if not np.isfinite(self.value):
-            return Stop.STUCK
+            return Stop.NO_PROGRESS
         return Stop.CONVERGED if self.x.size == 0 else None
 
     def evaluate(self, x: Array) -> Evaluation:
@@ -154,7 +154,7 @@ class Search:
             if proposal.factor is None:  # no curvature, no step
                 self.damping *= REJECTION_INCREASE
                 if self.damping > MAX_DAMPING:
-                    return proposal, Stop.STUCK
+                    return proposal, Stop.NO_PROGRESS
                 continue
             if self.is_negligible(proposal.predicted_reduction, tolerance):
                 return proposal, Stop.CONVERGED
@@ -164,9 +164,9 @@ class Search:
                 return proposal, None
             self.damping *= REJECTION_INCREASE
             if self.damping > MAX_DAMPING:
-                return proposal, Stop.STUCK
+                return proposal, Stop.NO_PROGRESS
             if self.count >= self.budget:
-                return proposal, Stop.BUDGET
+                return proposal, Stop.MAX_EVALUATIONS
 
     def update_damping(self, gain_ratio: float) -> None:
         """Adapt the damping to the gain ratio, actual by predicted reduction."""

@@ -82,7 +82,7 @@ def refine(search: Search, factor: Array, tolerance: float, method: str = LBFGS)
 
     if remaining > 0 and is_practical(method, search.x.size):
         result = minimise(fun, np.zeros(layout.count * layout.width), method=method, max_evaluations=remaining + 1)
-        if result.stop is Stop.ASKED and not is_converged:
+        if result.stop is Stop.INTERRUPTED and not is_converged:
             raise StopSearch
 
 
@@ -123,11 +123,11 @@ def minimise(
     search.set_maxeval(max_evaluations)
     try:
         search.optimize(recorder.x.copy())
-        stop = Stop.BUDGET if search.last_optimize_result() == nlopt.MAXEVAL_REACHED else Stop.CONVERGED
+        stop = Stop.MAX_EVALUATIONS if search.last_optimize_result() == nlopt.MAXEVAL_REACHED else Stop.CONVERGED
     except (KeyboardInterrupt, nlopt.ForcedStop):
-        stop = Stop.ASKED
+        stop = Stop.INTERRUPTED
     except FAILURES:
-        stop = Stop.STUCK
+        stop = Stop.NO_PROGRESS
     finally:
         recorder.halt = lambda: None  # breaks a reference cycle that the garbage collector cannot see
     if recorder.failure is not None:
@@ -152,7 +152,7 @@ class _Recorder:
         """
         try:
             if self.count >= self.budget:
-                self.forced = Stop.BUDGET
+                self.forced = Stop.MAX_EVALUATIONS
             if self.forced is None and self.failure is None:
                 value, slope = self.evaluate(np.array(x))
                 self.unit = self.unit or (abs(value) if 0 < abs(value) < NOT_FINITE else 1.0)
@@ -160,7 +160,7 @@ class _Recorder:
                     gradient[:] = slope / self.unit
                 return value / self.unit
         except (KeyboardInterrupt, StopSearch):
-            self.forced = Stop.ASKED
+            self.forced = Stop.INTERRUPTED
         except Exception as error:
             self.failure = error
         self.halt()

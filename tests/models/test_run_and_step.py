@@ -126,7 +126,7 @@ def test_stopped_early_the_path_is_valid_and_no_worse_than_raw(method, evaluatio
 
     settings = replace(clip.settings, optimiser=method)
     motion = inbetween(replace(clip.problem, settings=settings), improved=improved)
-    assert motion.stop is Stop.ASKED
+    assert motion.stop is Stop.INTERRUPTED
     assert np.all(np.isfinite(motion.at(np.linspace(0, 2, 50))))
     t, w = gauss_nodes(np.linspace(clip.keys[0].time, clip.keys[-1].time, 400), 4)
     raw, now = (

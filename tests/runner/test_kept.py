@@ -263,7 +263,7 @@ def test_by_default_it_is_the_users_folder_for_such_things(monkeypatch, tmp_path
 
 
 def test_a_search_that_was_stopped_is_not_kept(tmp_path, cache, monkeypatch, solved):
-    stopped = replace(solved, motion=replace(solved.motion, stop=Stop.ASKED))
+    stopped = replace(solved, motion=replace(solved.motion, stop=Stop.INTERRUPTED))
     monkeypatch.setattr(work, "solve", lambda *_: stopped)
     kept.solved(tiny(tmp_path / "a"), progress())
     assert not cache.exists()

@@ -67,7 +67,7 @@ def test_what_was_not_found_is_reported_first(tmp_path):
 def test_an_interrupted_solve_keeps_the_best_path(problem):
     progress = Listening(interrupt_at=4)
     solved = work.solve(problem, progress)
-    assert solved.motion.stop is Stop.ASKED
+    assert solved.motion.stop is Stop.INTERRUPTED
     assert len(solved.motion.trace) == 4
     solved.saved(progress, with_report=False)
     assert "the best path so far is kept" in progress.out.getvalue()
@@ -77,7 +77,7 @@ def test_an_interrupted_solve_keeps_the_best_path(problem):
 
 def test_a_solve_can_be_stopped_after_so_many_evaluations(problem):
     solved = work.solve(problem, Listening(), stop_after=3)
-    assert solved.motion.stop is Stop.ASKED
+    assert solved.motion.stop is Stop.INTERRUPTED
     assert solved.motion.evaluations <= 5
 
 

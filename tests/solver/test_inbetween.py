@@ -91,7 +91,7 @@ def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_r
             raise error
 
     motion = inbetween(Problem(figure, keys, PENALTIES, Settings(optimiser=method)), improved=stop)
-    assert motion.stop is Stop.ASKED
+    assert motion.stop is Stop.INTERRUPTED
     assert motion.evaluations == told[-1].evaluation >= evaluations
     assert solved(motion) <= raw(motion) * (1 + 1e-9)
     np.testing.assert_array_equal(motion.timeline.rows, told[-1].path.rows)
@@ -113,7 +113,7 @@ def test_ctrl_c_inside_any_evaluation_returns_the_best_motion_so_far(figure, rng
 
     penalties = [(Interrupted(), 1.0), *PENALTIES[1:]]
     motion = inbetween(Problem(figure, partial_keys(figure, rng), penalties, Settings(optimiser=method)))
-    assert motion.stop is Stop.ASKED
+    assert motion.stop is Stop.INTERRUPTED
     assert Interrupted.calls == call
     assert solved(motion) <= raw(motion) * (1 + 1e-9)
 
@@ -138,7 +138,7 @@ def test_ctrl_c_while_segments_are_judged_returns_the_best_motion_so_far(rng, mo
 
     motion = inbetween(Problem(figure, hinge_keys(), [(Touchy(), 1.0)], Settings(criterion=criterion, variable=1)))
     assert judging
-    assert motion.stop is Stop.ASKED
+    assert motion.stop is Stop.INTERRUPTED
     assert motion.timeline.variable_count == 3
     judging.clear()
     assert solved(motion) <= raw(motion)
@@ -204,7 +204,7 @@ def test_evaluations_are_bounded_in_every_round(figure, rng):
     motion = inbetween(Problem(figure, random_keys(figure, rng), PENALTIES, settings))
     rounds = motion.trace[-1][1] + 1
     assert motion.evaluations <= 2 * rounds + 2
-    assert motion.stop is Stop.BUDGET
+    assert motion.stop is Stop.MAX_EVALUATIONS
 
 
 @pytest.mark.parametrize("criterion", CRITERIA)
@@ -357,7 +357,7 @@ def test_where_one_of_several_edits_reaches_nearly_all_or_none_is_reported_all_o
         free = ~begin.fixed.any(axis=1)
         assert np.all(np.any(found.timeline.states != begin.states, axis=1)[free])
         assert found.evaluations == 3
-        assert found.stop is Stop.BUDGET
+        assert found.stop is Stop.MAX_EVALUATIONS
         assert problem.objective.value(path_of(found.timeline)) < problem.objective.value(path_of(begin))
 
 
@@ -380,7 +380,7 @@ def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
 
     problem, begin, _, _ = resumed_between((0.5, 0.5))
     found = resumed(problem, begin, between=[(0.5, 0.5), (5.0, 5.0)], improved=stop)
-    assert found.stop is Stop.ASKED
+    assert found.stop is Stop.INTERRUPTED
     assert len(seen) == 2
     late = begin.times > 2
     np.testing.assert_array_equal(found.timeline.states[late], begin.states[late])

@@ -11,7 +11,7 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 const STATES: Record<string, string> = {
   loading: "loading …", loaded: "loaded", searching: "optimising", settled: "converged", refused: "refused", gone: "gone",
 };
-const ENDS: Record<string, string> = { ASKED: "stopped", paused: "paused", BUDGET: "evaluation limit reached", STUCK: "stuck", CONVERGED: "converged" };
+const ENDS: Record<string, string> = { INTERRUPTED: "stopped", paused: "paused", MAX_EVALUATIONS: "evaluation limit reached", NO_PROGRESS: "no progress", CONVERGED: "converged" };
 
 export const play = (yes = !model.playing): void => {
   if (yes && model.time >= model.last - 1e-6) model.seek(model.first);

@@ -207,8 +207,8 @@ class Work:
         else:
             self._is_near = True
             self._take(solution)
-        stop = Stop.ASKED if solution is None else solution.stop
-        if go and stop is Stop.ASKED:
+        stop = Stop.INTERRUPTED if solution is None else solution.stop
+        if go and stop is Stop.INTERRUPTED:
             self._search(known.begin if solution is None else solution.timeline, known.between)
         else:
             self._judge(stop=stop.name if go else "paused")
@@ -341,9 +341,9 @@ class Work:
                 self._send_raw()
 
         solution = self._lowered(clip, begin, between, improved)
-        self._is_cut = solution is None or solution.stop is Stop.ASKED
+        self._is_cut = solution is None or solution.stop is Stop.INTERRUPTED
         if solution is None:
-            self._judge(stop="ASKED")
+            self._judge(stop="INTERRUPTED")
             return
         self._take(solution)
         if begin is None and solution.stop is Stop.CONVERGED and (folder := cache()) is not None:
@@ -380,7 +380,7 @@ class Work:
             return resumed(clip.problem, begin, between=() if between is None else (between,), improved=seen)
         if not best:
             return None
-        return Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.ASKED)
+        return Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.INTERRUPTED)
 
     def _take(self, found: Solution) -> None:
         """Set the present path."""
@@ -406,7 +406,7 @@ class Work:
         from ...measure.violation import plain, violations
 
         wrong = violations(clip, solution.timeline, solution.raw)
-        self._astray = self._suspected(len(wrong)) if stop in (Stop.CONVERGED.name, Stop.STUCK.name) else None
+        self._astray = self._suspected(len(wrong)) if stop in (Stop.CONVERGED.name, Stop.NO_PROGRESS.name) else None
         if not self._has_told:
             self._has_told = True
             self._tell("formats", **formats())
@@ -454,7 +454,7 @@ class Work:
         with self._searching():
             self._heed()
             solution = inbetween(clip.problem)
-        if solution is None or solution.stop is Stop.ASKED:
+        if solution is None or solution.stop is Stop.INTERRUPTED:
             return
         self._is_near = False
         objective = clip.problem.objective

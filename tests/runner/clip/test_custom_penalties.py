@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -96,14 +97,18 @@ def test_the_former_name_of_the_argument_gives_the_present_one() -> None:
             function("walk_loop", own=[(Calm(), 0.1)])
 
 
-def test_a_motion_of_version_0_2_names_its_custom_penalties(calm: Motion, tmp_path: Path) -> None:
+def test_a_motion_of_version_0_2_is_read_with_present_names(calm: Motion, tmp_path: Path) -> None:
     with pytest.warns(UserWarning):
         calm.save(tmp_path / "up.npz")
     with np.load(tmp_path / "up.npz") as arrays:
         older = dict(arrays)
-    older["search"] = str(older["search"]).replace("custom penalties", "own penalties")
+    search = json.loads(str(older["search"]))
+    search["own penalties"], search["stop"] = search.pop("custom penalties"), "STUCK"
+    older["search"] = json.dumps(search)
     np.savez(tmp_path / "older.npz", **older)
-    assert load_motion(tmp_path / "older.npz").saved.search["custom penalties"] == ["calm"]
+    present = load_motion(tmp_path / "older.npz").saved.search
+    assert (present["custom penalties"], present["stop"]) == (["calm"], "NO_PROGRESS")
+    assert "own penalties" not in present
 
 
 def test_without_a_weight_it_is_not_there() -> None:

@@ -432,7 +432,7 @@ def test_a_quaternion_far_from_length_one(tmp_path):
 @pytest.mark.parametrize("stop", Stop)
 def test_a_search_that_ended_early(stop):
     found = wrong(read(standing(0, 0)), stop=stop)
-    assert kinds(found) == ({"search"} if stop in (Stop.BUDGET, Stop.STUCK) else set())
+    assert kinds(found) == ({"search"} if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS) else set())
     for each in found:
         assert each.time is None
         assert each.text == f"the search ended before it was done: {stop.value}"
@@ -446,7 +446,7 @@ def test_the_worst_comes_first_by_how_many_times_its_bound_it_is():
         'time = 2\nothers = "rest"\n', 'time = 2\nothers = "rest"\njoints.left_knee = {rotvec = [0, -20, 0]}\n'
     )
     text += '[[contact]]\npoint = "right_toe"\nfrom = 0.3\nto = 0.9\n'
-    found = wrong(read(text), stop=Stop.BUDGET)
+    found = wrong(read(text), stop=Stop.MAX_EVALUATIONS)
     assert len(kinds(found)) >= 4
     severities = [each.amount / each.bound for each in found]
     assert severities == sorted(severities, reverse=True) == [each.severity for each in found]
@@ -539,7 +539,7 @@ def test_why_the_search_ended_is_in_the_file(tmp_path):
     assert again.report()["evaluations"] == found.saved.search["evaluations"] > 0
     assert found.saved.search["seconds"] > 0
     assert "seconds" not in again.report()  # a file knows no clock
-    assert again.report()["stopped because"] == Stop.BUDGET.value
+    assert again.report()["stopped because"] == Stop.MAX_EVALUATIONS.value
     assert [each["text"] for each in again.report()["violations"]] == [each.text for each in found.violations]
     assert str(again.report()).splitlines()[0].startswith("violation: ")
     again.save(tmp_path / "measured.npz")

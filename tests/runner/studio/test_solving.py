@@ -185,9 +185,9 @@ def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, t
     work.is_awaited = lambda: True
     told = load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]"), 1)
     assert [each["kind"] for each in told if each["is"] == "path"] == ["carried", "raw"]
-    assert told[-1]["stop"] == "ASKED"
+    assert told[-1]["stop"] == "INTERRUPTED"
     work.is_awaited = lambda: False
-    assert load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 45, 0]"), 2)[-1]["stop"] != "ASKED"
+    assert load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 45, 0]"), 2)[-1]["stop"] != "INTERRUPTED"
 
 
 @pytest.mark.parametrize(
@@ -201,13 +201,13 @@ def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, t
 )  # fmt: skip
 def test_a_search_continues_after_a_message_that_does_not_end_it(work, tmp_path, asked):
     work.is_awaited = lambda: True
-    assert load(work, tmp_path, tiny.CLIP, first=True)[-1]["stop"] == "ASKED"
+    assert load(work, tmp_path, tiny.CLIP, first=True)[-1]["stop"] == "INTERRUPTED"
     work.is_awaited = lambda: False
     told = {**asked, "file": str(tmp_path / "now.npz")} if "file" in asked else asked
     work.do(told)
     ends = [each["stop"] for each in work.line.taken() if each["is"] == "settled"]
     assert ends
-    assert "ASKED" not in ends
+    assert "INTERRUPTED" not in ends
     work.do({"do": "curves", "on": False})
     assert work.line.taken() == []  # nothing is left to search
 

@@ -252,7 +252,7 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
         Counted.reset(int(share * total))
         motion = inbetween(Problem(FIGURE, keys, terms, settings))
         Counted.reset(0)
-        assert motion.stop is Stop.ASKED
+        assert motion.stop is Stop.INTERRUPTED
         assert_whole(motion.path, keys)
         values.append(fine_value(motion))
         assert values[-1] <= fine_value(motion, path_of(evenly(motion.raw, 1))) * (1 + 1e-9)
@@ -270,7 +270,7 @@ def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_reported(short, error
             raise error
 
     motion = inbetween(Problem(FIGURE, keys, penalties(), SETTINGS), improved=stop)
-    assert motion.stop is Stop.ASKED
+    assert motion.stop is Stop.INTERRUPTED
     assert len(told) == count
     assert_whole(motion.path, keys)
     np.testing.assert_array_equal(motion.timeline.rows, told[-1])
@@ -288,7 +288,7 @@ def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch, windo
 
     monkeypatch.setattr(Assembly, "opened", interrupted)
     motion = inbetween(Problem(FIGURE, keys, penalties(), SETTINGS))
-    assert motion.stop is Stop.ASKED
+    assert motion.stop is Stop.INTERRUPTED
     assert_whole(motion.path, keys)
     assert fine_value(motion) <= fine_value(motion, path_of(motion.raw)) * (1 + 1e-9)
 

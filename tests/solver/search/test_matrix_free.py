@@ -73,13 +73,13 @@ def test_a_stop_requested_keeps_the_best_point(problem: Discretised, error: type
             raise error
 
     found = matrix_free(problem, max_evaluations=100, tolerance=1e-12, improved=improved)
-    assert (found.stop, found.value) == (Stop.ASKED, told[-1])
+    assert (found.stop, found.value) == (Stop.INTERRUPTED, told[-1])
 
 
 @pytest.mark.parametrize("budget", [1, 2, 6])
 def test_the_budget_holds(problem: Discretised, budget: int) -> None:
     found = matrix_free(problem, max_evaluations=budget, tolerance=1e-15)
-    assert (found.stop, found.evaluations) == (Stop.BUDGET, budget)
+    assert (found.stop, found.evaluations) == (Stop.MAX_EVALUATIONS, budget)
 
 
 def test_figures_of_many_joints_are_searched_like_that(

@@ -140,7 +140,7 @@ def test_the_budget_is_kept(rng, budget):
     problem = Watched(problem_of(rng))
     found = GaussNewton()(problem, max_evaluations=budget, tolerance=1e-14)
     assert len(problem.values) == found.evaluations == budget
-    assert found.stop is Stop.BUDGET
+    assert found.stop is Stop.MAX_EVALUATIONS
     assert found.value == min(problem.values)
 
 
@@ -151,13 +151,13 @@ def test_the_budget_is_kept_where_every_step_is_refused(rng):
     problem = Watched(problem_of(rng), spoil)
     optimiser = GaussNewton()
     found = optimiser(problem, max_evaluations=5)
-    assert (found.stop, found.evaluations) == (Stop.BUDGET, 5)
+    assert (found.stop, found.evaluations) == (Stop.MAX_EVALUATIONS, 5)
     assert optimiser.damping > FIRST_DAMPING
     lengths = [np.linalg.norm(x - problem.points[0]) for x in problem.points[1:]]
     assert np.all(np.diff(lengths) < 0)
     found = GaussNewton()(Watched(problem_of(np.random.default_rng(7)), spoil), max_evaluations=1000)
     assert found.evaluations < 100
-    assert found.stop in (Stop.STUCK, Stop.CONVERGED)
+    assert found.stop in (Stop.NO_PROGRESS, Stop.CONVERGED)
 
 
 @pytest.mark.parametrize("higher", [0.0, 1e-9, 0.1])
@@ -190,7 +190,7 @@ def test_a_stop_requested_anywhere_keeps_the_best_x(rng, error, place, count):
 
     problem = Watched(problem_of(rng), spoil)
     found = GaussNewton()(problem, tolerance=1e-12, improved=improved)
-    assert found.stop is Stop.ASKED
+    assert found.stop is Stop.INTERRUPTED
     assert found.value == min(problem.values, default=np.inf)
     if problem.values:
         assert Discretised.__call__(problem, found.x).value == found.value
@@ -226,7 +226,7 @@ def test_what_is_no_number_never_becomes_the_best(rng, bad, what):
 def test_a_start_that_is_no_number_is_stuck(rng):
     problem = Watched(problem_of(rng), lambda _, found: Evaluation(np.nan, found.gradient, found.parts))
     found = GaussNewton()(problem)
-    assert (found.stop, found.evaluations) == (Stop.STUCK, 1)
+    assert (found.stop, found.evaluations) == (Stop.NO_PROGRESS, 1)
     np.testing.assert_array_equal(found.x, problem.unknowns.start)
 
 
@@ -337,4 +337,4 @@ def test_a_curvature_that_has_no_factor_is_damped_until_it_has_one_and_is_no_min
         assert found.stop is Stop.CONVERGED
         np.testing.assert_allclose(found.value, by_nlopt_alone(problem).value, rtol=1e-6)
     else:
-        assert (found.stop, found.evaluations) == (Stop.STUCK, 1)
+        assert (found.stop, found.evaluations) == (Stop.NO_PROGRESS, 1)

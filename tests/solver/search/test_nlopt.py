@@ -68,7 +68,7 @@ def test_the_budget_holds_and_the_best_x_within_it_is_kept(method, budget):
 
     found = minimise(fun, START, method=method, max_evaluations=budget, tolerance=1e-15)
     assert found.evaluations == len(seen) == budget
-    assert found.stop is Stop.BUDGET
+    assert found.stop is Stop.MAX_EVALUATIONS
     best = min(seen, key=lambda pair: pair[0])
     assert found.value == best[0]
     np.testing.assert_array_equal(found.x, best[1])
@@ -87,7 +87,7 @@ def test_a_stop_requested_anywhere_keeps_the_best_x(method, error):
         return value, slope
 
     found = minimise(fun, START, method=method)
-    assert found.stop is Stop.ASKED
+    assert found.stop is Stop.INTERRUPTED
     assert found.value == min(values)
     assert rosenbrock(found.x)[0] == found.value
 
@@ -169,7 +169,7 @@ def test_a_search_that_ended_in_a_minimum_is_not_begun_again_from_there(method):
 @pytest.mark.parametrize("method", ["lbfgs", "tnewton", "var2"])
 def test_up_a_gradient_that_is_wrong_by_its_sign_a_search_is_stuck(method):
     found, _ = asked_of(lambda x: (float(x @ x), -2 * x), method)
-    assert found.stop is Stop.STUCK
+    assert found.stop is Stop.NO_PROGRESS
     np.testing.assert_array_equal(found.x, START)
 
 

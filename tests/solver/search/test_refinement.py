@@ -104,7 +104,7 @@ def test_a_stop_or_an_error_in_it_is_the_callers(problem, error):
             search(problem, tolerance=1e-2, improved=improved)
         return
     found = search(problem, tolerance=1e-2, improved=improved)
-    assert found.stop is Stop.ASKED
+    assert found.stop is Stop.INTERRUPTED
     assert found.value <= rough.value
 
 

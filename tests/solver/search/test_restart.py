@@ -256,7 +256,7 @@ def test_a_stop_in_the_second_search_keeps_the_better_of_both(monkeypatch, from_
             raise StopSearch
 
     after = inbetween(Problem(LIMB, keys, TERMS), improved=stop)
-    assert after.stop is Stop.ASKED
+    assert after.stop is Stop.INTERRUPTED
     assert before.evaluations < after.evaluations
     assert value(after) < value(before)
 
