@@ -242,19 +242,19 @@ def _runs(row: Mask) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
-def _hits(true: Mask, said: Mask, least: int) -> tuple[int, int]:
+def _hits(true: Mask, detected: Mask, least: int) -> tuple[int, int]:
     """The number of true stances detected for at least half of their duration, and their total."""
     every = [(i, a, b) for i, row in enumerate(true) for a, b in _runs(row) if b - a >= least]
-    return sum(said[i, a:b].mean() >= 0.5 for i, a, b in every), len(every)
+    return sum(detected[i, a:b].mean() >= 0.5 for i, a, b in every), len(every)
 
 
-def _false(true: Mask, said: Mask) -> tuple[int, int]:
+def _false(true: Mask, detected: Mask) -> tuple[int, int]:
     """Detected stances more than two samples off a true one for half of their duration, and the total."""
     near = true.copy()
     for late in range(1, ABOUT + 1):
         near[:, late:] |= true[:, :-late]
         near[:, :-late] |= true[:, late:]
-    every = [(i, a, b) for i, row in enumerate(said) for a, b in _runs(row)]
+    every = [(i, a, b) for i, row in enumerate(detected) for a, b in _runs(row)]
     return sum(near[i, a:b].mean() < 0.5 for i, a, b in every), len(every)
 
 

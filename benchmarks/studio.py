@@ -48,7 +48,7 @@ DRAG = """async ([body, count, share]) => {
   }
   return [times, trips];
 }"""
-RELEASE = """async ([name, said]) => {
+RELEASE = """async ([name, entries]) => {
   const { model } = studio, began = performance.now(), seen = [];
   let heard = 0, first = null, done = false;
   model.on('path', () => {
@@ -57,7 +57,7 @@ RELEASE = """async ([name, said]) => {
     seen.push(model.course.value);
     if (first === null) first = performance.now() - began;
   });
-  const answer = await studio.ask(name, said);
+  const answer = await studio.ask(name, entries);
   if (!answer.ok) throw new Error(answer.words);
   const revision = model.document.revision;
   const isDone = () => model.status.state === 'settled' && model.loaded.revision === revision;
@@ -181,7 +181,7 @@ def long_run(browser: Any, folder: Path, minutes: float, tell: Any) -> tuple[lis
                 },
                 {"name": "set_weight", "kind": "torque", "weight": 1.4},
             ):
-                answer = page.evaluate("(said) => studio.ask('edit', said)", request)
+                answer = page.evaluate("(request) => studio.ask('edit', request)", request)
                 assert answer["ok"], answer
                 count += 1
             until(page, SETTLED)

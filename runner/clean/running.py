@@ -187,8 +187,8 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
         raise UserError(f"'{source.file}': its format is already one of the figure's joints; a map says nothing of it")
     if source.map is not None and source.writes_map:
         _write_map(source.map, met[0], progress)
-    said = around.scene.step
-    step = None if said is None else Step(**said.model_dump())
+    step_table = around.scene.step
+    step = None if step_table is None else Step(**step_table.model_dump())
     scene = compose(take.spec, step, obstacles(around.scene), bare=take.model)
     return _Read(take.name, scene, take.time, take.qpos, take.fps)
 

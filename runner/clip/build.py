@@ -56,7 +56,11 @@ class Clip(Renames):
     context: Context
     notes: tuple[str, ...]
     custom_penalties: tuple[tuple[Penalty, float], ...] = ()
-    RENAMED: ClassVar[Mapping[str, str]] = {"asking": "with_problem", "own": "custom_penalties"}
+    RENAMED: ClassVar[Mapping[str, str]] = {
+        "asking": "with_problem",
+        "own": "custom_penalties",
+        "said": "authored_keys",
+    }
 
     @property
     def figure(self) -> Figure:
@@ -69,7 +73,7 @@ class Clip(Renames):
         return tuple(self.problem.keys)
 
     @property
-    def said(self) -> tuple[Frame, ...]:
+    def authored_keys(self) -> tuple[Frame, ...]:
         """The keyframes of the clip's text: without the frames of a recording that it follows."""
         return edits_of(self.keys, table_of(self.text, self.context.where)) if self.follows else self.keys
 

@@ -43,7 +43,7 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
     """
     numbers: dict[str, int] = {}
     options: dict[str, Options] = {}
-    raw = {"penalty": [{"kind": entry.kind, **entry.said} for entry in entries]}
+    raw = {"penalty": [{"kind": entry.kind, **entry.options} for entry in entries]}
     for i, entry in enumerate(entries, 1):
         here = f"{where}: penalty {i}"
         if entry.kind in RENAMED:
@@ -53,10 +53,10 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
         if entry.kind in numbers:
             raise UserError(f"{here}: kind '{entry.kind}' is given already by penalty {numbers[entry.kind]}")
         kind = KINDS[entry.kind]
-        for option in sorted(entry.said.keys() - kind.options.model_fields.keys()):
+        for option in sorted(entry.options.keys() - kind.options.model_fields.keys()):
             raise UserError(f"{here}: {_unknown_option(kind, option)}")
         try:
-            options[entry.kind] = kind.options.model_validate(entry.said)
+            options[entry.kind] = kind.options.model_validate(entry.options)
         except ValidationError as error:
             raise UserError(f"{where}: {describe(error, raw, ('penalty', i - 1))}") from None
         _check_weight(kind, options[entry.kind], here)
@@ -98,7 +98,7 @@ def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
     gone = [
         f"{key} of '{old.kind}'"
         for old in replaced
-        for key in sorted(old.said.keys() - {"weight"} - _now(old).options.keys())
+        for key in sorted(old.options.keys() - {"weight"} - _now(old).options.keys())
     ]
     part = f"part '{new.part}' of " if new.part else ""
     names = ", ".join(f"'{old.kind}'" for old in replaced)
@@ -129,13 +129,16 @@ def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[PenaltyTab
     weights: dict[str, object] = {}
     options: dict[str, object] = {}
     for entry in replaced:
-        old, weight = _now(entry), entry.said.get("weight", 1 if entry.kind in RENAMED else None)
+        old, weight = _now(entry), entry.options.get("weight", 1 if entry.kind in RENAMED else None)
         default = next((part.weight for part in KINDS[kind].parts if part.name == old.part), None)
         if isinstance(weight, dict):
             weights |= weight
         elif weight not in (None, default) or entry.kind == "root":  # whose default depends on the clip
             weights[old.part] = weight
-        options |= {**old.requires, **{old.options[key]: entry.said[key] for key in entry.said if key in old.options}}
+        options |= {
+            **old.requires,
+            **{old.options[key]: entry.options[key] for key in entry.options if key in old.options},
+        }
     weight = {"weight": weights.get("", weights)} if weights else {}
     return PenaltyTable.of(kind, **weight, **options), replaced
 

@@ -160,9 +160,13 @@ def _risen(spot: tuple[float, Array], end: float, sunk: Allowance, up: Array) ->
 
 
 def agreeing(
-    places: Array, said: Index, exact: Mask, wanted: Array | None, contradicts: Callable[[int, float, int | None], str]
+    places: Array,
+    specified: Index,
+    exact: Mask,
+    wanted: Array | None,
+    contradicts: Callable[[int, float, int | None], str],
 ) -> list[int]:
-    """Return the keyframes of `said` whose places, of (3, K) [m], agree with the wanted one (3,) within the drift.
+    """Return the keyframes of `specified` whose places, of (3, K) [m], agree with the wanted one (3,) within the drift.
 
     Without a wanted place, that of the first keyframe counts.
 
@@ -170,14 +174,14 @@ def agreeing(
     contradicts  the error for one that fixes another place: its index, how far off it is [m], and that of the first
     """
     kept: list[int] = []
-    said = said[np.argsort(~exact[said], kind="stable")]
-    for k in said.tolist():
-        reference = places[:, said[0]] if wanted is None else wanted
+    specified = specified[np.argsort(~exact[specified], kind="stable")]
+    for k in specified.tolist():
+        reference = places[:, specified[0]] if wanted is None else wanted
         apart = float(np.linalg.norm(places[:, k] - reference))
         if apart <= SAME_SPOT:
             kept.append(k)
         elif exact[k]:
-            raise UserError(contradicts(k, apart, int(said[0]) if wanted is None else None))
+            raise UserError(contradicts(k, apart, int(specified[0]) if wanted is None else None))
     return sorted(kept)
 
 

@@ -188,13 +188,13 @@ def _placed(row: Placed, *names: str) -> Placed:
 
 def _penalty(entry: PenaltyTable, sides: _Sides) -> PenaltyTable:
     """A penalty for the points, joints and bodies of the other side, an axis of these in their frames there."""
-    options = dict(entry.said)
+    options = dict(entry.options)
     for key in ("points", "bend_joints", "bodies"):
         if options.get(key):
-            options[key] = [sides.other(name) for name in entry.said[key]]
+            options[key] = [sides.other(name) for name in entry.options[key]]
     if options.get("axis") is not None and options.get("bodies"):
         axis = np.array(options["axis"], float)
-        axes = [(sides.reflection(name) @ axis).tolist() for name in entry.said["bodies"]]
+        axes = [(sides.reflection(name) @ axis).tolist() for name in entry.options["bodies"]]
         if not np.allclose(axes, axes[0], atol=1e-9):
             raise UserError(f"penalty '{entry.kind}': bodies with different orientations have no common mirrored axis")
         options["axis"] = axes[0]

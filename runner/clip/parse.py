@@ -190,11 +190,11 @@ def _misplaced(table: ClipTable) -> Iterator[str]:
     if table.solve.model_fields_set - {"coordinates"}:
         yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
     for entry in table.penalty:
-        weight = entry.said.get("weight")
+        weight = entry.options.get("weight")
         terms = [f"{entry.kind}.{part}" for part in weight] if isinstance(weight, dict) else []
         unfit = [term for term in terms if term not in WEIGHTS]
         usable = [term for term in WEIGHTS if term != "near"]
-        if entry.kind not in {term.split(".")[0] for term in usable} or unfit or entry.said.keys() - {"weight"}:
+        if entry.kind not in {term.split(".")[0] for term in usable} or unfit or entry.options.keys() - {"weight"}:
             yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(usable)}"
 
 

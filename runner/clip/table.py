@@ -236,12 +236,12 @@ class PenaltyTable(Table):
     kind: str
 
     @classmethod
-    def of(cls, kind: str, **said: Any) -> PenaltyTable:
+    def of(cls, kind: str, **options: Any) -> PenaltyTable:
         """A penalty table with the given entries."""
-        return cls.model_validate({"kind": kind, **said})
+        return cls.model_validate({"kind": kind, **options})
 
     @property
-    def said(self) -> Mapping[str, Any]:
+    def options(self) -> Mapping[str, Any]:
         """The options by name, unchecked: `constraints.chosen` checks them."""
         return dict(self.model_extra or {})
 

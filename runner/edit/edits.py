@@ -103,7 +103,7 @@ def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
 
 def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float) -> PenaltyTable:
     """A penalty's table at another speed."""
-    options = dict(penalty.said)
+    options = dict(penalty.options)
     if options.get("intervals"):
         options["intervals"] = [[later(first), later(last)] for first, last in options["intervals"]]
     if options.get("period"):
@@ -298,14 +298,14 @@ def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None,
 
 def _flying(penalty: PenaltyTable, more: Sequence[Span] | None, span: Span) -> PenaltyTable:
     """A penalty's table with more flights, if it lists flights, in a span [s]."""
-    intervals = penalty.said.get("intervals")
+    intervals = penalty.options.get("intervals")
     if intervals is None:
         return penalty
     if more is None:
         return _left_to_keyframes(penalty)
     inside = [(max(first, span[0]), min(last, span[1])) for first, last in [*intervals, *more]]
     flights = [[first, last] for first, last in inside if last - first >= SHORTEST]
-    return PenaltyTable.of(penalty.kind, **{**penalty.said, "intervals": flights})
+    return PenaltyTable.of(penalty.kind, **{**penalty.options, "intervals": flights})
 
 
 def _without_flights(clip: ClipTable) -> ClipTable:
@@ -314,12 +314,12 @@ def _without_flights(clip: ClipTable) -> ClipTable:
 
 
 def _left_to_keyframes(penalty: PenaltyTable) -> PenaltyTable:
-    return PenaltyTable.of(penalty.kind, **{key: value for key, value in penalty.said.items() if key != "intervals"})
+    return PenaltyTable.of(penalty.kind, **{key: value for key, value in penalty.options.items() if key != "intervals"})
 
 
 def _flights(saved: Saved) -> list[Span] | None:
     """The flights of a motion's text; None where they are inferred from its keyframes."""
-    listed = [row.said["intervals"] for row in _table(saved).penalty if row.said.get("intervals") is not None]
+    listed = [row.options["intervals"] for row in _table(saved).penalty if row.options.get("intervals") is not None]
     return [(first, last) for intervals in listed for first, last in intervals] if any(listed) else None
 
 

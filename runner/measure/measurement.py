@@ -109,13 +109,13 @@ class Measurement:
     @property
     def numbers(self) -> Index:
         """(K,) the numbers of the keyframes as you specified them, from 1."""
-        specified = {key.time for key in self.clip.said}
+        specified = {key.time for key in self.clip.authored_keys}
         return np.cumsum([key.time in specified for key in self.clip.keys])
 
 
 def _as_keyed(clip: Clip) -> Clip:
     """Of a recording's frames, which are not user keyframes: the first, the last and the keyframes."""
-    key_times, ends = {key.time for key in clip.said}, (0, len(clip.keys) - 1)
+    key_times, ends = {key.time for key in clip.authored_keys}, (0, len(clip.keys) - 1)
     nothing = np.zeros(clip.figure.width, bool)
     keys = tuple(
         key if key.time in key_times else replace(key, fixed=nothing)

@@ -145,15 +145,15 @@ def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
     )
 
 
-def _roots(whole: dict[str, Any], said: dict[str, Any]) -> dict[str, Any]:
+def _roots(whole: dict[str, Any], table: dict[str, Any]) -> dict[str, Any]:
     """The configuration's entries for further free bodies, overridden by the given ones."""
-    mine, theirs = whole.get("roots", {}), said.get("roots", {})
+    mine, theirs = whole.get("roots", {}), table.get("roots", {})
     names = list(dict.fromkeys([*mine, *theirs]))
     return {"roots": {name: mine.get(name, {}) | theirs.get(name, {}) for name in names}} if names else {}
 
 
-def _penalty(kind: str, said: float | Table) -> dict[str, Any]:
-    return {"kind": kind} | (_plain(said) if isinstance(said, Mapping) else {"weight": float(said)})
+def _penalty(kind: str, table: float | Table) -> dict[str, Any]:
+    return {"kind": kind} | (_plain(table) if isinstance(table, Mapping) else {"weight": float(table)})
 
 
 def _plain(value: Any) -> Any:

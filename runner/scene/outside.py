@@ -32,19 +32,19 @@ def is_allowed() -> bool:
     return _allowed.get()
 
 
-def check(place: Path, folder: Path, said: str) -> None:
+def check(place: Path, folder: Path, name: str) -> None:
     """Raise UserError for a file outside the model's folder, after resolving links.
 
     place   where the file is
     folder  the model's
-    said    the file's name in the model
+    name    the file's name in the model
     """
     if not is_allowed() and not lies_in(place, folder):
         home = os.path.realpath(folder)
         real = os.path.realpath(place)
-        resolved = "" if said == real else f" ('{real}')"
+        resolved = "" if name == real else f" ('{real}')"
         raise UserError(
-            f"the model refers to '{said}'{resolved}, outside its folder '{home}'; if it may read that file, "
+            f"the model refers to '{name}'{resolved}, outside its folder '{home}'; if it may read that file, "
             "--allow-outside lets it (allow_outside=True in Python)"
         )
 

@@ -110,14 +110,14 @@ class Actions:
     def _meant(self, poser: Poser) -> tuple[str, dict[str, Any], int | None] | None:
         """The edit that ending the drag now would make, as `Session.edit` takes it; None where nothing has moved."""
         home, last, index = self._home, self._last, self.key_at(self._time)
-        entries = poser.said(last, home)
+        entries = poser.keyframe_entries(last, home)
         if not any(entries.values()):
             return None
         if index is None:
-            moved = self._whole_limb(poser, entries, last) if self._is_partial else poser.said(last)
-            return "add_key", {"said": {**moved, "time": self._time}}, None
+            moved = self._whole_limb(poser, entries, last) if self._is_partial else poser.keyframe_entries(last)
+            return "add_key", {"entries": {**moved, "time": self._time}}, None
         if "root" in entries:  # the whole pose: everything attached to the root moves along
-            entries = self._kept_free(index, poser.said(last), home, last, poser)
+            entries = self._kept_free(index, poser.keyframe_entries(last), home, last, poser)
             arguments = {"places": self._placed(index), **entries}
         else:
             arguments = self._let_go(index, _named(entries, poser), last, poser, entries)
@@ -160,32 +160,32 @@ class Actions:
         row = self._row(index)
         return [name for group in ("sites", "bodies") for name in row.get(group, {})]
 
-    def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, said: dict[str, Any]) -> dict[str, Any]:
+    def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: dict[str, Any]) -> dict[str, Any]:
         """The joints of a keyframe that were moved, and the targets that these override.
 
         The other joints that such a target determined, of its limb and the root, are specified as in the pose (nq,).
         """
         row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
-        places = [name for name in self._placed(index) if poser.ways(name)[0] & names]
-        decided = {joint for name in places for joint in poser.ways(name)[1]} - set(row.get("joints", {}))
+        places = [name for name in self._placed(index) if poser.deciding_joints(name)[0] & names]
+        decided = {joint for name in places for joint in poser.deciding_joints(name)[1]} - set(row.get("joints", {}))
         if places and "root" not in row and poser.root is not None:
             decided |= {poser.root}
         free = {link.name for link in poser.figure.links[1:] if not fixed[link.qpos]}
-        instead = poser.among(poser.said(qpos), decided - names - free)
-        joined = {group: {**instead.get(group, {}), **said.get(group, {})} for group in ("joints", "root", "roots")}
+        instead = poser.select_joints(poser.keyframe_entries(qpos), decided - names - free)
+        joined = {group: {**instead.get(group, {}), **entries.get(group, {})} for group in ("joints", "root", "roots")}
         return {"places": places, "joints": joined.pop("joints"), **{k: v for k, v in joined.items() if v}}
 
-    def _whole_limb(self, poser: Poser, said: dict[str, Any], qpos: Any) -> dict[str, Any]:
+    def _whole_limb(self, poser: Poser, entries: dict[str, Any], qpos: Any) -> dict[str, Any]:
         """The moved joints with all other joints of the dragged or rotated limb."""
         limb = poser.limb_names(self._body)
-        limb_joints = {name: value for name, value in poser.said(qpos)["joints"].items() if name in limb}
-        return {**said, "joints": {**limb_joints, **said["joints"]}}
+        limb_joints = {name: value for name, value in poser.keyframe_entries(qpos)["joints"].items() if name in limb}
+        return {**entries, "joints": {**limb_joints, **entries["joints"]}}
 
-    def _kept_free(self, index: int, said: Any, home: Any, last: Any, poser: Poser) -> Any:
+    def _kept_free(self, index: int, entries: Any, home: Any, last: Any, poser: Poser) -> Any:
         """Remove joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
-        moved = _named(poser.said(last, home), poser)
-        return poser.among(said, {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} | moved)
+        moved = _named(poser.keyframe_entries(last, home), poser)
+        return poser.select_joints(entries, {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} | moved)
 
     async def cancel(self) -> str:
         """End the drag without an edit."""
@@ -199,18 +199,18 @@ class Actions:
     async def key(self, *, time: float, limb: Sequence[str] | None = None) -> str:
         """Add a keyframe from the present path; of the given joints only, if any."""
         poser = await self.poser()
-        entries = poser.said(self.at(time))
+        entries = poser.keyframe_entries(self.at(time))
         if limb is not None:
-            entries = poser.among(entries, limb)
+            entries = poser.select_joints(entries, limb)
             if not any(entries.values()):
                 raise UserError("none of these joints can be set on its own; select another limb")
-        return await self.session.edit("add_key", {"said": {"time": time, **entries}})
+        return await self.session.edit("add_key", {"entries": {"time": time, **entries}})
 
     async def rest(self, *, key: int, revision: int | None = None) -> str:
         """Set a keyframe's joints to the rest pose; the root keeps its position."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
-        joints = poser.said(poser.figure.model.qpos0)["joints"]
+        joints = poser.keyframe_entries(poser.figure.model.qpos0)["joints"]
         arguments = self._let_go(key, set(joints), self._state(key), poser, {"joints": joints})
         arguments["places"] = self._placed(key)
         return await self.session.edit("set_pose", {"key": key, **arguments, "words": "pose as at rest"}, revision)
@@ -220,9 +220,10 @@ class Actions:
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         row = self._row(key)
-        entries = poser.among(poser.said(self.at(float(row["time"]))), joints)
+        entries = poser.select_joints(poser.keyframe_entries(self.at(float(row["time"]))), joints)
         determined = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
-        places = [name for name in self._placed(key) if poser.ways(name)[0] <= determined]  # their joints are fixed now
+        # places whose joints are all fixed now
+        places = [name for name in self._placed(key) if poser.deciding_joints(name)[0] <= determined]
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
         return await self.session.edit("set_pose", {"key": key, **entries, "places": places, "words": words}, revision)
 
@@ -297,9 +298,10 @@ class Actions:
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
 
-    def _now(self, revision: int | None, **said: Any) -> dict[str, Any]:
+    def _now(self, revision: int | None, **indices: Any) -> dict[str, Any]:
         """Convert indices of a revision into those of the present one."""
-        return renumbered(self.session.document, revision, {k: list(v) if k == "keys" else v for k, v in said.items()})
+        request = {name: list(value) if name == "keys" else value for name, value in indices.items()}
+        return renumbered(self.session.document, revision, request)
 
     def _row(self, index: int) -> dict[str, Any]:
         rows = self.session.document.tree_rows()
@@ -339,10 +341,10 @@ def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
     return {"position": position[0].round(5).ravel().tolist(), "rotation": rotation[0].round(6).ravel().tolist()}
 
 
-def _named(said: dict[str, Any], poser: Poser) -> set[str]:
+def _named(entries: dict[str, Any], poser: Poser) -> set[str]:
     """The names of the joints in an edit."""
-    root = {poser.root} if poser.root is not None and said.get("root") else set()
-    return {*said["joints"], *said.get("roots", {}), *root}
+    root = {poser.root} if poser.root is not None and entries.get("root") else set()
+    return {*entries["joints"], *entries.get("roots", {}), *root}
 
 
 def _plain(row: Any) -> dict[str, Any]:

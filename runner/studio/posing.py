@@ -243,10 +243,10 @@ class Poser:
         out[start : start + 4] = quat.normalised(there)
         return out
 
-    def said(self, qpos: Array, home: Array | None = None) -> dict[str, Any]:
-        """What a keyframe has to say for a pose: of all joints, or of those not as at home.
+    def keyframe_entries(self, qpos: Array, home: Array | None = None) -> dict[str, Any]:
+        """Return the entries of a keyframe for a pose: of all joints, or of those that differ from `home`.
 
-        {"joints"}, and {"root"} and {"roots"} where there is something to say of the first free body and of others
+        {"joints"}, and {"root"} and {"roots"} if there are entries of the first free body and of others
         """
         joints: dict[str, Any] = {}
         root: dict[str, Any] = {}
@@ -277,15 +277,15 @@ class Poser:
             return None
         return self.figure.links[root.link].name
 
-    def among(self, said: dict[str, Any], names: Collection[str]) -> dict[str, Any]:
-        """What is said of some joints, by name, those of free bodies among them."""
+    def select_joints(self, entries: dict[str, Any], names: Collection[str]) -> dict[str, Any]:
+        """Return the entries of the named joints and free bodies."""
         selected = {
-            group: {k: v for k, v in said.get(group, {}).items() if k in names} for group in ("joints", "roots")
+            group: {k: v for k, v in entries.get(group, {}).items() if k in names} for group in ("joints", "roots")
         }
-        root = {"root": said["root"]} if self.root in names and "root" in said else {}
+        root = {"root": entries["root"]} if self.root in names and "root" in entries else {}
         return {"joints": selected["joints"], **root, **({"roots": selected["roots"]} if selected["roots"] else {})}
 
-    def ways(self, place: str) -> tuple[set[str], set[str]]:
+    def deciding_joints(self, place: str) -> tuple[set[str], set[str]]:
         """The joints that decide where a place is, of all and of its own limb; none of one that is not known."""
         body = self._places.body(place)
         links_of = ([], []) if body is None else (chain(self.figure, body), limb(self.figure, body))

@@ -17,9 +17,9 @@ from .document import Document, parsed
 BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` is of these tables
 
 
-def renumbered(document: Document, revision: int | None, said: Mapping[str, Any], edit: str = "") -> dict[str, Any]:
+def renumbered(document: Document, revision: int | None, request: Mapping[str, Any], edit: str = "") -> dict[str, Any]:
     """A page's arguments, with indices of a revision replaced by present ones; raises UserError for unknown ones."""
-    arguments = dict(said)
+    arguments = dict(request)
     if revision is None or revision == document.revision:
         return arguments
     texts = document.since(revision)

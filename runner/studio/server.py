@@ -182,11 +182,11 @@ class _Page:
             answer = {"is": "answer", "id": number, "ok": False, "words": words}
         self._put(json.dumps(answer))
 
-    async def _done(self, do: str, said: dict[str, Any]) -> Any:
+    async def _done(self, do: str, arguments: dict[str, Any]) -> Any:
         deed = self._deeds.get(do)
         if deed is None:
             raise UserError(f"'{do}': unknown request; reload the page")
-        return await deed(**said)
+        return await deed(**arguments)
 
     @property
     def _deeds(self) -> dict[str, Callable[..., Awaitable[Any]]]:
@@ -205,8 +205,8 @@ class _Page:
             "stop_task": writer.stop,
         }
 
-    async def _edit(self, name: str, revision: int | None = None, **said: Any) -> str:
-        return await self.session.edit(name, said, revision)
+    async def _edit(self, name: str, revision: int | None = None, **arguments: Any) -> str:
+        return await self.session.edit(name, arguments, revision)
 
     async def _go(self, anew: bool = False) -> str:
         self.session.search(go=True, anew=anew)

@@ -150,18 +150,18 @@ class Session:
 
     # ---- edits
 
-    async def edit(self, name: str, said: Message, revision: int | None = None) -> str:
+    async def edit(self, name: str, arguments: Message, revision: int | None = None) -> str:
         """Apply an edit by name; raises UserError, and then nothing has changed.
 
         revision  the revision of its indices, where this may not be the present one
         """
         async with self._lock:
-            request = self.document.revision, name, said, revision
+            request = self.document.revision, name, arguments, revision
             prepared_edit, self._speculation = self._speculation, None
             text, words = (
                 prepared_edit[1]
                 if prepared_edit is not None and prepared_edit[0] == request
-                else self._edited(name, said, revision)
+                else self._edited(name, arguments, revision)
             )
             if text != self.document.text:
                 verdict = await self._tried(text)
@@ -169,28 +169,28 @@ class Session:
                 self._changed(verdict)
             return words
 
-    def _edited(self, name: str, said: Message, revision: int | None) -> tuple[str, str]:
+    def _edited(self, name: str, arguments: Message, revision: int | None) -> tuple[str, str]:
         """The text after an edit, and its description."""
         from .edits import EDITS  # only here, as in `document`
 
         if name not in EDITS:
             raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
-        said = renumbered(self.document, revision, said, name)
+        arguments = renumbered(self.document, revision, arguments, name)
         tree = self.document.tree()
         try:
-            words = EDITS[name](tree, **said)
+            words = EDITS[name](tree, **arguments)
         except TypeError as error:
             raise UserError(f"{name}: {one_line(error)}") from None
         return tree.as_string(), words
 
-    def speculate(self, name: str, said: Message, revision: int | None = None) -> None:
+    def speculate(self, name: str, arguments: Message, revision: int | None = None) -> None:
         """Solve speculatively for an edit that may follow, if there is nothing else to do."""
         if not self.go or self._lock.locked() or self.status["state"] != "settled":
             return
         with suppress(UserError):
-            text, words = self._edited(name, said, revision)
+            text, words = self._edited(name, arguments, revision)
             if text != self.document.text:
-                self._speculation = (self.document.revision, name, said, revision), (text, words)
+                self._speculation = (self.document.revision, name, arguments, revision), (text, words)
                 self._is_speculating = True
                 self.solver.send({"do": "speculate", **self._named(text)})
 
@@ -443,6 +443,6 @@ class Session:
             self._trying = trying
             self.solver.send(trying)
 
-    def _status(self, state: str, **said: Any) -> None:
-        self.status = {"is": "status", "state": state, "go": self.go, **said}
+    def _status(self, state: str, **details: Any) -> None:
+        self.status = {"is": "status", "state": state, "go": self.go, **details}
         self.tell(self.status)

@@ -172,8 +172,8 @@ export class Shapes {
   }
 
   /** A material that shines, or one that costs less. */
-  private painted(said: THREE.MeshLambertMaterialParameters, roughness: number): THREE.Material {
-    return this.fineness.plain ? new THREE.MeshLambertMaterial(said) : new THREE.MeshStandardMaterial({ ...said, roughness });
+  private painted(parameters: THREE.MeshLambertMaterialParameters, roughness: number): THREE.Material {
+    return this.fineness.plain ? new THREE.MeshLambertMaterial(parameters) : new THREE.MeshStandardMaterial({ ...parameters, roughness });
   }
 
   private look(piece: Piece): THREE.Material {

@@ -1,14 +1,14 @@
 // Elements made in one line, and the few icons.
-type Said = Record<string, string | number | boolean | undefined | ((event: Event) => void)>;
+type Props = Record<string, string | number | boolean | undefined | ((event: Event) => void)>;
 
 export const $ = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
 
 /** An element: attributes, `text`, handlers as onclick and so on, children. */
 export const el = <K extends keyof HTMLElementTagNameMap>(
-  tag: K, said: Said = {}, ...children: (Node | string)[]
+  tag: K, props: Props = {}, ...children: (Node | string)[]
 ): HTMLElementTagNameMap[K] => {
   const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(said)) {
+  for (const [name, value] of Object.entries(props)) {
     if (typeof value === "function") made.addEventListener(name.slice(2), value);
     else if (name === "text") made.textContent = String(value);
     else if (value === true) made.setAttribute(name, "");

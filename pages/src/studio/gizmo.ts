@@ -136,7 +136,7 @@ export class Gizmo {
     if (model.joint !== null) await act("drop", { time: this.time, partial: model.partial });
     else if (model.obstacle && this.held) {
       const { kind, index } = model.obstacle;
-      await edit("set_obstacle", { kind, index, said: movedTo(this.held, axesOf(this.stage, this.held).into(this.handle.position)), revision: this.revision });
+      await edit("set_obstacle", { kind, index, entries: movedTo(this.held, axesOf(this.stage, this.held).into(this.handle.position)), revision: this.revision });
     }
     this.stage.override = null;
     this.stage.draw();

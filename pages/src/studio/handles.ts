@@ -6,9 +6,9 @@ import { edit } from "./link";
 import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";
 
-type Said = Record<string, unknown>;
+type Entries = Record<string, unknown>;
 /** Its position; the direction of dragging, or null for any; the obstacle's entries after dragging so far, or to a position. */
-interface Handle { at: THREE.Vector3; along: THREE.Vector3 | null; said: (by: number, to: THREE.Vector3) => Said; }
+interface Handle { at: THREE.Vector3; along: THREE.Vector3 | null; entries: (by: number, to: THREE.Vector3) => Entries; }
 
 const NEAR = 11; // [px] from a handle within which it is taken
 const LEAST = 0.02; // [m] of a side
@@ -24,7 +24,7 @@ export class Handles {
   private readonly paint = new THREE.MeshBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true, opacity: 0.95 });
   private readonly ray = new THREE.Raycaster();
   private shown: Handle[] = [];
-  private held: { handle: Handle; thing: Obstacle; revision: number; said: Said } | null = null;
+  private held: { handle: Handle; thing: Obstacle; revision: number; entries: Entries } | null = null;
 
   constructor(private readonly stage: Stage) {
     const { canvas } = stage;
@@ -59,8 +59,8 @@ export class Handles {
   private handles(thing: Obstacle): Handle[] {
     if (thing.kind === "step") return this.ofStep(thing);
     const { turn, out, into, within } = axesOf(this.stage, thing), at = vector(thing.position), radius = thing.radius as number;
-    const handle = (direction: THREE.Vector3, away: number, said: Handle["said"]): Handle => ({
-      at: out(at.clone().addScaledVector(direction, away)), along: direction.clone().applyQuaternion(within), said,
+    const handle = (direction: THREE.Vector3, away: number, entries: Handle["entries"]): Handle => ({
+      at: out(at.clone().addScaledVector(direction, away)), along: direction.clone().applyQuaternion(within), entries,
     });
     const moved = (direction: THREE.Vector3, by: number) => at.clone().addScaledVector(direction, by / 2).toArray();
     const wider = (direction: THREE.Vector3) => handle(direction, radius, (by) => ({ radius: Math.max(LEAST / 2, radius + by) }));
@@ -80,7 +80,7 @@ export class Handles {
       const side = new THREE.Vector3().crossVectors(along, Math.abs(along.z) < 0.9 ? AXES[2] : AXES[0]).normalize();
       at.copy(ends[0]).add(ends[1]).multiplyScalar(0.5);
       return [
-        ...(["from", "to"] as const).map((name, i) => ({ at: out(ends[i]), along: null, said: (_: number, to: THREE.Vector3) => ({ [name]: into(to).toArray() }) })),
+        ...(["from", "to"] as const).map((name, i) => ({ at: out(ends[i]), along: null, entries: (_: number, to: THREE.Vector3) => ({ [name]: into(to).toArray() }) })),
         wider(side),
       ];
     }
@@ -101,12 +101,12 @@ export class Handles {
     const { x, height, y = 0, length = 3, width = 2.4 } = thing as unknown as Record<string, number>;
     const at = (u: number, v: number, z: number) => new THREE.Vector3(x + u, y + v, z), most = (side: number, by: number) => Math.max(by, LEAST - side);
     return [
-      { at: at(length / 2, 0, height), along: AXES[2], said: (by) => ({ height: height + most(height, by) }) },
-      { at: at(0, 0, height / 2), along: AXES[0].clone().negate(), said: (by) => ({ x: x - most(length, by), length: length + most(length, by) }) },
-      { at: at(length, 0, height / 2), along: AXES[0], said: (by) => ({ length: length + most(length, by) }) },
+      { at: at(length / 2, 0, height), along: AXES[2], entries: (by) => ({ height: height + most(height, by) }) },
+      { at: at(0, 0, height / 2), along: AXES[0].clone().negate(), entries: (by) => ({ x: x - most(length, by), length: length + most(length, by) }) },
+      { at: at(length, 0, height / 2), along: AXES[0], entries: (by) => ({ length: length + most(length, by) }) },
       ...[1, -1].map((sign) => ({
         at: at(length / 2, (sign * width) / 2, height / 2), along: AXES[1].clone().multiplyScalar(sign),
-        said: (by: number) => ({ width: width + most(width, by), y: y + (sign * most(width, by)) / 2 }),
+        entries: (by: number) => ({ width: width + most(width, by), y: y + (sign * most(width, by)) / 2 }),
       })),
     ];
   }
@@ -147,7 +147,7 @@ export class Handles {
     event.stopImmediatePropagation();
     this.stage.orbit.enabled = false;
     this.stage.canvas.setPointerCapture(event.pointerId);
-    this.held = { handle, thing, revision: model.document!.revision, said: {} };
+    this.held = { handle, thing, revision: model.document!.revision, entries: {} };
   }
 
   private move(event: PointerEvent): void {
@@ -169,9 +169,9 @@ export class Handles {
       const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), at);
       to = this.ray.ray.intersectPlane(plane, new THREE.Vector3()) ?? to;
     }
-    held.said = Object.fromEntries(Object.entries(held.handle.said(by, to)).map(([name, value]) => [name, rounded(value)]));
-    toast(Object.entries(held.said).map(([name, value]) => `${name} ${[value].flat().map((each) => short(each as number)).join(" ")} m`).join(", "), "note");
-    this.outline({ ...held.thing, ...held.said } as Obstacle);
+    held.entries = Object.fromEntries(Object.entries(held.handle.entries(by, to)).map(([name, value]) => [name, rounded(value)]));
+    toast(Object.entries(held.entries).map(([name, value]) => `${name} ${[value].flat().map((each) => short(each as number)).join(" ")} m`).join(", "), "note");
+    this.outline({ ...held.thing, ...held.entries } as Obstacle);
     this.stage.draw();
   }
 
@@ -205,8 +205,8 @@ export class Handles {
   private async up(event: PointerEvent): Promise<void> {
     const { held } = this;
     if (!held || event.button !== 0) return;
-    const { thing, said, revision } = held;
+    const { thing, entries, revision } = held;
     this.cancel();
-    if (Object.keys(said).length) await edit("set_obstacle", { kind: thing.kind, index: thing.index, said, revision });
+    if (Object.keys(entries).length) await edit("set_obstacle", { kind: thing.kind, index: thing.index, entries, revision });
   }
 }

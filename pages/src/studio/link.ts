@@ -4,7 +4,7 @@ import { toast } from "./dom";
 import { model, type Course, type Obstacle } from "./model";
 
 export interface Answer { ok: boolean; words?: string; [key: string]: unknown; }
-type Told = Record<string, any>;
+type Message = Record<string, any>;
 
 const TOKEN = new URLSearchParams(location.search).get("token") ?? "";
 const waiting = new Map<number, (answer: Answer) => void>();
@@ -26,7 +26,7 @@ export const isAwaiting = (): boolean => waiting.size > 0;
 export const isChanging = (): boolean => waiting.has(change);
 
 /** Sends a request; the answer describes the result or the reason for a rejection, and never throws. */
-export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promise((resolve) => {
+export const ask = (what: string, args: Message = {}): Promise<Answer> => new Promise((resolve) => {
   if (!socket || socket.readyState !== WebSocket.OPEN) {
     resolve({ ok: false, words: "no connection to the studio; try again" });
     return;
@@ -38,22 +38,22 @@ export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promi
     changed = performance.now();
   }
   const seen = NUMBERED.has(what) ? { revision: model.document?.revision } : {};
-  socket.send(JSON.stringify({ do: what, id: number, ...seen, ...said }, (_, value) => (Number.isNaN(value) ? "NaN" : value)));
+  socket.send(JSON.stringify({ do: what, id: number, ...seen, ...args }, (_, value) => (Number.isNaN(value) ? "NaN" : value)));
 });
 
 /** Sends a request and shows a rejection as a message. */
-export const act = async (what: string, said: Told = {}): Promise<Answer> => {
-  const answer = await ask(what, said);
+export const act = async (what: string, args: Message = {}): Promise<Answer> => {
+  const answer = await ask(what, args);
   if (!answer.ok) toast(answer.words ?? "the request failed", "wrong");
   else if (answer.words) toast(answer.words);
   return answer;
 };
 
-export const edit = (name: string, said: Told): Promise<Answer> => act("edit", { name, ...said });
+export const edit = (name: string, args: Message): Promise<Answer> => act("edit", { name, ...args });
 
 const packed = (data: ArrayBuffer): void => {
   const size = new DataView(data).getUint32(0, true);
-  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, size))) as Told & Course;
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, size))) as Message & Course;
   const { count, bodies } = head;
   let at = 4 + size;
   const taken = (length: number) => { const out = new Float32Array(data, at, length); at += 4 * length; return out; };
@@ -67,12 +67,12 @@ const packed = (data: ArrayBuffer): void => {
   model.tell("path");
 };
 
-const HEARD: Record<string, (told: Told) => void> = {
-  stage: (told) => { model.stage = told.stage; model.tell("stage"); },
-  document: (told) => {
-    const before = model.document, keys = told.keys as { time: number }[];
+const HANDLERS: Record<string, (message: Message) => void> = {
+  stage: (message) => { model.stage = message.stage; model.tell("stage"); },
+  document: (message) => {
+    const before = model.document, keys = message.keys as { time: number }[];
     const renewed = before?.keys.length !== keys.length ? (key: number) => keys.findIndex((each) => each.time === before?.keys[key]?.time) : (key: number) => key;
-    model.document = told as never;
+    model.document = message as never;
     model.keys = new Set([...model.keys].map(renewed).filter((key) => key >= 0));
     if (model.bar) {
       const bars = (of: typeof before) => (model.bar!.kind === "contact" ? of?.contacts : of?.holds) ?? [], was = JSON.stringify(bars(before)[model.bar.index]);
@@ -92,20 +92,20 @@ const HEARD: Record<string, (told: Told) => void> = {
     }
     model.tell("document");
   },
-  loaded: (told) => { model.loaded = told as never; model.tell("loaded"); },
-  settled: (told) => { model.violations = told.violations; model.astray = told.astray ?? null; model.tell("settled"); },
-  status: (told) => { model.status = told as never; model.tell("status"); },
-  kinds: (told) => { model.kinds = told.kinds; model.tell("kinds"); },
-  curves: (told) => { curves = told.curves; model.tell("curves"); },
-  formats: (told) => { formats = told as never; model.tell("formats"); },
-  task: (told) => { task = told.words === null ? null : `${told.what}: ${told.words}`; model.tell("task"); },
-  offer: (told) => { offer = told.words; model.tell("offer"); },
-  note: (told) => toast(told.words, "note"),
-  refused: (told) => toast(told.words, "wrong"),
-  answer: (told) => { waiting.get(told.id)?.(told as never); waiting.delete(told.id); },
+  loaded: (message) => { model.loaded = message as never; model.tell("loaded"); },
+  settled: (message) => { model.violations = message.violations; model.astray = message.astray ?? null; model.tell("settled"); },
+  status: (message) => { model.status = message as never; model.tell("status"); },
+  kinds: (message) => { model.kinds = message.kinds; model.tell("kinds"); },
+  curves: (message) => { curves = message.curves; model.tell("curves"); },
+  formats: (message) => { formats = message as never; model.tell("formats"); },
+  task: (message) => { task = message.words === null ? null : `${message.what}: ${message.words}`; model.tell("task"); },
+  offer: (message) => { offer = message.words; model.tell("offer"); },
+  note: (message) => toast(message.words, "note"),
+  refused: (message) => toast(message.words, "wrong"),
+  answer: (message) => { waiting.get(message.id)?.(message as never); waiting.delete(message.id); },
 };
 
-export let curves: Told | null = null;
+export let curves: Message | null = null;
 export let formats: { formats: { name: string; ending: string; says: string }[]; films: string[] } = { formats: [], films: [] };
 export let task: string | null = null;
 export let offer: string | null = null;
@@ -118,8 +118,8 @@ export const connect = (): void => {
   line.onopen = () => { connected = true; pause = 250; model.tell("line"); };
   line.onmessage = ({ data }) => {
     if (data instanceof ArrayBuffer) { packed(data); return; }
-    const told = JSON.parse(data) as Told;
-    HEARD[told.is]?.(told);
+    const message = JSON.parse(data) as Message;
+    HANDLERS[message.is]?.(message);
   };
   line.onclose = () => {
     connected = false;

@@ -3,7 +3,7 @@ import type { Drawn } from "../scene/shapes";
 import type { Path } from "../scene/path";
 
 export interface Rotation { rotvec?: number[]; euler?: number[]; quat?: number[]; heading?: number; }
-export interface KeySaid {
+export interface KeyframeRow {
   time: number; others: string; joints?: Record<string, Rotation | number | "free">;
   root?: { position?: (number | "free")[] | "free"; rotation?: Rotation | "free" };
   sites?: Record<string, unknown>; bodies?: Record<string, unknown>;
@@ -12,7 +12,7 @@ export interface Bar { point?: string; hand?: string; body?: string; from: numbe
 export interface Obstacle { kind: string; index: number; [key: string]: unknown; }
 export interface Outline {
   name: string; file: string | null; dirty: boolean; revision: number; undo: string | null; redo: string | null;
-  figure: string; fps: number; keys: KeySaid[]; contacts: Bar[]; holds: Bar[]; weights: Record<string, number>;
+  figure: string; fps: number; keys: KeyframeRow[]; contacts: Bar[]; holds: Bar[]; weights: Record<string, number>;
   options: Record<string, Record<string, unknown>>; obstacles: Obstacle[]; solve: Record<string, unknown>; copied: number;
   recording: unknown;
 }

@@ -50,15 +50,15 @@ const field = (label: string, value: number, unit: string, changed: (value: numb
 
 const poseRow = (key: number, joint: Joint): HTMLElement => {
   const { loaded, document } = model, revision = document!.revision;
-  const state = loaded!.keys[key], said = document!.keys[key];
+  const state = loaded!.keys[key], authored = document!.keys[key];
   const start = joint.kind === "free" ? joint.qpos + 3 : joint.qpos;
   const fixed = state.fixed[start];
   const numbers = values(joint, state.qpos);
   const further = joint === model.stage!.joints.find((each) => each.kind === "free") ? "" : joint.name; // a free body beside the root
-  const explicit = joint.kind === "free" || said.joints?.[joint.name] !== undefined;
+  const explicit = joint.kind === "free" || authored.joints?.[joint.name] !== undefined;
   const mode = fixed ? "pin" : "free";
   const choice = el("select", { class: "mode", "aria-label": `${joint.name}: pinned, free, or by the keyframe's rule for other joints`, title: "pinned: fixed at this value; free: chosen by the optimiser; others: by the keyframe's rule for other joints" });
-  for (const [value, text] of [["pin", "pinned"], ["free", "free"], ...(joint.kind === "free" ? [] : [["none", `others (${said.others})`]])]) {
+  for (const [value, text] of [["pin", "pinned"], ["free", "free"], ...(joint.kind === "free" ? [] : [["none", `others (${authored.others})`]])]) {
     choice.append(el("option", { value, text, selected: value === (explicit ? mode : "none") }));
   }
   choice.addEventListener("change", () => {
@@ -112,11 +112,11 @@ const pose = (): void => {
       el("p", { class: "hint" }, "No keyframe here. Drag any point of the figure, or press ", el("kbd", { text: "K" }), ", to make one from the path."));
     return;
   }
-  const said = document.keys[key], { revision } = document;
+  const authored = document.keys[key], { revision } = document;
   const others = el("select", { "aria-label": "joints that this keyframe does not name" });
-  for (const value of new Set(["free", "rest", "hold", said.others])) others.append(el("option", { value, text: value, selected: value === said.others }));
+  for (const value of new Set(["free", "rest", "hold", authored.others])) others.append(el("option", { value, text: value, selected: value === authored.others }));
   others.addEventListener("change", () => void edit("set_others", { key, revision, value: others.value }));
-  const time = field("time", said.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
+  const time = field("time", authored.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
   const focused = (window.document.activeElement as HTMLElement | null)?.getAttribute("aria-label");
   box.replaceChildren(
     el("div", { class: "heading" }, el("h2", { text: `Keyframe ${key + 1}` }), el("label", {}, "at ", time, " s")),
@@ -126,7 +126,7 @@ const pose = (): void => {
       el("button", { type: "button", text: "pin all", onclick: () => void act("pin", { key, revision, joints: stage.joints.map((joint) => joint.name) }) }),
       el("button", { type: "button", text: "free all", onclick: () => void act("free", { key, revision, joints: stage.joints.map((joint) => joint.name) }) })),
     el("label", { class: "line" }, "other joints: ", others),
-    ...["sites", "bodies"].flatMap((group) => Object.entries((said as any)[group] ?? {}).map(([name, place]) =>
+    ...["sites", "bodies"].flatMap((group) => Object.entries((authored as any)[group] ?? {}).map(([name, place]) =>
       el("div", { class: "line place" }, el("span", { text: `${name} → ${JSON.stringify(place)}` }),
         ...(group === "sites" ? [el("button", { type: "button", text: "remove target", onclick: () => void edit("set_place", { key, revision, site: name, position: null }) })] : [])))),
     ...stage.joints.map((joint) => poseRow(key, joint))); // it stays scrolled: to ask how far would lay out all of it twice
@@ -210,11 +210,11 @@ const scene = (): void => {
     const line = el("div", { class: "numbers" });
     for (const [name, value] of Object.entries(thing)) {
       if (["kind", "index", "color", "mass"].includes(name)) continue;
-      if (typeof value === "number") line.append(field(`${title} ${name}`, value, "m", (now) => void edit("set_obstacle", { kind: thing.kind, index: thing.index, revision, said: { [name]: now } }), 0.01));
+      if (typeof value === "number") line.append(field(`${title} ${name}`, value, "m", (now) => void edit("set_obstacle", { kind: thing.kind, index: thing.index, revision, entries: { [name]: now } }), 0.01));
       else if (Array.isArray(value)) value.forEach((each, i) => line.append(field(`${title} ${name} ${"xyz"[i]}`, each as number, "m", (now) => {
         const all = [...(value as number[])];
         all[i] = now;
-        void edit("set_obstacle", { kind: thing.kind, index: thing.index, revision, said: { [name]: all } });
+        void edit("set_obstacle", { kind: thing.kind, index: thing.index, revision, entries: { [name]: all } });
       }, 0.01)));
     }
     row.append(line);

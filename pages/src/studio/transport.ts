@@ -93,8 +93,8 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
   });
   const state = (): void => {
     const { status, course } = model;
-    const said = status.state === "settled" ? ENDS[status.stop ?? ""] ?? "converged" : STATES[status.state] ?? status.state;
-    say($("state"), connected ? said : "no connection to the studio");
+    const label = status.state === "settled" ? ENDS[status.stop ?? ""] ?? "converged" : STATES[status.state] ?? status.state;
+    say($("state"), connected ? label : "no connection to the studio");
     $("state").dataset.state = connected ? status.state : "gone";
     say($("energy"), course?.value === undefined ? "" : `E ${course.value >= 1000 ? course.value.toExponential(2) : short(course.value)}`);
     say($("go"), status.go ? "Stop" : "Continue");

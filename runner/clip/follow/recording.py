@@ -156,7 +156,7 @@ class Followed:
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
 
 
-def followed(said: RecordingTable, figure: Figure, motion: Moving | None, where: str) -> Followed:
+def followed(table: RecordingTable, figure: Figure, motion: Moving | None, where: str) -> Followed:
     """Return the recording that a clip follows in the clip's time.
 
     Raises:
@@ -164,17 +164,17 @@ def followed(said: RecordingTable, figure: Figure, motion: Moving | None, where:
     """
     here = f"{where}: recording"
     if motion is None:
-        raise UserError(f"{here}: the motion of '{said.file}' is missing; load the clip with `dynsplines.load`")
+        raise UserError(f"{here}: the motion of '{table.file}' is missing; load the clip with `dynsplines.load`")
     joints = [[link.name for link in model.links[1:]] for model in (figure, motion.figure)]
     if joints[0] != joints[1] or motion.figure.width != figure.width:
-        raise UserError(f"{here}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
+        raise UserError(f"{here}: '{table.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
     try:
-        timeline = motion.timeline if said.repeat is None else repeated(motion.figure, motion.timeline, said.repeat)
+        timeline = motion.timeline if table.repeat is None else repeated(motion.figure, motion.timeline, table.repeat)
     except TimelineError as error:
         raise UserError(f"{here}: repeat: {error}") from None
-    time, qpos = _cut(*_taken_down(Moving(motion.figure, timeline, motion.fps)), said, here)
-    recorded = Recorded.of(figure, _clip_time(time, said), qpos, exact=True)
-    return Followed(recorded, _clip_time(timeline.times, said, time[0]), said, where)
+    time, qpos = _cut(*_taken_down(Moving(motion.figure, timeline, motion.fps)), table, here)
+    recorded = Recorded.of(figure, _clip_time(time, table), qpos, exact=True)
+    return Followed(recorded, _clip_time(timeline.times, table, time[0]), table, where)
 
 
 def _taken_down(saved: Moving) -> tuple[Array, Array]:
@@ -188,10 +188,10 @@ def _taken_down(saved: Moving) -> tuple[Array, Array]:
     return time, motion.continuous(saved.figure, saved.figure.to_qpos(path.at(time)))
 
 
-def _cut(time: Array, qpos: Array, said: RecordingTable, where: str) -> tuple[Array, Array]:
+def _cut(time: Array, qpos: Array, table: RecordingTable, where: str) -> tuple[Array, Array]:
     """The used part of the recording."""
-    first = time[0] if said.start is None else said.start
-    last = time[-1] if said.end is None else said.end
+    first = time[0] if table.start is None else table.start
+    last = time[-1] if table.end is None else table.end
     if not time[0] - ROUNDING <= first < last <= time[-1] + ROUNDING:
         span = f"{time[0]:g} to {time[-1]:g} s"
         raise UserError(f"{where}: from = {first:g} and to = {last:g} are no part of it; it lasts from {span}")
@@ -201,14 +201,14 @@ def _cut(time: Array, qpos: Array, said: RecordingTable, where: str) -> tuple[Ar
     return time[used], qpos[used]
 
 
-def _clip_time(time: Array, said: RecordingTable, begin: float | None = None) -> Array:
+def _clip_time(time: Array, table: RecordingTable, begin: float | None = None) -> Array:
     """When moments (T,) [s] of the recording, of which the part that is used begins with the first or at `begin`, come
     in the clip."""
-    if said.times is None:
+    if table.times is None:
         first = float(time[0]) if begin is None else begin
-        at = first if said.at is None else said.at
-        return at + (time - first) / (said.speed or 1.0)
-    return _warp(*np.array(said.times, float).T)(time)
+        at = first if table.at is None else table.at
+        return at + (time - first) / (table.speed or 1.0)
+    return _warp(*np.array(table.times, float).T)(time)
 
 
 def _warp(own: Array, clip: Array) -> Callable[[Array], Array]:

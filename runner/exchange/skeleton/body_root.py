@@ -16,20 +16,20 @@ from dynsplines.solver.array import Array
 
 from . import bvh_file
 from .bvh_file import Skeleton
-from .roles import as_said, lineage, roles, unique
+from .roles import apply_bone_map, lineage, roles, unique
 
 STILL = 1e-6  # of a quaternion's entries, or the file's unit of length: less is no movement
 MOST_NAMES = 8  # in a note
 
 
-def from_body_root(skeleton: Skeleton, said: Mapping[str, str]) -> tuple[Skeleton, tuple[str, ...]]:
+def from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Skeleton, tuple[str, ...]]:
     """The skeleton from its body's root on, and a note on what is not part of it; as it is if that is its root.
 
-    said: names by role, as a map has them
+    bone_map: the recording's names by role
 
     It is left as it is, too, where the body's root stays at one place of its parent and other branches move.
     """
-    root = _body_root(skeleton, said)
+    root = _body_root(skeleton, bone_map)
     if root == 0:
         return skeleton, ()
     above = lineage(root, skeleton.parents)[1:]
@@ -58,13 +58,13 @@ def from_body_root(skeleton: Skeleton, said: Mapping[str, str]) -> tuple[Skeleto
     return bvh_file.skeleton(joints, place[:, subtree], turn[:, subtree], skeleton.frame_time), (note,)
 
 
-def _body_root(skeleton: Skeleton, said: Mapping[str, str]) -> int:
+def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
     """The joint that carries all parts of the body that are known by name; else the first that does not move alone.
 
     Without names, a joint is above the body's root if it carries nothing but one joint, and that one has positions.
     """
     parents, names = skeleton.parents, unique(skeleton.names)
-    parts = set(as_said(roles(names, parents), said, names, "recording").values())
+    parts = set(apply_bone_map(roles(names, parents), bone_map, names, "recording").values())
     if len(parts) > 1:
         shared = set.intersection(*(set(lineage(i, parents)) for i in parts))
         return max(shared, default=0)

@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array
 from .. import unsaid
 from .body_root import from_body_root
 from .bvh_file import Skeleton
-from .roles import as_said, roles, unique, with_trunk
+from .roles import apply_bone_map, roles, unique, with_trunk
 from .upright import NONE, TO_Z, standing_turn, vertical
 
 REACH = 1.25  # [m] from an adult's hips along the bones to the fingertips or toes, about
@@ -30,7 +30,7 @@ class Captured:
     """Joints, parents first (-1 for the root), at equal times.
 
     offset (J, 3) [m] from the parent when nothing is turned, ends {joint: (3,)}, position (T, J, 3) and rotation
-    (T, J, 4) in the world, local (T, J, 4) in the parent's axes; notes on what was guessed; said, names by role
+    (T, J, 4) in the world, local (T, J, 4) in the parent's axes; notes on what was guessed; bone_map, names by role
     """
 
     names: list[str]
@@ -41,13 +41,13 @@ class Captured:
     rotation: Array
     local: Array
     notes: tuple[str, ...] = ()
-    said: Mapping[str, str] = field(default_factory=dict)
+    bone_map: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, skeleton: Skeleton, scale: float | None = None, said: Mapping[str, str] | None = None) -> Captured:
-        """From a file's unit and axes; scale [m] its unit, inferred if None; said, names by role, of a map."""
-        said, notes_of_file = said or {}, skeleton.notes
-        skeleton, folded = from_body_root(skeleton, said)
+    def of(cls, skeleton: Skeleton, scale: float | None = None, bone_map: Mapping[str, str] | None = None) -> Captured:
+        """From a file's unit and axes; scale [m] its unit, inferred if None; bone_map, names by role."""
+        bone_map, notes_of_file = bone_map or {}, skeleton.notes
+        skeleton, folded = from_body_root(skeleton, bone_map)
         place, turn = skeleton.local
         offset = np.where(np.ptp(place, axis=0) > 0, np.median(place, axis=0), place[0])
         ends = {i: joint.end for i, joint in enumerate(skeleton.joints) if joint.end is not None}
@@ -63,7 +63,7 @@ class Captured:
         position, rotation = skeleton.placed(place, turn)
         here = cls(
             unique(skeleton.names), skeleton.parents, unit * offset, {i: unit * end for i, end in ends.items()},
-            unit * position, rotation, turn, notes, said,
+            unit * position, rotation, turn, notes, bone_map,
         )  # fmt: skip
         return _placed_upright(here, skeleton)
 
@@ -83,11 +83,11 @@ class Captured:
 
     @cached_property
     def roles(self) -> dict[str, int]:
-        by_role = as_said(roles(self.names, self.parents), self.said, self.names, "recording")
-        if not self.said:
+        by_role = apply_bone_map(roles(self.names, self.parents), self.bone_map, self.names, "recording")
+        if not self.bone_map:
             return by_role
         trunk = with_trunk(by_role, self.names, self.parents)  # as limbs of the map have it
-        return by_role | {role: joint for role, joint in trunk.items() if role not in {*by_role, *self.said}}
+        return by_role | {role: joint for role, joint in trunk.items() if role not in {*by_role, *self.bone_map}}
 
     @cached_property
     def at_zero(self) -> Array:

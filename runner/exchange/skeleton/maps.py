@@ -15,14 +15,14 @@ from .roles import ROLES
 HEADING = '# Bone map, by role: a body of the figure, a joint of the recording; "" for none.\n'
 
 
-def map_of(said: Path | None) -> Path | None:
-    """The file of a map that is said by its path, or by its name if it ships. Raises UserError if there is neither."""
-    if said is None or said.exists() or said.suffix or len(said.parts) > 1:
-        return said
+def map_of(file: Path | None) -> Path | None:
+    """Return the file of a map, given by its path, or by its name if it ships. Raises UserError if there is neither."""
+    if file is None or file.exists() or file.suffix or len(file.parts) > 1:
+        return file
     try:
-        return models.map_file(str(said))
+        return models.map_file(str(file))
     except models.UnknownName as error:
-        raise UserError(f"--map: no file '{said}', and {error}") from None
+        raise UserError(f"--map: no file '{file}', and {error}") from None
 
 
 def text_of(used: Used) -> str:

@@ -31,7 +31,7 @@ from . import hierarchy
 from .branches import completed
 from .captured import Captured
 from .limbs import Limb, bend
-from .roles import as_said, lineage, roles
+from .roles import apply_bone_map, lineage, roles
 from .rooted import carrying, shifted
 from .upright import standing_turn
 
@@ -182,8 +182,8 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     """qpos (T, nq) of the figure, and notes; where is how errors call the file."""
     standing, (chosen, used) = _Standing.of(model), _mapping.get() or (Map(), [])
     names = hierarchy.names(model)
-    standing = replace(standing, roles=as_said(standing.roles, chosen.figure, names, "figure"))
-    captured = replace(captured, said=chosen.recording)
+    standing = replace(standing, roles=apply_bone_map(standing.roles, chosen.figure, names, "figure"))
+    captured = replace(captured, bone_map=chosen.recording)
     used.append(
         Used(
             {role: names[body] for role, body in standing.roles.items()},

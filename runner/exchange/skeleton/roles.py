@@ -170,11 +170,16 @@ def with_trunk(found: Mapping[str, int], names: Sequence[str], parents: Sequence
     return out
 
 
-def as_said(found: Mapping[str, int], said: Mapping[str, str], names: Sequence[str], whose: str) -> dict[str, int]:
-    """Indices by role, as a map has them: a name, or "" for none; raises UserError for a name or role that is not
-    there."""
+def apply_bone_map(
+    found: Mapping[str, int], bone_map: Mapping[str, str], names: Sequence[str], whose: str
+) -> dict[str, int]:
+    """Return the indices by role, with those of a bone map: a name, or "" for none.
+
+    Raises:
+        UserError: for a name or role that does not exist.
+    """
     out = dict(found)
-    for role, name in said.items():
+    for role, name in bone_map.items():
         if role not in ROLES:
             raise UserError(f"map: {whose}: {unknown('role', role, ROLES)}")
         out.pop(role, None)

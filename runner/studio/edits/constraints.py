@@ -39,12 +39,12 @@ def _span(begin: Any, end: Any, what: str) -> dict[str, float]:
     return {"from": begin, "to": end}
 
 
-def _put(tree: Blocks, name: str, said: Mapping[str, Any], index: int | None) -> None:
+def _put(tree: Blocks, name: str, entries: Mapping[str, Any], index: int | None) -> None:
     if index is None:
-        add(tree, (name,), said)
+        add(tree, (name,), entries)
         return
     table = row(tree, name, index)
-    for key, value in said.items():
+    for key, value in entries.items():
         if table.get(key) != value:
             put(table, key, value)
 

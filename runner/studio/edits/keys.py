@@ -62,13 +62,13 @@ def _check_order(was: Sequence[float], now: Sequence[float]) -> None:
             )
 
 
-def add_key(tree: Blocks, *, said: Mapping[str, Any]) -> str:
+def add_key(tree: Blocks, *, entries: Mapping[str, Any]) -> str:
     """Insert a keyframe with these entries, sorted by time."""
-    time, was = number(said["time"], "the time of a keyframe"), times(tree)
+    time, was = number(entries["time"], "the time of a keyframe"), times(tree)
     for index, other in enumerate(was):
         if abs(other - time) < CLOSEST:
             raise UserError(f"there is a keyframe at {other:g} s already: keyframe {index + 1}")
-    add(tree, ("keyframe",), {**said, "time": time}, sum(other < time for other in was))
+    add(tree, ("keyframe",), {**entries, "time": time}, sum(other < time for other in was))
     return f"add a keyframe at {time:g} s"
 
 
@@ -88,7 +88,7 @@ def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], at: float) 
         raise UserError("nothing has been copied: select keyframes and press Ctrl-C first")
     begin = float(copied[0]["time"])
     for key in copied:
-        add_key(tree, said={**key, "time": number(at, "the time") + float(key["time"]) - begin})
+        add_key(tree, entries={**key, "time": number(at, "the time") + float(key["time"]) - begin})
     return "paste a keyframe" if len(copied) == 1 else f"paste {len(copied)} keyframes"
 
 

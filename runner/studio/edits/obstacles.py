@@ -37,10 +37,10 @@ def add_obstacle(tree: Blocks, *, kind: str, at: list[float] | None = None) -> s
     return "add a step"
 
 
-def set_obstacle(tree: Blocks, *, kind: str, index: int, said: Mapping[str, Any]) -> str:
+def set_obstacle(tree: Blocks, *, kind: str, index: int, entries: Mapping[str, Any]) -> str:
     """Set an obstacle's position and size; None removes an entry."""
     table = _found(tree, kind, index)
-    for key, value in said.items():
+    for key, value in entries.items():
         if value is not None:
             put(table, key, value)
         elif key in table:

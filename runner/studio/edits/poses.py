@@ -45,10 +45,10 @@ def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = No
     return f"free {what}" if all(value == "free" for value in entries.values()) else f"place {what}"
 
 
-def _put_body(table: Any, joint: str, said: Mapping[str, Any]) -> None:
+def _put_body(table: Any, joint: str, entries: Mapping[str, Any]) -> None:
     """Set the position and rotation of a free body: the root, or that of a joint."""
     what = joint or "the root"
-    for part, value in said.items():
+    for part, value in entries.items():
         value = _axes(value, f"{what}'s position") if part == "position" else _turned(value, f"{what}'s rotation")
         if not joint:
             put_dotted(table, "root", part, value)

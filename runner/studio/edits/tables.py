@@ -64,13 +64,13 @@ class Blocks:
     blocks: list[Block] = field(default_factory=list)
 
     @classmethod
-    def of(cls, text: str, where: str, said: Mapping[str, Any] | None = None) -> Blocks:
+    def of(cls, text: str, where: str, entries: Mapping[str, Any] | None = None) -> Blocks:
         """Raise UserError for invalid TOML, or notation that cannot be edited by blocks.
 
-        said  the parsed text, if known
+        entries  the parsed text, if known
         """
         try:
-            said = tomllib.loads(text) if said is None else said
+            entries = tomllib.loads(text) if entries is None else entries
         except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
             raise UserError(f"{where}: not valid TOML: {error}") from None
         heads: list[tuple[int, tuple[str, ...], bool]] = [(0, (), False)]
@@ -81,13 +81,13 @@ class Blocks:
                 heads.append((header.start(), path, is_row))
         ends = [start for start, _, _ in heads[1:]] + [len(text)]
         out = cls([_block(path, is_row, text[at:end]) for (at, path, is_row), end in zip(heads, ends, strict=True)])
-        out._check(said, where)
+        out._check(entries, where)
         return out
 
-    def _check(self, said: Mapping[str, Any], where: str) -> None:
+    def _check(self, entries: Mapping[str, Any], where: str) -> None:
         """Raise UserError where the blocks differ from the parsed text: lines of a list can look like headers."""
         for name in ("keyframe", "contact", "hold", "penalty"):
-            if len(self.rows(name)) != len(said.get(name, ())):
+            if len(self.rows(name)) != len(entries.get(name, ())):
                 raise UserError(f"{where}: '{name}' is written as a list; write [[{name}]] tables to edit it here")
         try:
             whole = all(block.is_row or block.table is not None for block in self.blocks if not block.is_row)
@@ -217,9 +217,9 @@ def drop_dotted(table: Any, group: str, key: str) -> None:
         del table[group]
 
 
-def fill(table: Any, said: Mapping[str, Any]) -> None:
+def fill(table: Any, entries: Mapping[str, Any]) -> None:
     """Entries of a table that is new, those of joints, sites and bodies one a line."""
-    for key, value in said.items():
+    for key, value in entries.items():
         if key in DOTTED and isinstance(value, Mapping):
             for name, entry in value.items():
                 table.append(tomlkit.key([key, str(name)]), item(entry))
@@ -227,10 +227,10 @@ def fill(table: Any, said: Mapping[str, Any]) -> None:
             table.append(key, item(value))
 
 
-def add(blocks: Blocks, path: tuple[str, ...], said: Mapping[str, Any], index: int | None = None) -> None:
+def add(blocks: Blocks, path: tuple[str, ...], entries: Mapping[str, Any], index: int | None = None) -> None:
     """A new [[...]] table: before the one of a number, after the last of them, or before the keyframes."""
     table: Table = tomlkit.table()
-    fill(table, said)
+    fill(table, entries)
     name = ".".join(item_key(key) for key in path)
     block = Block(path, True, f"[[{name}]]\n{table.as_string()}", "\n")
     rows = blocks.rows(*path)

@@ -487,8 +487,8 @@ class Work:
         packed = pickle.dumps(_bare(timeline))
         self._send({"is": "path", "kind": stage, "revision": self.revision, "data": data, "timeline": packed, **told})
 
-    def _tell(self, what: str, **said: Any) -> None:
-        self._send({"is": what, **said})
+    def _tell(self, what: str, **details: Any) -> None:
+        self._send({"is": what, **details})
 
 
 def _bare(timeline: Timeline) -> Timeline:
@@ -514,7 +514,7 @@ def _shape(clip: Clip) -> dict[str, Any]:
     return {
         "keys": [
             {"time": key.time, "qpos": key.state.tolist(), "fixed": key.fixed.tolist(), "known": key.known.tolist()}
-            for key in clip.said
+            for key in clip.authored_keys
         ],
         "stances": [
             {"point": stance.point.name, "from": float(stance.first), "to": float(stance.last)}

@@ -54,10 +54,10 @@ def foreign(walk: Path, target: Path, *, on_reference: bool) -> dict[str, str]:
 
 @pytest.mark.parametrize("on_reference", [False, True])
 def test_a_map_of_limbs_is_enough(walk, tmp_path, on_reference):
-    said = foreign(walk, tmp_path / "a.bvh", on_reference=on_reference)
+    bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=on_reference)
     model = figure_spec("human").compile()
     expected, _ = retarget.onto(Captured.of(read(walk)[0]), model, "walk.bvh")
-    with retarget.by(retarget.Map(recording=said)), gaps.allowed():
+    with retarget.by(retarget.Map(recording=bone_map)), gaps.allowed():
         found = formats.recording(tmp_path / "a.bvh", model=model)
     assert np.ptp(expected[:, 0]) > 0.3
     np.testing.assert_allclose(found.qpos, expected, atol=1e-5)
@@ -99,8 +99,8 @@ def test_a_motion_takes_no_map(command, walk, tmp_path, monkeypatch):
 
 
 def test_clean_uses_a_map(walk, tmp_path, monkeypatch):
-    said = foreign(walk, tmp_path / "a.bvh", on_reference=False)
-    lines = "".join(f'{role} = "{name}"\n' for role, name in said.items())
+    bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=False)
+    lines = "".join(f'{role} = "{name}"\n' for role, name in bone_map.items())
     (tmp_path / "m.toml").write_text(f"[recording]\n{lines}", encoding="utf-8")
     received = list[running.Source]()
     monkeypatch.setattr(running, "run", lambda source, *_, **__: received.append(source))

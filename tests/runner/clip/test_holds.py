@@ -254,8 +254,8 @@ def test_every_error_is_reported_in_one_line_that_names_it(case):
 def test_a_mirrored_clip_holds_with_the_other_hand():
     clip = clips.from_text(lift(hands=("left",)), name="lift")
     figure = clip.figure
-    said = mirrored_tables(table_of(clip.text, "lift"), figure, Mirror.of(figure))
-    other = clips.from_text(written(said), name="other")
+    table = mirrored_tables(table_of(clip.text, "lift"), figure, Mirror.of(figure))
+    other = clips.from_text(written(table), name="other")
     (hold,) = other.context.holds
     assert hold.name == "right_hand on crate"
     np.testing.assert_allclose(hold.spots[0].start, clip.context.holds[0].spots[0].start * [1, -1, 1], atol=1e-6)

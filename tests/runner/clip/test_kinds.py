@@ -147,13 +147,13 @@ def replacement(text: str) -> tuple[str, str]:
 def test_an_older_kind_is_refused_with_the_table_that_replaces_it(kind):
     message, table = replacement(f'[[penalty]]\nkind = "{kind}"\n{OLD[kind]}\n')
     assert f"penalty 1: penalty '{kind}' is " in message
-    said, before = tomllib.loads(table), tomllib.loads(OLD[kind])
+    parsed, before = tomllib.loads(table), tomllib.loads(OLD[kind])
     new = RENAMED[kind]
-    assert said["kind"] == new.kind
-    weight, default = said.get("weight"), {part.name: part.weight for part in KINDS[new.kind].parts}[new.part]
+    assert parsed["kind"] == new.kind
+    weight, default = parsed.get("weight"), {part.name: part.weight for part in KINDS[new.kind].parts}[new.part]
     kept = default if weight is None else weight[new.part] if isinstance(weight, dict) else weight
     assert kept == before.pop("weight", 1)
-    assert {said[new.options[name]] for name in before if name not in ("joints", "bodies", "points", "axis")} == {
+    assert {parsed[new.options[name]] for name in before if name not in ("joints", "bodies", "points", "axis")} == {
         value for name, value in before.items() if name not in ("joints", "bodies", "points", "axis")
     }
     if kind not in ("range", "coupled", "closed"):  # ranges that are hard need a figure with some

@@ -153,8 +153,8 @@ def test_bodies_that_are_kept_level_and_their_axis_change_sides_in_a_mirror():
     whole, level = figure(), PenaltyTable.of("upright", bodies=["left_calf"], axis=[0.6, 0.8, 0])
     clip_ = ClipTable(figure="whole", penalty=[level], keyframe=[KeyframeTable(time=0.0)])
     (out,) = mirrored_tables(clip_, whole, Mirror.of(whole)).penalty
-    assert out.said["bodies"] == ["right_calf"]
-    np.testing.assert_allclose(out.said["axis"], [0.6, -0.8, 0], atol=1e-12)
+    assert out.options["bodies"] == ["right_calf"]
+    np.testing.assert_allclose(out.options["axis"], [0.6, -0.8, 0], atol=1e-12)
 
 
 def test_a_clip_that_follows_a_recording_is_mirrored_and_retimed_when_it_is_solved():

@@ -210,7 +210,7 @@ joints.right_shoulder = {{rotvec = [0, -60, 0]}}
 def test_a_recording_of_another_program_is_cleaned_and_followed(folder, saved):
     formats.export(saved, "bvh", folder / "run.bvh", fps=60)
     clip = recordings.from_text(BVH.format(file="run.bvh"), name="edit", folder=folder)
-    [edit] = clip.said
+    [edit] = clip.authored_keys
     assert edit.time == 0.4
     near = clip.problem.penalties[0][0]
     assert isinstance(near, Near)

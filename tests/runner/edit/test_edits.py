@@ -234,17 +234,17 @@ def test_motions_in_different_coordinates_are_not_joined(steps):
 def test_a_clip_written_again_is_equal():
     for name in models.clips():
         text = models.clip_text(name)
-        said = tables(table_of(text, name))
-        assert tables(table_of(written(said), name)) == said
+        table = tables(table_of(text, name))
+        assert tables(table_of(written(table), name)) == table
 
 
 def test_odd_names_and_texts_survive_being_written():
-    said: dict[str, Any] = {
+    table: dict[str, Any] = {
         "figure": 'a "quoted" \\ ünïcode\x7f\n',
         "scene": {"odd key": [1, 2.5, True, {"a b": "free"}]},
     }
-    said["keyframe"] = [{"time": 1e-9, "joints": {"left knee": {"quat": [1.0, 0.0, -0.0, 1e300]}, "b": "free"}}]
-    assert tomllib.loads(written(said)) == said
+    table["keyframe"] = [{"time": 1e-9, "joints": {"left knee": {"quat": [1.0, 0.0, -0.0, 1e300]}, "b": "free"}}]
+    assert tomllib.loads(written(table)) == table
 
 
 @pytest.mark.slow
@@ -259,10 +259,10 @@ def test_keyframes_of_a_motion_become_a_clip_of_the_same_keyframes(steps):
 def test_rotations_are_written_as_one_would_write_them(rng):
     for size in 10.0 ** rng.uniform(-12, 0, 200):
         q = quat.normalised([1, *(size * rng.normal(size=3))]) * rng.choice([-1, 1])
-        said = rotation(q).rotvec or ()
-        again = quat.from_rotation_vector(np.radians(said))
+        rotvec = rotation(q).rotvec or ()
+        again = quat.from_rotation_vector(np.radians(rotvec))
         assert quat.angle_between(q, again) < 1e-10
-        assert all(x == 0 or abs(x) >= 1e-9 for x in said)
+        assert all(x == 0 or abs(x) >= 1e-9 for x in rotvec)
     assert rotation(quat.from_rotation_vector([np.radians(30), 1e-18, -1e-18])) == RotationTable(
         rotvec=(30.0, 0.0, 0.0)
     )
@@ -347,9 +347,9 @@ def test_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_path):
     for a, b in zip(two.keys, map(mirror.key, one.keys), strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
         np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-6)
-    said = table_of(two.text, "two")
-    assert said.contact[0].point == "right_toe"
-    assert said.contact[0].position == (0.2, -0.1, 0.0)
+    table = table_of(two.text, "two")
+    assert table.contact[0].point == "right_toe"
+    assert table.contact[0].position == (0.2, -0.1, 0.0)
     assert two.context.placed[0].point.name == "left_hand"
     for geom in ("step", "box 1", "capsule 1"):
         mine, its = (found.figure.model.geom(geom) for found in (one, two))
@@ -364,9 +364,9 @@ def test_contacts_and_flights_are_retimed_with_the_keyframes(tmp_path):
     edit_files.run(
         [str(tmp_path / "one.toml")], edit_files.retimed(2.0, None), target, overwrite=False, progress=progress()
     )
-    said = table_of(target.read_text(encoding="utf-8"), "fast")
-    assert (said.contact[0].start, said.contact[0].end) == (0.3, 0.5)
-    assert said.penalty[0].said["intervals"] == [[0.1, 0.2]]
+    table = table_of(target.read_text(encoding="utf-8"), "fast")
+    assert (table.contact[0].start, table.contact[0].end) == (0.3, 0.5)
+    assert table.penalty[0].options["intervals"] == [[0.1, 0.2]]
 
 
 @pytest.mark.slow

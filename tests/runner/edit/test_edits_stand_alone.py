@@ -144,7 +144,7 @@ def test_one_that_follows_what_ships_is_saved_as_the_same_edit(tmp_path):
     clip_file.write(saved, tmp_path / "kerb.toml", overwrite=False)
     again = recordings.load(str(tmp_path / "kerb.toml"))
     assert again.follows
-    assert [key.time for key in again.said] == [2.24, 2.86, 3.24]
+    assert [key.time for key in again.authored_keys] == [2.24, 2.86, 3.24]
     clip_file.write(saved, tmp_path / "exact.toml", exact=True, overwrite=False)
     assert not recordings.load(str(tmp_path / "exact.toml")).follows
 
@@ -234,7 +234,7 @@ def test_things_go_with_the_recording_that_a_clip_follows(tmp_path):
     assert bare.follows
     edits_ = '[[keyframe]]\ntime = 0.1\nroot.position = ["free", "free", 1.01]\n[[keyframe]]\ntime = 0.3\n'
     clip = recordings.from_text(following + edits_ + PLACED.format(x=2.5), name="edited", folder=tmp_path)
-    first, second = clip.said
+    first, second = clip.authored_keys
     columns = clip.figure.tables.position_columns[:, 1]
     assert not first.fixed[columns].any()
     assert second.fixed[columns].all()

@@ -49,7 +49,7 @@ deeds = st.one_of(
     st.tuples(
         st.just("move_keys"), st.fixed_dictionaries({"moves": st.lists(st.tuples(keys, times), min_size=1, max_size=3)})
     ),
-    st.tuples(st.just("add_key"), st.fixed_dictionaries({"said": st.fixed_dictionaries({"time": times})})),
+    st.tuples(st.just("add_key"), st.fixed_dictionaries({"entries": st.fixed_dictionaries({"time": times})})),
     st.tuples(st.just("delete_keys"), st.fixed_dictionaries({"keys": st.lists(keys, min_size=1, max_size=3)})),
     st.tuples(
         st.just("set_joint"),
@@ -91,10 +91,10 @@ def document(text=TEXT, folder=None):
     return Document("clip", text, folder or Path())
 
 
-def edited(found, name, said):
+def edited(found, name, entries):
     """An edit as a session does it."""
     tree = found.tree()
-    words = EDITS[name](tree, **said)
+    words = EDITS[name](tree, **entries)
     text = tree.as_string()
     found.commit(text, words)
 
@@ -103,10 +103,10 @@ def edited(found, name, said):
 @given(st.lists(deeds, min_size=1, max_size=12))
 def test_undo_after_any_edits_gives_the_first_text_byte_for_byte(some):
     found = document()
-    for name, said in some:
+    for name, entries in some:
         before = found.text
         try:
-            edited(found, name, said)
+            edited(found, name, entries)
         except UserError:
             assert found.text == before
         tomllib.loads(found.text)
@@ -128,15 +128,15 @@ def test_comments_and_order_stay():
     edited(found, "set_joint", {"key": 0, "joint": "left_hip", "value": {"rotvec": [0, -60, 0]}})
     edited(found, "set_root", {"key": 0, "position": [0.0, 0, 0.9]})
     edited(found, "set_weight", {"kind": "limits", "weight": 3})
-    edited(found, "add_key", {"said": {"time": 0.8, "joints": {"spine": {"rotvec": [0, 5, 0]}}}})
+    edited(found, "add_key", {"entries": {"time": 0.8, "joints": {"spine": {"rotvec": [0, 5, 0]}}}})
     wanted = [line.partition("#")[2] for line in TEXT.splitlines() if "#" in line]
     got = [line.partition("#")[2] for line in found.text.splitlines() if "#" in line]
     assert got == wanted
-    said = tomllib.loads(found.text)
-    assert [row["time"] for row in said["keyframe"]] == [0.0, 0.6, 0.8, 1.0]
-    assert said["keyframe"][0]["joints"]["left_hip"] == {"rotvec": [0, -60, 0]}
-    assert said["keyframe"][2]["joints"]["spine"] == {"rotvec": [0, 5, 0]}
-    assert said["penalty"] == [{"kind": "limits", "weight": 3}]
+    entries = tomllib.loads(found.text)
+    assert [row["time"] for row in entries["keyframe"]] == [0.0, 0.6, 0.8, 1.0]
+    assert entries["keyframe"][0]["joints"]["left_hip"] == {"rotvec": [0, -60, 0]}
+    assert entries["keyframe"][2]["joints"]["spine"] == {"rotvec": [0, 5, 0]}
+    assert entries["penalty"] == [{"kind": "limits", "weight": 3}]
 
 
 def test_weights_of_parts_are_one_table():
@@ -171,23 +171,23 @@ def test_weights_of_parts_are_one_table():
 
 def test_a_keyframe_that_says_something_else_keeps_its_remarks_and_the_lines_that_stay():
     found = document()
-    said = {"time": 0.0, "root": {"position": [0.0, 0, 0.93]}, "joints": {"right_hip": {"rotvec": [0, -70, 0]}}}
-    edited(found, "replace_keys", {"keys": {"0": {**said, "others": "rest"}}, "words": "mirror a keyframe"})
+    entries = {"time": 0.0, "root": {"position": [0.0, 0, 0.93]}, "joints": {"right_hip": {"rotvec": [0, -70, 0]}}}
+    edited(found, "replace_keys", {"keys": {"0": {**entries, "others": "rest"}}, "words": "mirror a keyframe"})
     assert "root.position = [0.0, 0, 0.93]        # stands\n" in found.text
-    assert tomllib.loads(found.text)["keyframe"][0] == {**said, "others": "rest"}
-    moved = {**said, "root": {"position": [0.0, 0.1, 0.93]}}
+    assert tomllib.loads(found.text)["keyframe"][0] == {**entries, "others": "rest"}
+    moved = {**entries, "root": {"position": [0.0, 0.1, 0.93]}}
     edited(found, "replace_keys", {"keys": {"0": moved}, "words": "mirror a keyframe"})
     assert "root.position = [0.0, 0.1, 0.93]        # stands\n" in found.text
     assert tomllib.loads(found.text)["keyframe"][0] == moved
 
 
 @pytest.mark.parametrize(
-    ("name", "said", "words"),
+    ("name", "entries", "words"),
     [
         ("move_keys", {"moves": [[1, 1.5]]}, "keyframes keep their order"),
         ("move_keys", {"moves": [[0, float("nan")]]}, "finite number"),
         ("move_keys", {"moves": [[7, 0.1]]}, "there is no keyframe 8 any more"),
-        ("add_key", {"said": {"time": 0.5}}, "already: keyframe 2"),
+        ("add_key", {"entries": {"time": 0.5}}, "already: keyframe 2"),
         ("delete_keys", {"keys": [0, 1]}, "a clip needs two keyframes"),
         ("set_joint", {"key": 0, "joint": "spine", "value": "NaN"}, "finite number"),
         ("set_contact", {"point": "left_heel", "begin": 0.5, "end": 0.2}, "before it begins"),
@@ -198,10 +198,10 @@ def test_a_keyframe_that_says_something_else_keeps_its_remarks_and_the_lines_tha
         ("set_others", {"key": 0, "value": "all"}, "'free', 'rest', 'hold' or 'key:NAME'"),
     ],
 )
-def test_nonsense_is_refused_in_words_and_changes_nothing(name, said, words):
+def test_nonsense_is_refused_in_words_and_changes_nothing(name, entries, words):
     found = document()
     with pytest.raises(UserError) as error:
-        edited(found, name, said)
+        edited(found, name, entries)
     assert words in str(error.value)
     assert found.text == TEXT
     edited(found, "move_keys", {"moves": [[1, 0.7]]})
@@ -268,15 +268,15 @@ others = "rest"
 """
 
 
-def said(found):
+def entries(found):
     return tomllib.loads(found.text)["keyframe"]
 
 
 def test_tables_under_headers_of_their_own_belong_to_their_keyframe():
     found = document(WITH_HEADERS)
     edited(found, "delete_keys", {"keys": [1]})
-    assert [row["time"] for row in said(found)] == [0.0, 1.0]
-    assert said(found)[0]["joints"] == {"left_hip": {"rotvec": [0, -70, 0]}}
+    assert [row["time"] for row in entries(found)] == [0.0, 1.0]
+    assert entries(found)[0]["joints"] == {"left_hip": {"rotvec": [0, -70, 0]}}
     assert "# lifted" in found.text
 
 
@@ -285,8 +285,8 @@ def test_a_keyframe_with_such_tables_is_posed_and_others_come_after_it():
     edited(found, "set_joint", {"key": 1, "joint": "spine", "value": {"rotvec": [1.0, 2.0, 3.0]}})
     edited(found, "set_joint", {"key": 1, "joint": "left_hip", "value": "free"})
     edited(found, "set_others", {"key": 0, "value": "free"})
-    edited(found, "add_key", {"said": {"time": 0.75, "root": {"position": [0.2, 0, 0.93]}}})
-    rows = said(found)
+    edited(found, "add_key", {"entries": {"time": 0.75, "root": {"position": [0.2, 0, 0.93]}}})
+    rows = entries(found)
     assert [row["time"] for row in rows] == [0.0, 0.5, 0.75, 1.0]
     assert rows[1]["joints"]["spine"] == {"rotvec": [1.0, 2.0, 3.0]}
     assert rows[1]["root"] == {"position": [0.1, 0, 0.93]}

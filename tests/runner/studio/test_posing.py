@@ -47,7 +47,7 @@ def test_a_hand_within_reach_moves_its_arm_alone(clip, poser):
     for link in limb(clip.figure, body):
         arm[entries(clip.figure, link)] = True
     np.testing.assert_array_equal(found.qpos[~arm], home[~arm])
-    assert set(poser.said(found.qpos, home)["joints"]) <= {"left_shoulder", "left_elbow"}
+    assert set(poser.keyframe_entries(found.qpos, home)["joints"]) <= {"left_shoulder", "left_elbow"}
 
 
 def test_a_limb_that_is_to_go_alone_does_so_out_of_reach_as_well(clip, poser):
@@ -58,7 +58,7 @@ def test_a_limb_that_is_to_go_alone_does_so_out_of_reach_as_well(clip, poser):
     last = home
     for _ in range(4):
         last = poser.pulled(grip, goal, last).qpos
-    assert set(poser.said(last, home)["joints"]) == {"left_shoulder"}
+    assert set(poser.keyframe_entries(last, home)["joints"]) == {"left_shoulder"}
 
 
 def test_a_hand_out_of_reach_takes_the_figure_along_but_for_its_soles(clip, poser):
@@ -123,9 +123,9 @@ def test_a_joint_turns_about_an_axis_of_the_world(clip, poser):
 
 def test_what_a_pose_says_is_that_pose(clip, poser):
     home, other = np.array(clip.keys[0].state), np.array(clip.keys[3].state)
-    said = poser.said(other, home)
-    assert set(said) == {"joints", "root"}
-    row = {"time": 0.0, **said}
+    entries = poser.keyframe_entries(other, home)
+    assert set(entries) == {"joints", "root"}
+    row = {"time": 0.0, **entries}
     table = ClipTable.model_validate({"figure": "human", "keyframe": [row]})
     key = _key(clip.figure, table.keyframe[0], None, (), "here")
     np.testing.assert_allclose(key.state[key.fixed], other[key.fixed], atol=2e-5)

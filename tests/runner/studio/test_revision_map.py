@@ -40,7 +40,7 @@ def times(session):
 def test_an_edit_of_a_keyframe_finds_it_where_another_page_has_put_it(session):
     async def both():
         seen = session.document.revision  # of both
-        await session.edit("add_key", {"said": {"time": 0.15}}, seen)
+        await session.edit("add_key", {"entries": {"time": 0.15}}, seen)
         await session.edit("delete_keys", {"keys": [0]}, seen)
         await session.edit("move_keys", {"moves": [[3, 0.33]]}, seen)
 
@@ -51,16 +51,16 @@ def test_an_edit_of_a_keyframe_finds_it_where_another_page_has_put_it(session):
 def test_edits_that_come_at_once_are_each_of_what_their_page_saw(session):
     async def both():
         await asyncio.gather(
-            session.edit("add_key", {"said": {"time": 0.05}}, 0),
+            session.edit("add_key", {"entries": {"time": 0.05}}, 0),
             session.edit("set_joint", {"key": 3, "joint": "knee", "value": 10}, 0),
             session.edit("set_contact", {"point": "toe", "begin": 0.1, "end": 0.4, "index": 1}, 0),
             session.edit("delete_bar", {"kind": "contact", "index": 0}, 0),
         )
 
     asyncio.run(both())
-    said = tomllib.loads(session.document.text)
-    assert [row["time"] for row in said["keyframe"] if "joints" in row] == [0.3]
-    assert said["contact"] == [{"point": "toe", "from": 0.1, "to": 0.4}]
+    table = tomllib.loads(session.document.text)
+    assert [row["time"] for row in table["keyframe"] if "joints" in row] == [0.3]
+    assert table["contact"] == [{"point": "toe", "from": 0.1, "to": 0.4}]
 
 
 def test_what_is_gone_is_reported_and_nothing_else_is_changed(session):
@@ -105,11 +105,11 @@ def test_what_a_new_process_says_of_the_text_before_is_no_answer_to_an_edit(sess
         if message["do"] == "load":
             loop = asyncio.get_running_loop()
             for revision in (message["revision"] - 1, message["revision"]):
-                said = {"is": "loaded", "revision": revision, "outline": {"of": revision}, "keys": []}
-                loop.call_soon(session._heard, said)
+                message = {"is": "loaded", "revision": revision, "outline": {"of": revision}, "keys": []}
+                loop.call_soon(session._heard, message)
 
     monkeypatch.setattr(session.solver, "send", heard)
-    asyncio.run(session.edit("add_key", {"said": {"time": 0.15}}))
+    asyncio.run(session.edit("add_key", {"entries": {"time": 0.15}}))
     messages = [json.loads(each) for each in told]
     documents = [each for each in messages if each["is"] == "document"]
     loaded = [each["revision"] for each in messages if each["is"] == "loaded"]
@@ -137,7 +137,7 @@ def test_a_process_that_is_lost_during_an_edit_hears_the_text_before_whose_verdi
 
     monkeypatch.setattr(session.solver, "send", lost)
     with pytest.raises(UserError, match="no clip"):
-        asyncio.run(session.edit("add_key", {"said": {"time": 0.15}}))
+        asyncio.run(session.edit("add_key", {"entries": {"time": 0.15}}))
     assert heard == [1, 0, 1]
     assert session.document.text == TEXT
 

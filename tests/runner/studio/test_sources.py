@@ -50,9 +50,9 @@ def test_what_was_recorded_is_followed_by_a_clip_whose_keyframes_edit_it(saved, 
     recorded = replace(saved, text="", search={}, timeline=saved.raw)
     motion.save(recorded, tmp_path / "walk.npz")
     found = opened(str(tmp_path / "walk.npz"))
-    said = tomllib.loads(found.text)
-    assert said["recording"]["file"] == "walk.npz"
-    assert said["figure"] == "walk.xml"
+    table = tomllib.loads(found.text)
+    assert table["recording"]["file"] == "walk.npz"
+    assert table["figure"] == "walk.xml"
     assert (tmp_path / "walk.xml").read_text() == saved.mjcf
     clip = recordings.from_text(found.text, name="walk", folder=found.folder)
     assert clip.keys[-1].time == pytest.approx(saved.keys[-1].time, abs=0.01)
