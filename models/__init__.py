@@ -32,13 +32,21 @@ class UnknownName(KeyError):
 
 
 def figures() -> dict[str, str]:
-    """Return the names of the shipped figures, each with its description."""
+    """Return the shipped figures.
+
+    Returns:
+        Names of figures, each with its description in one line.
+    """
     entries = {name: entry for name, entry in _entries(files(__name__), ".xml").items() if name != STAGE}
     return {name: _first_xml_comment(entry.read_text(encoding="utf-8")) for name, entry in entries.items()}
 
 
 def clips() -> dict[str, str]:
-    """Return the names of the shipped clips, each with its description."""
+    """Return the shipped clips.
+
+    Returns:
+        Names of clips, each with its description in one line.
+    """
     entries = _entries(files(__name__) / "clips", ".toml")
     return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in entries.items()}
 

@@ -52,7 +52,14 @@ TEXTS = ("mjcf", "clip", "trace", "report", "name", "coordinates", "ends")
 
 @dataclass(frozen=True)
 class Sampled:
-    """A motion at equal times: time (T,) [s], qpos (T, nq), qvel and qacc (T, nv)."""
+    """A motion at equal time steps, in MuJoCo's order, units and axes.
+
+    Attributes:
+        time: Times (T,) [s].
+        qpos: Configurations (T, nq), with unit quaternions wxyz.
+        qvel: Velocities (T, nv).
+        qacc: Accelerations (T, nv).
+    """
 
     time: Array
     qpos: Array

@@ -38,14 +38,18 @@ NEXT = 1e-6  # [s] by which a saved keyframe may differ from its time in the tex
 
 @dataclass(frozen=True, repr=False)
 class Clip(Renames):
-    """A problem ready to solve, and its inputs for reports.
+    """A problem ready to solve, with the inputs of its reports.
 
-    text     the TOML text (empty for MJCF and NPZ clips)
-    scene    the complete MJCF of figure and scene, with the files that it refers to
-    problem  what is to be solved: figure, keyframes, soft constraints, settings, ends
-    context  the inputs of the soft constraints: soles, knees and elbows, contacts, holds, flights, a cycle
-    notes    one line each on what is missing or doubtful
-    custom_penalties  those of a program, with their weights, also among the problem's; no file contains them
+    Attributes:
+        name: Name of the clip and of output files.
+        text: The TOML text; empty for clips from MJCF and NPZ files.
+        scene: The complete MJCF of figure and scene, with the files that it refers to.
+        fps: Samples per second [1/s] of outputs.
+        problem: The input of the solver: figure, keyframes, soft constraints, settings and end conditions.
+        context: The inputs of the soft constraints: soles, knees and elbows, contacts, holds, flights, the gait cycle.
+        notes: Lines on missing or doubtful input.
+        custom_penalties: Custom soft constraints with their weights, which the problem contains, too. They are not
+            stored in files.
     """
 
     name: str
@@ -64,12 +68,12 @@ class Clip(Renames):
 
     @property
     def figure(self) -> Figure:
-        """The figure that moves."""
+        """The figure: a MuJoCo model as a tree of links."""
         return self.problem.figure
 
     @property
     def keys(self) -> tuple[Frame, ...]:
-        """The keyframes."""
+        """The keyframes: frames with time [s], state (nq,), and the mask (nq,) of their fixed entries."""
         return tuple(self.problem.keys)
 
     @property
@@ -99,7 +103,7 @@ class Clip(Renames):
 
     @property
     def ends(self) -> str:
-        """ "free", "clamped" or "periodic" """
+        """The end conditions of the spline: "free", "clamped" (at rest) or "periodic" (a loop)."""
         return self.problem.ends
 
     @property
@@ -108,7 +112,15 @@ class Clip(Renames):
         return self.scene.mjcf
 
     def with_problem(self, **changes: Any) -> Clip:
-        """Return the same clip with fields of its problem changed: penalties, settings, ends."""
+        """Return the same clip with changed fields of its problem.
+
+        Args:
+            **changes: New values of the fields of `dynsplines.solver.problem.Problem`, such as penalties, settings and
+                ends.
+
+        Returns:
+            The changed clip.
+        """
         return replace(self, problem=replace(self.problem, **changes))
 
     def __repr__(self) -> str:

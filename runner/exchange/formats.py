@@ -27,7 +27,15 @@ class Writer(Protocol):
     """Writes motions in a format."""
 
     def write(self, take: Take, path: Path) -> None:
-        """The motion into a file at this path, a temporary one; raises UserError for what the format cannot hold."""
+        """Write a motion.
+
+        Args:
+            take: The motion at equal time steps.
+            path: A temporary file, which is then renamed to the output file.
+
+        Raises:
+            UserError: For a motion that the format cannot represent.
+        """
         ...
 
 
@@ -35,8 +43,19 @@ class Reader(Protocol):
     """Reads motions in a format."""
 
     def read(self, path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-        """Read a file's motion, for a figure if one is named, at a rate [1/s] if the file has none; raises
-        UserError for an invalid file."""
+        """Read a motion.
+
+        Args:
+            path: The file.
+            model: The figure, if the caller names one.
+            fps: Samples per second [1/s], if the caller gives them.
+
+        Returns:
+            The motion.
+
+        Raises:
+            UserError: For an invalid file.
+        """
         ...
 
 

@@ -31,11 +31,17 @@ class Wishes:
 
 @dataclass(frozen=True)
 class Take:
-    """A motion to be written: time[i] = time[0] + i / fps.
+    """A motion at equal time steps, to be written to a file, in MuJoCo's order and units.
 
-    time (T,) [s]; qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order and units, quaternions wxyz, unit and
-    sign-continuous; saved: the source motion, with its keyframes, frames and scene; notes: lines for
-    the user that a format adds to; wishes: optional content that was requested
+    Attributes:
+        saved: The source motion, with its keyframes, frames and scene.
+        fps: Samples per second [1/s].
+        time: Times (T,) [s].
+        qpos: Configurations (T, nq); quaternions are wxyz, unit and sign-continuous.
+        qvel: Velocities (T, nv).
+        qacc: Accelerations (T, nv).
+        notes: Lines for the user, which the writer extends.
+        wishes: Requested optional content.
     """
 
     saved: Saved
@@ -56,14 +62,17 @@ class Take:
 
     @property
     def figure(self) -> Figure:
+        """The figure: a MuJoCo model as a tree of links."""
         return self.saved.figure
 
     @property
     def model(self) -> mujoco.MjModel:
+        """The figure in its scene, as a compiled model."""
         return self.saved.figure.model
 
     @property
     def name(self) -> str:
+        """The name of the motion."""
         return self.saved.name
 
     @property
@@ -108,10 +117,13 @@ class Take:
 
 @dataclass(frozen=True)
 class Bodies:
-    """Every body in the world's axes, the world itself first.
+    """The motion of all body frames in world axes; the first body is the world.
 
-    position (T, nbody, 3) [m] and rotation (T, nbody, 4), wxyz and sign-continuous, of the bodies' frames;
-    velocity (T, nbody, 3) [m/s] of the frames' origins, spin (T, nbody, 3) [rad/s]
+    Attributes:
+        position: Positions (T, nbody, 3) [m].
+        rotation: Orientations (T, nbody, 4), wxyz and sign-continuous.
+        velocity: Velocities (T, nbody, 3) of the origins [m/s].
+        spin: Angular velocities (T, nbody, 3) [rad/s].
     """
 
     position: Array
@@ -157,14 +169,19 @@ class BodyPoses:
 
 @dataclass(frozen=True)
 class Recording:
-    """A motion that was read: time (T,) [s], rising; qpos (T, nq) of the figure, in MuJoCo's order and units.
+    """The content of a file that was read, in MuJoCo's order and units.
 
-    mjcf   the figure contained in the file (BVH's hierarchy, say), or None: the motion is for the given figure
-    fps    [1/s] if the file has it more exactly than its times; notes  lines for the user on how the file was read
-    loops  the file is marked as a loop: its last sample is the first again, translated
-    assets the files that mjcf refers to, by name
-    bodies body poses that the file holds besides, to verify qpos
-    layout in what the layout differs from the documented one; others  the same file in other layouts, see `layouts`
+    Attributes:
+        time: Times (T,) [s], rising.
+        qpos: Configurations (T, nq) of the figure.
+        mjcf: The figure that the file contains, such as the hierarchy of a BVH file; None for the caller's figure.
+        fps: Samples per second [1/s], if the file contains them more exactly than its times.
+        notes: Lines for the user on how the file was read.
+        loops: Whether the file is marked as a loop: its last sample is the first again, translated.
+        assets: The files that `mjcf` refers to, by name.
+        bodies: Body poses that the file also contains, to verify `qpos`.
+        layout: Differences of the layout from the documented one.
+        others: The same file read in other layouts.
     """
 
     time: Array

@@ -38,14 +38,17 @@ FEW = 60  # samples of what a whole motion is like
 
 @dataclass(frozen=True)
 class Violation:
-    """One violation.
+    """A measured excess over a bound.
 
-    kind      of `dynsplines.measure.bounds.BOUNDS`
-    name      of the point, joint or contact
-    time      [s] when it is worst; None for what is of no one time
-    amount    how much, in `unit` ("m", "degrees", "rad/s²" or ""); bound: the tolerated amount
-    keyframe  the number, from 1, of the keyframe that causes it; None if the path does
-    text      all of it in one line
+    Attributes:
+        kind: Kind of violation, such as "penetration".
+        name: Name of the point, joint or contact.
+        time: Time of the largest amount [s]; None for a violation without a time.
+        amount: Measured amount, in `unit`.
+        unit: "m", "degrees", "rad/s²" or "".
+        bound: Tolerated amount, in `unit`.
+        keyframe: Number of the keyframe that causes it, from 1; None if the path causes it.
+        text: The violation as one line.
     """
 
     kind: str

@@ -37,10 +37,12 @@ class Keyframe:
 
     Args:
         time: Time [s].
-        root: {"position": [x, y, z], "rotation": ...} in the world [m]; any axis may be "free".
+        root: {"position": [x, y, z], "rotation": ...} in the world, metres; any axis may be "free".
         joints: By name: a rotation relative to the parent (ball joint), degrees (hinge) or metres (slide), or "free".
-        sites: Target positions in the world by name, [x, y, z] [m]; a pose is solved for them.
-        bodies: By name: {"flat": True}, or a rotation in the world.
+        sites: By name of a site, foot, geom or body: its target position [x, y, z] in the world, metres. A pose is
+            solved for all targets.
+        bodies: By name: {"flat": True}, a rotation in the world, or {"position": [x, y, z]} of the body's origin, or
+            of the point "at" in the body's axes.
         roots: As `root`, for further free bodies by the names of their joints.
         others: Unspecified joints and root: "free", "rest", "hold" (as in the keyframe before), or "key:NAME" (a <key>
             of the model).

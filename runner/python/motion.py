@@ -68,7 +68,7 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
 
 
 class Report(dict[str, Any]):
-    """Measurements of a motion at 1 kHz: plain numbers by name and unit. Printed, it is two tables."""
+    """Measurements of a motion, a dict of plain numbers whose keys contain the unit. It is printed as two tables."""
 
     def __str__(self) -> str:
         out = io.StringIO()
@@ -85,8 +85,13 @@ class Report(dict[str, Any]):
 class Apart:
     """The largest differences of two motions.
 
-    distance, where, time        [m] of a body's origin or a site, its name, and when [s]
-    angle, turned, turned_time   [degrees] of a body's rotation, its name, and when [s]
+    Attributes:
+        distance: Largest distance of a body's origin or a site [m].
+        where: Name of this body or site.
+        time: Time of the largest distance [s].
+        angle: Largest rotation of a body [degrees].
+        turned: Name of this body.
+        turned_time: Time of the largest rotation [s].
     """
 
     distance: float
@@ -107,7 +112,8 @@ class Apart:
 class Motion(Renames):
     """A motion of a figure over time, with its keyframes and its scene.
 
-    saved  the content of its file
+    Attributes:
+        saved: The content of its file.
     """
 
     saved: Saved
@@ -216,7 +222,13 @@ class Motion(Renames):
         return files.sampled(self.saved.figure, self.saved.timeline, fps or self.fps)
 
     def report(self) -> Report:
-        """Return measurements before and after, also between the search's samples; the first call takes seconds."""
+        """Return measurements before and after the search, also between the samples of the search.
+
+        The first call takes some seconds; the result is cached.
+
+        Returns:
+            The measurements, under "before" and "after".
+        """
         return self._report
 
     @cached_property
@@ -249,6 +261,9 @@ class Motion(Renames):
 
         Args:
             other: A motion that covers this one's interval; compared at this one's samples.
+
+        Returns:
+            The largest differences.
 
         Raises:
             UserError: For another figure, or a shorter motion.
@@ -384,15 +399,30 @@ class Motion(Renames):
 
     @as_python_warnings()
     def mirrored(self) -> Motion:
-        """Return the motion with left and right swapped, mirrored in the x-z plane; the scene is unchanged."""
+        """Return the motion mirrored in the x-z plane, with left and right swapped; the scene is unchanged.
+
+        Joints are paired by left and right in their names, or else by position.
+
+        Returns:
+            The mirrored motion.
+
+        Raises:
+            UserError: For a figure whose joints are not in mirrored pairs.
+        """
         return self._edited(edits.mirrored(self.saved))
 
     def retimed(self, speed: float | None = None, *, duration: float | None = None) -> Motion:
         """Return the motion at another speed.
 
         Args:
-            speed: Speed factor; or give `duration`.
+            speed: Speed factor; give this or `duration`.
             duration: New duration [s].
+
+        Returns:
+            The retimed motion.
+
+        Raises:
+            UserError: For invalid numbers, or if both or neither are given.
         """
         if (speed is None) == (duration is None):
             raise UserError("give speed, such as 1.5, or duration, in seconds: one of them")
@@ -407,22 +437,46 @@ class Motion(Renames):
         Args:
             first: Start [s]; default: the motion's.
             last: End [s]; default: the motion's.
+
+        Returns:
+            The part.
+
+        Raises:
+            UserError: For an interval that is empty or not within the motion.
         """
         begin, end = self.start if first is None else first, self.end if last is None else last
         return self._edited(edits.trimmed(self.saved, begin, end))
 
     @as_python_warnings()
     def repeated(self, count: int) -> Motion:
-        """Return a loop repeated `count` times, without a seam."""
+        """Return a loop repeated without a seam.
+
+        Args:
+            count: Number of repetitions, 1 or more.
+
+        Returns:
+            The longer motion.
+
+        Raises:
+            UserError: For a motion that is not a loop.
+        """
         return self._edited(edits.repeated(self.saved, count))
 
     @as_python_warnings()
     def joined(self, other: Motion, transition: float = 0.4) -> Motion:
         """Return the motion followed by another one, which is moved to continue it.
 
+        The transition matches position, velocity and acceleration of both motions.
+
         Args:
             other: The second motion, of the same figure.
             transition: Duration of the transition between them [s].
+
+        Returns:
+            The joined motion, in the scene of the first one.
+
+        Raises:
+            UserError: For another figure, or an invalid duration.
         """
         return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
 
@@ -433,6 +487,12 @@ class Motion(Renames):
         Args:
             within: Maximum displacement of hands, feet and pelvis, where their stances allow it: "3cm", "30mm", or
                 metres.
+
+        Returns:
+            The cleaned motion; its `before` is the recording.
+
+        Raises:
+            UserError: For a motion that cannot be cleaned, or an invalid length.
         """
         from ..clean.running import motion_cleaned
 
@@ -448,6 +508,12 @@ class Motion(Renames):
                 "2cm". A quarter of it applies to hands, feet and other end effectors while they rest.
             max_angle: Largest rotation of a body [degrees].
             solve: Apply the bound to the solved motion, not to the spline through the keyframes.
+
+        Returns:
+            The motion with fewer keyframes.
+
+        Raises:
+            UserError: For invalid bounds.
         """
         if not 0 < max_angle <= 180:
             raise UserError(f"max_angle = {max_angle:g}: give degrees, above 0 and up to 180")

@@ -37,11 +37,16 @@ NONE = np.zeros(0)  # for the kernel, of joints of a kind that the figure has no
 
 @dataclass(frozen=True, eq=False)
 class Wrenches:
-    """P wrenches at samples `at` (P,) on links `link` (P,); what is None is zero.
+    """Derivatives of P residuals by the motion of links, as wrenches in world axes; None stands for zero.
 
-    force, torque   (3, P) on the link's origin and on its turn
-    force_d, torque_d   (3, P) on the origin's velocity and on the angular velocity
-    torque_dd       (3, P) on the angular acceleration
+    Attributes:
+        at: Samples (P,).
+        link: Links (P,).
+        force: Derivatives (3, P) by the position of the link's origin.
+        torque: Derivatives (3, P) by a small rotation of the link.
+        force_d: Derivatives (3, P) by the velocity of the origin.
+        torque_d: Derivatives (3, P) by the angular velocity.
+        torque_dd: Derivatives (3, P) by the angular acceleration.
     """
 
     at: Index
@@ -136,23 +141,51 @@ def _facts(figure: Figure) -> tuple[Index, Index]:
 
 
 def of_point(at: Index, link: Index, arm: Array, direction: Array) -> Wrenches:
-    """Wrenches of direction · p, for points p with offsets (3, P) from their links' origins."""
+    """Return the wrenches of direction · p, for points p fixed to links.
+
+    Args:
+        at: Samples (P,).
+        link: Links (P,).
+        arm: Offsets (3, P) of the points from the links' origins, in world axes [m].
+        direction: Directions (3, P).
+
+    Returns:
+        P wrenches.
+    """
     return Wrenches(at, link, direction, cross(arm, direction))
 
 
 def of_velocity(
     samples: Samples, at: Index, link: Index, arm: Array, direction: Array, turning: Array | None = None
 ) -> Wrenches:
-    """Wrenches of direction · (x' + ω × arm), for velocities of material points with offsets (3, P).
+    """Return the wrenches of direction · p', for velocities p' of points on links.
 
-    turning  (3, P) what of the arms turns with the links, all of them unless it is given
+    Args:
+        samples: The samples.
+        at: Samples (P,).
+        link: Links (P,).
+        arm: Offsets (3, P) of the points from the links' origins, in world axes [m].
+        direction: Directions (3, P).
+        turning: Part (3, P) of the offsets that rotates with the links; default: all of them.
+
+    Returns:
+        P wrenches.
     """
     beside = cross(arm if turning is None else turning, cross(direction, samples.links.omega[:, link, at]))
     return Wrenches(at, link, None, beside, direction, cross(arm, direction))
 
 
 def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
-    """Wrenches of small rotations about axes (3, P)."""
+    """Return the wrenches of rotations of links about axes.
+
+    Args:
+        at: Samples (P,).
+        link: Links (P,).
+        axis: Axes (3, P) in the world.
+
+    Returns:
+        P wrenches.
+    """
     return Wrenches(at, link, None, axis)
 
 
@@ -162,7 +195,15 @@ def along_axes(at: Index, link: Index) -> tuple[Index, Index, Array]:
 
 
 def every_axis(links: Index, count: int) -> tuple[Index, Index, Array]:
-    """The same for the components of vectors (3, n, S) of several links at all samples."""
+    """Return samples, links and axes of the components of vectors (3, n, S), for n links at all samples.
+
+    Args:
+        links: Links (n,).
+        count: Number S of samples.
+
+    Returns:
+        Samples (3 n S,), links (3 n S,) and axes (3, 3 n S), in the order of the raveled vectors.
+    """
     return along_axes(np.tile(np.arange(count), links.size), np.repeat(links, count))
 
 

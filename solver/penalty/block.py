@@ -27,7 +27,14 @@ MANY = 2  # times as many residuals of a link as freedoms, and their rows are ke
 
 @dataclass(frozen=True, eq=False)
 class Entries:
-    """Residuals that change with one entry each of y, y' or y'' (order 0, 1, 2): at samples (P,), by slope (P,)."""
+    """Derivatives of P residuals that depend on one entry of y, y' or y'' each.
+
+    Attributes:
+        at: Samples (P,).
+        order: 0, 1 or 2, for an entry of y, y' or y''.
+        column: Columns (P,) of the entries.
+        slope: Derivatives (P,) by these entries.
+    """
 
     at: Index
     order: int
@@ -66,12 +73,15 @@ Change = Wrenches | Entries
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """P residuals at samples `at` (P,).
+    """P residuals with their derivatives.
 
-    value, weight  (P,)
-    changes        by which they change, which add up: a wrench or an entry for every residual, in the same order
-    one_sided      whether they count where they are positive only
-    of             (Q,) where several wrenches make one residual: the residual that each belongs to
+    Attributes:
+        at: Samples (P,) of the residuals.
+        value: Values (P,).
+        changes: Derivatives, which are added up: each has a wrench or an entry for every residual, in the same order.
+        weight: Weights (P,) of the squares.
+        one_sided: Whether only positive residuals count.
+        of: Residuals (Q,) that Q wrenches belong to, if a residual has several wrenches.
     """
 
     at: Index
@@ -179,12 +189,14 @@ class Block:
 
 @dataclass(frozen=True, eq=False)
 class Dense:
-    """Residuals without wrenches on links: R of them at every sample, (R, S); f is the sum of their squares.
+    """R residuals at each of S samples, with their own pull-back of gradients. f is the sum of their squares.
 
-    pulled_back  pulled_back(cotangent, bar) adds the gradient of Σ bar r, bar (R, S)
-    curved       curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,); without it
-                 they take a sweep of the kinematics for every residual
-    more         (S,) what f has beside the squares, with the gradient that theirs have
+    Attributes:
+        value: Values (R, S).
+        pulled_back: pulled_back(cotangent, bar) adds the gradient of Σ bar r to the cotangent, bar (R, S).
+        curved: curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,). Without it they
+            are computed by a sweep of the kinematics for every residual.
+        more: Addition (S,) to f beside the squares, whose gradient `pulled_back` includes.
     """
 
     value: Array

@@ -18,9 +18,17 @@ LINEAR = 1e-10  # of the size of what is compared: remainders as small are round
 
 
 def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
-    """Raises ValueError, in a line, unless values are finite, never negative, one a sample, and the gradient is theirs.
+    """Check values and gradient of a soft constraint on random samples of a figure.
 
-    |f(x + h d) − f(x) − h g·d| must fall as h² along a random direction of y, y' and y'' (a Taylor test).
+    |f(x + h d) − f(x) − h g·d| must fall as h² along a random direction d of y, y' and y'' (a Taylor test).
+
+    Args:
+        penalty: The soft constraint.
+        figure: A figure, such as `load("run_and_step").figure`.
+        seed: Seed of the random samples.
+
+    Raises:
+        ValueError: For values that are not finite, negative or of the wrong shape, or a wrong gradient.
     """
     rng, name = np.random.default_rng(seed), penalty.name
     samples = _random(figure, rng)

@@ -63,7 +63,10 @@ class Role(Enum):
 
 
 class Penalty(ABC):
-    """A soft constraint f_j: name, role, what counts as little, and its residuals. All else follows from these."""
+    """A soft constraint f_j. Subclasses define `name`, `role`, `normalization` and `residuals`.
+
+    Value, gradient and the curvature of the search follow from the residuals.
+    """
 
     @property
     @abstractmethod
@@ -86,10 +89,17 @@ class Penalty(ABC):
         return False
 
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
-        """Return the residuals whose sum of squares is f_j, see `block`; of one-sided residuals the active ones.
+        """Return the residuals whose sum of squares is f_j; of one-sided residuals the active ones.
 
         A penalty that is not a sum of squares overrides `evaluate` instead; its curvature uses finite differences of
         the gradient.
+
+        Args:
+            samples: S samples of the motion: the state y, y', y'' (S, N), and positions, velocities and accelerations
+                of all links (3, L, S) in `samples.links`.
+
+        Returns:
+            Blocks of residuals with their derivatives.
         """
         raise NotImplementedError(
             f"penalty '{self.name}': give it residuals(samples), or evaluate if it is no sum of squares"

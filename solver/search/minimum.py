@@ -65,5 +65,8 @@ class Optimiser(Protocol):
             tolerance: Relative progress at which the search ends.
             improved: Called with (evaluation, Evaluation, x) whenever E falls below all earlier values. It may raise
                 StopSearch, which like KeyboardInterrupt must end the search with Stop.INTERRUPTED.
+
+        Returns:
+            The best point, its value, and the reason for the stop.
         """
         ...

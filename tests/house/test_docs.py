@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import doctest
 import importlib
+import inspect
 import io
+import pydoc
 import re
 import shlex
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from types import FunctionType
 
+import griffe
 import pytest
 import shipped
 from sybil import Example, Sybil
@@ -21,6 +27,7 @@ from dynsplines import cli
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs").glob("*.md"))
+API = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
 
 
 def printed(example: Example) -> str | None:
@@ -124,6 +131,35 @@ def test_the_reference_is_what_the_schema_specifies(monkeypatch: pytest.MonkeyPa
     reference = importlib.import_module("reference")
     page = reference.PAGE.read_text(encoding="utf-8")
     assert reference.written(page) == page
+
+
+def documented() -> Iterator[str]:
+    """Yield the names of the Python reference, and the public methods of its classes."""
+    for name, listed in re.findall(r"^::: ([\w.]+)(?:\n    options: \{members: (.*)\})?$", API, re.MULTILINE):
+        yield name
+        value = pydoc.locate(name)
+        assert value is not None, name
+        if isinstance(value, type):
+            members = re.findall(r"\w+", listed) if listed else list(vars(value))
+            members = [each for each in members if not each.startswith("_")]
+            yield from (f"{name}.{each}" for each in members if isinstance(vars(value)[each], FunctionType))
+
+
+@pytest.mark.parametrize("name", list(documented()))
+def test_the_reference_describes_every_argument_and_result(name: str) -> None:
+    value = pydoc.locate(name)
+    summary, *sections = griffe.Docstring(inspect.getdoc(value) or "", lineno=1).parse("google", warnings=False)
+    assert summary.kind is griffe.DocstringSectionKind.text
+    if isinstance(value, type) and not dataclasses.is_dataclass(value):
+        return  # the page has its methods one by one
+    assert callable(value)
+    signature = inspect.signature(value)
+    names = {each for each in signature.parameters if each != "self" and not each.startswith("_")}
+    kinds = griffe.DocstringSectionKind
+    described = [s.value for s in sections if s.kind in (kinds.parameters, kinds.attributes)]
+    assert {each.name.strip("*") for items in described for each in items} == names
+    has_result = not isinstance(value, type) and signature.return_annotation not in (None, "None")
+    assert any(section.kind is kinds.returns for section in sections) == has_result
 
 
 @pytest.mark.slow
