@@ -42,7 +42,7 @@ from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.curve.spline import natural_spline
-from dynsplines.solver.inference.recording import Recorded
+from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.system.progress import Progress
 
 STEPS, ROUNDS = 0.02, 10  # [s] of mink's integration, and how many for each sample
@@ -211,7 +211,7 @@ def measure(effort: Effort) -> Section:
             begin = time.perf_counter()
             qpos = framewise(mink, goal)
             spent = time.perf_counter() - begin
-            row = measured(result, natural_spline(goal.t, Recorded.of(result.figure, goal.t, qpos).states), goal)
+            row = measured(result, natural_spline(goal.t, RecordedMotion.of(result.figure, goal.t, qpos).states), goal)
             theirs.append(np.array(row))
             section.add(file.stem, "mink", *row, np.nan, length / spent)
     most, mine = np.max(ours, axis=0), np.array(ours)

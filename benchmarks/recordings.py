@@ -41,8 +41,8 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.recording import Recorded
-from dynsplines.solver.penalty import Near
+from dynsplines.solver.inference.recording import RecordedMotion
+from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of
 from dynsplines.system.progress import Progress
@@ -175,7 +175,7 @@ class Score:
 def ends(figure: Figure, states: Array, found: Cleaned) -> Array:
     """(3, n, T) [m] hands and feet."""
     near = found.problem.penalties[0][0]
-    assert isinstance(near, Near)
+    assert isinstance(near, TrackingPenalty)
     links, positions = near.ends
     return Samples(figure, states, 0 * states, 0 * states).links.points(links, positions)[0]
 
@@ -216,7 +216,9 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
         on = ground.surfaces if rest.ground is None else (rest.ground,)
         over, _ = height_over(on, places[:, row : row + 1, during], np.array([rest.point.radius]))
         hover = max(hover, float(over.max(initial=0.0)))
-    peaks = [peak(figure, path, fine) for path in (result.after, Recorded.of(figure, truth.time, truth.qpos).path)]
+    peaks = [
+        peak(figure, path, fine) for path in (result.after, RecordedMotion.of(figure, truth.time, truth.qpos).path)
+    ]
     return Score(
         before=off[0],
         after=off[1],

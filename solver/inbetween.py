@@ -24,14 +24,14 @@ from .one_thread import one_thread
 from .penalty import JointRange, Penalty, Role
 from .penalty.joints.joint_range import Range
 from .problem import Problem, Settings, guide_of
-from .refine.cut import Cut
+from .refine.edit_window import EditWindow
 from .refine.limits import limited
 from .refine.subdivision import CRITERIA, midpoints, split
 from .refine.windows import Assembly, is_long, windows
 from .search.descent import Descent, optimiser_of
 from .search.minimum import Optimiser, Stop
 from .search.refinement import NONE
-from .search.restart import cost_increased, is_poor_minimum, is_pose_outlier, violation_dominates
+from .search.restart_criteria import cost_increased, is_poor_minimum, is_pose_outlier, violation_dominates
 from .search.selection import select_best
 from .solution import Improvement, Solution
 
@@ -73,7 +73,7 @@ def resumed(
 
     Args:
         problem: The keyframes, soft constraints and settings.
-        begin: A timeline through the keyframes with variable frames, see `refine.carried`.
+        begin: A timeline through the keyframes with variable frames, see `refine.warm_start`.
         between: The edited intervals [s]; if specified, only segments near them are searched.
         improved: See `inbetween`.
     """
@@ -154,8 +154,10 @@ class _Loop:
             return self.run_windows(raw, first)
         guide = guide_of(self.objective)
         if guide is not None and first.variable_count:
-            led = guide.led(first, settings.frames if settings.variable is None else first.variable_count)
-            first = min(first, led, key=lambda timeline: self.objective.value(path_of(timeline)))
+            initial_guess = guide.initial_guess(
+                first, settings.frames if settings.variable is None else first.variable_count
+            )
+            first = min(first, initial_guess, key=lambda timeline: self.objective.value(path_of(timeline)))
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 
     def on_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
@@ -163,11 +165,11 @@ class _Loop:
         segments, budget = len(raw.frames) - 1, self.settings.frames
         if not between and is_long(raw):
             between = [(float(raw.times[0]), float(raw.times[-1]))]
-        if between and all(Cut.about(begin, raw.times, span) is not None for span in between):
+        if between and all(EditWindow.about(begin, raw.times, span) is not None for span in between):
             several = len(between) > 1
             parts = segment_integrals(self.objective, path_of(begin), raw.times) if several else None
             for span in between:
-                cut = Cut.about(begin, raw.times, span)
+                cut = EditWindow.about(begin, raw.times, span)
                 assert cut is not None, "as above: keyframes alone decide"
                 begin = self._on_from_cut(cut, begin, raw, budget, parts)
                 if self.stop is Stop.INTERRUPTED:
@@ -183,7 +185,7 @@ class _Loop:
         return end.timeline
 
     def _on_from_cut(
-        self, cut: Cut, begin: Timeline, raw: Timeline, budget: int | None, parts: Array | None
+        self, cut: EditWindow, begin: Timeline, raw: Timeline, budget: int | None, parts: Array | None
     ) -> Timeline:
         """The whole timeline with a part of it at its nearest minimum.
 

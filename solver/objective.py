@@ -76,10 +76,10 @@ class Objective:
         terms = tuple(Term(penalty, float(weight), float(weight)) for penalty, weight in penalties)
         return cls(figure, terms, quadrature or Quadrature())
 
-    def renormalised(self, raw: Path, led: Path | None = None) -> Objective:
+    def renormalised(self, raw: Path, initial_guess: Path | None = None) -> Objective:
         """Eq. 7: every term divided by its integral over the raw path.
 
-        led  a path that is nearer to what is wanted, where one is known: what costs more on it than on the raw path,
+        initial_guess  a path near the optimum, where one is known: a term that costs more on it than on the raw path,
              and is no violation, is divided by its integral there
 
         A term that is (nearly) zero there is divided by its value for a violation of 1 cm (1°) over 1 % of the clip;
@@ -88,9 +88,10 @@ class Objective:
         others count as less, see `_typical`.
         """
         integrals = self._typical(raw, self.integrals(raw))
-        if led is not None:
+        if initial_guess is not None:
             costs = np.array([not term.penalty.normalization.is_violation for term in self.terms])
-            integrals = np.where(costs, np.maximum(integrals, self._typical(led, self.integrals(led))), integrals)
+            guessed = self._typical(initial_guess, self.integrals(initial_guess))
+            integrals = np.where(costs, np.maximum(integrals, guessed), integrals)
         first, last = raw.span
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []

@@ -19,9 +19,9 @@ import numpy as np
 
 from . import quaternion as quat
 from .array import Array, Index, Mask
+from .cache import Cache, cache_key
 from .figure.figure import Figure, JointKind
 from .penalty.joints.bend import ALONG, FLAT, BendLimits, bent
-from .remembered import Remembered, content
 from .surface.points import Point
 
 MET, EXACT = 1e-6, 1e-9  # [m, rad] a goal that is missed by no more is met; what is aimed at
@@ -224,7 +224,7 @@ def posed(
     return Posed(there, fixed, missed, tried)
 
 
-_poses: WeakKeyDictionary[Figure, Remembered[Posed]] = WeakKeyDictionary()
+_poses: WeakKeyDictionary[Figure, Cache[Posed]] = WeakKeyDictionary()
 
 
 def _known(
@@ -242,9 +242,9 @@ def _known(
     """
     goal_key = reached(figure, goals)
     home, free = np.where(goal_key, home, figure.model.qpos0), free & goal_key
-    question = content((home, free, goals, bends, beyond, starts))
-    poses = _poses.setdefault(figure, Remembered(MOST_REMEMBERED))
-    return poses.of(question, lambda: _posed(PoseSearch(figure, home, free, goals, bends, beyond), starts))
+    key = cache_key((home, free, goals, bends, beyond, starts))
+    poses = _poses.setdefault(figure, Cache(MOST_REMEMBERED))
+    return poses.get(key, lambda: _posed(PoseSearch(figure, home, free, goals, bends, beyond), starts))
 
 
 def _posed(search: PoseSearch, starts: int) -> Posed:

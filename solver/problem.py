@@ -128,7 +128,7 @@ class Problem:
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
     """Return E with every term divided by its integral over the raw path, or over the initial path of a term."""
     guide = guide_of(objective)
-    return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.led(raw, None)))
+    return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
 
 
 @dataclass(frozen=True)
@@ -137,10 +137,10 @@ class Guides:
 
     parts: tuple[Guide, ...]
 
-    def led(self, timeline: Timeline, most: int | None) -> Timeline:
-        """See `Guide.led`."""
+    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
+        """See `Guide.initial_guess`."""
         for guide in self.parts:
-            timeline = guide.led(timeline, most)
+            timeline = guide.initial_guess(timeline, most)
         return timeline
 
 

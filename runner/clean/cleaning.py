@@ -13,10 +13,10 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.inbetween import inbetween, resumed
-from dynsplines.solver.inference.ground_alignment import on_the_ground, settled
-from dynsplines.solver.inference.recording import Recorded
-from dynsplines.solver.inference.stances import Stood, stood, unsure
-from dynsplines.solver.penalty import Near, Rest, UnitMagnitude
+from dynsplines.solver.inference.ground_alignment import align_to_ground, move_to_ground
+from dynsplines.solver.inference.recording import RecordedMotion
+from dynsplines.solver.inference.stances import RecordedStance, infer_stances, unsure
+from dynsplines.solver.penalty import Rest, TrackingPenalty, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
 
@@ -47,7 +47,7 @@ class Cleaned:
 
     ground: Ground
     before: Path
-    recorded: Recorded
+    recorded: RecordedMotion
     rests: tuple[Rest, ...]
     problem: Problem
     solution: Solution
@@ -91,17 +91,19 @@ def cleaned(
     verdict how far what is off the recording, and whether the motion is sound
     """
     figure = ground.figure
-    recorded = Recorded.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
+    recorded = RecordedMotion.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
-    recorded = on_the_ground(recorded, ground.points, ground.surfaces)
-    stances: Sequence[Stood] = [Stood(one.point, one.first, one.last, one.ground) for one in given or ()]
+    recorded = move_to_ground(recorded, ground.points, ground.surfaces)
+    stances: Sequence[RecordedStance] = [
+        RecordedStance(one.point, one.first, one.last, one.ground) for one in given or ()
+    ]
     if given is None:
-        stances = stood(recorded, ground.points, ground.surfaces)
-    recorded = settled(recorded, stances, ground.surfaces)
+        stances = infer_stances(recorded, ground.points, ground.surfaces)
+    recorded = align_to_ground(recorded, stances, ground.surfaces)
     if given is None:
-        stances = stood(recorded, ground.points, ground.surfaces)
+        stances = infer_stances(recorded, ground.points, ground.surfaces)
     rests = tuple(Rest(*stance, rolls=True) for stance in stances)
-    near = Near(recorded)
+    near = TrackingPenalty(recorded)
     asked = problem(near, ground, rests, near.times())
     is_noisy = unsure(recorded, ground.points) > NOISY
     if is_noisy:
@@ -164,7 +166,7 @@ def _stretches(times: Array) -> Iterator[tuple[float, float]]:
     yield first - ABOUT, last + ABOUT
 
 
-def _is_deep(ground: Ground, recorded: Recorded) -> bool:
+def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
     """Whether the recording is far in what it stands on, set down as it is."""
     first, last = recorded.path.span
     times = np.linspace(first, last, max(2, round((last - first) * OFTEN)))
@@ -172,7 +174,7 @@ def _is_deep(ground: Ground, recorded: Recorded) -> bool:
 
 
 def _eased(
-    asked: Problem, near: Near, shares: Sequence[float], improved: Callable[[Improvement], None] | None
+    asked: Problem, near: TrackingPenalty, shares: Sequence[float], improved: Callable[[Improvement], None] | None
 ) -> Problem:
     """Return the problem with its start at the solutions for smaller weights of all penalties but the recording's.
 
@@ -203,11 +205,11 @@ def _curve(asked: Problem) -> Path:
     return natural_spline(np.array([key.time for key in asked.keys]), states)
 
 
-def _second_look(ground: Ground, recorded: Recorded, calmed: Problem) -> tuple[Rest, ...]:
+def _second_look(ground: Ground, recorded: RecordedMotion, calmed: Problem) -> tuple[Rest, ...]:
     """Of a noisy recording more stances are seen once the surest of them are kept."""
     calm = ground.figure.to_qpos(_curve(calmed).at(recorded.times))
-    smoothed = Recorded.of(ground.figure, recorded.times, calm)
-    return tuple(Rest(*stance, rolls=True) for stance in stood(smoothed, ground.points, ground.surfaces))
+    smoothed = RecordedMotion.of(ground.figure, recorded.times, calm)
+    return tuple(Rest(*stance, rolls=True) for stance in infer_stances(smoothed, ground.points, ground.surfaces))
 
 
 def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:

@@ -161,7 +161,7 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
     options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | dict(listed)
     notes = context.lacking
     context = _with_options(context, options, listed.keys())
-    if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.rhythm is None:
+    if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.gait_cycle is None:
         notes.append(NO_CYCLE)
     is_carried = context.support is not None and context.support.tells
     absent = {kind for kind in CARRIED if kind not in listed and not is_carried}
@@ -208,7 +208,7 @@ def _with_options(context: Context, options: Mapping[str, Options], listed: Cont
         context = replace(context, bends=context.limbs(limits.bend_joints))
     context = replace(context, support=context.carried_when(flight.intervals, "flight" in listed))
     if _weight("cycle", cycle) > 0:
-        context = replace(context, rhythm=context.cycle(cycle.period, "cycle" in listed))
+        context = replace(context, gait_cycle=context.cycle(cycle.period, "cycle" in listed))
     return context
 
 

@@ -19,7 +19,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Hold, Rest, Spot, Stance, slipped
 from dynsplines.solver.penalty.allowance import Allowance
-from dynsplines.solver.penalty.ground.planted import SAME_SPOT
+from dynsplines.solver.penalty.ground.stance import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, placed, places_of

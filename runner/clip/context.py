@@ -12,7 +12,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.inference.gait import Rhythm
+from dynsplines.solver.inference.gait import GaitCycle
 from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.penalty import (
     Bend,
@@ -22,11 +22,11 @@ from dynsplines.solver.penalty import (
     Range,
     Stance,
     Support,
-    carried_links,
     flights,
     footings,
+    grasped_links,
     leans,
-    lying,
+    resting_objects,
     stances,
     steady,
 )
@@ -52,7 +52,7 @@ class Context:
     bends     knees and elbows on ball joints, or those that the clip names for `limits`
     contacts  that the clip gives;  holds, too;  placed, the points that it leaves to the search to place
     support   what carries the figure when, for one that moves freely
-    rhythm    the cycle that the keyframes are parts of, if they are
+    gait_cycle  the cycle that the keyframes are parts of, if they are
     """
 
     figure: Figure
@@ -65,7 +65,7 @@ class Context:
     holds: tuple[Hold, ...] = ()
     placed: tuple[Placed, ...] = ()
     support: Support | None = None
-    rhythm: Rhythm | None = None
+    gait_cycle: GaitCycle | None = None
 
     @classmethod
     def of(
@@ -129,7 +129,7 @@ class Context:
     @cached_property
     def carried(self) -> tuple[int, ...]:
         """The links that hands hold."""
-        return tuple(carried_links(self.figure, self.holds))
+        return tuple(grasped_links(self.figure, self.holds))
 
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
         """Return the points that do not belong to grasped objects."""
@@ -150,13 +150,15 @@ class Context:
     def held_joints(self) -> tuple[Range, ...]:
         """The joints that neighbouring keyframes hold at one value and that the raw spline would swing."""
         aloft = () if self.support is None else self.support.flights
-        repeats = self.keys.ends == "periodic" or self.rhythm is not None
+        repeats = self.keys.ends == "periodic" or self.gait_cycle is not None
         return steady(self.figure, self.keys, repeats=repeats, aloft=aloft)
 
     @property
     def lying(self) -> tuple[Stance, ...]:
         """Position of carried objects before and after they are grasped."""
-        return lying(self.figure, self.keys, [link for link in self.carried if self.figure.links[link].parent == 0])
+        return resting_objects(
+            self.figure, self.keys, [link for link in self.carried if self.figure.links[link].parent == 0]
+        )
 
     @property
     def leans(self) -> tuple[Lean, ...]:
@@ -194,7 +196,7 @@ class Context:
                 )
         return Support.of(figure, root, carriers, aloft)
 
-    def cycle(self, period: float | None, asked: bool) -> Rhythm | None:
+    def cycle(self, period: float | None, asked: bool) -> GaitCycle | None:
         """The clip's cycle: with the given period, or inferred from keyframes, and then only if it is unambiguous."""
         gait = Gait(self.figure, self.keys, self.points, self.surfaces)
         if not asked:

@@ -18,28 +18,28 @@ from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
     Bound,
-    Closed,
     Contact,
-    Coupled,
+    CouplingPenalty,
     CovariantAcceleration,
     Cycle,
     Flight,
-    Grounded,
-    Holding,
+    HoldPenalty,
+    HoverPenalty,
     JointRange,
     Level,
+    LoopClosure,
+    OvershootPenalty,
     PeakAcceleration,
     Penalty,
     Placement,
-    Planted,
     Posture,
     Range,
-    Resting,
+    RestPenalty,
     RootAcceleration,
     SelfContact,
     Skate,
     Speed,
-    Steady,
+    StancePenalty,
     Sum,
     Support,
     Torque,
@@ -52,7 +52,7 @@ from dynsplines.solver.penalty import (
     open_intervals,
     surfaces_on,
 )
-from dynsplines.solver.penalty.ground.grounded import CLOSE
+from dynsplines.solver.penalty.ground.hover import CLOSE
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import Point, body_points, hanging
@@ -275,13 +275,13 @@ def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
 
 def _stance(context: Context, options: Options) -> Penalty | None:
     stances = (*context.stances, *context.lying)
-    return Planted(stances) if context.points or context.lying else None
+    return StancePenalty(stances) if context.points or context.lying else None
 
 
 def _contact(context: Context, options: Options) -> Penalty | None:
     contacts = context.contacts
-    parts = Planted(contacts.stances), Resting(contacts.rests, context.surfaces)
-    return Sum(parts, called=Resting.name) if contacts.given else None
+    parts = StancePenalty(contacts.stances), RestPenalty(contacts.rests, context.surfaces)
+    return Sum(parts, called=RestPenalty.name) if contacts.given else None
 
 
 def _no_slip(context: Context, options: Reach) -> Penalty | None:
@@ -302,8 +302,8 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
     figure, keys, surfaces = context.figure, context.keys, context.surfaces
     firm = open_intervals(figure, support.root, keys, points, surfaces, aloft) if support and context.points else ()
     rest = tuple(one for one in grounded_intervals(figure, keys, points, surfaces, aloft) if one not in firm)
-    blend = CLOSE if firm else Grounded.blend
-    return Grounded(points, surfaces, rest, options.reach or Grounded.reach, blend, firm)
+    blend = CLOSE if firm else HoverPenalty.blend
+    return HoverPenalty(points, surfaces, rest, options.reach or HoverPenalty.reach, blend, firm)
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:
@@ -311,9 +311,9 @@ def _equality(context: Context, options: Options) -> Penalty | None:
     loops, followers = closures(context.figure), couplings(context.figure)
     parts = list[Penalty]()
     if loops:
-        parts.append(Closed(loops))
+        parts.append(LoopClosure(loops))
     if followers:
-        parts.append(Coupled(followers))
+        parts.append(CouplingPenalty(followers))
     return Sum(tuple(parts), called="equality") if parts else None
 
 
@@ -369,7 +369,7 @@ def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
 
 def _overshoot(context: Context, options: Options) -> Penalty | None:
     joints = context.held_joints
-    return Steady.of(context.figure, joints, context.keys.times) if joints else None
+    return OvershootPenalty.of(context.figure, joints, context.keys.times) if joints else None
 
 
 def _speed(context: Context, options: LimitOptions) -> Penalty | None:
@@ -477,7 +477,7 @@ KINDS = {
                 Part(750.0, "displacement of the points of [[contact]]s", _contact, "contact"),
                 Part(
                     750.0, "displacement of the sites of [[hold]]s on the held body",
-                    lambda context, options: Holding(context.holds) if context.holds else None, "hold",
+                    lambda context, options: HoldPenalty(context.holds) if context.holds else None, "hold",
                 ),
                 Part(
                     30.0, 'distance of sites with by = "search" from their targets',
@@ -535,8 +535,8 @@ KINDS = {
             (
                 Part(
                     0.1, "deviation of joints from the gait cycle of the keyframes",
-                    lambda context, options: None if context.rhythm is None
-                    else Cycle(context.figure, context.rhythm),
+                    lambda context, options: None if context.gait_cycle is None
+                    else Cycle(context.figure, context.gait_cycle),
                 ),
             ),
             CycleOptions,

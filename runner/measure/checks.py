@@ -15,11 +15,11 @@ from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_column
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     BendLimits,
-    Closed,
     Contact,
-    Coupled,
+    CouplingPenalty,
     Hold,
     JointRange,
+    LoopClosure,
     Placed,
     Placement,
     Range,
@@ -212,7 +212,7 @@ def coupled(fixed: Fixed) -> Check | None:
     joints = couplings(fixed.figure)
     if not joints:
         return None
-    law, turns = Coupled(joints), np.array([[joint.unit == "degrees"] for joint in joints])
+    law, turns = CouplingPenalty(joints), np.array([[joint.unit == "degrees"] for joint in joints])
     kinds = ["coupled" if joint.unit == "degrees" else "coupled travel" for joint in joints]
     rows = [
         row_of(kind, joint.name, f"{joint.name} is {{}} off what it follows")
@@ -233,7 +233,7 @@ def torn(fixed: Fixed) -> Check | None:
     pairs = closures(fixed.figure)
     if not pairs:
         return None
-    loops = Closed(pairs)
+    loops = LoopClosure(pairs)
     rows = [row_of("torn", pair.name, f"the loop of {pair.name} is torn by {{}}") for pair in pairs]
     both = fixed.places[[pair.one.link for pair in pairs]] & fixed.places[[pair.two.link for pair in pairs]]
     _, groups = np.unique([pair.name for pair in pairs], return_inverse=True)

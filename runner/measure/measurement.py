@@ -19,12 +19,12 @@ from dynsplines.solver.penalty import (
     Contact,
     Hold,
     Penalty,
-    Planted,
     Rest,
-    Resting,
+    RestPenalty,
     Rolling,
     Speed,
     Stance,
+    StancePenalty,
     Sum,
     joint_ranges,
     slipped,
@@ -144,7 +144,7 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
         yield checks.slips(context.holds, [begun(figure, timeline, hold) for hold in context.holds], fixed)
     soles = frozenset(point.name for point in context.points)
     yield checks.sunk(_kept_out(clip, parts), soles, feet, fixed)
-    rests = [rest for part in parts if isinstance(part, Resting) for rest in part.rests]
+    rests = [rest for part in parts if isinstance(part, RestPenalty) for rest in part.rests]
     if rests and context.surfaces:
         yield checks.hovering(rests, context.surfaces, _groups(rests, feet), fixed)
     joints = joint_ranges(figure)
@@ -224,7 +224,7 @@ def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
 def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
     """The clip's contacts, and the stances inferred from its keyframes, each with the number of its group."""
     figure, feet = clip.figure, _feet(clip.figure, clip.context.points)
-    specified = [stance for part in _parts(clip) if isinstance(part, Planted) for stance in part.stances]
+    specified = [stance for part in _parts(clip) if isinstance(part, StancePenalty) for stance in part.stances]
     rests = clip.context.contacts.given
     if rests:
         middle = samples_at(figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))

@@ -80,11 +80,11 @@ def _cycle_report(clip: Clip) -> dict[str, float]:
     slip   speed of feet that are low, along the cycle, as a share of the travel; left out where nothing travels
     trust  how many times the variance of the spline through the keyframes, about the cycle, is the cycle's own
     """
-    rhythm = next((penalty.rhythm for penalty, _ in clip.penalties if isinstance(penalty, Cycle)), None)
-    if rhythm is None:
+    gait_cycle = next((penalty.gait_cycle for penalty, _ in clip.penalties if isinstance(penalty, Cycle)), None)
+    if gait_cycle is None:
         return {}
-    result = {"period, s": rhythm.period, "gain": rhythm.gain, "trust": float(rhythm.trust.mean())}
-    return result | ({} if np.isnan(rhythm.slip) else {"slip": rhythm.slip})
+    result = {"period, s": gait_cycle.period, "gain": gait_cycle.gain, "trust": float(gait_cycle.trust.mean())}
+    return result | ({} if np.isnan(gait_cycle.slip) else {"slip": gait_cycle.slip})
 
 
 def _centre_of_mass(samples: Samples) -> Array:

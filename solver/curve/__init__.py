@@ -5,7 +5,7 @@ spline      the C² cubic B-spline through a timeline's frames, eqs. 2-6
 quadrature  sample times and weights of the integral E (eq. 1)
 banded      banded matrices, by LAPACK
 seam        the seam of a loop: the map from its first frame to its last
-closing     the keyframes of a loop made to agree at its seam: travel and heading
+loop_keys   the keyframes of a loop made to agree at its seam: travel and heading
 winding     the direction in which a joint turns between keyframes: the signs of quaternions
 arcs        the straight path between keyframes: each joint by one arc at constant speed (SLERP)
 symmetry    pairs of links on opposite sides of a figure, at rest

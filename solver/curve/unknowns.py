@@ -18,8 +18,8 @@ from scipy import sparse
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind, Link, quaternion_columns
-from .closing import closed
 from .frame import Frame, Timeline, TimelineError
+from .loop_keys import close_loop
 from .seam import Seam, sameness
 from .spline import Sampling, Spline, natural_end_slopes, spline_of
 from .winding import signs
@@ -252,7 +252,7 @@ def raw_timeline(
     _check(figure, keys)
     seam = None
     if ends == "periodic" and len(keys) > 1:
-        keys, seam = closed(figure, keys, travel, turn)
+        keys, seam = close_loop(figure, keys, travel, turn)
     elif travel is not None or turn is not None:
         name = "travel" if travel is not None else "turn"
         raise TimelineError(f"{name} is for ends = 'periodic', not '{ends}'")

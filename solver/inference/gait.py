@@ -21,14 +21,14 @@ DECAY = 4.0  # periods over which cycles drift apart
 SMOOTH = 0.25  # [s] over which what is not periodic is alike
 PERIODIC, REST = 0.85, 0.15  # shares of the variance
 NOISE = 1e-3  # of the variance
-ALIKE = (0.15, 0.25, 0.5, 1.0)  # [s] lengths of the smooth kernels that a rhythm has to beat
-TICK = 0.02  # [s] between the times at which a rhythm's poses are kept
+ALIKE = (0.15, 0.25, 0.5, 1.0)  # [s] lengths of the smooth kernels that a gait cycle has to beat
+TICK = 0.02  # [s] between the times at which a gait cycle's poses are kept
 QUARTER = 0.25  # of how far the spline is off the cycle, what is at least the spline's own error
 SURE = 0.03  # [rad] standard deviation that is as good as none
 
 
 @dataclass(frozen=True, eq=False)
-class Process:
+class PoseProcess:
     """A Gaussian process of keyframes' poses, before a period is chosen."""
 
     poses: PoseVectors
@@ -87,7 +87,7 @@ def _periodic(a: Array, b: Array, period: float) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Rhythm:
+class GaitCycle:
     """A clip's cycle: its period, the confidence in it, and its poses between keyframes.
 
     period     [s]
@@ -111,7 +111,7 @@ class Rhythm:
     trust: Array
 
     @classmethod
-    def of(cls, process: Process, period: float, times: Array, plain: Array) -> Rhythm:
+    def of(cls, process: PoseProcess, period: float, times: Array, plain: Array) -> GaitCycle:
         """With a given period [s], at times (T,) [s] at which `plain` (T, nq) is the spline through the keyframes."""
         poses = process.poses
         vectors, variance = process.predicted(period, times)

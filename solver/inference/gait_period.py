@@ -19,7 +19,7 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.points import Point, places_of
-from .gait import TICK, Process, Rhythm
+from .gait import TICK, GaitCycle, PoseProcess
 from .pose_vectors import PoseVectors
 
 SLOWEST = 0.25  # [m/s] of a body with hips 1 m high, below which it does not travel
@@ -37,7 +37,7 @@ LOOSE = 0.85
 RIVAL, AS_LIKELY = 1.5, 0.3  # and the difference in log-likelihood up to which a period is a rival
 UNSTEADY = 0.25  # least spread of the speeds between keyframes, as a share of their mean, of what is not steady
 LEVEL = 0.05  # [m] by which the ground may rise or fall
-TRUST = 0.4  # least of a rhythm, over all of the clip
+TRUST = 0.4  # least of a gait cycle, over all of the clip
 LOW = 0.04  # [m] over where soles are lowest
 LOWEST = 0.25  # of the keyframes, those in which they are lowest
 TRIED = 4  # candidates that are looked at
@@ -58,7 +58,7 @@ class Gait:
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
 
-    def told(self) -> Rhythm | None:
+    def told(self) -> GaitCycle | None:
         """Return the cycle of the keyframes, if it is beyond doubt.
 
         The first and the last keyframe may be outside it, such as a standing pose at the start of a walk, if the
@@ -71,9 +71,9 @@ class Gait:
             outside = sum(left_out)
             if outside and len(self.keys.frames) - outside <= FEWEST:
                 continue
-            rhythm = self._without(*left_out)._told_by_all
-            if rhythm is not None and rhythm.gain - OUTSIDE * outside > gain:
-                best, gain = rhythm, rhythm.gain - OUTSIDE * outside
+            gait_cycle = self._without(*left_out)._told_by_all
+            if gait_cycle is not None and gait_cycle.gain - OUTSIDE * outside > gain:
+                best, gain = gait_cycle, gait_cycle.gain - OUTSIDE * outside
         return best
 
     @property
@@ -90,7 +90,7 @@ class Gait:
         return replace(self, keys=Timeline(frames, ends))
 
     @property
-    def _told_by_all(self) -> Rhythm | None:
+    def _told_by_all(self) -> GaitCycle | None:
         if not (self._may_walk and self._is_level):
             return None
         poses = PoseVectors.of(self.figure, self.keys)
@@ -98,12 +98,12 @@ class Gait:
             return None
         shortest, longest = self._periods
         longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
-        cycles = self.candidates(Process(poses), (shortest, longest), GAIN)
+        cycles = self.candidates(PoseProcess(poses), (shortest, longest), GAIN)
         sure = [r for r in cycles if r.slip <= SLIP] or self._without_rival(cycles)
-        best = max(sure, key=lambda rhythm: rhythm.gain, default=None)
+        best = max(sure, key=lambda gait_cycle: gait_cycle.gain, default=None)
         return None if best is None or best.trust.mean() < TRUST else best
 
-    def _without_rival(self, found: list[Rhythm]) -> list[Rhythm]:
+    def _without_rival(self, found: list[GaitCycle]) -> list[GaitCycle]:
         """Return the likeliest cycle, if feet slip much more in all that are about as likely, and it travels steadily.
 
         Sparse keyframes blur the feet of the true cycle, but those of an alias more.
@@ -114,21 +114,21 @@ class Gait:
         rivals = [r for r in others if r.gain > best.gain - AS_LIKELY]
         return [best] if best.slip <= LOOSE and all(r.slip >= RIVAL * best.slip for r in rivals) else []
 
-    def likeliest(self) -> Rhythm | None:
+    def likeliest(self) -> GaitCycle | None:
         """Return the likeliest cycle of the keyframes, without a threshold; None where they are too few."""
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None:
             return None
         between = self._periods if self._may_walk else ANY_PERIOD
-        cycles = self.candidates(Process(poses), between, -np.inf)
-        return min(cycles, key=lambda rhythm: (rhythm.slip > SLIP, -rhythm.gain), default=None)
+        cycles = self.candidates(PoseProcess(poses), between, -np.inf)
+        return min(cycles, key=lambda gait_cycle: (gait_cycle.slip > SLIP, -gait_cycle.gain), default=None)
 
-    def given(self, period: float) -> Rhythm | None:
+    def given(self, period: float) -> GaitCycle | None:
         """Return the cycle of a given period [s]; None where whole keyframes are too few."""
         poses = PoseVectors.of(self.figure, self.keys)
-        return None if poses is None else self._rhythm(Process(poses), period)
+        return None if poses is None else self._rhythm(PoseProcess(poses), period)
 
-    def candidates(self, process: Process, between: tuple[float, float], least: float) -> list[Rhythm]:
+    def candidates(self, process: PoseProcess, between: tuple[float, float], least: float) -> list[GaitCycle]:
         """The periods [s] at which the likelihood peaks above the `least` gain, likeliest first."""
         if between[0] >= between[1]:
             return []
@@ -140,9 +140,9 @@ class Gait:
         peaks = peaks[np.argsort(-gain[peaks])][:TRIED]
         return [self._rhythm(process, _refined(process, tried, gain, int(i))) for i in peaks]
 
-    def _rhythm(self, process: Process, period: float) -> Rhythm:
-        rhythm = Rhythm.of(process, period, *self._plain)
-        return replace(rhythm, slip=self.slip(rhythm)) if self._may_walk else rhythm
+    def _rhythm(self, process: PoseProcess, period: float) -> GaitCycle:
+        gait_cycle = GaitCycle.of(process, period, *self._plain)
+        return replace(gait_cycle, slip=self.slip(gait_cycle)) if self._may_walk else gait_cycle
 
     @cached_property
     def _plain(self) -> tuple[Array, Array]:
@@ -202,9 +202,9 @@ class Gait:
         froude = self._travel**2 / (GRAVITY * self._hips)
         return STRIDE * froude**POWER * self._hips / self._travel
 
-    def slip(self, rhythm: Rhythm) -> float:
+    def slip(self, gait_cycle: GaitCycle) -> float:
         """The mean speed of the slowest sole point that is low, as a share of the travel; inf if none ever is."""
-        times, qpos = rhythm.times, rhythm.qpos(self.figure.width)
+        times, qpos = gait_cycle.times, gait_cycle.qpos(self.figure.width)
         over = slice(*(self.figure.tables.position_columns[0, 0] + np.array([0, 2])))
         qpos[:, over] = self._plain[1][:, over]
         places, heights = self._soles(self.figure.to_state(qpos))
@@ -221,7 +221,7 @@ class Gait:
         return centres, np.min([surface.height(centres) for surface in self.surfaces], axis=0)
 
 
-def _refined(process: Process, tried: Array, gain: Array, i: int) -> float:
+def _refined(process: PoseProcess, tried: Array, gain: Array, i: int) -> float:
     """The top of the parabola through a peak's three likelihoods, over the logarithm of the period."""
     if i in (0, tried.size - 1):
         return float(tried[i])

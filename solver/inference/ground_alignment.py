@@ -17,8 +17,8 @@ from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import height_over
 from ..surface.points import Point, arrays_of, places_of
-from .recording import Recorded
-from .stances import Stood
+from .recording import RecordedMotion
+from .stances import RecordedStance
 
 LOWEST, ELSEWHERE = 2.0, 0.05  # per cent of samples that may be deeper; [m] that a floor is elsewhere
 NOTHING = 0.001  # [m] that is left as it is
@@ -27,7 +27,9 @@ ENOUGH = 5  # samples in which all of a sole stands
 RUN = 1000  # samples looked at at once
 
 
-def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Surface]) -> Recorded:
+def align_to_ground(
+    recorded: RecordedMotion, stances: Sequence[RecordedStance], surfaces: Sequence[Surface]
+) -> RecordedMotion:
     """With soles level, and raised or lowered as a whole so that what stands is on the ground."""
     if not stances or not surfaces:
         return recorded
@@ -41,7 +43,7 @@ def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Sur
     return recorded if abs(lift) < NOTHING else recorded.moved([0, 0, lift])
 
 
-def on_the_ground(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surface]) -> Recorded:
+def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]) -> RecordedMotion:
     """Raised or lowered as a whole if it is far in the ground or over it all the time: another's floor is elsewhere."""
     if not points or not surfaces:
         return recorded
@@ -52,7 +54,7 @@ def on_the_ground(recorded: Recorded, points: Sequence[Point], surfaces: Sequenc
     return recorded.moved([0, 0, lift]) if abs(lift) > ELSEWHERE else recorded
 
 
-def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Recorded:
+def _levelled(recorded: RecordedMotion, stances: Sequence[RecordedStance], link: int) -> RecordedMotion:
     """Turned at the link of a sole so that it is level, in the mean, when all of it stands."""
     figure = recorded.figure
     columns = quaternion_columns(figure.links[link])
@@ -84,19 +86,19 @@ def _runs(figure: Figure, states: Array) -> Iterator[Samples]:
         yield Samples.still(figure, states[first : first + RUN])
 
 
-def _places(recorded: Recorded, points: Sequence[Point]) -> Array:
+def _places(recorded: RecordedMotion, points: Sequence[Point]) -> Array:
     """(3, n, T) [m] where points are on the most likely curve at the samples."""
     return np.concatenate(
         [places_of(points, samples)[0] for samples in _runs(recorded.figure, recorded.bridged)], axis=2
     )
 
 
-def _points(stances: Sequence[Stood]) -> list[Point]:
+def _points(stances: Sequence[RecordedStance]) -> list[Point]:
     """The points that stand, each once."""
     return list({id(one.point): one.point for one in stances}.values())
 
 
-def _during(times: Array, stances: Sequence[Stood]) -> Mask:
+def _during(times: Array, stances: Sequence[RecordedStance]) -> Mask:
     """(T,) at which times some of the stances last."""
     return np.any([(times >= one.first) & (times <= one.last) for one in stances], axis=0)
 

@@ -17,7 +17,7 @@ LIVELY = 100.0  # [m²/s³] squared acceleration by frequency: 45 m/s² of a foo
 FASTEST = 3.0  # [m/s] about so fast is a point when nothing is known of it yet
 
 
-def surprise(times: Array, places: Array, variance: Array, known: Mask) -> Array:
+def surprisal(times: Array, places: Array, variance: Array, known: Mask) -> Array:
     """Return minus the log density [m⁻³] of each of places (3, p, T) after the previous ones, (p, T); 0 where unknown.
 
     times     (T,) [s], rising

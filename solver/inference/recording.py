@@ -59,7 +59,7 @@ def between(figure: Figure, first: Array, last: Array, known: Mask) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Recorded:
+class RecordedMotion:
     """A figure's recorded motion.
 
     times  (T,) [s], rising
@@ -77,7 +77,7 @@ class Recorded:
     @classmethod
     def of(
         cls, figure: Figure, times: Array, qpos: Array, known: Array | None = None, *, exact: bool = False
-    ) -> Recorded:
+    ) -> RecordedMotion:
         """Of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), all of it by default."""
         states = np.array(figure.to_state(qpos))
         every = np.ones(states.shape) if known is None else np.ones(states.shape) * known
@@ -86,20 +86,20 @@ class Recorded:
             states[samples[:, None], columns] = quat.aligned(states[samples[:, None], columns])
         return cls(figure, np.asarray(times, float), states, every, exact)
 
-    def moved(self, way: ArrayLike) -> Recorded:
+    def moved(self, way: ArrayLike) -> RecordedMotion:
         """With all free roots moved by (3,) [m]."""
         states = np.array(self.states)
         for columns in self.figure.tables.position_columns.T:
             states[:, columns] += np.asarray(way, float)
         return replace(self, states=states)
 
-    def turned(self, columns: slice, turn: Array) -> Recorded:
+    def turned(self, columns: slice, turn: Array) -> RecordedMotion:
         """With the link of a quaternion turned by another (4,), in its own axes, at all times."""
         states = np.array(self.states)
         states[:, columns] = quat.product(states[:, columns], turn)
         return replace(self, states=states)
 
-    def bent(self, ways: Array) -> Recorded:
+    def bent(self, ways: Array) -> RecordedMotion:
         """Return the recording with every sample displaced by ways (T, N), see `between`."""
         states = self.states + ways
         for columns in self.figure.tables.quaternion_columns.T:

@@ -18,8 +18,8 @@ from ..figure.kinematics import Samples
 from ..surface import Plane, Surface
 from ..surface.heights import ground_at, grounds
 from ..surface.points import Point, places_of
-from .point_likelihood import surprise
-from .recording import GAIN, NORMAL, ORDER, Recorded
+from .point_likelihood import surprisal
+from .recording import GAIN, NORMAL, ORDER, RecordedMotion
 
 ROLLS = 0.015  # [m] that a point which stands may be off its middle, by and large
 HOVERS = 0.04  # [m] that a stance is over the ground, or in it, by and large
@@ -36,7 +36,7 @@ SAME = 0.03  # [m] between the middles of neighbouring runs that are one stance
 INSTANT = 1e-3 / FINEST  # [s] before and after a moment, between which a speed is measured
 
 
-class Stood(NamedTuple):
+class RecordedStance(NamedTuple):
     """A point that stood from `first` to `last` [s], and on what."""
 
     point: Point
@@ -45,13 +45,15 @@ class Stood(NamedTuple):
     ground: Plane | None = None
 
 
-def stood(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stood, ...]:
+def infer_stances(
+    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]
+) -> tuple[RecordedStance, ...]:
     """The stances of points on surfaces, point after point, in order of time."""
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
     times, centres, is_known, noise = _seen(recorded, points)
     height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), REACH)
-    moving = surprise(times, centres, noise**2 + ROLLS**2, is_known)
+    moving = surprisal(times, centres, noise**2 + ROLLS**2, is_known)
     slow = _speeds(recorded, points, times) <= (FAST + noise / BLURRED)[:, None]
     result = []
     for i, point in enumerate(points):
@@ -61,11 +63,11 @@ def stood(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surfac
         for a, b in trimmed:
             if b - a > 1:
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, REACH)
-                result.append(Stood(point, float(times[a]), float(times[b - 1]), ground))
+                result.append(RecordedStance(point, float(times[a]), float(times[b - 1]), ground))
     return tuple(result)
 
 
-def unsure(recorded: Recorded, points: Sequence[Point]) -> float:
+def unsure(recorded: RecordedMotion, points: Sequence[Point]) -> float:
     """[m] the noise of the place of the point that is known worst."""
     if not points or recorded.times.size < ORDER:
         return 0.0
@@ -81,7 +83,7 @@ class _Seen(NamedTuple):
     noise: Array
 
 
-def _seen(recorded: Recorded, points: Sequence[Point]) -> _Seen:
+def _seen(recorded: RecordedMotion, points: Sequence[Point]) -> _Seen:
     step = max(1, round(recorded.rate / FINEST))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _, _ = places_of(points, Samples.still(recorded.figure, states))
@@ -89,7 +91,7 @@ def _seen(recorded: Recorded, points: Sequence[Point]) -> _Seen:
     return _Seen(recorded.times[::step], centres, is_known > 0, white(centres, is_known))
 
 
-def _speeds(recorded: Recorded, points: Sequence[Point], times: Array) -> Array:
+def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> Array:
     """(p, T) [m/s] of points of the smoothed motion at times (T,)."""
     ends = [np.clip(times + shift, *recorded.path.span) for shift in (-INSTANT, INSTANT)]
     before, after = (places_of(points, Samples.still(recorded.figure, recorded.path.at(t)))[0] for t in ends)

@@ -193,7 +193,7 @@ class Guide(Penalty):
         return None
 
     @abstractmethod
-    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline with its variable frames on that path, and more of them, up to `most` in all."""
         ...
 

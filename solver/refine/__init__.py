@@ -4,7 +4,7 @@ subdivision     a variable frame where the path is badly approximated: step 5 of
 euler_lagrange  the Euler-Lagrange residual, its deviation per segment, the weak form
 displacement    the distance of a path from the optimum, appendix C
 limits          projection of a path into hard joint ranges
-carried         warm start: an earlier solution mapped to edited keyframes
-cut             the part of a clip that an edit affects, solved separately
+warm_start      an earlier solution mapped to edited keyframes
+edit_window     the part of a clip that an edit affects, solved separately
 windows         long clips solved window by window: linear time, bounded memory
 """

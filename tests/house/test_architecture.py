@@ -124,7 +124,7 @@ def test_every_file_states_its_subject_and_none_is_named_for_a_drawer():
 STRATA = {
     "solver": """
         array
-        compiled quaternion cone one_thread remembered
+        compiled quaternion cone one_thread cache
         figure
         curve surface
         inference

@@ -20,7 +20,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.objective import SMALL_SHARE
 from dynsplines.solver.penalty import SelfContact
-from dynsplines.solver.search.restart import is_poor_minimum
+from dynsplines.solver.search.restart_criteria import is_poor_minimum
 from dynsplines.solver.surface.points import places_of
 
 pytestmark = pytest.mark.slow
@@ -163,10 +163,10 @@ def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land
 def test_every_third_keyframe_of_the_turning_walk_tells_its_cycle():
     found = of("walk_and_turn").clip
     some = raw_timeline(found.figure, list(found.keys[::3]))
-    rhythm = Gait(found.figure, some, found.context.points, found.context.surfaces).told()
-    assert rhythm is not None
-    assert rhythm.period == pytest.approx(1.12, rel=0.01)
-    assert rhythm.slip < 0.15
+    gait_cycle = Gait(found.figure, some, found.context.points, found.context.surfaces).told()
+    assert gait_cycle is not None
+    assert gait_cycle.period == pytest.approx(1.12, rel=0.01)
+    assert gait_cycle.slip < 0.15
 
 
 def level(rotations: Array) -> Array:

@@ -393,7 +393,7 @@ class Leading:
     def __init__(self, by: float) -> None:
         self.by, self.asked = by, []
 
-    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         self.asked.append((timeline.variable_count, most))
         frames = (replace(f, state=f.state + self.by) if f.is_variable else f for f in timeline.frames)
         return replace(timeline, frames=tuple(frames))
@@ -412,7 +412,7 @@ def test_a_search_begins_on_the_path_that_a_guide_knows_if_it_is_better(settings
     monkeypatch.setattr(_Loop, "searched", lambda loop, begin, *told: begun.append((begin, *told)) or begin)
     if is_better:
         plain = module.split
-        monkeypatch.setattr(module, "split", lambda *told: Leading(0.5).led(plain(*told), None))
+        monkeypatch.setattr(module, "split", lambda *told: Leading(0.5).initial_guess(plain(*told), None))
     problem = Problem(hinged(), hinge_keys(), PENALTIES, Settings(**settings))
     inbetween(problem)
     ((begin, segments, budget),) = begun

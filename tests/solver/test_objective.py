@@ -308,10 +308,15 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
     timeline = clip(figure, rng)
     raw = path_of(timeline)
     rows = timeline.rows + 0.3 * rng.normal(size=timeline.rows.shape)
-    led = path_of(timeline.with_rows(rows))
+    initial_guess = path_of(timeline.with_rows(rows))
     objective = Objective.of(figure, [*every_penalty(figure), (Posture(), 0.5)])
     plain, other, found = (
-        o.terms for o in (objective.renormalised(raw), objective.renormalised(led), objective.renormalised(raw, led))
+        o.terms
+        for o in (
+            objective.renormalised(raw),
+            objective.renormalised(initial_guess),
+            objective.renormalised(raw, initial_guess),
+        )
     )
     below = 0
     for own, there, both in zip(plain, other, found, strict=True):

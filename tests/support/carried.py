@@ -9,13 +9,13 @@ from paper.penetration import self_penetration
 
 from dynsplines.clip.build import Clip
 from dynsplines.solver.array import Array
-from dynsplines.solver.penalty import carried_links
+from dynsplines.solver.penalty import grasped_links
 from dynsplines.solver.surface.touch import movers
 
 
 def in_carried(clip: Clip, time: Array, qpos: Array) -> dict[str, Any]:
     """The deepest along qpos (T, nq), and where; empty if it holds nothing."""
-    model, links = clip.figure.model, carried_links(clip.figure, clip.context.holds)
+    model, links = clip.figure.model, grasped_links(clip.figure, clip.context.holds)
     if not links:
         return {}
     geoms = np.array(movers(model), np.intp)

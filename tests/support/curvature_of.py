@@ -15,8 +15,8 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Penalty,
-    Planted,
     RootAcceleration,
+    StancePenalty,
     Torque,
     UnitMagnitude,
 )
@@ -25,7 +25,7 @@ from dynsplines.solver.penalty.one_sided import OneSided
 from dynsplines.solver.surface.points import places_of
 
 STEP_SIZE = 1e-5
-PLANTED = Planted((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 2.0), stance_of(2, 0.0, 0.6)))
+PLANTED = StancePenalty((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 2.0), stance_of(2, 0.0, 0.6)))
 
 
 def _blocks(samples: Samples) -> tuple[Array, Array, Array]:

@@ -15,7 +15,7 @@ from dynsplines.motion import continuous, sampled, samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import BendLimits, Planted, Stance, Sum
+from dynsplines.solver.penalty import BendLimits, Stance, StancePenalty, Sum
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
 
@@ -115,7 +115,7 @@ class Move:
     def stances(self) -> tuple[Stance, ...]:
         penalties = [penalty for penalty, _ in self.clip.penalties]
         parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
-        return tuple(stance for part in parts if isinstance(part, Planted) for stance in part.stances)
+        return tuple(stance for part in parts if isinstance(part, StancePenalty) for stance in part.stances)
 
     def away(self, stance: Stance) -> Array:
         """(3, S) [m] how far a point at rest is from its spot."""

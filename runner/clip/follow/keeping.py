@@ -24,14 +24,14 @@ from dynsplines.solver.penalty import (
     Contact,
     Footing,
     JointRange,
-    Near,
     Penalty,
     Range,
     Rest,
-    Resting,
+    RestPenalty,
     SelfContact,
     Speed,
     Support,
+    TrackingPenalty,
     UnitMagnitude,
     joint_ranges,
 )
@@ -183,7 +183,9 @@ def stances_in(stances: object, ground: Ground, where: str) -> tuple[Rest, ...]:
     return tuple(rests)
 
 
-def problem(near: Near, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()) -> Problem:
+def problem(
+    near: TrackingPenalty, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()
+) -> Problem:
     """The recording that is near, and all else: frames at times (M,) [s], keyframes that are edits among them."""
     figure, path = near.recorded.figure, near.recorded.path
     free = _clear(times, np.array([edit.time for edit in edits]))
@@ -222,7 +224,7 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
     if surfaces and (body := ground.clear):
         penalties.append(Contact(body, surfaces, called="collision.body"))
     if rests:
-        penalties.append(Resting(tuple(rests), surfaces))
+        penalties.append(RestPenalty(tuple(rests), surfaces))
         footings = [Footing(rest.point, rest.first, rest.last, np.array([0.0, 0, 1])) for rest in rests]
         if figure.tables.free_links.size:
             penalties.append(Support.of(figure, int(figure.tables.free_links[0]), footings, ()))

@@ -18,10 +18,10 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.retime import repeated
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.recording import Recorded, between
-from dynsplines.solver.inference.stances import stood
-from dynsplines.solver.penalty import Near, Rest
-from dynsplines.solver.penalty.motion.near import FINEST
+from dynsplines.solver.inference.recording import RecordedMotion, between
+from dynsplines.solver.inference.stances import infer_stances
+from dynsplines.solver.penalty import Rest, TrackingPenalty
+from dynsplines.solver.penalty.motion.tracking import FINEST
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.surface.points import Point, placed, places_of
 
@@ -55,7 +55,7 @@ class Followed:
     knots  (M,) [s] of its own frames, at which its spline is itself
     """
 
-    recorded: Recorded
+    recorded: RecordedMotion
     knots: Array
     table: RecordingTable
     where: str
@@ -63,7 +63,9 @@ class Followed:
     @classmethod
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> Followed:
         """The recording that a saved motion follows, from its raw path: the warped recording."""
-        return cls(Recorded.of(figure, *_taken_down(Moving(figure, raw, RATE)), exact=True), raw.times, table, where)
+        return cls(
+            RecordedMotion.of(figure, *_taken_down(Moving(figure, raw, RATE)), exact=True), raw.times, table, where
+        )
 
     @property
     def width(self) -> float:
@@ -82,19 +84,21 @@ class Followed:
 
     def stances(self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]) -> tuple[Rest, ...]:
         """The recording's stances, except for points that a contact covers or a keyframe moves; and the given ones."""
-        recorded_rests = (Rest(*one, rolls=True) for one in stood(self.recorded, ground.points, ground.surfaces))
+        recorded_rests = (
+            Rest(*one, rolls=True) for one in infer_stances(self.recorded, ground.points, ground.surfaces)
+        )
         return (*(rest for rest in recorded_rests if not self._is_void(rest, edits, given)), *given)
 
     def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Rest]) -> Problem:
         """The problem to solve, with these stances."""
-        near = Near(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
+        near = TrackingPenalty(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
         unweighted = problem(near, ground, rests, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
         keys = [self._kept(frame, edits) for frame in unweighted.keys]
         settings = replace(unweighted.settings, tolerance=TOLERANCE)
         return replace(unweighted, keys=tuple(keys), penalties=tuple(weights), settings=settings)
 
-    def _warped(self, edits: Sequence[Frame]) -> Recorded:
+    def _warped(self, edits: Sequence[Frame]) -> RecordedMotion:
         """The recording warped through the poses of keyframes, and back to itself before and after them (A. Witkin and
         Z. Popović 1995): joint by joint, and the root with the whole figure."""
         recorded = self.recorded
@@ -111,7 +115,7 @@ class Followed:
         curve = _smooth(every[order], np.vstack([displacements, np.zeros((len(ends), displacements.shape[1]))])[order])
         return recorded.bent(curve(np.clip(recorded.times, every.min(), every.max())))
 
-    def _times(self, near: Near, edits: Sequence[Frame]) -> Array:
+    def _times(self, near: TrackingPenalty, edits: Sequence[Frame]) -> Array:
         """(M,) [s] of frames: where nothing changes the recording's own, where something does as many as it takes."""
         times = near.times(DETAIL)
         if self.table.blend is None:
@@ -173,7 +177,7 @@ def followed(table: RecordingTable, figure: Figure, motion: Moving | None, where
     except TimelineError as error:
         raise UserError(f"{here}: repeat: {error}") from None
     time, qpos = _cut(*_taken_down(Moving(motion.figure, timeline, motion.fps)), table, here)
-    recorded = Recorded.of(figure, _clip_time(time, table), qpos, exact=True)
+    recorded = RecordedMotion.of(figure, _clip_time(time, table), qpos, exact=True)
     return Followed(recorded, _clip_time(timeline.times, table, time[0]), table, where)
 
 

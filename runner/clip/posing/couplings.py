@@ -11,8 +11,8 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Closed, Coupled, closures, couplings
-from dynsplines.solver.penalty.joints.coupled import Coupling, in_order
+from dynsplines.solver.penalty import CouplingPenalty, LoopClosure, closures, couplings
+from dynsplines.solver.penalty.joints.coupling import Coupling, in_order
 from dynsplines.solver.surface.points import placed
 
 BROKEN = {"degrees": np.radians(0.1), "m": 1e-4}  # [rad, m] that a keyframe may be off a coupling untold
@@ -51,7 +51,7 @@ def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[
     notes = []
     joined = couplings(figure)
     if joined:
-        away, _ = Coupled(joined).away(samples)
+        away, _ = CouplingPenalty(joined).away(samples)
         for coupling, off in zip(joined, away, strict=True):
             is_fixed = keys.fixed[:, coupling.follower] & ((coupling.driver < 0) | keys.fixed[:, coupling.driver])
             k = int(np.argmax(np.abs(off) * is_fixed))
@@ -63,7 +63,7 @@ def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[
                 )
     loops = closures(figure)
     if loops:
-        apart = np.linalg.norm(Closed(loops).apart(samples), axis=0)
+        apart = np.linalg.norm(LoopClosure(loops).apart(samples), axis=0)
         both = placed(figure, keys.fixed, [c.one for c in loops]) & placed(figure, keys.fixed, [c.two for c in loops])
         n, k = (int(i) for i in np.unravel_index(np.argmax(apart * both), apart.shape))
         if both[n, k] and apart[n, k] > TORN:

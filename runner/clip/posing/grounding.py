@@ -20,8 +20,8 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.penalty import flights, stances
-from dynsplines.solver.penalty.ground.grounded import TOUCHING
-from dynsplines.solver.penalty.ground.planted import SAME_SPOT
+from dynsplines.solver.penalty.ground.hover import TOUCHING
+from dynsplines.solver.penalty.ground.stance import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed, places_of

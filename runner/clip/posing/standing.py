@@ -22,7 +22,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Hold, Placed
-from dynsplines.solver.penalty.ground.planted import NEAR_SURFACE, SAME_SPOT
+from dynsplines.solver.penalty.ground.stance import NEAR_SURFACE, SAME_SPOT
 from dynsplines.solver.posing import (
     BodyGoal,
     Goal,

@@ -24,9 +24,9 @@ import numpy as np
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.inbetween import inbetween, resumed
 from dynsplines.solver.one_thread import one_thread
-from dynsplines.solver.refine.carried import carried
+from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.search.minimum import Stop, StopSearch
-from dynsplines.solver.search.restart import is_poor_minimum
+from dynsplines.solver.search.restart_criteria import is_poor_minimum
 from dynsplines.solver.search.selection import select_best
 from dynsplines.solver.solution import Improvement, Solution
 
@@ -233,7 +233,7 @@ class Work:
         turn = clip.problem.turn
         travel = None if clip.problem.travel is None else np.asarray(clip.problem.travel, float)
         try:
-            begin = carried(clip.figure, timeline, keys, clip.keys, clip.problem.raw, travel, turn)
+            begin = warm_start(clip.figure, timeline, keys, clip.keys, clip.problem.raw, travel, turn)
         except ValueError:
             return None, None
         return begin, _edited(before, clip)

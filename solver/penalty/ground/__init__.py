@@ -1,9 +1,14 @@
 """Soft constraints on what the figure touches, holds and is carried by.
 
-contact   points out of surfaces      planted    points that stay on a spot
-resting   points that rest anywhere   skate      points that slide near a surface
-grounded  the lowest point stays low  placement  points that are to be somewhere at an instant
-hold      a hand on another body      carried    bodies that hands carry
-footing   what carries the figure     flight     free fall in between
-support   what contacts can supply
+contact    points out of surfaces
+stance     points that stay in one place between two keyframes
+rest       points that rest anywhere for an interval
+skate      points that slide near a surface
+hover      the lowest point stays close to the ground
+placement  points with a target at an instant
+hold       a hand on another body
+grasped    objects in hands
+footing    the feet that support the figure
+flight     free fall between contacts
+support    the forces that contacts can supply
 """

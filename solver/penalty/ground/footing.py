@@ -19,8 +19,8 @@ from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench
 from ...surface import Plane, Surface
 from ...surface.points import Point, placed, places_of
-from .planted import NEAR_SURFACE, Stance
-from .resting import Rest
+from .rest import Rest
+from .stance import NEAR_SURFACE, Stance
 
 HIGHEST = 0.6  # [m] that a centre of mass rises in an inferred flight, at most
 PUSHED = 0.2  # of its speed at take-off and landing, the centre of mass has on the average in the segments beside

@@ -18,7 +18,7 @@ from ...figure.wrenches import along_axes, of_point, of_velocity
 from ...surface.points import Point
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
-from .resting import SETTLING
+from .rest import SETTLING
 
 TINY = 1e-12  # [m] a distance without a direction
 
@@ -95,7 +95,7 @@ class Hold:
 
 
 @dataclass(frozen=True)
-class Holding(Penalty):
+class HoldPenalty(Penalty):
     """Σ over holds of the squared distance [m²] of the point from its spot on the body, less the spot's slack, or of
     (0.05 s)² |u|², u its velocity relative to the body there, if the spot is unknown; while they last."""
 

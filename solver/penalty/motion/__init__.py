@@ -4,5 +4,5 @@ covariant  angular acceleration      root     acceleration of the root and of sl
 unit       quaternions' length       posture  angular velocity beside acceleration
 peak       the largest acceleration  torque   what joints must do, by inverse dynamics
 cycle      the gait cycle inferred from keyframes
-near       the motion that was recorded
+tracking   the recorded motion
 """

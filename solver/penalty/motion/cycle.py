@@ -1,7 +1,7 @@
 """Cycle: deviation of joints from the clip's gait cycle, as far as it is known.
 
 Keyframes half a period apart contain little information on the motion between them, but together they determine it (see
-`rhythm`). How far a joint is off counts by how certain the cycle is there: least where no keyframe has the same phase.
+`gait`). How far a joint is off counts by how certain the cycle is there: least where no keyframe has the same phase.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...inference.gait import Rhythm
+from ...inference.gait import GaitCycle
 from ...inference.pose_vectors import HEIGHT
 from ..block import Block, Dense, every
 from ..curvature import Curvature
@@ -34,11 +34,14 @@ ROUNDING = 1e-9  # of a frame: a segment that is a whole number of them long has
 
 @dataclass(frozen=True, eq=False)
 class Cycle(Guide):
-    """Σ over joints and the root of 4 sin²(θ/2) [rad²], θ the angle off the rhythm's rotation, of squared angles off
-    over hinges, and of (5 rad/m · the root's height off)²; times the rhythm's trust."""
+    """The squared deviation from the gait cycle [rad²], times the cycle's trust.
+
+    Σ over ball joints and the root of 4 sin²(θ/2), θ the angle off the cycle's rotation, of squared angles off over
+    hinges, and of (5 rad/m · the root's height off)².
+    """
 
     figure: Figure
-    rhythm: Rhythm
+    gait_cycle: GaitCycle
 
     name = "cycle"
     role = Role.TRACKING
@@ -80,11 +83,11 @@ class Cycle(Guide):
         w, v = self._off(samples, self._at(samples.t)[0])
         return 2 * np.arctan2(np.linalg.norm(v, axis=0), np.abs(w))
 
-    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """The cycle itself at the variable frames, with eight frames per period if their number allows it."""
         ends = timeline.times[[0, -1]]
         fixed = [frame for frame in timeline.frames if not frame.is_variable or frame.time in ends]
-        edges, apart = np.array([frame.time for frame in fixed]), self.rhythm.period / FRAMES
+        edges, apart = np.array([frame.time for frame in fixed]), self.gait_cycle.period / FRAMES
         counts = np.ceil(np.diff(edges) / apart - ROUNDING).astype(int) - 1
         present = np.histogram(timeline.times, edges)[0] - 1
         present[-1] -= 1  # whose last edge counts too
@@ -99,7 +102,7 @@ class Cycle(Guide):
 
     def _states(self, plain: Array, times: Array) -> Array:
         """The cycle's states at times (T,) [s], with unknown entries as in `plain` (T, N)."""
-        pose_map, qpos = self.rhythm.poses.map, self.figure.to_qpos(plain)
+        pose_map, qpos = self.gait_cycle.poses.map, self.figure.to_qpos(plain)
         target = self._at(times)[0]
         qpos[:, pose_map.columns.T] = target[:, : self._turns].reshape(times.size, pose_map.links.size, 4)
         qpos[:, self._columns[0]] = target[:, self._turns :]
@@ -111,26 +114,26 @@ class Cycle(Guide):
     @property
     def _turns(self) -> int:
         """The number of the target's quaternion columns."""
-        return 4 * self.rhythm.rotations.shape[1]
+        return 4 * self.gait_cycle.rotations.shape[1]
 
     @cached_property
     def _columns(self) -> tuple[Index, Array]:
         """The state's columns of hinges and the root's height, and what each counts [1, rad/m]."""
-        pose_map = self.rhythm.poses.map
+        pose_map = self.gait_cycle.poses.map
         columns = np.concatenate([pose_map.hinges, pose_map.heights])
         return columns, np.repeat([1.0, HEIGHT], [pose_map.hinges.size, pose_map.heights.size])
 
     @cached_property
     def _table(self) -> Array:
-        """(T, 4 q + h + f + 1) the rhythm at its times: quaternions, angles, heights, trust."""
-        rhythm = self.rhythm
-        turns = rhythm.rotations.reshape(rhythm.times.size, -1)
-        return np.hstack([turns, rhythm.angles, rhythm.heights, rhythm.trust[:, None]])
+        """(T, 4 q + h + f + 1) the gait cycle at its times: quaternions, angles, heights, trust."""
+        gait_cycle = self.gait_cycle
+        turns = gait_cycle.rotations.reshape(gait_cycle.times.size, -1)
+        return np.hstack([turns, gait_cycle.angles, gait_cycle.heights, gait_cycle.trust[:, None]])
 
     def _at(self, t: Array) -> tuple[Array, Array]:
         """The target (S, 4 q + h + f), quaternions not of unit length, and its trust (S,), at times t [s]: none where
         the clip has not begun the cycle yet, or has left it."""
-        times = self.rhythm.times
+        times = self.gait_cycle.times
         place = (np.clip(t, times[0], times[-1]) - times[0]) / (times[1] - times[0])
         before = np.minimum(place.astype(np.intp), times.size - 2)
         share = (place - before)[:, None]
@@ -138,8 +141,8 @@ class Cycle(Guide):
         return rows[:, :-1], np.where(self._is_told(t), rows[:, -1], 0.0)
 
     def _is_told(self, t: Array) -> NDArray[np.bool_]:
-        """(S,) whether the rhythm reaches to times t [s]."""
-        return (t >= self.rhythm.times[0]) & (t <= self.rhythm.times[-1])
+        """(S,) whether the gait cycle reaches to times t [s]."""
+        return (t >= self.gait_cycle.times[0]) & (t <= self.gait_cycle.times[-1])
 
     def _off(self, samples: Samples, target: Array) -> tuple[Array, Array]:
         """The unit quaternions from the target to the joints' own rotations: w (n, S) and v (3, n, S)."""

@@ -16,8 +16,8 @@ from dynsplines.motion import samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path, natural_spline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.recording import Recorded
-from dynsplines.solver.penalty import Near
+from dynsplines.solver.inference.recording import RecordedMotion
+from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import body_points
 
@@ -95,10 +95,11 @@ def test_hands_and_feet_are_nearer_to_the_true_motion(take):
     shaken = take.shaking(take.qpos, rng, 0.01, np.radians(2.0))
     found = cleaned(ground_of(take.figure, shaken), repaired(take.figure, take.time, shaken, "shaken"))
     true, before = (
-        natural_spline(take.time, Recorded.of(take.figure, take.time, qpos).states) for qpos in (take.qpos, shaken)
+        natural_spline(take.time, RecordedMotion.of(take.figure, take.time, qpos).states)
+        for qpos in (take.qpos, shaken)
     )
     near = found.problem.penalties[0][0]
-    assert isinstance(near, Near)
+    assert isinstance(near, TrackingPenalty)
     links = near.ends[0]
 
     def off(path: Path) -> float:
@@ -166,7 +167,7 @@ def test_a_gap_is_bridged(take):
     keep = np.r_[0:50, 60 : take.time.size]
     repair = repaired(take.figure, take.time[keep], take.qpos[keep], "holes")
     found = cleaned(ground_of(take.figure, take.qpos), repair)
-    true = Recorded.of(take.figure, take.time, take.qpos).path
+    true = RecordedMotion.of(take.figure, take.time, take.qpos).path
     t = take.time[50:60]
     x, wanted = (samples_at(take.figure, path, t).links.x for path in (found.after, true))
     assert np.linalg.norm(x - wanted, axis=0).max() < 0.12
@@ -178,7 +179,7 @@ def test_what_is_deep_in_the_ground_when_soles_are_on_it_is_searched_softly_firs
     qpos[:, 2] -= lower
     asked = []
     monkeypatch.setattr(cleaning, "on_the_ground", lambda recorded, *told: recorded)  # it would be lifted: as it is
-    monkeypatch.setattr(cleaning, "settled", lambda recorded, *told: recorded)
+    monkeypatch.setattr(cleaning, "align_to_ground", lambda recorded, *told: recorded)
     monkeypatch.setattr(cleaning, "_eased", lambda asks, near, shares, tell: asked.append(shares) or asks)
     monkeypatch.setattr(cleaning, "inbetween", lambda problem, **told: asked.append("whole") or None)
     monkeypatch.setattr(cleaning, "_out_of_edges", lambda ground, problem, solution, tell: (problem, solution))

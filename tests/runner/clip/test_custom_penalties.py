@@ -7,6 +7,7 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -92,7 +93,8 @@ def test_load_takes_it_too_and_other_keyframes_keep_it(tmp_path: Path) -> None:
 
 
 def test_the_former_name_of_the_argument_gives_the_present_one() -> None:
-    for function in (load, build):
+    functions: tuple[Any, ...] = (load, build)
+    for function in functions:
         with pytest.raises(TypeError, match="has no argument 'own'; it is named 'custom_penalties'"):
             function("walk_loop", own=[(Calm(), 0.1)])
 

@@ -22,7 +22,7 @@ from dynsplines.measure.violation import violations
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Contact, Hold, Holding, Planted, Sum
+from dynsplines.solver.penalty import Contact, Hold, HoldPenalty, StancePenalty, Sum
 from dynsplines.system.progress import Progress
 
 SCENE = """
@@ -108,7 +108,7 @@ def test_a_hold_is_where_the_keyframes_have_the_site_on_the_body():
         assert (hold.first, hold.last, clip.figure.links[hold.link].name) == (0.6, 1.5, "crate")
         np.testing.assert_allclose(spot_of(hold, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
     (holding,) = parts(clip, "attach.hold")
-    assert isinstance(holding, Holding) and [w for p, w in clip.penalties if p is holding] == [750]
+    assert isinstance(holding, HoldPenalty) and [w for p, w in clip.penalties if p is holding] == [750]
 
 
 @pytest.mark.slow
@@ -144,7 +144,9 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
     own = slice(clip.figure.model.joint("crate").qposadr[0], None)
     assert [bool(key.fixed[own].all()) for key in clip.keys] == [True, True, True, True, True]
     np.testing.assert_array_equal(clip.keys[4].state[own], clip.keys[3].state[own])
-    stances = [stance for part in parts(clip, "attach.stance") if isinstance(part, Planted) for stance in part.stances]
+    stances = [
+        stance for part in parts(clip, "attach.stance") if isinstance(part, StancePenalty) for stance in part.stances
+    ]
     assert {(s.first, s.last) for s in stances if s.point.name == "crate"} == {(0.0, 0.6), (1.5, 2.1)}
     late = clips.from_text(lift().replace(AT, "", 1), name="late")
     np.testing.assert_array_equal(late.keys[0].state[own], clip.keys[0].state[own])

@@ -20,7 +20,7 @@ from dynsplines.solver.penalty import (
     Contact,
     CovariantAcceleration,
     Flight,
-    Grounded,
+    HoverPenalty,
     RootAcceleration,
     Support,
     UnitMagnitude,
@@ -482,5 +482,5 @@ def test_a_crate_that_lies_aside_tells_nothing_of_who_runs():
     assert one is not None and other is not None
     assert one.flights
     assert other.flights == one.flights
-    ours = [next(p for p, _ in each.penalties if isinstance(p, Grounded)) for each in (alone, beside)]
+    ours = [next(p for p, _ in each.penalties if isinstance(p, HoverPenalty)) for each in (alone, beside)]
     assert [point.name for point in ours[1].points] == [point.name for point in ours[0].points]

@@ -18,7 +18,7 @@ from dynsplines.exchange import formats
 from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Near
+from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
@@ -103,7 +103,7 @@ def test_what_of_the_recording_comes_when_is_as_the_clip_specifies(folder, saved
     clip = recordings.from_text(f"{BARE}{said}", name="cut", folder=folder)
     assert [clip.keys[0].time, clip.keys[-1].time] == pytest.approx([first, last], abs=0.01)
     near, figure = clip.problem.penalties[0][0], clip.figure
-    assert isinstance(near, Near)
+    assert isinstance(near, TrackingPenalty)
     here, there = (2.0, 1.1) if middle is None else ((first + last) / 2, middle)
     own, wanted = near.recorded.path.at(np.array([here])), path_of(saved.timeline).at(np.array([there]))
     np.testing.assert_allclose(np.abs(figure.to_qpos(own)), np.abs(figure.to_qpos(wanted)), atol=2e-3)
@@ -213,7 +213,7 @@ def test_a_recording_of_another_program_is_cleaned_and_followed(folder, saved):
     [edit] = clip.authored_keys
     assert edit.time == 0.4
     near = clip.problem.penalties[0][0]
-    assert isinstance(near, Near)
+    assert isinstance(near, TrackingPenalty)
     at = np.array([0.3, 1.2])
     own, wanted = (saved.figure.to_qpos(path.at(at)) for path in (near.recorded.path, path_of(saved.timeline)))
     np.testing.assert_allclose(own[:, :3], wanted[:, :3], atol=0.05)
@@ -258,7 +258,7 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies(tmp_path):
     period = loop[-1].time - loop[0].time
     assert clip.keys[-1].time - clip.keys[0].time == pytest.approx(3 * period, abs=1e-9)
     near = clip.problem.penalties[0][0]
-    assert isinstance(near, Near)
+    assert isinstance(near, TrackingPenalty)
     qpos = clip.figure.to_qpos(near.recorded.path.at(np.array([0.3, 0.3 + period, 0.3 + 2 * period])))
     np.testing.assert_allclose(np.diff(qpos[:, 0]), 1.38, atol=0.01)
     np.testing.assert_allclose(np.abs(qpos[:, 1:]), np.abs(qpos[[0, 0, 0], 1:]), atol=2e-3)

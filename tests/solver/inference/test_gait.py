@@ -17,7 +17,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.gait import ALIKE, NOISE, Process
+from dynsplines.solver.inference.gait import ALIKE, NOISE, PoseProcess
 from dynsplines.solver.inference.gait_period import SLIP, Gait
 from dynsplines.solver.inference.pose_vectors import PoseVectors
 from dynsplines.solver.penalty import Cycle
@@ -36,17 +36,17 @@ def facing(angle: float, rate: float = 0.0) -> np.ndarray:
 
 @pytest.mark.parametrize("every", [0.3, 0.42, 0.5, 0.7, 1.0])
 def test_a_walks_period_is_found_even_from_keyframes_two_steps_apart(every):
-    rhythm = gait(WALK, every).told()
-    assert rhythm is not None
-    assert abs(rhythm.period / PERIOD - 1) < 0.05
-    assert rhythm.slip < SLIP / 1.3
+    gait_cycle = gait(WALK, every).told()
+    assert gait_cycle is not None
+    assert abs(gait_cycle.period / PERIOD - 1) < 0.05
+    assert gait_cycle.slip < SLIP / 1.3
 
 
 @pytest.mark.parametrize("way", [(2.0, 0.0), (-1.0, 0.4)])
 def test_it_does_not_matter_which_way_the_figure_walks(way):
-    rhythm = gait(facing(*way), 0.42).told()
-    assert rhythm is not None
-    assert abs(rhythm.period / PERIOD - 1) < 0.05
+    gait_cycle = gait(facing(*way), 0.42).told()
+    assert gait_cycle is not None
+    assert abs(gait_cycle.period / PERIOD - 1) < 0.05
 
 
 def sped_up(factor: float, stops: bool = False) -> np.ndarray:
@@ -60,10 +60,10 @@ def sped_up(factor: float, stops: bool = False) -> np.ndarray:
 
 @pytest.mark.parametrize("every", [0.3, 0.42, 0.5])
 def test_feet_that_slip_are_believed_where_those_of_other_periods_slip_more_and_the_body_travels_steadily(every):
-    rhythm = gait(sped_up(2.0), every).told()
-    assert rhythm is not None
-    assert rhythm.slip > SLIP
-    assert abs(rhythm.period / PERIOD - 1) < 0.05
+    gait_cycle = gait(sped_up(2.0), every).told()
+    assert gait_cycle is not None
+    assert gait_cycle.slip > SLIP
+    assert abs(gait_cycle.period / PERIOD - 1) < 0.05
     assert gait(sped_up(2.0, stops=True), every).told() is None
     assert gait(sped_up(5.0), every).told() is None
 
@@ -72,20 +72,20 @@ def test_an_alias_explains_the_keyframes_about_as_well_and_slides():
     seen = gait(WALK, 0.5)
     poses = PoseVectors.of(FIGURE, seen.keys)
     assert poses is not None
-    first, second = seen.candidates(Process(poses), (0.7, 1.5), -np.inf)[:2]
-    true, alias = sorted((first, second), key=lambda rhythm: abs(rhythm.period - PERIOD))
+    first, second = seen.candidates(PoseProcess(poses), (0.7, 1.5), -np.inf)[:2]
+    true, alias = sorted((first, second), key=lambda gait_cycle: abs(gait_cycle.period - PERIOD))
     assert abs(true.gain - alias.gain) < 0.1
     assert alias.slip > 4 * true.slip
 
 
 def test_its_poses_are_those_of_the_walk():
     seen = gait(WALK, 0.42)
-    rhythm = seen.told()
-    assert rhythm is not None
-    columns = rhythm.poses.map.columns.T
-    real = WALK[np.round(rhythm.times * FINE).astype(int)][:, columns]
-    plain = FIGURE.to_qpos(path_of(seen.keys).at(rhythm.times))[:, columns]
-    assert np.degrees(quat.angle_between(rhythm.rotations, real).mean()) < 2
+    gait_cycle = seen.told()
+    assert gait_cycle is not None
+    columns = gait_cycle.poses.map.columns.T
+    real = WALK[np.round(gait_cycle.times * FINE).astype(int)][:, columns]
+    plain = FIGURE.to_qpos(path_of(seen.keys).at(gait_cycle.times))[:, columns]
+    assert np.degrees(quat.angle_between(gait_cycle.rotations, real).mean()) < 2
     assert np.degrees(quat.angle_between(plain, real).mean()) > 4
 
 
@@ -129,7 +129,7 @@ def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
 
     def periods(*entries: PenaltyTable) -> list[float]:
         found = constraints(Context.of(FIGURE, keys, GROUND, "walk"), chosen(entries, "walk"))
-        return [penalty.rhythm.period for penalty, _ in found.penalties if isinstance(penalty, Cycle)]
+        return [penalty.gait_cycle.period for penalty, _ in found.penalties if isinstance(penalty, Cycle)]
 
     assert periods() == pytest.approx([PERIOD], rel=0.05)
     assert periods(PenaltyTable.of("cycle", period=0.9)) == [0.9]
@@ -146,21 +146,21 @@ def test_a_pose_to_set_out_from_stands_outside_the_cycle():
     first = [Frame.key(TIME[0], before[0])]
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(3, TIME.size, round(0.42 * FINE))]
     seen = Gait(FIGURE, raw_timeline(FIGURE, first + keys), SOLES, GROUND)
-    rhythm = seen.told()
-    assert rhythm is not None
-    assert abs(rhythm.period / PERIOD - 1) < 0.05
-    assert rhythm.times[0] == TIME[3]
-    assert seen._told_by_all is None or seen._told_by_all.gain < rhythm.gain - 0.2
+    gait_cycle = seen.told()
+    assert gait_cycle is not None
+    assert abs(gait_cycle.period / PERIOD - 1) < 0.05
+    assert gait_cycle.times[0] == TIME[3]
+    assert seen._told_by_all is None or seen._told_by_all.gain < gait_cycle.gain - 0.2
     whole = Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).told()
     assert whole is not None
     assert whole.times[0] == TIME[3]
 
 
 def test_where_the_cycle_is_not_told_it_asks_for_nothing():
-    rhythm = gait(WALK, 0.42).told()
-    assert rhythm is not None
-    late = replace(rhythm, times=rhythm.times + 1.0)
-    t = np.array([rhythm.times[0], late.times[0], late.times[-1], late.times[-1] + 0.1])
+    gait_cycle = gait(WALK, 0.42).told()
+    assert gait_cycle is not None
+    late = replace(gait_cycle, times=gait_cycle.times + 1.0)
+    t = np.array([gait_cycle.times[0], late.times[0], late.times[-1], late.times[-1] + 0.1])
     y = np.repeat(FIGURE.to_state(FIGURE.model.qpos0[None]), t.size, axis=0)
     values = Cycle(FIGURE, late).evaluate(Samples(FIGURE, y, 0 * y, 0 * y, t=t))
     assert values[0] == values[-1] == 0
@@ -168,13 +168,13 @@ def test_where_the_cycle_is_not_told_it_asks_for_nothing():
 
 
 @pytest.fixture(scope="module")
-def process() -> Process:
+def process() -> PoseProcess:
     poses = PoseVectors.of(FIGURE, gait(WALK, 0.42).keys)
     assert poses is not None and poses.sides == 2
-    return Process(poses)
+    return PoseProcess(poses)
 
 
-def by_scipy(process: Process, covariance: np.ndarray) -> float:
+def by_scipy(process: PoseProcess, covariance: np.ndarray) -> float:
     """The largest log-likelihood of all rows over their common variance, per number, by SciPy."""
     rows, whole = process.poses.rows, covariance + NOISE * np.eye(len(covariance))
 

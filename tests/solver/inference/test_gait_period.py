@@ -10,7 +10,7 @@ from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.inference.gait import Process
+from dynsplines.solver.inference.gait import PoseProcess
 from dynsplines.solver.inference.gait_period import (
     GRAVITY,
     Gait,
@@ -41,19 +41,19 @@ def test_candidates_come_likeliest_first_between_the_periods_asked_for_and_above
     seen = gait(WALK, 0.3)
     poses = PoseVectors.of(FIGURE, seen.keys)
     assert poses is not None
-    process = Process(poses)
+    process = PoseProcess(poses)
     found = seen.candidates(process, (0.4, 2.6), -np.inf)
-    gains = [rhythm.gain for rhythm in found]
+    gains = [gait_cycle.gain for gait_cycle in found]
     assert len(found) > 1
     assert gains == sorted(gains, reverse=True)
     assert abs(found[0].period / PERIOD - 1) < 0.05
-    for rhythm in found:
-        assert 0.4 <= rhythm.period <= 2.6
-        around = [process.gain(rhythm.period * factor) for factor in (0.985, 1.0, 1.015)]
-        assert rhythm.period in (0.4, 2.6) or around[1] == max(around)
-        assert rhythm.gain == pytest.approx(process.gain(rhythm.period))
+    for gait_cycle in found:
+        assert 0.4 <= gait_cycle.period <= 2.6
+        around = [process.gain(gait_cycle.period * factor) for factor in (0.985, 1.0, 1.015)]
+        assert gait_cycle.period in (0.4, 2.6) or around[1] == max(around)
+        assert gait_cycle.gain == pytest.approx(process.gain(gait_cycle.period))
     above = seen.candidates(process, (0.4, 2.6), gains[1] - 1e-9)
-    assert [rhythm.period for rhythm in above[:1]] == [found[0].period]
+    assert [gait_cycle.period for gait_cycle in above[:1]] == [found[0].period]
     assert len(above) <= 2
     assert seen.candidates(process, (1.0, 1.0), -np.inf) == []
     given = seen.given(0.9)
@@ -64,9 +64,9 @@ def test_candidates_come_likeliest_first_between_the_periods_asked_for_and_above
 def test_feet_slide_by_as_much_as_the_body_is_carried_along_besides_whatever_the_ground_is_called():
     """Pushed forward by a share of its speed, the standing foot slides by that share of the new one."""
     seen = gait(WALK, 0.3)
-    rhythm = seen.given(PERIOD)
-    assert rhythm is not None
-    assert rhythm.slip < 0.2
+    gait_cycle = seen.given(PERIOD)
+    assert gait_cycle is not None
+    assert gait_cycle.slip < 0.2
     for share in (1.0, 3.0):
         pushed = np.array(WALK)
         pushed[:, 0] *= 1 + share
@@ -76,7 +76,7 @@ def test_feet_slide_by_as_much_as_the_body_is_carried_along_besides_whatever_the
     low = replace(seen, surfaces=(Plane("low", np.array([0, 0, -0.7]), np.array([0.0, 0, 1])),))
     sunk = low.given(PERIOD)
     assert sunk is not None
-    assert sunk.slip == pytest.approx(rhythm.slip, rel=1e-6)  # low is what is lowest of them, not what touches
+    assert sunk.slip == pytest.approx(gait_cycle.slip, rel=1e-6)  # low is what is lowest of them, not what touches
 
 
 @pytest.mark.parametrize("between", [(0.95, 1.06), (1.14, 1.25)])
@@ -84,6 +84,6 @@ def test_a_likelihood_that_rises_to_an_end_of_what_may_be_has_its_peak_there(bet
     seen = gait(WALK, 0.3)
     poses = PoseVectors.of(FIGURE, seen.keys)
     assert poses is not None
-    found = seen.candidates(Process(poses), between, -np.inf)
+    found = seen.candidates(PoseProcess(poses), between, -np.inf)
     nearest = min(between, key=lambda end: abs(end - PERIOD))
     assert found[0].period == pytest.approx(nearest, rel=1e-9)

@@ -8,9 +8,9 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.ground_alignment import ENOUGH, LOWEST, NOTHING, on_the_ground, settled
-from dynsplines.solver.inference.recording import Recorded
-from dynsplines.solver.inference.stances import Stood
+from dynsplines.solver.inference.ground_alignment import ENOUGH, LOWEST, NOTHING, align_to_ground, move_to_ground
+from dynsplines.solver.inference.recording import RecordedMotion
+from dynsplines.solver.inference.stances import RecordedStance
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -31,23 +31,23 @@ def sole(*radii: float) -> tuple[Point, ...]:
     return tuple(Point(f"{i}", FOOT, CORNERS[i], radius) for i, radius in enumerate(radii))
 
 
-def recorded(height: float, turn: Array) -> Recorded:
+def recorded(height: float, turn: Array) -> RecordedMotion:
     """Walking along a line, the trunk turned about the vertical, the foot turned (3,) [rad] all the time."""
     qpos = np.zeros((TIMES.size, 11))
     qpos[:, 0], qpos[:, 1], qpos[:, 2] = TIMES, 0.3, height
     qpos[:, 3:7] = quat.from_rotation_vector([0, 0, 0.7])
     qpos[:, 7:] = quat.from_rotation_vector(turn)
-    return Recorded.of(FIGURE, TIMES, qpos, exact=True)
+    return RecordedMotion.of(FIGURE, TIMES, qpos, exact=True)
 
 
-def bottoms(found: Recorded, points: tuple[Point, ...]) -> Array:
+def bottoms(found: RecordedMotion, points: tuple[Point, ...]) -> Array:
     """(p, T) [m] how high the lowest spots of points are."""
     samples = Samples(FIGURE, found.states, 0 * found.states, 0 * found.states)
     return places_of(points, samples)[0][2] - np.array([[point.radius] for point in points])
 
 
-def standing(points: tuple[Point, ...]) -> list[Stood]:
-    return [Stood(point, TIMES[0], TIMES[-1]) for point in points]
+def standing(points: tuple[Point, ...]) -> list[RecordedStance]:
+    return [RecordedStance(point, TIMES[0], TIMES[-1]) for point in points]
 
 
 @pytest.mark.parametrize(
@@ -66,14 +66,14 @@ def test_a_sole_that_stood_tilted_is_level_and_on_the_ground_and_nothing_else_mo
 ) -> None:
     points, before = sole(*radii), recorded(0.64, np.radians(degrees))
     assert np.ptp(bottoms(before, points)[:, 0]) > 0.005
-    found = settled(before, standing(points), [FLOOR])
+    found = align_to_ground(before, standing(points), [FLOOR])
     np.testing.assert_allclose(bottoms(found, points), 0, atol=within)
     np.testing.assert_array_equal(found.states[:, [0, 1, *range(3, 7)]], before.states[:, [0, 1, *range(3, 7)]])
 
 
 def test_a_sole_that_stood_on_its_toes_is_set_down_as_it_is_in_the_middle_of_its_heights() -> None:
     points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.9, np.radians([0, 40, 0]))
-    found = settled(before, standing(points), [FLOOR])
+    found = align_to_ground(before, standing(points), [FLOOR])
     np.testing.assert_array_equal(found.states[:, 7:], before.states[:, 7:])
     assert np.median(bottoms(found, points)) == pytest.approx(0, abs=1e-9)
     np.testing.assert_array_equal(found.states[:, :2], before.states[:, :2])
@@ -83,7 +83,7 @@ def test_only_what_stands_says_how_high_the_ground_is() -> None:
     """The heel stands in the first half, 3 cm up; what it does later, and the toes, say nothing."""
     points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.65, np.zeros(3))
     before.states[TIMES > 0.5, 2] += 0.2
-    found = settled(before, [Stood(point, 0.0, 0.5) for point in points[:2]], [FLOOR])
+    found = align_to_ground(before, [RecordedStance(point, 0.0, 0.5) for point in points[:2]], [FLOOR])
     np.testing.assert_allclose(bottoms(found, points)[:, TIMES <= 0.5], 0, atol=1e-9)
     np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -0.03, atol=1e-9)
 
@@ -94,7 +94,7 @@ def test_a_recording_of_another_floor_comes_down_or_up_to_this_one_straight_and_
 ) -> None:
     points = sole(0.02, 0.02, 0.04, 0.04)
     before = recorded(0.64 + over, np.zeros(3))
-    found = on_the_ground(before, points, [FLOOR])
+    found = move_to_ground(before, points, [FLOOR])
     way = np.zeros(FIGURE.width)
     way[2] = -over if moves else 0
     np.testing.assert_allclose(found.states, before.states + way, atol=1e-9)
@@ -106,25 +106,25 @@ def test_it_is_the_lowest_spot_of_a_sole_whatever_its_radius_over_the_highest_gr
     before = recorded(1.6, np.radians(degrees))
     before.states[:, 2] += 0.1 * np.sin(3 * TIMES)
     for surfaces, ground in (([FLOOR], 0.0), ([FLOOR, stairs], 0.1), ([stairs, FLOOR], 0.1)):
-        found = on_the_ground(before, points, surfaces)
+        found = move_to_ground(before, points, surfaces)
         lowest = bottoms(before, points).min(axis=0) - ground
         np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -np.percentile(lowest, LOWEST), atol=1e-9)
 
 
 def test_without_points_stances_or_ground_a_recording_stays_what_it_is() -> None:
     points, before = sole(0.02, 0.02), recorded(1.5, np.radians([0, 12, 0]))
-    assert on_the_ground(before, (), [FLOOR]) is before
-    assert on_the_ground(before, points, []) is before
-    assert settled(before, [], [FLOOR]) is before
-    assert settled(before, standing(points), []) is before
+    assert move_to_ground(before, (), [FLOOR]) is before
+    assert move_to_ground(before, points, []) is before
+    assert align_to_ground(before, [], [FLOOR]) is before
+    assert align_to_ground(before, standing(points), []) is before
 
 
 @pytest.mark.parametrize(("samples", "level"), [(ENOUGH - 1, False), (ENOUGH, True)])
 def test_a_sole_is_level_if_all_of_it_stands_in_enough_samples(samples: int, level: bool) -> None:
     points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.64, np.radians([0, 12, 0]))
-    heel = [Stood(point, TIMES[0], TIMES[20]) for point in points[:2]]
-    toes = [Stood(point, TIMES[21 - samples], TIMES[-1]) for point in points[2:]]
-    found = settled(before, [*heel, *toes], [FLOOR])
+    heel = [RecordedStance(point, TIMES[0], TIMES[20]) for point in points[:2]]
+    toes = [RecordedStance(point, TIMES[21 - samples], TIMES[-1]) for point in points[2:]]
+    found = align_to_ground(before, [*heel, *toes], [FLOOR])
     assert (np.ptp(bottoms(found, points)[:, 0]) < 1e-9) == level
 
 
@@ -133,5 +133,5 @@ def test_what_is_next_to_nothing_off_is_left_there() -> None:
     for share, moves in ((0.8, False), (-0.8, False), (1.2, True), (-1.2, True)):
         over = share * NOTHING
         before = recorded(0.62 + over, np.zeros(3))
-        found = settled(before, standing(points), [FLOOR])
+        found = align_to_ground(before, standing(points), [FLOOR])
         np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -over * moves, atol=1e-9)

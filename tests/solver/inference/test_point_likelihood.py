@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from densities import log_normal
 
-from dynsplines.solver.inference.point_likelihood import FASTEST, LIVELY, surprise
+from dynsplines.solver.inference.point_likelihood import FASTEST, LIVELY, surprisal
 
 
 def covariance(times: np.ndarray, variance: float, first: float) -> np.ndarray:
@@ -22,7 +22,7 @@ def test_it_adds_up_to_the_density_of_all_samples_together(rng, share):
     known[3:5] = True
     places = rng.normal(0, 0.2, (3, 2, 14))
     variance = np.array([0.01, 0.03]) ** 2
-    found = surprise(times, places, variance, known)
+    found = surprisal(times, places, variance, known)
     first, *later = np.flatnonzero(known)
     for i, own in enumerate(variance):
         whole = covariance(times[later], own, times[first])
@@ -36,4 +36,4 @@ def test_it_adds_up_to_the_density_of_all_samples_together(rng, share):
 
 
 def test_nothing_is_surprising_where_nothing_is_known():
-    assert np.all(surprise(np.arange(4.0), np.zeros((3, 1, 4)), np.ones(1), np.zeros(4, bool)) == 0)
+    assert np.all(surprisal(np.arange(4.0), np.zeros((3, 1, 4)), np.ones(1), np.zeros(4, bool)) == 0)

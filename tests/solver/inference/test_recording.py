@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import multivariate_normal
 
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.recording import LIVELINESS, Recorded, between
+from dynsplines.solver.inference.recording import LIVELINESS, RecordedMotion, between
 
 TIMES = np.linspace(0.3, 3.3, 181)
 
@@ -27,7 +27,7 @@ def swung(figure: Figure, rng: np.random.Generator, noise: float = 0.0) -> np.nd
 
 
 def test_the_curve_is_the_least_squares_solution(figure, rng):
-    recorded = Recorded.of(figure, TIMES, swung(figure, rng, 0.01))
+    recorded = RecordedMotion.of(figure, TIMES, swung(figure, rng, 0.01))
     h = TIMES[1] - TIMES[0]
     second = (np.eye(TIMES.size)[:-2] - 2 * np.eye(TIMES.size)[1:-1] + np.eye(TIMES.size)[2:]) / h**2
     for columns in recorded.groups:
@@ -41,25 +41,25 @@ def test_the_curve_is_the_least_squares_solution(figure, rng):
 
 def test_the_noise_is_as_large_as_it_was_made(figure, rng):
     for noise in (0.02, 0.04):
-        found = Recorded.of(figure, TIMES, swung(figure, rng, noise))
+        found = RecordedMotion.of(figure, TIMES, swung(figure, rng, noise))
         assert 0.5 * noise < np.median(found.noise) < 1.3 * noise  # quaternions were longer than one
-        clean = Recorded.of(figure, TIMES, swung(figure, np.random.default_rng(3)))
+        clean = RecordedMotion.of(figure, TIMES, swung(figure, np.random.default_rng(3)))
         assert np.median(clean.noise) < 0.4 * noise
 
 
 def test_smoothing_brings_a_noisy_motion_nearer_to_the_true_one(figure):
-    true = Recorded.of(figure, TIMES, swung(figure, np.random.default_rng(5)))
+    true = RecordedMotion.of(figure, TIMES, swung(figure, np.random.default_rng(5)))
     rng = np.random.default_rng(5)
-    noisy = Recorded.of(figure, TIMES, swung(figure, rng, 0.03))
+    noisy = RecordedMotion.of(figure, TIMES, swung(figure, rng, 0.03))
     same = np.where(np.sum(true.states * noisy.states, axis=0) < 0, -1, 1)
     before, after = (np.linalg.norm(same * states - true.states) for states in (noisy.states, noisy.bridged))
     assert after < 0.6 * before
 
 
 def test_what_comes_with_either_sign_is_the_same_curve(figure):
-    one, other = (Recorded.of(figure, TIMES, swung(figure, np.random.default_rng(s))) for s in (7, 7))
+    one, other = (RecordedMotion.of(figure, TIMES, swung(figure, np.random.default_rng(s))) for s in (7, 7))
     flipped = np.array(other.figure.to_qpos(other.states))
-    again = Recorded.of(figure, TIMES, flipped)
+    again = RecordedMotion.of(figure, TIMES, flipped)
     np.testing.assert_allclose(np.abs(again.bridged), np.abs(one.bridged), atol=1e-9)
     assert np.all(np.abs(np.diff(again.states, axis=0)) < 0.3)
 
@@ -68,18 +68,18 @@ def test_a_gap_is_bridged_and_what_is_in_it_does_not_matter(figure, rng):
     qpos = swung(figure, rng)
     known = np.ones((TIMES.size, 1))
     known[80:90] = 0
-    whole = Recorded.of(figure, TIMES, qpos)
-    holes = Recorded(figure, TIMES, np.where(known > 0, whole.states, 7.0), known * np.ones_like(whole.states))
+    whole = RecordedMotion.of(figure, TIMES, qpos)
+    holes = RecordedMotion(figure, TIMES, np.where(known > 0, whole.states, 7.0), known * np.ones_like(whole.states))
     np.testing.assert_allclose(holes.bridged, whole.bridged, atol=0.03)
     assert np.all(holes.trust[80:90] == 0)
 
 
 def test_a_sample_that_is_far_off_is_hardly_believed(figure, rng):
     qpos = swung(figure, rng, 0.005)
-    recorded = Recorded.of(figure, TIMES, qpos)
+    recorded = RecordedMotion.of(figure, TIMES, qpos)
     states = recorded.states.copy()
     states[60] += 0.5
-    odd = Recorded(figure, TIMES, states, np.ones_like(states))
+    odd = RecordedMotion(figure, TIMES, states, np.ones_like(states))
     assert odd.trust[60].max() < 0.2
     assert np.median(odd.trust) == 1
     np.testing.assert_allclose(odd.bridged[60], recorded.bridged[60], atol=0.05)
@@ -88,14 +88,14 @@ def test_a_sample_that_is_far_off_is_hardly_believed(figure, rng):
 def test_a_joint_that_was_recorded_nowhere_is_no_recording(figure):
     states = figure.to_state(np.tile(figure.model.qpos0, (TIMES.size, 1)))
     with pytest.raises(ValueError, match="without two samples"):
-        _ = Recorded(figure, TIMES, states, 0 * states).bridged
+        _ = RecordedMotion(figure, TIMES, states, 0 * states).bridged
 
 
 def test_how_lively_a_motion_is_makes_its_changes_of_slope_as_likely_as_scipy_says(rng):
     """Noise of known weights on a curve whose changes of slope are independent, of variance A times the time."""
     figure = figure_of(TINY)
     times = np.cumsum(rng.uniform(0.01, 0.03, 40))
-    recorded = Recorded.of(figure, times, np.tile(figure.model.qpos0, (40, 1)) + 0.1 * rng.normal(size=(40, 11)))
+    recorded = RecordedMotion.of(figure, times, np.tile(figure.model.qpos0, (40, 1)) + 0.1 * rng.normal(size=(40, 11)))
     weight, columns = rng.uniform(1e2, 1e4, 40), np.arange(3)
     h = np.diff(times)
     change = np.zeros((38, 40))
@@ -121,7 +121,7 @@ def test_how_lively_a_motion_is_makes_its_changes_of_slope_as_likely_as_scipy_sa
 
 def test_moved_and_turned_all_poses_are_by_as_much(rng):
     figure = figure_of(TINY, "joint")
-    recorded = Recorded.of(figure, TIMES, swung(figure, rng))
+    recorded = RecordedMotion.of(figure, TIMES, swung(figure, rng))
     moved = recorded.moved([0.1, -0.2, 0.3])
     np.testing.assert_allclose(moved.states[:, :3] - recorded.states[:, :3], [[0.1, -0.2, 0.3]] * TIMES.size)
     np.testing.assert_array_equal(moved.states[:, 3:], recorded.states[:, 3:])
@@ -134,7 +134,7 @@ def test_moved_and_turned_all_poses_are_by_as_much(rng):
 
 def test_a_recording_bent_by_its_way_to_another_is_that_and_goes_there_by_even_turns(figure, rng):
     """In what is known; half of the way is half of the turn, by SciPy's rotations."""
-    one, other = (Recorded.of(figure, TIMES, swung(figure, rng)) for _ in range(2))
+    one, other = (RecordedMotion.of(figure, TIMES, swung(figure, rng)) for _ in range(2))
     known = np.ones(one.states.shape, bool)
     ways = between(figure, one.states, other.states, known)
     quaternions = figure.tables.quaternion_columns.T
@@ -163,7 +163,7 @@ def test_what_fills_a_gap_turns_no_sign_about():
     known = np.ones((41, 1))
     known[15:26] = 0
     filled = np.where(known > 0, qpos, figure.model.qpos0)
-    whole, torn = (Recorded.of(figure, times, rows, gaps) for rows, gaps in ((qpos, None), (filled, known)))
+    whole, torn = (RecordedMotion.of(figure, times, rows, gaps) for rows, gaps in ((qpos, None), (filled, known)))
     seen = known[:, 0] > 0
     np.testing.assert_allclose(torn.states[seen], whole.states[seen], rtol=0, atol=1e-12)
     np.testing.assert_allclose(torn.bridged, whole.bridged, rtol=0, atol=0.05)

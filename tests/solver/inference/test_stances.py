@@ -11,17 +11,17 @@ from dynsplines.clip.follow.keeping import Ground
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.motion import samples_at
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.ground_alignment import settled
-from dynsplines.solver.inference.point_likelihood import surprise
-from dynsplines.solver.inference.recording import ORDER, Recorded
+from dynsplines.solver.inference.ground_alignment import align_to_ground
+from dynsplines.solver.inference.point_likelihood import surprisal
+from dynsplines.solver.inference.recording import ORDER, RecordedMotion
 from dynsplines.solver.inference.stances import (
     DEAR,
     HIGHEST,
     HOVERS,
     ROLLS,
-    Stood,
+    RecordedStance,
     _cut,
-    stood,
+    infer_stances,
     unsure,
     white,
 )
@@ -43,14 +43,14 @@ def ground_of(take: Take) -> Ground:
 
 def resting(take: Take, ground: Ground) -> np.ndarray:
     """(p, T) which points are low and slow."""
-    recorded = Recorded.of(take.figure, take.time, take.qpos)
+    recorded = RecordedMotion.of(take.figure, take.time, take.qpos)
     samples = samples_at(take.figure, recorded.path, take.time)
     places, _, _ = places_of(ground.points, samples)
     height, _ = height_over(ground.surfaces, places, np.array([point.radius for point in ground.points]))
     return (np.linalg.norm(np.gradient(places, take.time, axis=2), axis=0) < 0.2) & (height < 0.03)
 
 
-def marked(stances: tuple[Stood, ...], take: Take, ground: Ground) -> np.ndarray:
+def marked(stances: tuple[RecordedStance, ...], take: Take, ground: Ground) -> np.ndarray:
     """(p, T) which points stand by stances."""
     out = np.zeros((len(ground.points), take.time.size), bool)
     for one in stances:
@@ -62,7 +62,7 @@ def marked(stances: tuple[Stood, ...], take: Take, ground: Ground) -> np.ndarray
 @pytest.mark.slow
 def test_of_a_run_that_ships_they_are_where_soles_rest(take):
     ground = ground_of(take)
-    stances = stood(Recorded.of(take.figure, take.time, take.qpos), ground.points, ground.surfaces)
+    stances = infer_stances(RecordedMotion.of(take.figure, take.time, take.qpos), ground.points, ground.surfaces)
     found, true = marked(stances, take, ground), resting(take, ground)
     assert (found & true).sum() >= 0.9 * true.sum()
     assert (found & ~true).sum() <= 0.15 * found.sum()
@@ -72,7 +72,9 @@ def test_of_a_run_that_ships_they_are_where_soles_rest(take):
 def test_what_shakes_slides_and_sinks_keeps_most_of_them(take, rng):
     ground, true = ground_of(take), resting(take, ground_of(take))
     qpos = take.shaking(take.sliding(rng), rng, 0.003, np.radians(0.5))
-    found = marked(stood(Recorded.of(take.figure, take.time, qpos), ground.points, ground.surfaces), take, ground)
+    found = marked(
+        infer_stances(RecordedMotion.of(take.figure, take.time, qpos), ground.points, ground.surfaces), take, ground
+    )
     assert (found & true).sum() >= 0.7 * true.sum()
     assert (found & ~true).sum() <= 0.25 * found.sum()
 
@@ -87,12 +89,14 @@ RUNNER = Point("runner", 2, np.array([0.0, 0, -0.1]), 0.05)
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 
 
-def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[Stood, ...]:
+def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[RecordedStance, ...]:
     """Of a sphere at places along a line, its lowest spot so high over the floor."""
-    return stood(Recorded.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR])
+    return infer_stances(
+        RecordedMotion.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR]
+    )
 
 
-def spans(stances: tuple[Stood, ...]) -> list[tuple[float, float]]:
+def spans(stances: tuple[RecordedStance, ...]) -> list[tuple[float, float]]:
     return [(one.first, one.last) for one in stances]
 
 
@@ -141,7 +145,7 @@ def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rate
         place, height = np.cumsum(steps, axis=1) + rng.normal(0, noise, (3, count)), rng.uniform(0, 0.1, count)
         known = rng.random(count) < 0.85
         size = noise**2 + ROLLS**2
-        moving = surprise(times, place[:, None], np.array([size]), known)[0]
+        moving = surprisal(times, place[:, None], np.array([size]), known)[0]
 
         def cost(a: int, b: int, place=place, height=height, noise=noise, known=known, size=size, moving=moving):
             at = a + np.flatnonzero(known[a:b])
@@ -165,18 +169,18 @@ def test_a_stance_on_an_edge_is_on_what_ends_there():
     """A box's top ends 4 cm before the point, which stands as high as it, and the floor is half a metre down."""
     box = Box("box", np.array([-1.04, 0.0, 0.25]), np.eye(3), np.array([1.0, 1.0, 0.25]))
     times = np.arange(40) / FPS
-    recorded = Recorded.of(SLED, times, np.column_stack([0 * times, np.full(40, 0.65)]), exact=True)
-    (one,) = stood(recorded, [RUNNER], [FLOOR, box])
+    recorded = RecordedMotion.of(SLED, times, np.column_stack([0 * times, np.full(40, 0.65)]), exact=True)
+    (one,) = infer_stances(recorded, [RUNNER], [FLOOR, box])
     assert one.ground is not None
     assert one.ground.height(np.array([0.0, 0.0, 0.5])) == pytest.approx(0, abs=1e-12)
-    assert stood(recorded, [RUNNER], [FLOOR]) == ()
+    assert infer_stances(recorded, [RUNNER], [FLOOR]) == ()
 
 
 def test_nothing_stands_where_there_is_no_ground_or_no_sole(figure, rng):
     times = np.linspace(0, 1, 31)
-    recorded = Recorded.of(figure, times, np.tile(figure.model.qpos0, (31, 1)))
-    assert stood(recorded, (), ()) == ()
-    assert settled(recorded, (), ()) is recorded
+    recorded = RecordedMotion.of(figure, times, np.tile(figure.model.qpos0, (31, 1)))
+    assert infer_stances(recorded, (), ()) == ()
+    assert align_to_ground(recorded, (), ()) is recorded
 
 
 def test_the_noise_of_places_is_that_of_their_samples_whatever_smooth_way_they_go_and_gaps_hold(rng):
@@ -198,16 +202,16 @@ def test_the_noise_of_places_is_that_of_their_samples_whatever_smooth_way_they_g
 def test_how_unsure_a_recording_is_of_its_points_is_the_noise_of_the_one_that_is_known_worst(rng):
     times = np.arange(400) / FPS
     qpos = np.column_stack([0.5 * times, 0.2 * np.sin(times)]) + 0.004 * rng.normal(size=(400, 2))
-    recorded = Recorded(SLED, times, qpos, np.ones((400, 2)))
+    recorded = RecordedMotion(SLED, times, qpos, np.ones((400, 2)))
     first = Point("first", 1, np.zeros(3))
     low, high = unsure(recorded, [first]), unsure(recorded, [first, RUNNER])
     assert low <= high
     seen = white(np.stack([qpos[:, 0], 0 * times, qpos[:, 1]])[:, None], np.ones(400))[0]
     assert high == pytest.approx(seen, rel=0.3)
     assert unsure(recorded, []) == 0
-    short = Recorded(SLED, times[: ORDER - 1], qpos[: ORDER - 1], np.ones((ORDER - 1, 2)))
+    short = RecordedMotion(SLED, times[: ORDER - 1], qpos[: ORDER - 1], np.ones((ORDER - 1, 2)))
     assert unsure(short, [RUNNER]) == 0
-    assert stood(short, [RUNNER], [FLOOR]) == ()
+    assert infer_stances(short, [RUNNER], [FLOOR]) == ()
 
 
 @pytest.mark.parametrize("times_as_many", [1, 2, 4])

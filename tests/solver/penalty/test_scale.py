@@ -14,31 +14,31 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
-    Closed,
     Closure,
     Contact,
-    Coupled,
     Coupling,
+    CouplingPenalty,
     CovariantAcceleration,
-    Grounded,
     Hold,
-    Holding,
+    HoldPenalty,
+    HoverPenalty,
     JointRange,
     Lean,
     Level,
+    LoopClosure,
     PeakAcceleration,
     Penalty,
     Placed,
     Placement,
-    Planted,
     Posture,
     Range,
     Rest,
-    Resting,
+    RestPenalty,
     RootAcceleration,
     Skate,
     Spot,
     Stance,
+    StancePenalty,
     Sum,
     Torque,
     Upright,
@@ -50,12 +50,12 @@ UP, X = np.array([0.0, 0, 1]), np.array([1.0, 0, 0])
 ORIGIN, WORLD = Point("middle", 1, np.zeros(3)), Point("spot", 0, np.zeros(3))
 CENTIMETRE = {
     "contact": Contact((ORIGIN,), (FLOOR,)),
-    "grounded": Grounded((ORIGIN,), (FLOOR,), ((-1.0, 1.0),), reach=10.0),
-    "planted": Planted((Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),
-    "resting": Resting((Rest(ORIGIN, -1, 1),), (FLOOR,)),
+    "grounded": HoverPenalty((ORIGIN,), (FLOOR,), ((-1.0, 1.0),), reach=10.0),
+    "planted": StancePenalty((Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),
+    "resting": RestPenalty((Rest(ORIGIN, -1, 1),), (FLOOR,)),
     "placement": Placement((Placed(ORIGIN, 0.0, np.zeros(3)),)),
-    "hold": Holding((Hold(ORIGIN, 0, "world", -1, 1, (Spot(-1, 1, np.zeros(3), np.zeros(3)),)),)),
-    "closed": Closed((Closure("ring", ORIGIN, WORLD),)),
+    "hold": HoldPenalty((Hold(ORIGIN, 0, "world", -1, 1, (Spot(-1, 1, np.zeros(3), np.zeros(3)),)),)),
+    "closed": LoopClosure((Closure("ring", ORIGIN, WORLD),)),
     "self": SelfContact((Bar(0, 1, 0 * UP, UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
 }  # fmt: skip
 
@@ -80,7 +80,7 @@ def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts
     still = Samples(hinge, y, 0 * y, 0 * y)
     kind = hinge.links[2].kind
     of_range = JointRange((Range("hinge", 2, kind, *((0.4, 9.0) if degrees < 0 else (-9.0, 0.4))),))
-    of_coupling = Coupled((Coupling("hinge", 4, -1, (0.3, 0.0), np.array([0.1, 0, 0, 0, 0]), "degrees"),))
+    of_coupling = CouplingPenalty((Coupling("hinge", 4, -1, (0.3, 0.0), np.array([0.1, 0, 0, 0, 0]), "degrees"),))
     for penalty in (of_range, of_coupling):
         np.testing.assert_allclose(penalty.evaluate(still), penalty.normalization.reference)
         assert penalty.normalization.is_violation

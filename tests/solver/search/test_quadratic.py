@@ -25,7 +25,14 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Discretised, Objective
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, Planted, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import (
+    Contact,
+    CovariantAcceleration,
+    Penalty,
+    RootAcceleration,
+    StancePenalty,
+    UnitMagnitude,
+)
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.quadratic import Layout, Model, _seen_blocks, middle
 from dynsplines.solver.surface.points import Point
@@ -91,7 +98,7 @@ def test_so_it_is_between_two_keyframes(rng, ends, variable):
 
 
 def test_stances_and_the_papers_form_enter_the_model_like_the_others(rng, monkeypatch):
-    planted = Planted((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 1.2)))
+    planted = StancePenalty((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 1.2)))
     monkeypatch.setattr("curvature_of.PLANTED", planted)
     figure = figure_of(TINY)
     names = ("covariant, the paper's", "unit", "root", "planted")

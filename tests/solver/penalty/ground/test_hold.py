@@ -15,14 +15,14 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Hold,
-    Holding,
+    HoldPenalty,
     RootAcceleration,
     Spot,
     UnitMagnitude,
     slipped,
 )
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.ground.resting import SETTLING
+from dynsplines.solver.penalty.ground.rest import SETTLING
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point
 
@@ -78,13 +78,13 @@ def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_
     t = samples.t
     expected = ((t >= 0.1) & (t <= 0.8)) * np.sum(known(samples, first) ** 2, axis=1)
     expected += ((t >= 0.3) & (t <= 1.0)) * SETTLING**2 * np.sum(sliding(samples, second) ** 2, axis=1)
-    np.testing.assert_allclose(Holding((first, second)).evaluate(samples), expected, rtol=1e-6)
+    np.testing.assert_allclose(HoldPenalty((first, second)).evaluate(samples), expected, rtol=1e-6)
 
 
 @pytest.mark.parametrize("which", [0, 1])
 def test_the_gradient_has_taylor_slope_two(figure, rng, which):
     samples, some = case(figure, rng)
-    assert penalty_slope(Holding((some[which],)), samples, rng) > 1.95
+    assert penalty_slope(HoldPenalty((some[which],)), samples, rng) > 1.95
 
 
 def test_nothing_counts_within_the_slack(figure, rng):
@@ -92,8 +92,8 @@ def test_nothing_counts_within_the_slack(figure, rng):
     there = slipped(samples, holds(figure)[0])[:, 2]
     hold = Hold(HAND, len(figure.links) - 1, "it", 0.1, 0.8, (Spot(0.1, 0.8, there, there, (1e3, 1e3)),))
     curvature = Curvature(samples)
-    Holding((hold,)).curvature(samples, curvature, np.ones(6))
-    assert not Holding((hold,)).evaluate(samples).any()
+    HoldPenalty((hold,)).curvature(samples, curvature, np.ones(6))
+    assert not HoldPenalty((hold,)).evaluate(samples).any()
     assert not curvature.quadratic(rng.normal(size=(6, 3)), 0, 6).any()
 
 
@@ -110,7 +110,7 @@ def assert_curvature(figure: Figure, rng: np.random.Generator) -> None:
     """By differences of the residuals when the whole state moves by (φ, φ', φ'') e along every entry e."""
     samples, (first, second) = case(figure, rng)
     curvature, phi, scale = Curvature(samples), rng.normal(size=(6, 3)), rng.uniform(1, 2, 6)
-    Holding((first, second)).curvature(samples, curvature, scale)
+    HoldPenalty((first, second)).curvature(samples, curvature, scale)
     h, width = 1e-6, samples.y.shape[1]
 
     def residuals(moved: Array) -> Array:
@@ -140,7 +140,7 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
     others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
 
     def worst(weight: float) -> float:
-        motion = inbetween(Problem(figure, keys, [*others, (Holding((hold,)), weight)], Settings(tolerance=1e-5)))
+        motion = inbetween(Problem(figure, keys, [*others, (HoldPenalty((hold,)), weight)], Settings(tolerance=1e-5)))
         samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
         return float(np.linalg.norm(slipped(samples, hold) - spot[:, None], axis=0).max())
 

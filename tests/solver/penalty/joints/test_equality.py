@@ -16,7 +16,7 @@ from dynsplines import work
 from dynsplines.clip import load as clip
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Closed, Coupled, closures, couplings
+from dynsplines.solver.penalty import CouplingPenalty, LoopClosure, closures, couplings
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.system.progress import Progress
 
@@ -84,7 +84,7 @@ def test_couplings_are_those_of_mujoco(text, units, rng):
     active = [i for i in range(model.neq) if model.eq_active0[i]]
     assert [coupling.name for coupling in found] == [model.joint(model.eq_obj1id[i]).name for i in active]
     assert [coupling.unit for coupling in found] == units
-    away, slopes = Coupled(found).away(samples)
+    away, slopes = CouplingPenalty(found).away(samples)
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         data.qpos[:] = qpos
         mujoco.mj_forward(model, data)
@@ -101,7 +101,7 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
     model = mujoco.MjModel.from_xml_string(FOUR_BAR)
     figure, data = Figure(model), mujoco.MjData(model)
     samples = random_samples(figure, rng)
-    apart = Closed(closures(figure)).apart(samples)
+    apart = LoopClosure(closures(figure)).apart(samples)
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         data.qpos[:] = qpos
         mujoco.mj_forward(model, data)
@@ -129,7 +129,7 @@ def test_a_weld_without_torque_leaves_rotations_alone():
 @pytest.mark.parametrize("penalty", ["coupled", "closed"])
 def test_the_gradient_is_exact_and_the_curvature_fits_it(penalty, rng):
     figure = Figure(mujoco.MjModel.from_xml_string(GRIPPER if penalty == "coupled" else FOUR_BAR))
-    term = Coupled(couplings(figure)) if penalty == "coupled" else Closed(closures(figure))
+    term = CouplingPenalty(couplings(figure)) if penalty == "coupled" else LoopClosure(closures(figure))
     samples = random_samples(figure, rng)
     scale = rng.uniform(0.5, 2, samples.count)
     assert term.evaluate(samples).shape == (samples.count,)
@@ -146,7 +146,7 @@ def test_the_gradient_is_exact_and_the_curvature_fits_it(penalty, rng):
 
         def residuals(y: np.ndarray) -> np.ndarray:
             there = Samples(figure, y, 0 * y, 0 * y)
-            return term.away(there)[0] if isinstance(term, Coupled) else term.apart(there)
+            return term.away(there)[0] if isinstance(term, CouplingPenalty) else term.apart(there)
 
         rate = (residuals(samples.y + step * v) - residuals(samples.y - step * v))[..., 2] / (2 * step)
         assert v @ matrix @ v == pytest.approx(2 * scale[2] * np.sum(rate**2), rel=1e-6)

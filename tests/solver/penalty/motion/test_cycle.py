@@ -40,34 +40,34 @@ def cycled(request, rng) -> Cycle:
     text, coordinates = request.param
     figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
     keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
-    rhythm = Gait(figure, raw_timeline(figure, keys), (), ()).given(0.7)
-    assert rhythm is not None and rhythm.trust.max() > 0
-    return Cycle(figure, rhythm)
+    gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).given(0.7)
+    assert gait_cycle is not None and gait_cycle.trust.max() > 0
+    return Cycle(figure, gait_cycle)
 
 
 def at_its_times(cycle: Cycle, rng: np.random.Generator, count: int) -> tuple[Samples, np.ndarray]:
-    """Random samples at some of the times that the rhythm knows, and which."""
-    some = rng.choice(cycle.rhythm.times.size, count, replace=False)
+    """Random samples at some of the times that the gait cycle covers, and which."""
+    some = rng.choice(cycle.gait_cycle.times.size, count, replace=False)
     seen = random_samples(cycle.figure, rng, count)
-    return Samples(seen.figure, seen.y, seen.y_d, seen.y_dd, cycle.rhythm.times[some]), some
+    return Samples(seen.figure, seen.y, seen.y_d, seen.y_dd, cycle.gait_cycle.times[some]), some
 
 
 def residuals(cycle: Cycle, y: np.ndarray, some: np.ndarray) -> np.ndarray:
     """How far joints, hinges and the root's height are off, (S, r), the trust aside."""
-    figure, rhythm = cycle.figure, cycle.rhythm
+    figure, gait_cycle = cycle.figure, cycle.gait_cycle
     qpos, out = figure.to_qpos(y), []
     for i, link in enumerate(figure.tables.quaternion_links):
         own = qpos[:, quaternion_columns(figure.links[link])]
-        off = Rotation.from_quat(np.roll(rhythm.rotations[some, i], -1, 1)).inv()
+        off = Rotation.from_quat(np.roll(gait_cycle.rotations[some, i], -1, 1)).inv()
         out.append(2 * (off * Rotation.from_quat(np.roll(own, -1, 1))).as_quat(canonical=True)[:, :3])
-    out.append(qpos[:, figure.tables.hinge_columns] - rhythm.angles[some])
-    out.append(HEIGHT * (qpos[:, figure.tables.position_columns[2]] - rhythm.heights[some]))
+    out.append(qpos[:, figure.tables.hinge_columns] - gait_cycle.angles[some])
+    out.append(HEIGHT * (qpos[:, figure.tables.position_columns[2]] - gait_cycle.heights[some]))
     return np.hstack(out)
 
 
 def test_the_value_is_how_far_joints_are_off(cycled, rng):
     samples, some = at_its_times(cycled, rng, 5)
-    expected = cycled.rhythm.trust[some] * np.sum(residuals(cycled, samples.y, some) ** 2, axis=1)
+    expected = cycled.gait_cycle.trust[some] * np.sum(residuals(cycled, samples.y, some) ** 2, axis=1)
     np.testing.assert_allclose(cycled.evaluate(samples), expected, rtol=1e-9)
 
 
@@ -88,7 +88,7 @@ def test_its_curvature_is_that_of_differences(cycled, rng):
     for entry in np.eye(cycled.figure.width):
         moved = [residuals(cycled, samples.y + s * phi[:, :1] * entry, some) for s in (h, -h)]
         rows.append((moved[0] - moved[1]) / (2 * h))
-    share = scale * cycled.rhythm.trust[some]
+    share = scale * cycled.gait_cycle.trust[some]
     expected = 2 * np.einsum("s,msr,nsr->mn", share, np.array(rows), np.array(rows))
     np.testing.assert_allclose(curvature.quadratic(phi, 0, 3), expected, rtol=1e-5, atol=1e-6 * expected.max())
 
@@ -112,46 +112,46 @@ def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_th
 
 def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_keyframes():
     seen = gait(WALK, 0.7)
-    rhythm = seen.told()
-    assert rhythm is not None and len(SOLES) == 4
-    cycle = Cycle(FIGURE, rhythm)
-    led = cycle.led(seen.keys, None)
-    assert np.diff(led.times).max() <= 1.05 * PERIOD / 8
-    fixed = [frame for frame in led.frames if not frame.is_variable]
+    gait_cycle = seen.told()
+    assert gait_cycle is not None and len(SOLES) == 4
+    cycle = Cycle(FIGURE, gait_cycle)
+    initial_guess = cycle.initial_guess(seen.keys, None)
+    assert np.diff(initial_guess.times).max() <= 1.05 * PERIOD / 8
+    fixed = [frame for frame in initial_guess.frames if not frame.is_variable]
     np.testing.assert_array_equal([f.state for f in fixed], seen.keys.states)
-    loose = np.array([frame.state for frame in led.frames if frame.is_variable])
-    times = np.array([frame.time for frame in led.frames if frame.is_variable])
+    loose = np.array([frame.state for frame in initial_guess.frames if frame.is_variable])
+    times = np.array([frame.time for frame in initial_guess.frames if frame.is_variable])
     off = cycle.off(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
     assert np.degrees(off.max()) < 0.1
-    assert cycle.led(seen.keys, 0).variable_count == 0
+    assert cycle.initial_guess(seen.keys, 0).variable_count == 0
 
 
 @pytest.mark.parametrize("every", [0.3, 0.7, 1.0])
 def test_it_leads_with_no_more_frames_than_keep_them_an_eighth_of_a_period_apart(every):
     seen = gait(WALK, every)
-    rhythm = seen.given(PERIOD)
-    assert rhythm is not None
-    cycle, keys = Cycle(FIGURE, rhythm), seen.keys
-    led = cycle.led(keys, None)
+    gait_cycle = seen.given(PERIOD)
+    assert gait_cycle is not None
+    cycle, keys = Cycle(FIGURE, gait_cycle), seen.keys
+    initial_guess = cycle.initial_guess(keys, None)
     least = [int(np.ceil(span / (PERIOD / 8) - 1e-6)) - 1 for span in np.diff(keys.times)]
-    between = np.split(led.times, np.flatnonzero(np.isin(led.times, keys.times)))[1:-1]
+    between = np.split(initial_guess.times, np.flatnonzero(np.isin(initial_guess.times, keys.times)))[1:-1]
     assert [part.size - 1 for part in between] == least
     for part, end in zip(between, keys.times[1:], strict=True):
         np.testing.assert_allclose(np.diff([*part, end]), (end - part[0]) / part.size)
-    assert cycle.led(keys, sum(least)).variable_count == sum(least)
-    assert cycle.led(keys, sum(least) - 1).variable_count == 0
+    assert cycle.initial_guess(keys, sum(least)).variable_count == sum(least)
+    assert cycle.initial_guess(keys, sum(least) - 1).variable_count == 0
     fine = evenly(keys, 12)
-    assert cycle.led(fine, None).variable_count == fine.variable_count
-    np.testing.assert_allclose(cycle.led(fine, 0).times, fine.times)
-    np.testing.assert_array_equal(led.end_slope, keys.end_slope)
+    assert cycle.initial_guess(fine, None).variable_count == fine.variable_count
+    np.testing.assert_allclose(cycle.initial_guess(fine, 0).times, fine.times)
+    np.testing.assert_array_equal(initial_guess.end_slope, keys.end_slope)
 
 
 def test_what_it_leads_with_is_as_long_as_the_clip_though_the_last_keyframe_fixes_nothing():
     seen = gait(WALK, 0.7)
     *before, last = seen.keys.frames
     keys = replace(seen.keys, frames=(*before, Frame.variable(last.time, last.state)))
-    rhythm = seen.told()
-    assert rhythm is not None
-    led = Cycle(FIGURE, rhythm).led(keys, None)
-    np.testing.assert_array_equal(led.times[[0, -1]], keys.times[[0, -1]])
-    np.testing.assert_array_equal(led.frames[-1].state, last.state)
+    gait_cycle = seen.told()
+    assert gait_cycle is not None
+    initial_guess = Cycle(FIGURE, gait_cycle).initial_guess(keys, None)
+    np.testing.assert_array_equal(initial_guess.times[[0, -1]], keys.times[[0, -1]])
+    np.testing.assert_array_equal(initial_guess.frames[-1].state, last.state)

@@ -15,7 +15,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
-    Grounded,
+    HoverPenalty,
     Penalty,
     RootAcceleration,
     UnitMagnitude,
@@ -36,12 +36,12 @@ def some_points(samples: Samples) -> tuple[Point, ...]:
     return Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", last, np.array([0.0, 0.1, -0.2]))
 
 
-def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, Grounded]:
+def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, HoverPenalty]:
     samples = at_times(random_samples(figure, rng, count), np.linspace(0, 1, count))
     points = some_points(samples)
     centres, _, _ = places_of(points, samples)
     floor = Plane("floor", (centres[2].min() - 0.3) * UP, UP)
-    return samples, Grounded(points, (floor,), ((0.1, 0.5), (0.7, 1.0)), reach=0.8, blend=0.2)
+    return samples, HoverPenalty(points, (floor,), ((0.1, 0.5), (0.7, 1.0)), reach=0.8, blend=0.2)
 
 
 def test_the_value_by_hand(figure, rng):
@@ -112,7 +112,7 @@ def on_a_path(heights: list[float], weight: float, flights: tuple = ()) -> float
         (RootAcceleration(), 1.0),
         (UnitMagnitude(), 1.0),
     ]
-    penalties.append((Grounded((FOOT,), (FLOOR,), intervals), weight))
+    penalties.append((HoverPenalty((FOOT,), (FLOOR,), intervals), weight))
     motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-4)))
     middle = 0.5 * (len(heights) - 1) * np.linspace(1 / 3, 2 / 3, 200)
     return float(motion.at(middle)[:, 2].max() - 0.1)
@@ -140,8 +140,8 @@ def test_segments_with_an_end_in_the_air_are_left_out():
 def test_nothing_floats_without_points_or_without_a_ground(figure, rng):
     samples, grounded = case(figure, rng)
     for nothing in (
-        Grounded((), grounded.surfaces, grounded.intervals),
-        Grounded(grounded.points, (), grounded.intervals),
+        HoverPenalty((), grounded.surfaces, grounded.intervals),
+        HoverPenalty(grounded.points, (), grounded.intervals),
     ):
         curvature = Curvature(samples)
         nothing.curvature(samples, curvature, np.ones(samples.count))

@@ -12,8 +12,8 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
-from dynsplines.solver.penalty.ground.resting import SETTLING, Rolling
+from dynsplines.solver.penalty import CovariantAcceleration, Rest, RestPenalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty.ground.rest import SETTLING, Rolling
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
@@ -22,7 +22,7 @@ UP, TILT = np.array([0.0, 0, 1]), np.array([0.28, 0, 0.96])
 FLOOR = Plane("floor", -50 * UP, UP)
 
 
-def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Resting]:
+def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, RestPenalty]:
     samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
     last, slope = len(figure.links) - 1, Plane("slope", -50 * UP + 3 * TILT, TILT)
     rests = (
@@ -32,7 +32,7 @@ def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Resting]:
         Rest(Point("d", last, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
         Rest(Point("c again", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.5, 1.0, rolls=True),
     )
-    return samples, Resting(rests, (FLOOR,))
+    return samples, RestPenalty(rests, (FLOOR,))
 
 
 def test_the_value_by_hand(figure, rng):
@@ -71,7 +71,7 @@ def test_a_foot_rests_where_nobody_said_that_it_should():
     penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
 
     def direction(weight: float) -> float:
-        resting = Resting((Rest(foot, 0.4, 0.6),), (floor,))
+        resting = RestPenalty((Rest(foot, 0.4, 0.6),), (floor,))
         motion = inbetween(Problem(figure, keys, [*penalties, (resting, weight)], Settings(tolerance=1e-4)))
         qpos = motion.at(np.linspace(0.4, 0.6, 100))
         return float(np.ptp(qpos[:, 0]) + np.abs(qpos[:, 2] - 0.1).max())
@@ -85,7 +85,7 @@ def test_a_sphere_that_rests_rolls_without_a_slip():
         '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
     )
     figure, floor = Figure(model), Plane("floor", np.zeros(3), UP)
-    resting = Resting((Rest(Point("ball", 1, np.zeros(3), 0.1), 0.0, 1.0, rolls=True),), (floor,))
+    resting = RestPenalty((Rest(Point("ball", 1, np.zeros(3), 0.1), 0.0, 1.0, rolls=True),), (floor,))
     turning = 2.0  # [rad/s] about y
 
     def sliding(speed: float) -> float:

@@ -13,7 +13,7 @@ import numpy as np
 Answer = TypeVar("Answer")
 
 
-class Remembered(Generic[Answer]):
+class Cache(Generic[Answer]):
     """The last results, up to a maximum number. They are shared: callers must not change them."""
 
     def __init__(self, most: int) -> None:
@@ -24,27 +24,27 @@ class Remembered(Generic[Answer]):
     def __len__(self) -> int:
         return len(self._answers)
 
-    def of(self, asked: Hashable, find: Callable[[], Answer]) -> Answer:
+    def get(self, key: Hashable, compute: Callable[[], Answer]) -> Answer:
         """The answer to what is asked, found if it is not known; an exception is no answer."""
         with self._lock:
-            if asked in self._answers:
-                self._answers.move_to_end(asked)
-                return self._answers[asked]
-        answer = find()
+            if key in self._answers:
+                self._answers.move_to_end(key)
+                return self._answers[key]
+        answer = compute()
         with self._lock:
-            self._answers[asked] = answer
+            self._answers[key] = answer
             if len(self._answers) > self._most:
                 self._answers.popitem(last=False)
         return answer
 
 
-def content(value: Any) -> Hashable:
+def cache_key(value: Any) -> Hashable:
     """What two values have in common if they are the same to the bit: arrays, dataclasses and sequences by what is in
     them, all else by itself."""
     if isinstance(value, np.ndarray):
         return value.dtype.str, value.shape, value.tobytes()
     if isinstance(value, list | tuple):
-        return type(value), *(content(item) for item in value)
+        return type(value), *(cache_key(item) for item in value)
     if is_dataclass(value) and not isinstance(value, type):
-        return type(value), *(content(getattr(value, item.name)) for item in fields(value))
+        return type(value), *(cache_key(getattr(value, item.name)) for item in fields(value))
     return value

@@ -1,4 +1,4 @@
-"""Resting points: at rest on a surface from one time to another, wherever that is.
+"""Points at rest on a surface from one time to another, wherever that is.
 
 For contacts whose spot is not specified; where keyframes specify it, see `planted`. A round foot, such as the heel or
 the tip of a shoe, rolls: its lowest point rests, which may be another one at every instant.
@@ -65,7 +65,7 @@ class Rolling:
 
 
 @dataclass(frozen=True)
-class Resting(Penalty):
+class RestPenalty(Penalty):
     """Σ over rests of (0.05 s)² |v|² + h² [m²], h the height of a point, or sphere, over the surface below it, v the
     velocity of what of it rests: that of its centre or, if it rolls, v_centre − r ω × n, n the way up."""
 

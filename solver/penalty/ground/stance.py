@@ -1,4 +1,4 @@
-"""Planted points: a point of the sole that two neighbouring keyframes put on the same spot stays there in between.
+"""Stances: a point of the sole that two neighbouring keyframes put on the same spot stays there in between.
 
 The keyframes are the only input. This goes beyond the paper, which leaves skidding to future work (§6).
 """
@@ -50,7 +50,7 @@ class Stance:
 
 
 @dataclass(frozen=True)
-class Planted(Penalty):
+class StancePenalty(Penalty):
     """Σ over stances of their weight times the squared distance [m²] of the point from its spot, while they last."""
 
     stances: tuple[Stance, ...]
@@ -125,7 +125,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     return tuple(result)
 
 
-def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
+def resting_objects(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
     """Return stances of objects that two neighbouring keyframes put in the same pose: three points of each.
 
     An object is a link with a kinematic tree of its own.

@@ -23,7 +23,7 @@ def tree_of(figure: Figure, link: int) -> int:
     return link
 
 
-def carried_links(figure: Figure, holds: Sequence[Hold]) -> tuple[int, ...]:
+def grasped_links(figure: Figure, holds: Sequence[Hold]) -> tuple[int, ...]:
     """The links, rising, of the trees that are held by a point of another one and hold nothing themselves."""
     holders = {tree_of(figure, hold.point.link) for hold in holds}
     trees = {tree_of(figure, hold.link) for hold in holds} - holders

@@ -18,7 +18,14 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import CovariantAcceleration, Range, RootAcceleration, Steady, UnitMagnitude, steady
+from dynsplines.solver.penalty import (
+    CovariantAcceleration,
+    OvershootPenalty,
+    Range,
+    RootAcceleration,
+    UnitMagnitude,
+    steady,
+)
 from dynsplines.solver.problem import Problem, Settings
 
 HINGE = '<mujoco><worldbody><body><joint name="hinge"/><geom size=".1"/></body></worldbody></mujoco>'
@@ -90,12 +97,12 @@ def bounded(figure: Figure, rng: np.random.Generator) -> tuple[Range, ...]:
 
 def test_the_gradient_has_taylor_slope_two(figure: Figure, rng: np.random.Generator) -> None:
     samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
-    assert penalty_slope(Steady(bounded(figure, rng)), samples, rng) > 1.95
+    assert penalty_slope(OvershootPenalty(bounded(figure, rng)), samples, rng) > 1.95
 
 
 def test_how_far_joints_are_off_is_what_scipy_computes(figure: Figure, rng: np.random.Generator) -> None:
     samples, held = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9)), bounded(figure, rng)
-    qpos, seen = figure.to_qpos(samples.y), Steady(held).beyond(samples)
+    qpos, seen = figure.to_qpos(samples.y), OvershootPenalty(held).beyond(samples)
     for joint, beyond in zip(held, seen, strict=True):
         during, at = (joint.first <= samples.t) & (samples.t <= joint.last), figure.links[joint.link].qpos
         if joint.home is None:
@@ -121,7 +128,7 @@ def swings(first: Array, last: Array) -> tuple[Array, Array]:
     figure = Figure(mujoco.MjModel.from_xml_string(CHAIN))
     keys = [Frame.key(t, q) for t, q in zip((0, 1, 1.3, 2.3), (first, first, last, last), strict=True)]
     raw = raw_timeline(figure, keys)
-    held = Steady.of(figure, steady(figure, raw), raw.times)
+    held = OvershootPenalty.of(figure, steady(figure, raw), raw.times)
     motion = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
     solution = inbetween(Problem(figure, keys, [*motion, (held, 10.0)], Settings(frames=20, tolerance=1e-3)))
 

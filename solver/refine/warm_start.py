@@ -24,7 +24,7 @@ CLOSE = 0.15  # of a segment: distance from a keyframe below which a variable fr
 TINY = 0.02  # [s] length up to which a segment gets no variable frames
 
 
-def carried(
+def warm_start(
     figure: Figure,
     found: Timeline,
     before: Sequence[Frame],

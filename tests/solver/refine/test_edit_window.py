@@ -11,7 +11,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.objective import Objective, segment_integrals
 from dynsplines.solver.penalty import CovariantAcceleration, RootAcceleration
-from dynsplines.solver.refine.cut import Cut
+from dynsplines.solver.refine.edit_window import EditWindow
 
 KEYS = np.array([0.0, 0.5, 1.0, 1.75, 2.5, 3.0, 3.5, 4.25, 5.0])  # eight segments, a variable frame in each
 
@@ -25,8 +25,8 @@ def timeline_of(ends: str = "free") -> Timeline:
     return Timeline(tuple(sorted(frames, key=lambda frame: frame.time)), rng.normal(size=(2, 7)), ends)
 
 
-def cut_of(low: float, high: float, keys: Array = KEYS) -> Cut:
-    found = Cut.about(timeline_of(), keys, (low, high))
+def cut_of(low: float, high: float, keys: Array = KEYS) -> EditWindow:
+    found = EditWindow.about(timeline_of(), keys, (low, high))
     assert found is not None
     return found
 
@@ -59,19 +59,19 @@ def test_it_moves_a_segment_on_either_side_of_an_edit_and_holds_one_more(edit, w
 
 
 def test_a_loop_has_no_part_nor_has_an_edit_that_leaves_less_than_three_segments_out():
-    assert Cut.about(timeline_of("periodic"), KEYS, (1.75, 1.75)) is None
-    assert Cut.about(timeline_of(), KEYS, (1.75, 2.5)) is not None  # five of eight
-    assert Cut.about(timeline_of(), KEYS, (1.75, 3.0)) is None  # six
-    assert Cut.about(timeline_of(), KEYS[:-1], (1.75, 2.5)) is None
-    assert Cut.about(timeline_of(), KEYS[:5], (0.0, 0.0)) is None
-    assert Cut.about(timeline_of(), KEYS[:6], (0.0, 0.0)) is not None
+    assert EditWindow.about(timeline_of("periodic"), KEYS, (1.75, 1.75)) is None
+    assert EditWindow.about(timeline_of(), KEYS, (1.75, 2.5)) is not None  # five of eight
+    assert EditWindow.about(timeline_of(), KEYS, (1.75, 3.0)) is None  # six
+    assert EditWindow.about(timeline_of(), KEYS[:-1], (1.75, 2.5)) is None
+    assert EditWindow.about(timeline_of(), KEYS[:5], (0.0, 0.0)) is None
+    assert EditWindow.about(timeline_of(), KEYS[:6], (0.0, 0.0)) is not None
 
 
 @pytest.mark.parametrize("ends", ["free", "clamped"])
 @pytest.mark.parametrize("edit", [(0.0, 0.0), (1.75, 2.5), (5.0, 5.0)])
 def test_the_part_holds_its_outer_segments_and_begins_and_ends_as_fast_as_the_whole_does(edit, ends):
     timeline = timeline_of(ends)
-    cut = Cut.about(timeline, KEYS, edit)
+    cut = EditWindow.about(timeline, KEYS, edit)
     assert cut is not None
     part = cut.part
     own = (timeline.times >= cut.begin) & (timeline.times <= cut.end)

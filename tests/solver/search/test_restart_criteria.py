@@ -18,12 +18,19 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.recording import Recorded
+from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, Near, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import (
+    Contact,
+    CovariantAcceleration,
+    Penalty,
+    RootAcceleration,
+    TrackingPenalty,
+    UnitMagnitude,
+)
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.minimum import Stop, StopSearch
-from dynsplines.solver.search.restart import (
+from dynsplines.solver.search.restart_criteria import (
     COST_RATIO,
     MAX_DEVIATION,
     MAX_QUATERNION_LENGTH,
@@ -122,7 +129,9 @@ def test_what_follows_a_recording_is_far_when_it_is_far_from_that():
     rows[1, 0] = np.pi
     round_it = raw.with_rows(rows)
     near = {
-        name: Objective.of(figure, [(Near(Recorded.of(figure, times, path_of(t).at(times), exact=True)), 1.0)])
+        name: Objective.of(
+            figure, [(TrackingPenalty(RecordedMotion.of(figure, times, path_of(t).at(times), exact=True)), 1.0)]
+        )
         for name, t in (("still", raw), ("round", round_it))
     }
     assert is_pose_outlier(near["still"], round_it)

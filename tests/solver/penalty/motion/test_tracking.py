@@ -12,20 +12,20 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import natural_spline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.recording import Recorded
-from dynsplines.solver.penalty import Near
+from dynsplines.solver.inference.recording import RecordedMotion
+from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.penalty.curvature import Curvature, add_differences
-from dynsplines.solver.penalty.motion.near import AWAY, BACK, EASED, FOR, STRAYS, levers
+from dynsplines.solver.penalty.motion.tracking import AWAY, BACK, EASED, FOR, STRAYS, levers
 
 TIMES = np.linspace(0, 2, 61)
 
 
-def near(figure: Figure, rng: np.random.Generator) -> Near:
+def near(figure: Figure, rng: np.random.Generator) -> TrackingPenalty:
     states = figure.to_state(figure.model.qpos0 + 0.3 * np.sin(3 * TIMES[:, None] + rng.uniform(0, 6, figure.width)))
-    return Near(Recorded(figure, TIMES, states, np.ones_like(states)))
+    return TrackingPenalty(RecordedMotion(figure, TIMES, states, np.ones_like(states)))
 
 
-def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[Near, Samples]:
+def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[TrackingPenalty, Samples]:
     """A recording, and samples at times of it that are not its own."""
     found = near(figure, rng)
     return found, at_times(random_samples(figure, rng, count), rng.uniform(0.1, 1.9, count))
@@ -115,7 +115,7 @@ def test_a_root_that_strays_and_comes_back_as_fast_as_it_may_costs_a_half_and_an
 
 def test_next_to_an_edit_poses_hardly_count_and_smoothly_more_until_its_width_where_all_of_them_does(figure, rng):
     plain = near(figure, rng)
-    eased = Near(plain.recorded, ((1.0, 0.4),))
+    eased = TrackingPenalty(plain.recorded, ((1.0, 0.4),))
     t = np.linspace(0.5, 1.5, 101)
     whole, held = plain.weights(t), eased.weights(t)
     share = held[0] / whole[0]
@@ -148,17 +148,17 @@ def test_it_leads_variable_frames_to_the_recording_and_no_others(figure, rng):
     found = near(figure, rng)
     state = figure.to_state(figure.model.qpos0[None])[0]
     frames = [Frame.key(0.0, state), Frame.variable(1.0, state), Frame.key(2.0, state)]
-    led = found.led(Timeline(tuple(frames), np.zeros((2, figure.width))), None)
+    initial_guess = found.initial_guess(Timeline(tuple(frames), np.zeros((2, figure.width))), None)
     wanted = found.recorded.path.at(np.array([1.0]))[0]
-    np.testing.assert_allclose(np.abs(led.frames[1].state), np.abs(wanted))
-    assert all(np.array_equal(led.frames[k].state, state) for k in (0, 2))
+    np.testing.assert_allclose(np.abs(initial_guess.frames[1].state), np.abs(wanted))
+    assert all(np.array_equal(initial_guess.frames[k].state, state) for k in (0, 2))
 
 
 def test_a_limb_that_is_off_by_one_joint_for_a_while_counts_one_however_long_it_is():
     """Its end is off by AWAY for FOR seconds; samples are far too exact and too many to matter."""
     figure, times = figure_of(EVERY_JOINT, "joint"), np.linspace(0, 2, 2001)
     states = figure.to_state(np.tile(figure.model.qpos0, (times.size, 1)))
-    found = Near(Recorded(figure, times, states, np.ones_like(states)))
+    found = TrackingPenalty(RecordedMotion(figure, times, states, np.ones_like(states)))
     weights, lever = found.weights(np.array([1.0]))[0, 0], levers(figure)
     for far, link in zip(lever, figure.links[1:], strict=True):
         angle = AWAY / far

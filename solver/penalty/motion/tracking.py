@@ -1,4 +1,4 @@
-"""Near: the recorded motion, as a tracking term. Beyond the paper."""
+"""Tracking of a recorded motion. Beyond the paper."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ...curve.spline import Path, natural_spline
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_point
-from ...inference.recording import Recorded
+from ...inference.recording import RecordedMotion
 from ..block import Block, every
 from ..penalty import Guide, Normalization, Role
 
@@ -43,7 +43,7 @@ class _Target(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Near(Guide):
+class TrackingPenalty(Guide):
     """Σ over the state's entries of w₀ (y − ŷ)² + w₁ (y' − ŷ')² + w₂ (y'' − ŷ'')², ŷ what was recorded,
     and of squared distances of limbs' ends from where they were.
 
@@ -51,7 +51,7 @@ class Near(Guide):
            and accelerations, and hardly for its poses
     """
 
-    recorded: Recorded
+    recorded: RecordedMotion
     eased: tuple[tuple[float, float], ...] = ()
     _seen: dict[tuple[float, float, int], _Target] = field(default_factory=dict)
 
@@ -75,7 +75,7 @@ class Near(Guide):
         moved = of_point(at, link, np.tile(arms.reshape(3, -1), 3), axes)
         yield Block(at, (places - target.ends).ravel(), (moved,), target.end_weight[at])
 
-    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """The recorded states at the variable frames."""
         states = self.recorded.path.at(timeline.times)
         same = self._same(timeline.states, states)

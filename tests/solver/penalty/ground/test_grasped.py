@@ -11,7 +11,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Contact, Hold, carried_links, surfaces_on
+from dynsplines.solver.penalty import Contact, Hold, grasped_links, surfaces_on
 from dynsplines.solver.surface import moving_surface
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import Point
@@ -55,9 +55,9 @@ def tangled(figure: Figure, rng: np.random.Generator) -> Samples:
 def test_what_another_tree_holds_is_carried_with_all_its_parts():
     figure = figure_of()
     hand, knee = Point("hand", 2, np.zeros(3)), Point("knee", 1, np.zeros(3))
-    assert carried_links(figure, [Hold(hand, 3, "crate", 0, 1)]) == (3, 4)
-    assert carried_links(figure, [Hold(hand, 1, "trunk", 0, 1)]) == ()
-    assert carried_links(figure, [Hold(hand, 3, "crate", 0, 1), Hold(knee, 2, "arm", 0, 1)]) == (3, 4)
+    assert grasped_links(figure, [Hold(hand, 3, "crate", 0, 1)]) == (3, 4)
+    assert grasped_links(figure, [Hold(hand, 1, "trunk", 0, 1)]) == ()
+    assert grasped_links(figure, [Hold(hand, 3, "crate", 0, 1), Hold(knee, 2, "arm", 0, 1)]) == (3, 4)
     assert [surface.name for surface in surfaces_on(figure, 3)] == ["crate", "knob"]
 
 

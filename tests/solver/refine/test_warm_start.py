@@ -14,9 +14,9 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.inbetween import inbetween, resumed
-from dynsplines.solver.refine.carried import carried
-from dynsplines.solver.refine.cut import Cut
+from dynsplines.solver.refine.edit_window import EditWindow
 from dynsplines.solver.refine.subdivision import split
+from dynsplines.solver.refine.warm_start import warm_start
 
 
 @pytest.fixture(scope="module")
@@ -65,13 +65,13 @@ def edited(clip, name):
 def test_it_runs_through_every_keyframe(clip, found, name):
     keys = edited(clip, name)
     problem = replace(clip.problem, keys=keys)
-    begin = carried(clip.figure, found.timeline, clip.keys, keys, problem.raw)
+    begin = warm_start(clip.figure, found.timeline, clip.keys, keys, problem.raw)
     assert met(clip.figure, begin, keys) < 1e-9
     assert begin.variable_count >= len(keys) - 1
 
 
 def test_where_nothing_was_edited_it_is_the_path_that_was_found(clip, found):
-    begin = carried(clip.figure, found.timeline, clip.keys, clip.keys, clip.problem.raw)
+    begin = warm_start(clip.figure, found.timeline, clip.keys, clip.keys, clip.problem.raw)
     t = np.linspace(0.0, 2.2, 60)
     a, b = (clip.figure.to_qpos(path_of(line).at(t)) for line in (found.timeline, begin))
     for columns in clip.figure.tables.quaternion_columns.T:
@@ -81,7 +81,7 @@ def test_where_nothing_was_edited_it_is_the_path_that_was_found(clip, found):
 
 def test_far_from_a_small_edit_it_stays_unchanged(clip, found):
     keys = edited(clip, "moved")
-    begin = carried(clip.figure, found.timeline, clip.keys, keys, replace(clip.problem, keys=keys).raw)
+    begin = warm_start(clip.figure, found.timeline, clip.keys, keys, replace(clip.problem, keys=keys).raw)
     t = np.linspace(1.7, 2.2, 20)
     height = [path_of(line).at(t)[:, 2] for line in (found.timeline, begin)]
     np.testing.assert_allclose(height[0], height[1], atol=1e-5)
@@ -101,7 +101,7 @@ def test_variable_frames_lie_between_keyframes_as_they_did_and_move_with_them(rn
     shaken = [replace(f, state=f.state + 0.1 * rng.normal(size=2)) if f.is_variable else f for f in found.frames]
     found = Timeline(tuple(shaken), found.end_slope, found.ends)
     keys = [Frame.key(t, rng.normal(size=figure.width)) for t in new]
-    begin = carried(figure, found, before, keys, raw_timeline(figure, keys))
+    begin = warm_start(figure, found, before, keys, raw_timeline(figure, keys))
     old, there = np.array(old), np.array(new)
     same = there[np.isin(there, old)] if len(new) != len(before) else there
     same = same if same.size else there[[0, -1]]
@@ -129,7 +129,7 @@ def test_variable_frames_lie_between_keyframes_as_they_did_and_move_with_them(rn
 def test_a_search_continues_from_it_and_keeps_what_an_edit_does_not_reach(clip, found):
     keys = edited(clip, "moved")
     problem = replace(clip.problem, keys=keys, settings=replace(clip.settings, max_evaluations=4, frames=0))
-    begin = carried(clip.figure, found.timeline, clip.keys, keys, problem.raw)
+    begin = warm_start(clip.figure, found.timeline, clip.keys, keys, problem.raw)
     seen = []
     solution = resumed(problem, begin, between=[(keys[2].time, keys[4].time)], improved=seen.append)
     values = [each.value for each in seen]
@@ -148,7 +148,7 @@ def test_a_search_continues_from_it_and_keeps_what_an_edit_does_not_reach(clip, 
 def test_several_stretches_are_searched_one_after_the_other_and_nothing_between_them_moves(clip, found):
     rng, times = np.random.default_rng(5), np.array([key.time for key in clip.keys])
     stretches = [(times[1], times[2]), (times[-3], times[-2])]
-    cuts = [Cut.about(found.timeline, times, span) for span in stretches]
+    cuts = [EditWindow.about(found.timeline, times, span) for span in stretches]
     first, second = cuts
     assert first is not None
     assert second is not None

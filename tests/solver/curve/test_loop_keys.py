@@ -10,8 +10,8 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.closing import SAME, closed
 from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.loop_keys import SAME, close_loop
 from dynsplines.solver.curve.unknowns import raw_timeline
 
 
@@ -73,7 +73,7 @@ def test_what_either_end_of_a_loop_fixes_is_where_it_was_there_and_a_travel_and_
         Frame.key(0.5, given),
         Frame.key(1.0, np.where(masks[1], end, anywhere), masks[1]),
     ]
-    ends, seam = closed(figure, keys, travel, turn)
+    ends, seam = close_loop(figure, keys, travel, turn)
     begun, ended = ends[0].state, ends[-1].state
     np.testing.assert_allclose(begun[:3], given[:3], atol=1e-12)
     np.testing.assert_allclose(ended[:3], end[:3], atol=1e-12)
@@ -93,15 +93,15 @@ def test_a_loop_goes_as_far_over_the_ground_as_its_keyframes_specify_and_neither
     figure = figure_of(two)
     first = np.array([0, 0, 1, 1, 0, 0, 0, 2, 2, 2, 1, 0, 0, 0.0])
     last = first + np.array([0.5, -0.25, *np.zeros(12)])
-    ends, seam = closed(figure, [Frame.key(0, first), Frame.key(1, last)], None, None)
+    ends, seam = close_loop(figure, [Frame.key(0, first), Frame.key(1, last)], None, None)
     np.testing.assert_allclose(ends[1].state - ends[0].state, last - first, atol=1e-15)
     np.testing.assert_allclose(seam.shift, last - first, atol=1e-15)
     hair = first + 1e-10 * np.eye(14)[0]
-    _, still = closed(figure, [Frame.key(0, first), Frame.key(1, hair)], None, None)
+    _, still = close_loop(figure, [Frame.key(0, first), Frame.key(1, hair)], None, None)
     assert not still.shift.any()
     for column, words in ((9, "'cup' along z"), (7, "'cup' along x"), (2, "along z")):
         with pytest.raises(TimelineError, match=words):
-            closed(figure, [Frame.key(0, first), Frame.key(1, first + 0.1 * np.eye(14)[column])], None, None)
+            close_loop(figure, [Frame.key(0, first), Frame.key(1, first + 0.1 * np.eye(14)[column])], None, None)
 
 
 def test_a_turn_of_next_to_nothing_is_none_and_one_of_more_than_half_a_round_is_the_shorter_one_back():
@@ -109,7 +109,7 @@ def test_a_turn_of_next_to_nothing_is_none_and_one_of_more_than_half_a_round_is_
     pose, none = np.array([1.0, 0, 1, 1, 0, 0, 0]), np.zeros(7, bool)
     for given, found in ((1e-10, 0.0), (2 * np.pi + 1e-10, 0.0), (4.0, 4.0 - 2 * np.pi), (-3.0, -3.0)):
         keys = [Frame.key(0, pose), Frame.key(1, pose, none)]
-        _, seam = closed(figure, keys, [0, 0, 0], given)
+        _, seam = close_loop(figure, keys, [0, 0, 0], given)
         np.testing.assert_allclose(seam.headings, [found], atol=1e-12)
         assert seam.turns == (found != 0)
 
@@ -126,7 +126,7 @@ def test_a_loop_that_turns_about_a_place_that_is_not_given_is_refused_by_the_nam
         last[first + 3 : first + 7] = quat.product(about, pose[first + 3 : first + 7])
         keys = [Frame.key(0, pose, known), Frame.key(1, last, known)]
         with pytest.raises(TimelineError, match=f"x and y of '{name}' in its first or its last keyframe"):
-            closed(figure, keys, None, None)
+            close_loop(figure, keys, None, None)
 
 
 def test_ends_of_a_loop_may_differ_by_what_rounding_does_and_by_no_more():
@@ -134,7 +134,7 @@ def test_ends_of_a_loop_may_differ_by_what_rounding_does_and_by_no_more():
     for z, agree in ((SAME, True), (-SAME, True), (np.nextafter(SAME, 1), False)):
         keys = [Frame.key(0, pose), Frame.key(1, pose + z * np.eye(7)[2])]
         if agree:
-            np.testing.assert_array_equal(closed(figure, keys, None, None)[0][1].state, pose)
+            np.testing.assert_array_equal(close_loop(figure, keys, None, None)[0][1].state, pose)
         else:
             with pytest.raises(TimelineError, match="along z"):
-                closed(figure, keys, None, None)
+                close_loop(figure, keys, None, None)

@@ -23,7 +23,7 @@ FEWEST = 3  # segments outside the part, below which all of the clip is searched
 
 
 @dataclass(frozen=True, eq=False)
-class Cut:
+class EditWindow:
     """Some segments of a timeline.
 
     Attributes:
@@ -43,7 +43,7 @@ class Cut:
     segments: int
 
     @classmethod
-    def about(cls, timeline: Timeline, keys: Array, between: tuple[float, float]) -> Cut | None:
+    def about(cls, timeline: Timeline, keys: Array, between: tuple[float, float]) -> EditWindow | None:
         """Return the part that an edit affects; None if that is nearly all of the clip, or for a loop.
 
         Args:

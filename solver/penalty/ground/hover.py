@@ -34,7 +34,7 @@ Interval = tuple[float, float]
 
 
 @dataclass(frozen=True)
-class Grounded(Penalty):
+class HoverPenalty(Penalty):
     """reach² (1 − exp(−(m/reach)²)) [m²] in some intervals [s], m ≥ 0 the height of the lowest of the points; in those
     that are `firm`, 10 m².
 

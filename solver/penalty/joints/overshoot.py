@@ -33,7 +33,7 @@ SEGMENTS_AT_ONCE = 200
 
 
 @dataclass(frozen=True)
-class Steady(JointRange, Guide):
+class OvershootPenalty(JointRange, Guide):
     """Σ over held joints of their squared excess [rad² or m²] beyond the bounds of `steady`.
 
     frames  [s] of variable frames by which a spline can stay within them
@@ -44,7 +44,7 @@ class Steady(JointRange, Guide):
     figure: Figure | None = None
 
     @classmethod
-    def of(cls, figure: Figure, held: Sequence[Range], times: Array) -> Steady:
+    def of(cls, figure: Figure, held: Sequence[Range], times: Array) -> OvershootPenalty:
         """Return the penalty of held joints in a clip of keyframes at times (K,) [s]."""
         frames: set[float] = set()
         for first, last in {(joint.first, joint.last) for joint in held}:
@@ -54,7 +54,7 @@ class Steady(JointRange, Guide):
             frames |= {first + one, last - other}
         return cls(tuple(held), frames=tuple(sorted(frames)), figure=figure)
 
-    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline with held joints at their values, and variable frames near the ends of holds."""
         new = [t for t in self.frames if np.abs(timeline.times - t).min() > CLOSEST]
         if new and (most is None or timeline.variable_count + len(new) <= most):

@@ -16,7 +16,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Planted, Stance, lying, stances
+from dynsplines.solver.penalty import Stance, StancePenalty, resting_objects, stances
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
@@ -27,7 +27,7 @@ FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     samples = at_times(random_samples(figure, rng, 8), np.linspace(0, 2, 8))
     last = len(figure.links) - 1
-    planted = Planted((stance_of(1, 0.2, 1.0), stance_of(last, 0.5, 2.0), stance_of(last, 0.0, 0.6)))
+    planted = StancePenalty((stance_of(1, 0.2, 1.0), stance_of(last, 0.5, 2.0), stance_of(last, 0.0, 0.6)))
     assert penalty_slope(planted, samples, rng) > 1.95
 
 
@@ -39,7 +39,7 @@ def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_last
     away = samples.links.x[:, 1] + offset - np.array([0.1, 0.2, 0])[:, None]
     away -= np.array([0.03, 0, 0.01])[:, None] * (t - 0.5) / 0.5
     expected = np.where((t >= 0.5) & (t <= 1.0), np.sum(away**2, axis=0), 0)
-    np.testing.assert_allclose(Planted((stance,)).evaluate(samples), expected, rtol=1e-12)
+    np.testing.assert_allclose(StancePenalty((stance,)).evaluate(samples), expected, rtol=1e-12)
     assert np.count_nonzero(expected) == 3
 
 
@@ -47,7 +47,7 @@ def test_it_is_measured_by_a_point_that_is_a_centimetre_off():
     figure = figure_of(BALL)
     y = figure.to_state(np.array([0.01, 0, 0.6, 1, 0, 0, 0]))[None]
     stance = Stance(FOOT, -1.0, 1.0, np.array([0, 0, 0.1]), np.array([0, 0, 0.1]))
-    planted = Planted((stance,))
+    planted = StancePenalty((stance,))
     assert planted.evaluate(Samples(figure, y, 0 * y, 0 * y))[0] == pytest.approx(
         planted.normalization.reference, rel=1e-9
     )
@@ -55,14 +55,14 @@ def test_it_is_measured_by_a_point_that_is_a_centimetre_off():
 
 def test_it_does_not_feel_the_quaternions_length(figure, rng):
     samples = at_times(random_samples(figure, rng, 5), np.linspace(0, 1, 5))
-    planted = Planted((stance_of(2, 0.0, 1.0),))
+    planted = StancePenalty((stance_of(2, 0.0, 1.0),))
     np.testing.assert_allclose(planted.evaluate(scaled_like(samples, rng)), planted.evaluate(samples), rtol=1e-9)
 
 
 def test_no_stance_costs_nothing(figure, rng):
     samples = random_samples(figure, rng)
     cotangent = Cotangent(samples)
-    assert not Planted(()).evaluate(samples, cotangent).any()
+    assert not StancePenalty(()).evaluate(samples, cotangent).any()
     assert not any(g.any() for g in cotangent.gradients())
 
 
@@ -125,7 +125,7 @@ def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_
         poses = np.tile([0.0, 0, 1, 1, 0, 0, 0], (2, 3, 1))
         poses[1, ~np.array(still), 0] += 0.3
         keys = raw_timeline(figure, [Frame.key(float(i), pose.ravel()) for i, pose in enumerate(poses)])
-        found = lying(figure, keys, [1, 2, 3])
+        found = resting_objects(figure, keys, [1, 2, 3])
         assert [stance.point.name for stance in found] == [
             name for name, lies in zip(names, still, strict=True) for _ in range(3 * lies)
         ]
@@ -134,11 +134,11 @@ def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_
 def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
     figure = Figure(mujoco.MjModel.from_xml_string(BOX))
     here, there = [0.0, 0, 0.3], [0.01, 0, 0.3]
-    found = lying(figure, box_keys(figure, [here, here, there, there], [True] * 4), [1])
+    found = resting_objects(figure, box_keys(figure, [here, here, there, there], [True] * 4), [1])
     assert [(stance.first, stance.last) for stance in found] == [(0.0, 1.0)] * 3 + [(2.0, 3.0)] * 3
     for told in ([True, False], [False, True], [False, False]):
-        assert lying(figure, box_keys(figure, [here, here], told), [1]) == ()
-    assert lying(figure, box_keys(figure, [here, here], [True, True]), []) == ()
+        assert resting_objects(figure, box_keys(figure, [here, here], told), [1]) == ()
+    assert resting_objects(figure, box_keys(figure, [here, here], [True, True]), []) == ()
 
 
 def test_many_stances_at_samples_in_any_order_add_up_one_by_one(figure, rng):
@@ -147,10 +147,10 @@ def test_many_stances_at_samples_in_any_order_add_up_one_by_one(figure, rng):
     many = [stance_of(link, first, first + 0.5) for first in np.linspace(-1, 7, 60) for link in (1, last)]
     cotangent, expected = Cotangent(samples), np.zeros(30)
     scale = rng.uniform(1, 2, 30)
-    values = Planted(tuple(many)).evaluate(samples, cotangent, scale)
+    values = StancePenalty(tuple(many)).evaluate(samples, cotangent, scale)
     one_by_one = Cotangent(samples)
     for stance in many:
-        expected += Planted((stance,)).evaluate(samples, one_by_one, scale)
+        expected += StancePenalty((stance,)).evaluate(samples, one_by_one, scale)
     np.testing.assert_allclose(values, expected, rtol=1e-12)
     for g, h in zip(cotangent.gradients(), one_by_one.gradients(), strict=True):
         np.testing.assert_allclose(g, h, rtol=1e-11, atol=1e-11)

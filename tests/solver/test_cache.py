@@ -17,9 +17,9 @@ from dynsplines.clip import load
 from dynsplines.solver import posing
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.cache import Cache, cache_key
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.posing import PointGoal, Posed, entries, posed, reached
-from dynsplines.solver.remembered import Remembered, content
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,34 +39,34 @@ def test_an_answer_is_found_once_and_the_one_that_is_requested_longest_ago_goes(
         found.append(n)
         return 10 * n
 
-    some: Remembered[int] = Remembered(2)
-    assert [some.of(n, lambda n=n: find(n)) for n in (1, 2, 1, 3, 1, 2)] == [10, 20, 10, 30, 10, 20]
+    some: Cache[int] = Cache(2)
+    assert [some.get(n, lambda n=n: find(n)) for n in (1, 2, 1, 3, 1, 2)] == [10, 20, 10, 30, 10, 20]
     assert found == [1, 2, 3, 2]
     assert len(some) == 2
 
 
 def test_an_exception_is_no_answer():
-    some: Remembered[int] = Remembered(2)
+    some: Cache[int] = Cache(2)
     with pytest.raises(ZeroDivisionError):
-        some.of("a", lambda: 1 // 0)
-    assert some.of("a", lambda: 7) == 7
+        some.get("a", lambda: 1 // 0)
+    assert some.get("a", lambda: 7) == 7
 
 
 @given(arrays(float, 3), arrays(float, 3), st.text(max_size=2), st.text(max_size=2))
 def test_content_is_the_same_where_every_bit_is(a, b, one, other):
     are_alike = a.tobytes() == b.tobytes() and one == other
-    assert (content(Told(one, a)) == content(Told(other, b))) == are_alike
-    assert (content([one, (a,)]) == content([other, (b,)])) == are_alike
-    assert hash(content([Told(one, a), None, 1.5])) == hash(content([Told(one, a.copy()), None, 1.5]))
+    assert (cache_key(Told(one, a)) == cache_key(Told(other, b))) == are_alike
+    assert (cache_key([one, (a,)]) == cache_key([other, (b,)])) == are_alike
+    assert hash(cache_key([Told(one, a), None, 1.5])) == hash(cache_key([Told(one, a.copy()), None, 1.5]))
 
 
 def test_content_tells_kinds_and_shapes_apart():
     values = np.arange(4.0)
-    assert content(values) != content(values.reshape(2, 2))
-    assert content(values) != content(values.astype(np.float32))
-    assert content((1.0, 2.0)) != content([1.0, 2.0])
+    assert cache_key(values) != cache_key(values.reshape(2, 2))
+    assert cache_key(values) != cache_key(values.astype(np.float32))
+    assert cache_key((1.0, 2.0)) != cache_key([1.0, 2.0])
     place = np.zeros(3)
-    assert content(SiteGoal("a", place)) != content(PointGoal("a", 1, place, place))
+    assert cache_key(SiteGoal("a", place)) != cache_key(PointGoal("a", 1, place, place))
 
 
 def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_alone(monkeypatch):

@@ -37,7 +37,7 @@ class Closure:
 
 
 @dataclass(frozen=True)
-class Closed(Penalty):
+class LoopClosure(Penalty):
     """Σ over closures of the squared distance [m²]."""
 
     closures: tuple[Closure, ...]

@@ -19,7 +19,9 @@ from .seam import Seam, heading_between
 SAME = 1e-9  # difference up to which entries of a loop's ends agree
 
 
-def closed(figure: Figure, keys: list[Frame], travel: ArrayLike | None, turn: float | None) -> tuple[list[Frame], Seam]:
+def close_loop(
+    figure: Figure, keys: list[Frame], travel: ArrayLike | None, turn: float | None
+) -> tuple[list[Frame], Seam]:
     """Close the keyframes of a loop.
 
     Args:

@@ -1,4 +1,4 @@
-"""Coupled joints: equality constraints that make a hinge or slide a polynomial of another, or constant.
+"""Couplings of joints: equality constraints that make a hinge or slide a polynomial of another, or constant.
 
 MuJoCo's q₁ − q₁⁰ = a₀ + a₁ (q₂ − q₂⁰) + … + a₄ (q₂ − q₂⁰)⁴, the references at rest: fingers of a gripper, double knees.
 A coupling of degree one that all frames of a spline keep holds everywhere between them.
@@ -46,7 +46,7 @@ class Coupling:
 
 
 @dataclass(frozen=True)
-class Coupled(Penalty):
+class CouplingPenalty(Penalty):
     """Σ over couplings of how far the follower is from where it should be, squared [rad² or m²]."""
 
     couplings: tuple[Coupling, ...]
