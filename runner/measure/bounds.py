@@ -9,7 +9,7 @@ from dataclasses import dataclass
 class Bound:
     """Kinds of violations and their tolerances: docs/violations.md has the same table.
 
-    most  in `unit`: "m", "degrees", "degrees/s", "rad/s²", or "" for what has none
+    most  in `unit`: "m", "m/s", "degrees", "degrees/s", "rad/s²", or "" for what has none
     why   of this size
     """
 
@@ -28,6 +28,8 @@ BOUNDS = {
         Bound("hold", 0.005, "m", "grasped objects and hands are conspicuous"),
         Bound("hover", 0.01, "m", "as contact, of one that is to rest on whatever is below it"),
         Bound("aloft", 0.02, "m", "a home pose of a robot may be some millimetres above the floor"),
+        Bound("float", 0.05, "m", "as much as feet in captured walks are above the ground between steps"),
+        Bound("slide", 0.5, "m/s", "a foot flat on the ground that moves as fast is seen to slide"),
         Bound("stance", 0.02, "m", "stances inferred from keyframes are less certain than a clip's contacts"),
         Bound("placement", 0.01, "m", "a visible miss"),
         Bound("backward", 3.0, "degrees", "a straight knee or elbow is never quite straight"),

@@ -135,7 +135,7 @@ def _peak(figure: Figure, raw: Timeline, time: Array) -> float:
 def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], raw_peak: float) -> Iterator[Check]:
     figure, context = clip.figure, clip.context
     fixed = Fixed.of(figure, np.array([key.fixed for key in clip.keys]))
-    feet, parts = _feet(figure, context.points), list(_parts(clip))
+    feet, parts = feet_of(figure, context.points), list(_parts(clip))
     for kind in ("contact", "stance"):
         rows = [(stay, group) for stay, group in stays if stay.kind == kind]
         if rows:
@@ -196,7 +196,7 @@ def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
     return tuple(part for part in contacts if part.points and part.surfaces and not part.carrier)
 
 
-def _feet(figure: Figure, points: Sequence[Point]) -> Index:
+def feet_of(figure: Figure, points: Sequence[Point]) -> Index:
     """(L,) the link that represents a foot: of a foot and its toes with sole points, the first."""
     feet, soles = np.arange(len(figure.links)), {point.link for point in points}
     for i, link in enumerate(figure.links[1:], start=1):
@@ -223,7 +223,7 @@ def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
 
 def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
     """The clip's contacts, and the stances inferred from its keyframes, each with the number of its group."""
-    figure, feet = clip.figure, _feet(clip.figure, clip.context.points)
+    figure, feet = clip.figure, feet_of(clip.figure, clip.context.points)
     specified = [stance for part in _parts(clip) if isinstance(part, StancePenalty) for stance in part.stances]
     rests = clip.context.contacts.given
     if rests:

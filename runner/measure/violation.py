@@ -14,26 +14,21 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Timeline
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import hard_ranges
 from dynsplines.solver.refine.limits import farthest
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.points import Point, arrays_of, body_points
 
 from ..clip import load as clips
 from ..clip.build import Clip
-from ..clip.posing.pose_report import standing_trees
 from ..errors import UserError
-from ..motion import Saved, samples_at
+from ..motion import Saved
+from .airborne import airborne
 from .bounds import BOUNDS
 from .checks import SAME_DEPTH, Check, Hits, Row, row_of
 from .measurement import Measurement
 
 MOST_TOLD = 10  # violations printed
-FEW = 60  # samples of what a whole motion is like
 
 
 @dataclass(frozen=True)
@@ -45,7 +40,7 @@ class Violation:
         name: Name of the point, joint or contact.
         time: Time of the largest amount [s]; None for a violation without a time.
         amount: Measured amount, in `unit`.
-        unit: "m", "degrees", "rad/s²" or "".
+        unit: "m", "m/s", "degrees", "rad/s²" or "".
         bound: Tolerated amount, in `unit`.
         keyframe: Number of the keyframe that causes it, from 1; None if the path causes it.
         text: The violation as one line.
@@ -81,7 +76,9 @@ def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.
 def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """Return everything beyond its bound in a measured motion, worst first."""
     violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
-    violations += [*_drifts(motion), *_aloft(motion), *_beyond_hard(motion.clip, motion.timeline)]
+    violations += [*_drifts(motion), *_beyond_hard(motion.clip, motion.timeline)]
+    for row, amount, time, key in airborne(motion):
+        violations.append(_as_violation(row, amount, time, None if key is None else int(motion.numbers[key])))
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended before it was done: {stop.value}")
         violations.append(_as_violation(row, row.bound, None))
@@ -208,36 +205,6 @@ def _drifts(motion: Measurement) -> Iterator[Violation]:
         yield _as_violation(row, drift, time, int(motion.numbers[k]))
 
 
-def _aloft(motion: Measurement) -> Iterator[Violation]:
-    """A jointed figure that moves about and is above the ground all the time, without a flight in the clip."""
-    context, figure = motion.clip.context, motion.clip.figure
-    flies = context.support is not None and context.support.flights
-    if flies or context.holds or context.contacts.given or not np.any(figure.gravity):
-        return
-    sparse = np.arange(0, motion.time.size, max(1, motion.time.size // FEW))
-    at = np.concatenate([motion.key_at, sparse])
-    for root in standing_trees(figure):
-        points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
-        if not figure.tables.children[root] or not points or not context.surfaces:
-            continue
-        heights = _lowest(context.surfaces, points, samples_at(figure, path_of(motion.timeline), motion.time[at]))
-        lowest = int(heights.round(3).argmin())
-        height = float(heights[lowest])
-        if BOUNDS["aloft"].most < height < np.inf:
-            text = f"the figure never comes down: lowest point {height:.2f} m above the floor"
-            row = row_of("aloft", figure.links[root].name, text)
-            keyframe = int(motion.numbers[lowest]) if lowest < motion.key_at.size else None
-            yield _as_violation(row, height, float(motion.time[at[lowest]]), keyframe)
-
-
-def _lowest(surfaces: Sequence[Surface], points: Sequence[Point], samples: Samples) -> Array:
-    """(S,) [m] the least height of any point above what is below it."""
-    links, positions, radii = arrays_of(points)
-    centres, _ = samples.links.points(links, positions)
-    above = np.min([surface.height(centres) for surface in surfaces], axis=0) - radii[:, None]
-    return above.min(axis=0)
-
-
 def _beyond_hard(clip: Clip, timeline: Timeline) -> Iterator[Violation]:
     """Joints beyond ranges that the clip makes hard, at any time."""
     for joint, over, time in farthest(clip.figure, timeline, hard_ranges(clip.penalties)):
@@ -265,4 +232,6 @@ def _spoken(amount: float, unit: str) -> str:
         return f"{1000 * amount:.0f} mm" if amount < 1 else f"{amount:.2f} m"
     if unit == "degrees":
         return f"{amount:.0f}°"
+    if unit == "m/s":
+        return f"{amount:.1f} m/s"
     return f"{amount:.0f} {unit}" if unit else f"{amount:.2f}"

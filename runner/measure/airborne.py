@@ -1,0 +1,122 @@
+"""Motion relative to the ground that nothing explains: figures that stay above it without falling, feet that slide."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.algebra import cross
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.wrench import RootWrench, weight
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.heights import heights
+from dynsplines.solver.surface.points import Point, arrays_of, body_points
+
+from ..clip.posing.pose_report import standing_trees
+from ..motion import samples_at
+from .bounds import BOUNDS
+from .checks import Row, row_of
+from .measurement import Measurement, feet_of
+
+RATE = 60.0  # [1/s]
+BRIEF = 0.1  # [s] that a figure may be above the ground as before a landing
+CARRIED = 0.5  # of its weight that something carries: nothing does in free fall
+NEAR = 0.05  # [m] up to which a foot is near the ground
+STEP = 0.2  # [s] for which a foot may move there, as it lands or takes off
+
+
+Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
+
+
+def airborne(motion: Measurement) -> Iterator[Excess]:
+    """Yield what is above the ground without a reason, and feet that slide on it."""
+    context, figure = motion.clip.context, motion.clip.figure
+    if not context.surfaces or not np.any(figure.gravity):
+        return
+    even = np.arange(0, motion.time.size, max(1, round(motion.time.size / (np.ptp(motion.time) * RATE + 1))))
+    at = np.union1d(even, motion.key_at)
+    samples = samples_at(figure, path_of(motion.timeline), motion.time[at])
+    for root in standing_trees(figure):
+        points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
+        if figure.tables.children[root] and points:
+            yield from _floating(motion, samples, at, root, _heights(context.surfaces, points, samples).min(axis=0))
+    yield from _sliding(motion, samples)
+
+
+def _heights(surfaces: Sequence[Surface], points: Sequence[Point], samples: Samples) -> Array:
+    """The heights of points above what is below them, (P, S) [m]."""
+    links, positions, radii = arrays_of(points)
+    centres, _ = samples.links.points(links, positions)
+    return heights(surfaces, centres, radii)[0]
+
+
+def _floating(motion: Measurement, samples: Samples, at: Index, root: int, height: Array) -> Iterator[Excess]:
+    """The intervals in which the tree of a root is above the ground and something would have to carry it.
+
+    Args:
+        motion: The motion.
+        samples: It, S times.
+        at: Their indices among the times of the motion, (S,).
+        root: The index of the tree's root link.
+        height: The height of its lowest point, (S,) [m].
+    """
+    context, figure = motion.clip.context, motion.clip.figure
+    flights = () if context.support is None else context.support.flights
+    contacts = [(rest.first, rest.last) for rest in (*context.contacts.given, *context.holds)]
+    name, lowest = figure.links[root].name, int(height.round(3).argmin())
+    if BOUNDS["aloft"].most < height[lowest] < np.inf and not flights and not contacts:
+        text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"
+        key = np.flatnonzero(motion.key_at == at[lowest])
+        row = row_of("aloft", name, text)
+        yield row, float(height[lowest]), float(samples.t[lowest]), int(key[0]) if key.size else None
+        return
+    if root not in figure.tables.free_links:
+        return
+    carried = RootWrench(samples, root).force[2] / max(weight(figure, root), 1e-9)
+    for run in _runs(height > BOUNDS["float"].most):
+        t = samples.t[run]
+        explained = any(first < t[-1] and t[0] < last for first, last in (*flights, *contacts))
+        if explained or np.ptp(t) < BRIEF or np.trapezoid(carried[run], t) < CARRIED * np.ptp(t):
+            continue
+        keys = np.flatnonzero(np.isin(motion.key_at, at[run]))
+        top = run[height[run].argmax()]
+        key = None
+        if keys.size:
+            key = int(keys[height[np.searchsorted(at, motion.key_at[keys])].argmax()])
+            top = int(np.searchsorted(at, motion.key_at[key]))
+        text = f"the figure floats {{}} above the ground, for {np.ptp(t):.2f} s, and does not fall"
+        yield row_of("float", name, text), float(height[top]), float(samples.t[top]), key
+
+
+def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
+    """The intervals in which all points of a foot's sole move along the ground."""
+    context, figure = motion.clip.context, motion.clip.figure
+    if not context.points:
+        return
+    links, positions, _ = arrays_of(context.points)
+    speed = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
+    height, feet = _heights(context.surfaces, context.points, samples), feet_of(figure, context.points)[links]
+    for foot in np.unique(feet):
+        slowest = np.where((height[feet == foot] < NEAR).all(axis=0), speed[feet == foot].min(axis=0), 0.0)
+        for run in _runs(slowest > BOUNDS["slide"].most):
+            seconds = float(np.ptp(samples.t[run]))
+            if seconds >= STEP:
+                top, name = run[slowest[run].argmax()], figure.model.body(figure.links[foot].body).name
+                row = row_of("slide", name, f"{name} slides along the ground for {seconds:.2f} s, at up to {{}}")
+                yield row, float(slowest[top]), float(samples.t[top]), None
+
+
+def _velocities(samples: Samples, links: Index, positions: Array) -> Array:
+    """The velocities of points of links, (3, P, S) [m/s]."""
+    motion = samples.links
+    _, offset = motion.points(links, positions)
+    return motion.x_d[:, links] + cross(motion.omega[:, links], offset)
+
+
+def _runs(mask: Mask) -> list[Index]:
+    """The indices of every run of samples for which a mask holds."""
+    true = np.flatnonzero(mask)
+    return [run for run in np.split(true, np.flatnonzero(np.diff(true) > 1) + 1) if run.size]
