@@ -163,6 +163,7 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
     context = _with_options(context, options, listed.keys())
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.gait_cycle is None:
         notes.append(NO_CYCLE)
+    notes += context.lost_steps if _weight("cycle", options["cycle"]) > 0 else []
     is_carried = context.support is not None and context.support.tells
     absent = {kind for kind in CARRIED if kind not in listed and not is_carried}
     penalties = list[tuple[Penalty, float]]()

@@ -12,6 +12,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.inference.gait import GaitCycle
 from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.penalty import (
@@ -30,6 +32,7 @@ from dynsplines.solver.penalty import (
     stances,
     steady,
 )
+from dynsplines.solver.penalty.ground.hover import TOUCHING, clearance
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging
 
@@ -39,6 +42,8 @@ from .posing.feet import sole_points
 from .posing.places import Places
 from .table import ContactTable, HoldTable
 
+FAR_APART = 0.4  # [s] between keyframes, in which a figure takes a step
+STEP = 0.2  # of the height of a figure: how far a foot moves in one
 REPEATED = 1e-3  # [m] and of a quaternion's entries (0.1°): a keyframe that differs by less repeats its neighbour
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
@@ -120,6 +125,33 @@ class Context:
         if not self.bends and self.figure.tables.ball_links.size:
             lines.append("no knee, shin, elbow or forearm on a ball joint found: no limits on bending")
         return lines
+
+    @property
+    def lost_steps(self) -> list[str]:
+        """A note on neighbouring keyframes with steps between them that the motion will not have.
+
+        Every foot moves along the ground from one to the other, outside flights, and the keyframes form no gait cycle.
+        """
+        keys, support = self.keys, self.support
+        if support is None or self.gait_cycle is not None or not self.points:
+            return []
+        feet = sorted({point.link for point in self.points if self.figure.tables.path[point.link, support.root]})
+        places = Samples.still(self.figure, keys.states).links.x[:2, feet]
+        moves = np.linalg.norm(np.diff(places, axis=2), axis=0).min(axis=0, initial=np.inf)
+        gaps, whole = np.diff(keys.times), keys.fixed.all(axis=1)
+        stands = whole & (clearance(self.figure, keys, self.points, self.surfaces) < TOUCHING)
+        lost = (gaps >= FAR_APART) & (moves > STEP * height(self.figure, support.root)) & stands[:-1] & stands[1:]
+        for first, last in support.flights:
+            lost &= (keys.times[1:] <= first) | (last <= keys.times[:-1])
+        if not feet or not lost.any():
+            return []
+        worst, others = int(np.where(lost, moves, 0.0).argmax()), int(lost.sum()) - 1
+        more = f", as for {others} more pair{'s' if others > 1 else ''} of keyframes" if others else ""
+        return [
+            f"keyframes {worst + 1} and {worst + 2}, {gaps[worst]:.2g} s apart, form no gait cycle, so that no "
+            f"steps are added between them, though every foot moves {moves[worst]:.2g} m{more}; add a keyframe, or "
+            "[[penalty]] kind = 'cycle' with its period"
+        ]
 
     @property
     def is_free(self) -> bool:
