@@ -28,14 +28,14 @@ import numpy as np
 from bench import Effort, Section, Target, peer
 from rich.console import Console
 
-from dynsplines import kept
-from dynsplines.clean import running
+from dynsplines import solve_cache
+from dynsplines.clean import command
 from dynsplines.clean.cleaning import Cleaned
-from dynsplines.clean.comparing import Comparison, Look
+from dynsplines.clean.comparison import Comparison, Look
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy
-from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import Captured
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.scene.assets import taken_along
 from dynsplines.scene.compose import compose, figure_spec
@@ -66,7 +66,7 @@ def recordings(effort: Effort, folder: Path) -> Iterator[Path]:
         yield from sorted(Path(named_folder).glob("*.bvh"))[: effort.count(50, 1)]
         return
     for name in ("walk_loop", "run_and_step", "walk_and_turn")[: effort.count(3, 1)]:
-        saved = kept.solved(clips.load(name), quiet()).saved(quiet(), with_report=False)
+        saved = solve_cache.solved(clips.load(name), quiet()).saved(quiet(), with_report=False)
         formats.export(saved, "bvh", folder / f"{name}.bvh", fps=60)
         yield folder / f"{name}.bvh"
 
@@ -198,7 +198,7 @@ def measure(effort: Effort) -> Section:
         for file in recordings(effort, Path(folder)):
             effort.tell(file.stem)
             begin = time.perf_counter()
-            result, _ = running.made(running.Source(file, robot, apart=True), None, quiet())
+            result, _ = command.made(command.Source(file, robot, apart=True), None, quiet())
             first, last = result.before.span
             spent = time.perf_counter() - begin
             goal = Goal.of(file, result)

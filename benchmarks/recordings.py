@@ -24,13 +24,13 @@ import numpy as np
 from bench import Effort, Section, Target, people
 from rich.console import Console
 
-from dynsplines import kept
+from dynsplines import solve_cache
 from dynsplines.clean.cleaning import Cleaned, cleaned
-from dynsplines.clean.comparing import Look
+from dynsplines.clean.comparison import Look
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
-from dynsplines.clip.follow.keeping import Ground, ground_of
 from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.tracking.penalties import Ground, ground_of
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.measure.checks import turning, turns
@@ -79,7 +79,7 @@ def truths(effort: Effort) -> Iterator[Truth]:
         return
     for name in people()[: effort.count(20, 2)]:
         clip = clips.load(name)
-        motion = kept.solved(clip, Progress(Console(file=io.StringIO()))).motion
+        motion = solve_cache.solved(clip, Progress(Console(file=io.StringIO()))).motion
         at = sampled(clip.figure, motion.timeline, FPS)
         yield set_down(Truth(name, clip.figure, at.time - at.time[0], at.qpos))
 

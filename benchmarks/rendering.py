@@ -35,14 +35,14 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
         return {"renderer": graphics.line, "missing": "no OpenGL here"}
     from rich.console import Console
 
-    from dynsplines import work
+    from dynsplines import solving
     from dynsplines.clip import load as clips
     from dynsplines.picture import film, show
     from dynsplines.system.progress import Progress
 
     width, height = map(int, size.split("x"))
     progress = Progress(Console(file=io.StringIO()))
-    saved = work.unsolved(clips.load(CLIP)).saved(progress, with_report=False)
+    saved = solving.unsolved(clips.load(CLIP)).saved(progress, with_report=False)
     look = show.Look(width, height, float(FPS))
     with tempfile.TemporaryDirectory() as folder:
 

@@ -35,17 +35,18 @@ if TYPE_CHECKING:
     from . import batch as batches
     from . import inputs, models, motion
     from .batch import recordings
-    from .clean import lead_in, running
+    from .clean import command as clean_command
+    from .clean import rest_pose_trim
     from .clip import kinds, load, starter
     from .edit import files, thin_files
-    from .exchange import formats, imported, quantities, take
+    from .exchange import formats, motion_import, quantities, trajectory
     from .exchange.skeleton import maps
     from .measure import chart, summary, violation
     from .measure import report as reports
     from .picture import film, graphics, rendering, show
-    from .scene import outside
+    from .scene import file_access
+    from .studio import launch as studio_start
     from .studio import sources as studio_sources
-    from .studio import start as studio_start
     from .system import output as outputs
     from .system import progress as terminal
     from .system import quantity
@@ -57,12 +58,16 @@ else:
     batches, inputs, models, motion = _lazy("", "batch inputs models motion")
     kinds, load, starter = _lazy(".clip", "kinds load starter")
     files, thin_files = _lazy(".edit", "files thin_files")
-    formats, imported, quantities, take, maps = _lazy(".exchange", "formats imported quantities take skeleton.maps")
+    formats, motion_import, quantities, trajectory, maps = _lazy(
+        ".exchange", "formats motion_import quantities trajectory skeleton.maps"
+    )
     chart, summary, violation, reports = _lazy(".measure", "chart summary violation report")
     film, graphics, rendering, show = _lazy(".picture", "film graphics rendering show")
-    studio_sources, studio_start = _lazy(".studio", "sources start")
+    studio_sources, studio_start = _lazy(".studio", "sources launch")
     outputs, terminal, quantity = _lazy(".system", "output progress quantity")
-    recordings, running, lead_in, outside = _lazy("", "batch.recordings clean.running clean.lead_in scene.outside")
+    recordings, clean_command, rest_pose_trim, file_access = _lazy(
+        "", "batch.recordings clean.command clean.rest_pose_trim scene.file_access"
+    )
 
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
@@ -150,7 +155,7 @@ Only = StrEnum("Only", ["before", "after", "keys"])
 
 def _prepare(context: typer.Context, allow: bool) -> bool:
     """Apply --allow-outside until the command ends, and import MuJoCo without graphics unless the command draws."""
-    context.with_resource(outside.allowed(allow))
+    context.with_resource(file_access.allowed(allow))
     if context.command.name != "render":
         graphics.do_without()
     return allow
@@ -518,7 +523,7 @@ def export(
     allow_outside: Outside = False,
 ) -> None:
     """Export a motion to the format of another program."""
-    form, wishes = formats.chosen(to, output), take.Wishes(simulate, quantities.named(columns))
+    form, wishes = formats.chosen(to, output), trajectory.Wishes(simulate, quantities.named(columns))
     formats.check_wishes(form, wishes)
     target = output or formats.target_of(formats.stem(Path(source)), form, wishes)
     outputs.check_target(target)
@@ -551,8 +556,8 @@ def import_motion(
         raise UserError(f"'{target}' is the input file; give another -o")
     outputs.check_new(target, overwrite=overwrite)
     with terminal.Progress() as progress:
-        recording = imported.imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-        saved = lead_in.told(recording, progress, skip=skip_rest)
+        recording = motion_import.imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
+        saved = rest_pose_trim.told(recording, progress, skip=skip_rest)
         motion.save(saved, target)
         violations = violation.of_motion(saved)
         _conclude(progress, target, violation.by_name(violations), target)
@@ -587,7 +592,9 @@ def clean(
     """Make a recording physically plausible.
     Feet keep their stances, and nothing sinks, jumps or floats. The motion stays close to the recording."""
     place = _map(map_file, write_map)
-    recording = running.Source(source, figure, kind, fps, scale, scene, contacts, place, write_map, False, speed_limit)
+    recording = clean_command.Source(
+        source, figure, kind, fps, scale, scene, contacts, place, write_map, False, speed_limit
+    )
     _clean(recording, output, within, overwrite)
 
 
@@ -612,7 +619,7 @@ def retarget(
     Joints stay within the figure's ranges, and its limbs do not collide."""
     target = output or Path(f"{formats.stem(source)}.{Path(to).stem}.npz")
     place = _map(map_file, write_map)
-    recording = running.Source(source, to, kind, fps, scale, scene, contacts, place, write_map, True, speed_limit)
+    recording = clean_command.Source(source, to, kind, fps, scale, scene, contacts, place, write_map, True, speed_limit)
     _clean(recording, target, within, overwrite)
 
 
@@ -687,9 +694,9 @@ def _map(place: Path | None, writes: bool) -> Path | None:
     return place if writes else maps.map_of(place)
 
 
-def _clean(recording: "running.Source", target: Path | None, within: float | None, overwrite: bool) -> None:
+def _clean(recording: "clean_command.Source", target: Path | None, within: float | None, overwrite: bool) -> None:
     with terminal.Progress() as progress:
-        running.run(recording, target, within=within, overwrite=overwrite, progress=progress)
+        clean_command.run(recording, target, within=within, overwrite=overwrite, progress=progress)
 
 
 def _target(output: Path | None, name: str, kind: str, overwrite: bool = True) -> Path:

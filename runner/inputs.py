@@ -57,17 +57,17 @@ def solved(
 
     fresh  solve a clip even if the cache holds its motion
     """
-    from . import kept, work  # only here: a clip that is refused is not solved
+    from . import solve_cache, solving  # only here: a clip that is refused is not solved
     from .measure import violation
 
     violations: Sequence[Violation] | None = None if solve else ()
     if isinstance(source, Saved):
         out = source
     elif solve:
-        result = kept.solved(source, progress, fresh=fresh)
+        result = solve_cache.solved(source, progress, fresh=fresh)
         out, violations = result.saved(progress, with_report=False), result.violations if repeat is None else None
     else:
-        out = work.unsolved(source).saved(progress, with_report=False)
+        out = solving.unsolved(source).saved(progress, with_report=False)
     if repeat is not None:
         from .edit import edits  # only here: few commands repeat
 
@@ -80,11 +80,11 @@ def solved(
 
 def measured(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
     """Return the motion of a source with its report, measured unless its file holds it; `fresh` as for `solved`."""
-    from . import kept  # only here, as above
+    from . import solve_cache  # only here, as above
     from .measure import violation
 
     if not isinstance(source, Saved):
-        return kept.solved(source, progress, fresh=fresh).saved(progress)
+        return solve_cache.solved(source, progress, fresh=fresh).saved(progress)
     if not source.report:
         from .edit import edits  # only here, likewise
 

@@ -15,10 +15,10 @@ from dynsplines import models
 from . import motion
 from .clip import load as clips
 from .clip.build import Clip
-from .clip.follow.recording import Moving
 from .clip.parse import Parsed, parse, read
+from .clip.tracking.recording import Moving
 from .errors import UserError
-from .scene import outside
+from .scene import file_access
 
 
 def load(
@@ -90,7 +90,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
     if name in models.clips():
         return _solved(name, name, where, following)
     file = folder / name
-    if not outside.is_allowed() and not outside.lies_in(file, folder):
+    if not file_access.is_allowed() and not file_access.lies_in(file, folder):
         raise UserError(f"{where}: '{name}' lies outside the clip's folder; --allow-outside lets it be read")
     if file.suffix == ".toml":
         return _solved(str(file), str(file.resolve()), where, following)
@@ -100,10 +100,10 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
     figure = figure_file or source.table.figure
     if figure_file is None and figure not in models.figures() and source.folder is not None:
         figure = str(source.folder / figure)
-    from .clean import running  # only here: it reads many formats
+    from .clean import command  # only here: it reads many formats
 
     try:
-        return running.moving(file, figure, source.table.scene)
+        return command.moving(file, figure, source.table.scene)
     except UserError as error:
         raise UserError(f"{where}: {error}") from None
 

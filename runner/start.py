@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 
-from .system import stopping
+from .system import signals
 
 STOPPED = 130  # the exit code of Ctrl-C
 
@@ -18,24 +18,24 @@ def _dynsplines() -> None:
 
 def main(command: Callable[[], None] = _dynsplines) -> None:
     """Run a command, `dynsplines` unless another one is named; its imports are its first part."""
-    stopping.heed()
+    signals.heed()
     try:
         command()
     except KeyboardInterrupt:
         _stopped()
     except SystemExit:
-        stopping.ignore()
+        signals.ignore()
         raise
     except MemoryError:
         print("dynsplines: not enough memory for this", file=sys.stderr)
         sys.exit(2)
     except Exception:
-        if not stopping.was_asked():
+        if not signals.was_asked():
             raise
         _stopped()  # an import that is interrupted can end in any error
 
 
 def _stopped() -> None:
-    stopping.ignore()
+    signals.ignore()
     print("dynsplines: stopped", file=sys.stderr)
-    sys.exit(stopping.code(STOPPED))
+    sys.exit(signals.code(STOPPED))

@@ -21,13 +21,13 @@ import tiny
 from figures import FIGURES
 from rich.console import Console
 
-from dynsplines import motion, work
+from dynsplines import motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
-from dynsplines.work import Solved
 
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
 shipped.open_folder()
@@ -59,7 +59,7 @@ def rng() -> np.random.Generator:
 def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
     """The tiny clip, solved."""
     path = tiny.written(tmp_path_factory.mktemp("tiny"))
-    return work.solve(clip.load(str(path)), Progress(Console(file=io.StringIO())))
+    return solving.solve(clip.load(str(path)), Progress(Console(file=io.StringIO())))
 
 
 @pytest.fixture(scope="session")

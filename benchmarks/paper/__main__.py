@@ -25,7 +25,7 @@ def paper(seeds: Seeds = None, figures: Folder = None, as_json: AsJson = False) 
         return
     from rich.console import Console
 
-    from dynsplines import work
+    from dynsplines import solving
     from dynsplines.clip import load as clip
     from dynsplines.measure.report import report
     from dynsplines.picture.graphics import do_without
@@ -36,7 +36,7 @@ def paper(seeds: Seeds = None, figures: Folder = None, as_json: AsJson = False) 
     do_without()
     with Progress() as progress:
         claims = study.run(seeds or study.SETS, progress)
-        solved = work.solve(clip.load("run_and_step"), progress)
+        solved = solving.solve(clip.load("run_and_step"), progress)
         claims += study.clip_claims(report(solved.clip, solved.motion, solved.seconds))
     if as_json:
         print(json.dumps(claim.as_json(claims), indent=2))

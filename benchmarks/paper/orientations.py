@@ -25,7 +25,7 @@ from dynsplines.solver.penalty import CovariantAcceleration, Penalty, UnitMagnit
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
 from dynsplines.solver.solution import Improvement, Solution
-from dynsplines.system import stopping
+from dynsplines.system import signals
 
 KEYFRAMES = 7  # as many orientations as in the paper's figure 7
 TENTHS = 10  # equal parts of a path, as in figure 10
@@ -64,7 +64,7 @@ def moderate(rng: np.random.Generator, count: int) -> Array:
 def to_its_end(problem: Problem, improved: Callable[[Improvement], None] | None = None) -> Solution:
     """A search that no signal has cut short: its best path would be no answer. Raises KeyboardInterrupt for one."""
     solution = inbetween(problem, improved=improved)
-    if stopping.was_asked():
+    if signals.was_asked():
         raise KeyboardInterrupt
     return solution
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path, PurePosixPath
 
 from ..errors import UserError, one_line
-from ..scene.outside import is_allowed, lies_in
+from ..scene.file_access import is_allowed, lies_in
 from ..system.lock import locked
 from ..system.output import Replacement, clear_below
 from ..system.progress import Progress

@@ -15,9 +15,9 @@ from dynsplines import models
 from ..clip import parse as clip
 from ..errors import UserError, unknown
 from ..exchange import formats
-from ..scene import outside
+from ..scene import file_access
+from ..scene.file_access import lies_in
 from ..scene.model_files import is_there, paths_read
-from ..scene.outside import lies_in
 from .task import Cleaning, Files
 
 ENDINGS = (".toml", ".xml")
@@ -136,7 +136,7 @@ def _clip_files(path: Path, figures: dict[Path, Contents], before: tuple[Path, .
             absolute = figure if Path(named).is_absolute() else None
     if recording is not None and recording not in models.clips():
         file = Path(os.path.normpath(path.parent / recording))
-        if is_there(file) and file not in (path, *before) and (outside.is_allowed() or lies_in(file, path.parent)):
+        if is_there(file) and file not in (path, *before) and (file_access.is_allowed() or lies_in(file, path.parent)):
             is_clip = file.suffix == ".toml"
             files |= _clip_files(file, figures, (path, *before))[0] if is_clip else {file: file.read_bytes()}
     return files, absolute

@@ -18,7 +18,7 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, TypeAdapter, ValidationError
 
 from ..errors import UserError
-from ..scene.outside import lies_in
+from ..scene.file_access import lies_in
 from ..system.output import Replacement
 from .task import Result
 

@@ -26,10 +26,10 @@ def solved(task: Task, folder: Path) -> Outcome:
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
-    from ..scene import outside
+    from ..scene import file_access
 
     warned: list[str] = []
-    with mujoco_warnings.reported_to(warned.append), outside.allowed(task.allow_outside):
+    with mujoco_warnings.reported_to(warned.append), file_access.allowed(task.allow_outside):
         outcome = _cleaned(task, folder) if task.options.cleaning else _solved(task, folder)
     return replace(outcome, notes=(*outcome.notes, *warned))
 
@@ -37,7 +37,7 @@ def solved(task: Task, folder: Path) -> Outcome:
 def _solved(task: Task, folder: Path) -> Outcome:
     from rich.console import Console
 
-    from .. import recordings, work
+    from .. import recordings, solving
     from ..measure.violation import plain
     from ..system.progress import Progress
 
@@ -45,7 +45,7 @@ def _solved(task: Task, folder: Path) -> Outcome:
     where = str(folder / source) if Path(source).suffix else source
     problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.options.fps)
     progress = Progress(Console(quiet=True))
-    result = work.solve(problem, progress)
+    result = solving.solve(problem, progress)
     saved = result.saved(progress, with_report=task.options.report)
     return replace(_written(saved, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
@@ -53,13 +53,13 @@ def _solved(task: Task, folder: Path) -> Outcome:
 def _cleaned(task: Task, folder: Path) -> Outcome:
     from rich.console import Console
 
-    from ..clean import running
-    from ..clean.comparing import Comparison
+    from ..clean import command
+    from ..clean.comparison import Comparison
     from ..system.progress import Progress
 
     cleaning = task.options.cleaning or Cleaning()
     others = {word: folder / path for word, path in task.files.others.items()}
-    source = running.Source(
+    source = command.Source(
         folder / task.files.clip,
         str(others["figure"]) if "figure" in others else cleaning.figure,
         cleaning.kind,
@@ -68,7 +68,7 @@ def _cleaned(task: Task, folder: Path) -> Outcome:
         map=others.get("map"),
         apart=cleaning.apart,
     )
-    result, saved = running.made(source, cleaning.within, Progress(Console(quiet=True)))
+    result, saved = command.made(source, cleaning.within, Progress(Console(quiet=True)))
     comparison = Comparison(result)
     outcome = _written(saved, task, folder, None)
     return replace(outcome, violations=tuple(comparison.violations), figures=comparison.figures)

@@ -100,7 +100,7 @@ def _prepared(folder: Path) -> Iterator[None]:
     """Prepare a worker process: linear algebra in one thread, no graphics, imports, and no garbage among them."""
     os.chdir(folder)
     os.environ.update({**dict.fromkeys(THREADS, "1"), "MUJOCO_GL": "disable"})
-    from .. import motion, recordings, work  # noqa: F401
+    from .. import motion, recordings, solving  # noqa: F401
 
     gc.freeze()
     yield

@@ -20,9 +20,9 @@ from dynsplines.solver.penalty import Rest, TrackingPenalty, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
 
-from ..clip.follow.keeping import Ground, loose, problem
+from ..clip.tracking.penalties import Ground, loose, problem
+from .penetration import depth, unseen
 from .repairs import Repaired
-from .sinking import depth, unseen
 
 NOISY = 0.008  # [m] of the soles' places, from which on stances are looked for twice
 DEEP, OFTEN = 0.04, 30.0  # [m] in the ground likewise, when soles are on it: tips of stiff feet; [1/s] looked at

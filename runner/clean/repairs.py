@@ -15,7 +15,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inference.recording import groups, places
 
 from ..errors import UserError
-from .lead_in import LeadIn, lead_in
+from .rest_pose_trim import LeadIn, lead_in
 
 FEWEST = 5  # samples of a motion
 TWICE = 0.1  # of the usual step: samples so near to each other are one that comes twice

@@ -16,5 +16,5 @@ contacts      the [[contact]] and [[hold]] tables
 obstacles     the obstacles and objects of [scene]
 starter       a clip to begin with, for any model
 posing/       places, roots and feet of keyframes
-follow/       a clip that follows a recording, and whose keyframes edit it
+tracking/     a clip that follows a recording, and whose keyframes edit it
 """

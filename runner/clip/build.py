@@ -22,12 +22,12 @@ from ..scene.assets import Scene
 from .constraints import constraints, weight_factors
 from .contacts import Contacts
 from .context import Context
-from .follow.keeping import ground_of, rests_of, stances_in, stances_of
-from .follow.recording import Followed
 from .kinds import KINDS
 from .parse import Parsed, table_of
 from .posing.couplings import complaints
 from .table import ClipTable, SolveTable
+from .tracking.penalties import ground_of, rests_of, stances_in, stances_of
+from .tracking.recording import Followed
 
 CustomPenalties = Sequence[tuple[Penalty, float]]
 

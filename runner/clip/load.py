@@ -27,15 +27,15 @@ from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spe
 from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
 from .contacts import Contacts, requested_holds, requested_rests
-from .follow.recording import Followed, Moving, followed
 from .obstacles import obstacles
 from .parse import Parsed, called, check_times, parse, read, renewed, table_of
 from .pose import pose, soles_of, stander_of
+from .posing.full_turns import lost_turns
+from .posing.placement import wanted
 from .posing.places import Places
-from .posing.placing import wanted
-from .posing.rooting import ambiguities
-from .posing.turns import lost_turns
+from .posing.root_entries import ambiguities
 from .table import ClipTable, KeyframeTable, SolveTable
+from .tracking.recording import Followed, Moving, followed
 
 
 def load(

@@ -20,11 +20,11 @@ from dynsplines.solver.search.descent import check_method
 
 from ..errors import UserError, unknown
 from .constraints import chosen, replaced
-from .follow.keeping import WEIGHTS
 from .kinds import Options
 from .table import ClipTable, SolveTable, Table
 from .table_errors import describe
 from .text import tables, written
+from .tracking.penalties import WEIGHTS
 
 Tables = TypeVar("Tables", bound=Table)
 

@@ -21,11 +21,11 @@ from .obstacles import lying
 from .parse import Parsed, called
 from .posing.couplings import follow
 from .posing.feet import sole_points
+from .posing.placement import Wanted, check_search, wanted, with_pose
 from .posing.places import Places
-from .posing.placing import Wanted, check_search, wanted, with_pose
-from .posing.rooting import set_roots
+from .posing.root_entries import set_roots
 from .posing.rotation import quaternion_of
-from .posing.standing import Stander
+from .posing.standing_feet import Stander
 from .table import ROTATION, KeyframeTable, RotationTable
 
 

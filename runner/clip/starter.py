@@ -26,8 +26,8 @@ from ..errors import UserError
 from ..scene.compose import compose, figure_spec, first_line, quietly
 from ..scene.configuration import first_wrong
 from ..scene.urdf import fixed_base
-from .posing.closing import Equalities
 from .posing.couplings import follow
+from .posing.equalities import Equalities
 from .posing.feet import sole_points
 from .posing.places import Places, places_at, posable_sites
 from .posing.pose_report import floor_height, lifts, lowest_point, violations

@@ -32,8 +32,8 @@ from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..measure.violation import stop_of
 from ..motion import Saved
+from ..solving import Solved
 from ..system.progress import Progress
-from ..work import Solved
 
 Span = tuple[float, float]  # [s]
 Row = TypeVar("Row", ContactTable, HoldTable)

@@ -10,7 +10,7 @@ from typing import Any
 
 from dynsplines import models
 
-from .. import kept, motion, recordings
+from .. import motion, recordings, solve_cache
 from ..clip import file as clip_file
 from ..clip.build import Clip
 from ..clip.load import load_motion
@@ -59,7 +59,7 @@ def run(
     if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
         _write_clip(edit.clip(table_of(one.text, sources[0]), one), sources[0], target)
         return target, ()
-    saved = edit.motions([kept.saved(item, progress, fresh=fresh) for item in inputs], progress)
+    saved = edit.motions([solve_cache.saved(item, progress, fresh=fresh) for item in inputs], progress)
     if is_clip:
         if not saved.text:
             raise UserError(f"{target}: '{sources[0]}' has no clip file to edit; write an .npz")

@@ -9,12 +9,12 @@ import numpy as np
 
 from dynsplines import models
 
-from .. import kept, motion, recordings
-from ..clean import lead_in
+from .. import motion, recordings, solve_cache
+from ..clean import rest_pose_trim
 from ..clip.load import load_motion
 from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
-from ..exchange.imported import imported
+from ..exchange.motion_import import imported
 from ..motion import Saved
 from ..system.output import check_new
 from ..system.progress import Progress
@@ -42,7 +42,7 @@ class ToThin:
 
     def read(self, progress: Progress) -> Saved:
         """A saved motion as it is, a clip solved, any other file imported."""
-        return lead_in.told(self._read(progress), progress, skip=self.skip_rest)
+        return rest_pose_trim.told(self._read(progress), progress, skip=self.skip_rest)
 
     def _read(self, progress: Progress) -> Saved:
         is_foreign_file = self.figure is not None or self.kind is not None
@@ -50,7 +50,7 @@ class ToThin:
         if not is_foreign_file and motion.is_motion(self.source) and not is_foreign(path):
             return load_motion(path)
         if not is_foreign_file and (self.source in models.clips() or path.suffix.lower() == ".toml"):
-            return kept.saved(recordings.load(self.source), progress, fresh=self.fresh)
+            return solve_cache.saved(recordings.load(self.source), progress, fresh=self.fresh)
         return imported(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
 
 
@@ -89,7 +89,7 @@ def run(
     written = thinning.write(result, target, exact=exact, overwrite=overwrite)
     lines = [result.line]
     if target.suffix == ".toml":
-        solved = kept.solved(recordings.load(str(target)), progress, fresh=recording.fresh).motion.timeline
+        solved = solve_cache.solved(recordings.load(str(target)), progress, fresh=recording.fresh).motion.timeline
         after = thinning.measured(thinning.recorded_of(saved, *bound), replace(result.motion, timeline=solved))
         lines = [after.line] if solve or exact else [f"{result.line}: the spline", _as_solved(after)]
         thinning.write(result, target, exact=exact, note="; ".join(lines), overwrite=True)

@@ -18,7 +18,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.thin import Bound, Recorded, Worst, refined, thin
 
-from .. import work
+from .. import solving
 from ..clip import file as clip_file
 from ..clip.build import Clip, around, radians
 from ..clip.load import of_motion
@@ -85,7 +85,7 @@ def thinned(
         return of_motion(replace(saved, text=text.of(keys), keys=tuple(keys)), contacts=True)
 
     def solved(keys: Sequence[Frame]) -> Timeline:
-        return work.solve(problem(keys), progress).motion.timeline
+        return solving.solve(problem(keys), progress).motion.timeline
 
     loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
     reduced = refined(recorded, thin(loosely, told).kept, solved, told) if solve else thin(recorded, told)

@@ -11,7 +11,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.root import root_of
 
-from .take import BodyPoses, Recording
+from .trajectory import BodyPoses, Recording
 
 CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] within which forward kinematics reproduces a recorded body
 LOOKED_AT = 60  # samples of a file that are compared, evenly spread

@@ -25,7 +25,7 @@ from dynsplines.solver.penalty.ground.support import Reactions
 
 from ..clip import load as clip
 from ..motion import samples_at
-from .take import Take
+from .trajectory import Take
 
 STIFF = 1e-7  # softness of a support so that what is left is what cannot be supplied, and not what would cost force
 

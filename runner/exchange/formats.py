@@ -12,11 +12,11 @@ import mujoco
 
 from ..errors import UserError, unknown
 from ..motion import Saved
-from ..system import largest
+from ..system import size_limit
 from ..system.output import Replacement, check_new, check_target
-from . import gaps, layouts, unsaid
-from .held import names_in
-from .take import Recording, Take, Wishes
+from . import gaps, layouts, missing_input
+from .array_reader import names_in
+from .trajectory import Recording, Take, Wishes
 
 OF_MOTIONS = {"format_version", "frame_state"}  # arrays that only saved motions have
 SIMULATED = ".simulate.xml"  # the ending of a scene that stands by itself
@@ -346,7 +346,7 @@ def _write_only(name: str) -> str:
 def _check_file(source: Path) -> None:
     if not source.is_file():
         raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
-    largest.check(source, source.stat().st_size, "it")
+    size_limit.check(source, source.stat().st_size, "it")
 
 
 def _fitting(source: Path) -> list[Format]:
@@ -361,7 +361,7 @@ def _fitting(source: Path) -> list[Format]:
     fitting = [form for form in sharing if _recognises(form, source)]
     if not fitting:
         names = ", ".join(form.name for form in sharing or available)
-        raise UserError(f"'{source}': its ending is of no known format; {unsaid.FORMAT}, one of: {names}")
+        raise UserError(f"'{source}': its ending is of no known format; {missing_input.FORMAT}, one of: {names}")
     return fitting
 
 

@@ -17,7 +17,7 @@ from dynsplines.solver.array import Array, Mask
 
 from ..errors import UserError
 from .layouts import noted
-from .take import Recording
+from .trajectory import Recording
 
 FEWEST = 2  # samples of a motion
 

@@ -21,9 +21,9 @@ from dynsplines.solver.array import Array, Index
 
 from ..errors import UserError
 from ..scene.assets import Scene
-from . import unsaid
+from . import missing_input
 from .evidence import Plausibility, disagreement, in_degrees
-from .take import BodyPoses, Recording
+from .trajectory import BodyPoses, Recording
 
 FREE, BALL, HINGE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "BALL", "HINGE"))
 EQUAL = 0.05  # of the bounds of agreement: layouts so near to each other agree equally well
@@ -190,7 +190,7 @@ def _decided(used: Judged, other: Judged) -> str:
 def _doubted(first: Judged, best: Sequence[Judged]) -> str:
     """The remedy for a doubtful documented layout that none of the best others replaces."""
     form = first[1][0]
-    do = f"convert the file, or {unsaid.FORMAT}: {form} reads it as documented"
+    do = f"convert the file, or {missing_input.FORMAT}: {form} reads it as documented"
     if len(best) > 1:
         names = " and ".join(_called(*candidate) for _, candidate in best)
         return f"as {form} it is implausible ({first[0]}); {names} are equally plausible ({best[0][0]}); {do}"
@@ -201,7 +201,7 @@ def _equally(rivals: Sequence[Judged]) -> str:
     """The remedy for layouts that are equally plausible."""
     names = " and ".join(_called(*candidate) for _, candidate in rivals)
     forms = list(dict.fromkeys(form for _, (form, _) in rivals))
-    do = f"{unsaid.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
+    do = f"{missing_input.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
     return f"{names} are equally plausible ({rivals[0][0]}), and differ; {do}"
 
 

@@ -21,7 +21,7 @@ from dynsplines.solver.figure.dynamics import inverse_dynamics
 
 from ..errors import UserError, unknown
 from .forces import Forces
-from .take import Take
+from .trajectory import Take
 
 Columns = dict[str, Array]
 AXES = "xyz"

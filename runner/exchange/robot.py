@@ -12,9 +12,9 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.root import root_of
 
 from ..errors import UserError
-from . import unsaid
-from .skeleton.hinged import HingeLayout
-from .skeleton.rooted import placed
+from . import missing_input
+from .skeleton.hinge_joints import HingeLayout
+from .skeleton.root_motion import placed
 
 FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 
@@ -137,5 +137,5 @@ def _order(names: list[str], wanted: list[str], where: object) -> list[int]:
 def needs_figure(model: mujoco.MjModel | None, where: object) -> mujoco.MjModel:
     """The figure that a file is for; raises UserError if the user named none."""
     if model is None:
-        raise UserError(f"{where}: it is for a figure, which it does not hold; {unsaid.FIGURE}")
+        raise UserError(f"{where}: it is for a figure, which it does not hold; {missing_input.FIGURE}")
     return model

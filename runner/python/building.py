@@ -19,7 +19,7 @@ from .. import recordings
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..clip.text import keyframe_tables, tables, written
 from ..errors import UserError, renamed_arguments
-from ..scene import outside
+from ..scene import file_access
 from ..scene.compose import first_line, quietly
 from ..scene.model_inputs import spec_of
 from ..system.mujoco_warnings import as_python_warnings
@@ -101,7 +101,7 @@ def build(
     Raises:
         UserError: For entries that do not fit the figure; one line with the keyframe and the key.
     """
-    with outside.allowed(allow_outside):
+    with file_access.allowed(allow_outside):
         spec, called = spec_of(figure)
         posed = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
         raw: dict[str, Any] = {"figure": called, "fps": float(fps)}

@@ -11,7 +11,7 @@ from .. import recordings
 from ..clip import load as clips
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..errors import UserError, renamed_arguments
-from ..scene import outside
+from ..scene import file_access
 from ..scene.model_inputs import is_text, spec_of_text
 from ..system.mujoco_warnings import as_python_warnings
 from .motion import Motion
@@ -50,16 +50,16 @@ def load(
         )
     source = str(os.fspath(source))
     if is_text(source):
-        with outside.allowed(allow_outside):
+        with file_access.allowed(allow_outside):
             return with_custom_penalties(clips.from_spec("clip", spec_of_text(source), fps, "clip"), custom_penalties)
     if "\n" in source:
-        with outside.allowed(allow_outside):
+        with file_access.allowed(allow_outside):
             return with_custom_penalties(
                 recordings.from_text(source, name="clip", where="clip", fps=fps), custom_penalties
             )
     if files.is_motion(source):
         raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
-    with outside.allowed(allow_outside):
+    with file_access.allowed(allow_outside):
         return with_custom_penalties(recordings.load(source, fps=fps), custom_penalties)
 
 
@@ -108,12 +108,12 @@ def import_motion(
     Raises:
         UserError: For an invalid file, or one that does not fit the figure; one line.
     """
-    from ..clean import lead_in
-    from ..exchange.imported import imported
+    from ..clean import rest_pose_trim
+    from ..exchange.motion_import import imported
 
     if figure is not None and not isinstance(figure, str | os.PathLike):
         raise UserError(f"figure is a name or a path to MJCF, not of type {type(figure).__name__}")
     figure = None if figure is None else str(os.fspath(figure))
-    with outside.allowed(allow_outside):
+    with file_access.allowed(allow_outside):
         motion = imported(Path(source), format, figure=figure, fps=fps, scale=scale)
-    return Motion(lead_in.without(motion) if skip_rest else motion)
+    return Motion(rest_pose_trim.without(motion) if skip_rest else motion)

@@ -21,7 +21,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 
 from .. import motion as files
-from .. import work
+from .. import solving
 from ..clip import file as clip_file
 from ..clip import load as clips
 from ..clip.build import Clip
@@ -31,11 +31,11 @@ from ..measure import violation
 from ..measure.report import tables
 from ..measure.violation import Violation
 from ..motion import Sampled, Saved
+from ..solving import Solved
 from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
 from ..system.progress import Progress
 from ..system.quantity import length
-from ..work import Solved
 
 if TYPE_CHECKING:
     from ..exchange.formats import Writer
@@ -63,7 +63,7 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
     from .loading import load  # imported here: it imports this module
 
     heard = Progress() if progress else _silent()
-    solved = work.solve(clip if isinstance(clip, Clip) else load(clip), heard)
+    solved = solving.solve(clip if isinstance(clip, Clip) else load(clip), heard)
     return Motion(solved.saved(heard, with_report=False), solved)
 
 
@@ -354,7 +354,7 @@ class Motion(Renames):
             UserError: For an unknown format, or data that it cannot hold.
         """
         from ..exchange import formats, quantities
-        from ..exchange.take import Wishes
+        from ..exchange.trajectory import Wishes
 
         target = Path(path)
         if to is not None and not isinstance(to, str):
@@ -494,7 +494,7 @@ class Motion(Renames):
         Raises:
             UserError: For a motion that cannot be cleaned, or an invalid length.
         """
-        from ..clean.running import motion_cleaned
+        from ..clean.command import motion_cleaned
 
         bound = None if within is None else length(within, "within")
         return Motion(motion_cleaned(self.saved, bound, _silent()))
@@ -527,7 +527,7 @@ class Motion(Renames):
     def _repr_html_(self) -> str:
         """A player of the motion before and after, for notebooks: a page without external content."""
         from ..exchange.format.html import page
-        from ..exchange.take import Take
+        from ..exchange.trajectory import Take
 
         inside = html.escape(page(Take.of(self.saved)))
         style = f"width: 100%; height: {PLAYER_HEIGHT}px; border: 0"

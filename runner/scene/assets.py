@@ -16,8 +16,8 @@ from typing import Any
 import mujoco
 
 from ..errors import UserError
-from ..system import largest, mujoco_warnings
-from . import mjcf_size, outside
+from ..system import mujoco_warnings, size_limit
+from . import file_access, mjcf_size
 from .model_files import FOLDERS, Model, elements, is_there
 from .mujoco_versions import mesh_folder, texture_folder
 
@@ -45,7 +45,7 @@ class Scene:
     def received(cls, mjcf: str, assets: Assets) -> Scene:
         """A scene from an untrusted file; raises ValueError if it refers to any other files."""
         scene = cls(mjcf, assets)
-        if outside.is_allowed():
+        if file_access.is_allowed():
             return scene
         for tag, attrs in elements(mjcf):
             if tag == "include":
@@ -92,7 +92,7 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
             names[where] = _fresh(_plain(Path(reference.file.replace("\\", "/")).name), assets)
             assets[names[where]] = data
         reference.rename(names[where])
-    largest.check("the model", sum(map(len, assets.values())), "what the files it refers to hold")
+    size_limit.check("the model", sum(map(len, assets.values())), "what the files it refers to hold")
     spec.meshdir = spec.texturedir = spec.modelfiledir = ""
     spec.strippath = False
     spec.assets = {}
@@ -112,7 +112,7 @@ def check_places(spec: mujoco.MjSpec, models: Sequence[Model]) -> None:
         is_own = not theirs or (file in models[0].files and folder in models[0].folders)
         places = [place for place in _places(reference, base) if is_there(place)][:1] if is_own else []
         for place in [*places, *theirs] or [base / folder / file]:
-            outside.check(place, base, reference.file)
+            file_access.check(place, base, reference.file)
         if len({place.read_bytes() for place in [*places, *theirs]}) > 1:
             listed = " and ".join(f"'{place}'" for place in [*places, *theirs])
             raise UserError(f"models that are attached use different files of one name: {listed}; rename one")
@@ -158,7 +158,7 @@ def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
     places = _places(reference, base)
     for place in places:
         if is_there(place):
-            outside.check(place, base, reference.file)
+            file_access.check(place, base, reference.file)
             try:
                 return str(place.resolve()), place.read_bytes()
             except OSError as error:

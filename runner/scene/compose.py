@@ -21,8 +21,8 @@ from dynsplines.solver.surface.touch import SCENERY, grounds
 from ..errors import UserError, unknown
 from ..system import mujoco_warnings
 from . import mjcf_size
+from .appearance import dress
 from .assets import Assets, Scene, check_places, taken_along
-from .dressing import dress
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .lighting import is_well_lit
 from .model_files import is_there, models_in

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..system import largest
+from ..system import size_limit
 
 ELEMENT = 10_000  # [bytes] of a body, geom or joint, as its text and compiled
 COPIED = 50_000  # [bytes] of one that is replicated: 20,000 of them take MuJoCo 15 s, and twice as many four times that
@@ -35,13 +35,13 @@ def check(text: str, where: object, folder: Path | None = None, assets: Mapping[
     """Raises UserError for a model that would be too large; folder and assets as MuJoCo would look for files."""
     counted = _Count(folder, assets or {})
     size = counted.model(text, "")
-    largest.check(where, size + counted.keys * NUMBER * KEY_NUMBERS * size / ELEMENT, "the model that it describes")
+    size_limit.check(where, size + counted.keys * NUMBER * KEY_NUMBERS * size / ELEMENT, "the model that it describes")
 
 
 def check_file(path: Path) -> None:
     """As `check`, of a file; an unreadable one is left to the reader."""
     try:
-        largest.check(path, path.stat().st_size, "it")
+        size_limit.check(path, path.stat().st_size, "it")
         text = path.read_text(encoding="utf-8", errors="replace")
     except OSError:
         return

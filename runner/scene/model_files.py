@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
 
-from . import outside
+from . import file_access
 
 FOLDERS = ("meshdir", "texturedir", "assetdir")
 TAG = re.compile(r"<\s*([\w:.-]+)([^<>]*)")
@@ -58,9 +58,9 @@ def paths_read(path: Path) -> list[Path]:
         for file in sorted(model.files):
             names = {file, Path(file).name}
             places = {folder / name for folder in folders for name in names if is_there(folder / name)}
-            inside = {place for place in places if outside.is_allowed() or outside.lies_in(place, path.parent)}
+            inside = {place for place in places if file_access.is_allowed() or file_access.lies_in(place, path.parent)}
             for place in sorted(places) if not inside else ():
-                outside.check(place, path.parent, file)
+                file_access.check(place, path.parent, file)
             paths |= inside
     return sorted({Path(os.path.normpath(place)) for place in paths})
 
@@ -82,7 +82,7 @@ def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path
             ]
             there = [place for place in places if is_there(place)] or places[:1]
             for place in there:
-                outside.check(place, home, file)
+                file_access.check(place, home, file)
             if tag == "flexcomp" and is_there(there[0]):
                 own.texts.add(there[0])
             if tag == "flexcomp" or there[0] in seen or not is_there(there[0]):

@@ -12,7 +12,7 @@ import numpy as np
 from dynsplines import models
 
 from ..errors import UserError
-from . import mjcf_size, outside
+from . import file_access, mjcf_size
 from .compose import figure_spec, first_line, quietly
 from .model_files import elements
 from .mujoco_versions import last_text
@@ -56,7 +56,7 @@ def spec_of_text(text: str) -> mujoco.MjSpec:
     mjcf_size.check(text, "figure", Path())
     for tag, attributes in elements(text):
         if tag in ("include", "model") and attributes.get("file"):
-            outside.check(Path(attributes["file"]), Path(), attributes["file"])
+            file_access.check(Path(attributes["file"]), Path(), attributes["file"])
     try:
         with quietly():
             return mujoco.MjSpec.from_string(text)

@@ -1,6 +1,6 @@
 """The studio: a clip edited and optimised live, on a page in the browser.
 
-start             the command: a free port, a token, the browser
+launch            the command: a free port, a token, the browser
 server            access control: pages with the token, and their connections
 session           one open clip, shared by all pages
 document          the clip's text, with undo and redo; unsaved work is written next to it

@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import Any
 
 from ..errors import UserError
-from ..scene.outside import is_allowed
+from ..scene.file_access import is_allowed
 from ..system.workers import ctrl_c_blocked
 from .solving.process import entry
 

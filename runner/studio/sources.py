@@ -106,7 +106,7 @@ def _recording(path: Path, figure: str | None) -> Document:
     """A file of another program: imported beside itself, and followed."""
     from .. import motion
     from ..exchange.formats import stem
-    from ..exchange.imported import imported
+    from ..exchange.motion_import import imported
 
     saved = imported(path, figure=figure)
     target = path.resolve().with_name(f"{stem(path)}.npz")

@@ -10,7 +10,7 @@ from typing import IO, Any
 import numpy as np
 
 from ..errors import UserError
-from . import largest
+from . import size_limit
 
 HEADS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
 
@@ -22,7 +22,7 @@ def check(stream: IO[bytes], where: Path) -> None:
     """
     with zipfile.ZipFile(stream) as archive:
         members = archive.infolist()
-        largest.check(where, sum(member.file_size for member in members), "what it holds")
+        size_limit.check(where, sum(member.file_size for member in members), "what it holds")
         for member in members:
             with archive.open(member) as content:
                 claimed = _claimed(content)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from ..errors import UserError, one_line
-from . import stopping
+from . import signals
 
 STOPPED = 130  # the exit code of Ctrl-C
 INTERNAL = 4  # that of an internal error
@@ -45,8 +45,8 @@ def run(command: Callable[[], int | None]) -> NoReturn:
             raise
         _end(code, line)
     if code == STOPPED:  # typer's own answer to Ctrl-C
-        _end(stopping.code(STOPPED), "stopped")
-    sys.exit(stopping.code(code or 0))
+        _end(signals.code(STOPPED), "stopped")
+    sys.exit(signals.code(code or 0))
 
 
 def _ending(error: BaseException) -> tuple[int, str]:
@@ -61,7 +61,7 @@ def _ending(error: BaseException) -> tuple[int, str]:
         case MemoryError():
             return 2, "not enough memory for this"
     if _is_interrupt(error):
-        return stopping.code(STOPPED), "stopped"
+        return signals.code(STOPPED), "stopped"
     if any(words in str(error) for words in NO_ROOM):
         return 2, "not enough memory for this, or to load what it needs"
     if isinstance(error, RuntimeError) and "can't start new thread" in str(error):

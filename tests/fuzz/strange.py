@@ -24,13 +24,13 @@ from fuzz import grammar
 from fuzz.mangle import Rng, mangled_arrays, mangled_bytes, mangled_text, mangled_tree
 from rich.console import Console
 
-from dynsplines import motion, work
+from dynsplines import motion, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import references, table_of
 from dynsplines.clip.starter import starter
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 from dynsplines.measure import violation
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.motion import Saved
@@ -78,11 +78,11 @@ def told() -> Progress:
 def _saved(figure: str) -> Saved:
     """A motion of a few frames, good to be written in any format."""
     if figure == "tiny":
-        return work.unsolved(clips.from_text(tiny.CLIP, name="tiny", spec=grammar.spec())).saved(told())
+        return solving.unsolved(clips.from_text(tiny.CLIP, name="tiny", spec=grammar.spec())).saved(told())
     saved = wild.motion_of("human") if figure == "human" else wild.through(figure, *_robot_keys())
     hinged = wild.with_hinges(saved, "knee", "elbow") if figure == "human" else saved
     clip = clips.of_motion(hinged)
-    return work.unsolved(clips.with_keys(clip, list(clip.keys)[:3])).saved(told(), with_report=False)
+    return solving.unsolved(clips.with_keys(clip, list(clip.keys)[:3])).saved(told(), with_report=False)
 
 
 def _robot_keys() -> tuple[Any, Any]:
@@ -183,7 +183,7 @@ def _solve(path: Path) -> None:
     own = clip.settings
     few = {"max_evaluations": min(own.max_evaluations, FEW), "frames": min(own.frames or 0, FEW)}
     clip = clip.with_problem(settings=replace(own, variable=min(own.variable or 0, 1), **few))
-    timeline = work.solve(clip, told()).motion.timeline
+    timeline = solving.solve(clip, told()).motion.timeline
     assert np.isfinite(timeline.rows).all(), "a motion that is not finite"
     largest = max(1.0, *(float(np.abs(key.state[key.fixed]).max(initial=0.0)) for key in clip.keys))
     error = keyframe_error(clip, timeline)

@@ -16,7 +16,7 @@ import pytest
 from fuzz import grammar
 from rich.console import Console
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
@@ -109,7 +109,7 @@ def test_a_quaternion_that_passes_zero_between_two_samples_gains_nothing(seed):
 
 def assert_no_worse(clip: Clip) -> None:
     """Searched, and held against its raw spline on a grid of its own."""
-    motion = work.solve(clip, Progress(Console(file=io.StringIO()))).motion
+    motion = solving.solve(clip, Progress(Console(file=io.StringIO()))).motion
     assert np.isfinite(motion.timeline.rows).all()
     assert keyframe_error(clip, motion.timeline) <= EXACT
     edges = common_grid([motion.timeline, motion.raw])

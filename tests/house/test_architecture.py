@@ -25,7 +25,7 @@ ONLY_IN = {
     "pxr": {"runner/exchange/format/usd.py", "runner/exchange/nodes/usd_file.py"},
     "starlette": {"runner/studio/server.py"},
     "tomlkit": {"runner/studio/edits/tables.py"},
-    "uvicorn": {"runner/studio/start.py"},
+    "uvicorn": {"runner/studio/launch.py"},
 }
 SCIPY_IN_SOLVER = {
     "solver/curve/banded.py",
@@ -143,8 +143,8 @@ STRATA = {
         motion
         clip
         measure picture
-        work
-        exchange kept
+        solving
+        exchange solve_cache
         clean
         recordings
         edit

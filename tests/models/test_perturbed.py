@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.solver import Frame, Solution
@@ -164,5 +164,5 @@ def test_a_set_that_stands_out_is_named_with_what_its_motion_costs(benchmark):
 def test_solving_is_what_the_command_does(benchmark, run):
     from dynsplines.system.progress import Progress
 
-    done = work.solve(clips.load("run_loop"), Progress())
+    done = solving.solve(clips.load("run_loop"), Progress())
     np.testing.assert_array_equal(done.motion.timeline.rows, run.timeline.rows)

@@ -16,7 +16,7 @@ from rail import OBSTACLES, WITHOUT, written
 from random_samples import random_samples
 from rich.console import Console
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.motion import sampled
 from dynsplines.solver.array import Array
@@ -32,7 +32,7 @@ from dynsplines.system.progress import Progress
 
 def deepest(path: str) -> float:
     """Deepest penetration [m] of a clip's solved motion at 1 kHz."""
-    solved = work.solve(clip.load(path), Progress(Console(file=io.StringIO())))
+    solved = solving.solve(clip.load(path), Progress(Console(file=io.StringIO())))
     run = sampled(solved.clip.figure, solved.motion.timeline, 1000.0)
     return penetration(solved.clip.figure.model, run.time, run.qpos).deepest
 

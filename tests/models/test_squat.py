@@ -12,7 +12,7 @@ from squats import Measured, measured, solved, squat
 
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
-from dynsplines.clip.posing.standing import fitted
+from dynsplines.clip.posing.standing_feet import fitted
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, path_of
-from dynsplines.work import Solved
+from dynsplines.solving import Solved
 
 
 @pytest.fixture

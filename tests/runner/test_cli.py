@@ -25,7 +25,7 @@ from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
 from typer.main import get_command
 
-from dynsplines import cli, models, work
+from dynsplines import cli, models, solving
 from dynsplines.clip.kinds import KINDS
 from dynsplines.picture import film, show
 from dynsplines.picture.graphics import Graphics
@@ -54,7 +54,7 @@ def solving_forbidden(monkeypatch: pytest.MonkeyPatch) -> None:
         raise AssertionError("solved again")
 
     for name in ("inbetween", "solve"):
-        monkeypatch.setattr(work, name, never)
+        monkeypatch.setattr(solving, name, never)
     monkeypatch.setattr(nlopt.opt, "optimize", never)
 
 
@@ -229,8 +229,8 @@ def test_without_a_word_rays_are_drawn_by_a_process_a_core(run, motion_file, mon
 @pytest.mark.slow
 def test_render_of_a_clip_solves_it_unless_only_the_keyframes_are_wanted(run, monkeypatch):
     solved: list[str] = []
-    solve = work.solve
-    monkeypatch.setattr(work, "solve", lambda clip, progress: solved.append(clip.name) or solve(clip, progress))
+    solve = solving.solve
+    monkeypatch.setattr(solving, "solve", lambda clip, progress: solved.append(clip.name) or solve(clip, progress))
     for only in ("keys", "before"):
         assert run("render", "tiny.toml", *SMALL, "--only", only, "--fps", 5).code == 0
     assert solved == []
@@ -588,7 +588,7 @@ def test_a_mistake_on_the_command_line_is_one_line_and_writes_nothing(
     (tmp_path / "folder.npz").mkdir()
     (tmp_path / "tiny.txt").write_text("hello", encoding="utf-8")
     np.savez(tmp_path / "poses.npz", time=np.arange(2.0), qpos=np.zeros((2, 2)))
-    monkeypatch.setattr(work, "solve", lambda *_: pytest.fail("solved before it looked"))
+    monkeypatch.setattr(solving, "solve", lambda *_: pytest.fail("solved before it looked"))
     with nothing_written(tmp_path):
         assert_refused(run(*(motion_file if word == MOTION else word for word in words)), *told)
 
@@ -613,7 +613,7 @@ def test_a_number_that_is_none_or_out_of_its_range_is_refused(run, tmp_path, nam
 
 
 def test_a_camera_is_looked_for_before_solving(run, monkeypatch, tmp_path):
-    monkeypatch.setattr(work, "solve", lambda *_: pytest.fail("solved first"))
+    monkeypatch.setattr(solving, "solve", lambda *_: pytest.fail("solved first"))
     with nothing_written(tmp_path):
         assert_refused(run("render", "tiny.toml", *SMALL, "--camera", "hihg"), "did you mean 'high'?")
 

@@ -146,8 +146,8 @@ def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
     from dynsplines.clip.load import from_qpos
     from dynsplines.exchange import formats
     from dynsplines.scene.compose import compose, figure_spec
+    from dynsplines.solving import unsolved
     from dynsplines.system.progress import Progress
-    from dynsplines.work import unsolved
 
     names = ["=cmd|' /C calc'!A0", "+1", "-1", "@SUM(1)", "'=quoted", "'plain", "plain"]
     hinges = "".join(

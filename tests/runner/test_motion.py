@@ -17,8 +17,8 @@ from dynsplines.errors import UserError
 from dynsplines.motion import Saved, load, sampled, samples_at, save
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.solving import Solved
 from dynsplines.system.output import Replacement, check_target
-from dynsplines.work import Solved
 
 
 @pytest.fixture(scope="module")

@@ -17,10 +17,10 @@ import pytest
 import wild
 from rich.console import Console
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
-from dynsplines.exchange.skeleton.hinged import Hinged
+from dynsplines.exchange.skeleton.hinge_joints import Hinged
 from dynsplines.motion import Saved
 from dynsplines.system.progress import Progress
 
@@ -43,7 +43,7 @@ others = "rest"
 
 def motion_of(text: str) -> Saved:
     quiet = Progress(Console(file=io.StringIO()))
-    return work.solve(clip.from_text(text, name="squat"), quiet).saved(quiet, with_report=False)
+    return solving.solve(clip.from_text(text, name="squat"), quiet).saved(quiet, with_report=False)
 
 
 @pytest.mark.filterwarnings("ignore:.*torch.jit:DeprecationWarning")

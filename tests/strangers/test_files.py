@@ -18,8 +18,9 @@ from meshes import stl
 from rich.console import Console
 
 import dynsplines
-from dynsplines import cli, motion, work
-from dynsplines.batch import inputs, solving
+from dynsplines import cli, motion, solving
+from dynsplines.batch import inputs
+from dynsplines.batch import solving as batch_solving
 from dynsplines.batch.inputs import Source
 from dynsplines.batch.manifest import Entry, Manifest, check_below, digest_of
 from dynsplines.batch.task import Task
@@ -27,7 +28,7 @@ from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.motion import Saved
-from dynsplines.scene import outside
+from dynsplines.scene import file_access
 from dynsplines.scene.assets import Scene
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.system.lock import locked
@@ -77,7 +78,7 @@ def tree(folder: Path) -> dict[str, bytes]:
 @pytest.fixture
 def meshed(tmp_path: Path) -> Saved:
     """A motion that brings a mesh along."""
-    return work.unsolved(clip.load(str(model(tmp_path / "model")))).saved(told(), with_report=False)
+    return solving.unsolved(clip.load(str(model(tmp_path / "model")))).saved(told(), with_report=False)
 
 
 def tampered(saved: Saved, target: Path, **changes: Any) -> Path:
@@ -230,7 +231,7 @@ def test_the_option_counts_for_its_command_alone(run: Run, tmp_path: Path):
     assert run("new", path, "-o", "a.toml", "--allow-outside")[0] == 0
     code, said = run("solve", "a.toml")
     assert code == 2 and "--allow-outside" in said
-    assert not outside.is_allowed()
+    assert not file_access.is_allowed()
     assert run("solve", "a.toml", "--allow-outside")[0] == 0
     assert run("thin", "a.npz", "-o", "b.toml")[0] == 0  # a motion has its files in it
 
@@ -265,7 +266,7 @@ def test_a_batch_packs_nothing_from_outside_a_models_folder(tmp_path: Path, way:
     path = outsiders(tmp_path)[way]
     with pytest.raises(UserError, match=r"secret.*outside its folder"):
         inputs.files_of(Source(path, PurePosixPath("it")), {})
-    with outside.allowed():
+    with file_access.allowed():
         files = inputs.files_of(Source(path, PurePosixPath("it")), {})
     assert any("secret" in name or "link" in name for name in files.files)
 
@@ -273,10 +274,10 @@ def test_a_batch_packs_nothing_from_outside_a_models_folder(tmp_path: Path, way:
 @POSIX
 def test_a_batch_that_may_read_outside_solves_elsewhere_too(tmp_path: Path):
     path = outsiders(tmp_path / "here")["up"]
-    with outside.allowed():
+    with file_access.allowed():
         files = inputs.files_of(Source(path, PurePosixPath("it")), {})
     (tmp_path / "there").mkdir()
-    done = solving.solved(Task(files, "it.npz", allow_outside=True), tmp_path / "there")
+    done = batch_solving.solved(Task(files, "it.npz", allow_outside=True), tmp_path / "there")
     (tmp_path / "it.npz").write_bytes(done.files["it.npz"])
     assert motion.load(tmp_path / "it.npz").scene.assets == {"secret.stl": stl(0.3)}
 

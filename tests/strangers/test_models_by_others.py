@@ -19,13 +19,13 @@ import pytest
 import squats
 from rich.console import Console
 
-from dynsplines import motion, work
+from dynsplines import motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.starter import starter
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.picture.show import Look, images
-from dynsplines.scene import outside
+from dynsplines.scene import file_access
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.scene.lighting import is_well_lit
 from dynsplines.solver.figure.figure import Figure
@@ -66,7 +66,7 @@ EVALUATIONS, FRAMES = 4, 4
 @pytest.fixture(autouse=True)
 def from_everywhere() -> Iterator[None]:
     """Many of these have their meshes in a folder beside the model's."""
-    with outside.allowed():
+    with file_access.allowed():
         yield
 
 
@@ -89,7 +89,7 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     problem = clip.load(str(target))
     assert len(problem.context.points) == FEET[path]
     settings = replace(problem.settings, max_evaluations=EVALUATIONS, frames=FRAMES)
-    found = work.solve(problem.with_problem(settings=settings), Progress(Console(file=io.StringIO())))
+    found = solving.solve(problem.with_problem(settings=settings), Progress(Console(file=io.StringIO())))
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
     small = problem.figure.width <= SMALL
     saved = found.saved(Progress(Console(file=io.StringIO())), with_report=small)

@@ -16,7 +16,7 @@ from dynsplines.clip import load as clip
 from dynsplines.clip.starter import starter
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 from dynsplines.motion import Saved
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface.points import MOST_BETWEEN, body_points

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
-from dynsplines.exchange.skeleton.hinged import angles
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.skeleton.hinge_joints import angles
+from dynsplines.exchange.trajectory import Take
 from dynsplines.solver import quaternion as quat
 
 MIXAMO = {

@@ -9,7 +9,7 @@ import numpy as np
 from dynsplines.motion import sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.work import Solved
+from dynsplines.solving import Solved
 
 SLIDE, TURNS_IN = 0.05, 4.0  # [m/s] whose direction goes round once in so many seconds
 SINKS, EVERY = 0.02, 1.0  # [m] down and up in turn, [s] each

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import compose
@@ -66,4 +66,4 @@ def moved(fps: float = 24.0, text: str = FIGURE, name: str = "puppet", count: in
     assert np.all(np.ptp(qpos, axis=0) > 0.01)
     spec = mujoco.MjSpec.from_string(text)
     found = clip.from_qpos(name, compose(spec), np.arange(count) / 12.0, qpos, fps, name)
-    return work.unsolved(found).saved(Progress(), with_report=False)
+    return solving.unsolved(found).saved(Progress(), with_report=False)

@@ -8,7 +8,7 @@ import numpy as np
 import wild
 
 from dynsplines.exchange import formats, layouts
-from dynsplines.exchange.imported import taken
+from dynsplines.exchange.motion_import import taken
 from dynsplines.motion import Saved
 
 EXACT = 1e-6  # [m], [rad]

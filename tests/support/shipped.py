@@ -15,10 +15,10 @@ from typing import Any
 import pytest
 from rich.console import Console
 
-from dynsplines import kept, recordings, work
+from dynsplines import recordings, solve_cache, solving
 from dynsplines.clip.build import Clip
+from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
-from dynsplines.work import Solved
 
 PLACE = "DYNSPLINES_TESTS_SOLVED"  # the folder of this run's solved clips; its other processes inherit it
 
@@ -36,27 +36,27 @@ def remove_folder() -> None:
 @cache
 def solved(name: str) -> Solved:
     """A shipped clip as `dynsplines solve` solves it."""
-    return _once(recordings.load(name), Progress(Console(file=io.StringIO())), work.solve)
+    return _once(recordings.load(name), Progress(Console(file=io.StringIO())), solving.solve)
 
 
 def _once(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
-    file = Path(os.environ[PLACE]) / f"{kept.key_of(problem)}.npz"
+    file = Path(os.environ[PLACE]) / f"{solve_cache.key_of(problem)}.npz"
     with _alone(file.with_suffix(".lock")):
-        found = kept.read(file, problem)
+        found = solve_cache.read(file, problem)
         if found is None:
             found = solve(problem, progress)
-            kept.write(found, file)
+            solve_cache.write(found, file)
     return found
 
 
 def share(monkeypatch: pytest.MonkeyPatch) -> None:
     """From here on whatever is solved in a test is solved once for all tests of a run that ask for the same."""
-    solve = work.solve
+    solve = solving.solve
 
     def shared(problem: Clip, progress: Progress, **more: Any) -> Solved:
         return solve(problem, progress, **more) if more or problem.custom_penalties else _once(problem, progress, solve)
 
-    monkeypatch.setattr(work, "solve", shared)
+    monkeypatch.setattr(solving, "solve", shared)
 
 
 @contextmanager

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from rich.console import Console
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.motion import samples_at
@@ -43,9 +43,9 @@ class Measured:
     acceleration: float
 
 
-def solved(problem: Clip, **settings: Any) -> work.Solved:
+def solved(problem: Clip, **settings: Any) -> solving.Solved:
     problem = problem.with_problem(settings=replace(problem.settings, **settings))
-    return work.solve(problem, Progress(Console(file=io.StringIO())))
+    return solving.solve(problem, Progress(Console(file=io.StringIO())))
 
 
 def squat(height: float, *, contacts: bool, figure: str = "human") -> Clip:

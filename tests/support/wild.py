@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from dynsplines import motion, work
+from dynsplines import motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.motion import Sampled, Saved
 from dynsplines.scene.compose import compose, figure_spec
@@ -57,7 +57,7 @@ def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float =
 def through(figure: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
     """The spline through keyframes."""
     found = clip.from_qpos("wild", compose(figure_spec(figure)), time, qpos, FPS, "wild")
-    return work.unsolved(found).saved(Progress(), with_report=False)
+    return solving.unsolved(found).saved(Progress(), with_report=False)
 
 
 def with_hinges(saved: Saved, *endings: str) -> Saved:
@@ -70,12 +70,12 @@ def with_hinges(saved: Saved, *endings: str) -> Saved:
             qpos[:, [start + 1, start + 3]] = 0
             qpos[:, start : start + 4] = quat.normalised(qpos[:, start : start + 4])
     keys = [Frame.key(time, row) for time, row in zip(at.time, qpos, strict=True)]
-    return work.unsolved(clip.with_keys(clip.of_motion(saved), keys)).saved(Progress(), with_report=False)
+    return solving.unsolved(clip.with_keys(clip.of_motion(saved), keys)).saved(Progress(), with_report=False)
 
 
 def loop() -> Saved:
     """A walk that comes back to its first pose, further on; its period is not a whole number of samples."""
-    return work.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
+    return solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
 
 
 def samples(saved: Saved, fps: float | None = None) -> Sampled:

@@ -15,13 +15,13 @@ from typing import Any
 
 from PIL import Image
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.system import stopping
+from dynsplines.system import signals
 from dynsplines.system.output import Replacement
 from dynsplines.system.progress import Progress
 
@@ -100,8 +100,8 @@ class Results:
         return Dip.of(self.runner, self.runner.raw)
 
     def _solved(self, name: str) -> Saved:
-        solution = work.solve(clip.load(name), self.progress)
-        if stopping.was_asked():  # a search that is cut short is no result
+        solution = solving.solve(clip.load(name), self.progress)
+        if signals.was_asked():  # a search that is cut short is no result
             raise KeyboardInterrupt
         return solution.saved(self.progress, with_report=False)
 

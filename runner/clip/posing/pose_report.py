@@ -15,7 +15,7 @@ from dynsplines.solver.penalty import joint_ranges
 from dynsplines.solver.surface.points import arrays_of, body_points
 from dynsplines.solver.surface.touch import grounds
 
-from .closing import Equalities
+from .equalities import Equalities
 
 BEYOND = {"degrees": 0.1, "m": 1e-3}  # of a joint's range
 HIGH, DEEP = 0.02, 0.005  # [m] above the floor, and below it

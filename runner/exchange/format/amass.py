@@ -34,12 +34,12 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from .. import unsaid
-from ..held import SAMPLES, Held, held, names_in, times
+from .. import missing_input
+from ..array_reader import SAMPLES, Held, held, names_in, times
 from ..pickles import plain_pickle
 from ..skeleton import smpl
-from ..skeleton.person import Person
-from ..take import Recording
+from ..skeleton.humanoid import Person
+from ..trajectory import Recording
 from . import bvh
 
 NAME = "amass"
@@ -79,7 +79,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     position, poses = _motion(arrays)
     name = _first(arrays, RATES)
     if name is None and fps is None:
-        raise UserError(f"{path}: it has no '{RATES[0]}'; {unsaid.RATE}")
+        raise UserError(f"{path}: it has no '{RATES[0]}'; {missing_input.RATE}")
     rate = fps if name is None and fps is not None else arrays.rate(name or RATES[0])
     local = quat.from_rotation_vector(poses)
     position, local, turned = smpl.z_up(position, local)

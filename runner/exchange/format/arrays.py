@@ -23,10 +23,10 @@ from ...errors import UserError
 from ...motion import asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
 from ...scene.compose import first_line, quietly
-from .. import layouts, unsaid
-from ..held import Held, body_poses, held, names_in, times
+from .. import layouts, missing_input
+from ..array_reader import Held, body_poses, held, names_in, times
 from ..robot import needs_figure
-from ..take import Recording, Take
+from ..trajectory import Recording, Take
 
 
 def write(take: Take, path: Path) -> None:
@@ -57,7 +57,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     mjcf = None
     if model is None:
         if "mjcf" not in arrays:
-            raise UserError(f"{path}: it has no 'mjcf', the figure; {unsaid.FIGURE}")
+            raise UserError(f"{path}: it has no 'mjcf', the figure; {missing_input.FIGURE}")
         mjcf = str(arrays.of("mjcf"))
     try:
         assets = assets_in(arrays.entries)
@@ -85,7 +85,7 @@ def _time(found: Held, count: int, fps: float | None) -> Array:
     if "time" in found:
         return found.numbers("time", "samples")
     if fps is None:
-        raise UserError(f"{found.where}: it has neither 'time' nor 'fps'; {unsaid.RATE}")
+        raise UserError(f"{found.where}: it has neither 'time' nor 'fps'; {missing_input.RATE}")
     return times(count, fps)
 
 

@@ -18,9 +18,9 @@ from dynsplines.solver.array import Array
 
 from ..skeleton import bvh_file, captured_figure, hierarchy, retarget
 from ..skeleton.bvh_file import Joint, Skeleton, written
-from ..skeleton.captured import Captured
-from ..skeleton.hinged import angles
-from ..take import Recording, Take
+from ..skeleton.captured_skeleton import Captured
+from ..skeleton.hinge_joints import angles
+from ..trajectory import Recording, Take
 
 CENTIMETRES = 100.0  # a metre
 FIXED = 1e-7  # [m]: less is no movement

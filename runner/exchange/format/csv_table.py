@@ -15,10 +15,10 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from .. import layouts, quantities, unsaid
-from ..held import times
+from .. import layouts, missing_input, quantities
+from ..array_reader import times
 from ..tables import headings, table_text
-from ..take import Recording, Take
+from ..trajectory import Recording, Take
 
 FORMULA = "=+-@\t\r"  # what a spreadsheet takes for the begin of one, and runs
 QUOTE = "'"
@@ -58,7 +58,7 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """With a heading, columns in any order, by `headings`; without one nq columns, or the time and nq columns."""
     if model is None:
-        raise UserError(f"{path}: a table of qpos is for a figure; {unsaid.FIGURE}")
+        raise UserError(f"{path}: a table of qpos is for a figure; {missing_input.FIGURE}")
     source = table_text.table(path)
     notes: tuple[str, ...] = source.notes
     is_certain = source.names is not None
@@ -92,7 +92,7 @@ def without_heading(path: Path, numbers: Array, width: int, fps: float | None) -
 def rate_of(path: Path, fps: float | None) -> float:
     """The rate [1/s]; raises UserError where nothing specifies it."""
     if fps is None:
-        raise UserError(f"{path}: it has no column of times; {unsaid.RATE}")
+        raise UserError(f"{path}: it has no column of times; {missing_input.RATE}")
     return fps
 
 

@@ -28,10 +28,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ..held import Held
+from ..array_reader import Held
 from ..robot import needs_figure
-from ..skeleton.person import Person
-from ..take import Recording, Take
+from ..skeleton.humanoid import Person
+from ..trajectory import Recording, Take
 
 NAME = "deepmimic"
 LIMB = (("hip", 4), ("knee", 1), ("ankle", 4), ("shoulder", 4), ("elbow", 1))  # numbers a joint: quaternion or angle

@@ -23,7 +23,7 @@ from ...errors import UserError
 from ...scene.triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 from ..nodes import gltf_file
 from ..skeleton import hierarchy
-from ..take import Recording, Take
+from ..trajectory import Recording, Take
 from .bvh import recording
 
 STILL = 1e-7  # [m, or of a quaternion's entries]: less is no movement

@@ -28,10 +28,10 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from .. import layouts
-from ..held import Held, times
+from ..array_reader import Held, times
 from ..pickles import plain_pickle
 from ..robot import Robot, configurations, needs_figure
-from ..take import Bodies, BodyPoses, Recording, Take
+from ..trajectory import Bodies, BodyPoses, Recording, Take
 from .mjlab import beside as beside
 
 NAME = "gmr"

@@ -18,9 +18,9 @@ import numpy as np
 
 from ...motion import sampled
 from ...scene.triangles import is_still, pieces
-from ..drawn import drawn, packed
+from ..model_json import drawn, packed
 from ..skeleton import hierarchy
-from ..take import Bodies, Take
+from ..trajectory import Bodies, Take
 
 SAME = 1e-6  # [m, or of a quaternion's entries]: nearer, before and after are one motion
 

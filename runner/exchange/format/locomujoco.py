@@ -27,10 +27,10 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...motion import write_arrays
-from .. import layouts, unsaid
-from ..held import Held, body_poses, held, names_in, times
+from .. import layouts, missing_input
+from ..array_reader import Held, body_poses, held, names_in, times
 from ..robot import configurations, needs_figure
-from ..take import Recording, Take
+from ..trajectory import Recording, Take
 from .mjlab import beside as beside
 
 NAME = "locomujoco"
@@ -139,7 +139,7 @@ def _before_1_0(found: Held, model: mujoco.MjModel, path: Path, fps: float | Non
     if "split_points" in found:
         _declared(found, path)
     if "frequency" not in found and fps is None:
-        raise UserError(f"{path}: a file of LocoMuJoCo before 1.0 has no rate; {unsaid.RATE}")
+        raise UserError(f"{path}: a file of LocoMuJoCo before 1.0 has no rate; {missing_input.RATE}")
     rate = found.rate("frequency", fps)
     qpos = np.stack([found.numbers(BEFORE + name, "samples") for name in joints], axis=1)
     return Recording(times(len(qpos), rate), qpos, fps=rate)

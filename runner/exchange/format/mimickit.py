@@ -24,11 +24,11 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from .. import layouts
-from ..held import times
+from ..array_reader import times
 from ..pickles import plain_pickle
 from ..robot import FREE, needs_figure
-from ..skeleton.hinged import BALL, HingeLayout, angles, rotation_of
-from ..take import Recording, Take
+from ..skeleton.hinge_joints import BALL, HingeLayout, angles, rotation_of
+from ..trajectory import Recording, Take
 
 CLAMP, WRAP = 0, 1  # its codes for what plays once and what repeats
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)

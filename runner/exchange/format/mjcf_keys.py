@@ -19,9 +19,9 @@ from ...errors import UserError
 from ...scene.assets import taken_along
 from ...scene.compose import figure_spec, first_line, quietly
 from ...scene.mujoco_versions import portable_text, remove
-from ..held import Held
+from ..array_reader import Held
 from ..simulation import scene, tracking
-from ..take import Recording, Take
+from ..trajectory import Recording, Take
 
 
 def write(take: Take, path: Path) -> None:

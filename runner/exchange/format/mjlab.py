@@ -26,9 +26,9 @@ from dynsplines.solver.figure.root import root_of
 from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts
-from ..held import Held, held, names_in, times
+from ..array_reader import Held, held, names_in, times
 from ..robot import Robot, configurations, needs_figure
-from ..take import Bodies, BodyPoses, Recording, Take
+from ..trajectory import Bodies, BodyPoses, Recording, Take
 
 NAME = "mjlab"
 

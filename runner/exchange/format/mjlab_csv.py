@@ -16,12 +16,12 @@ import mujoco
 import numpy as np
 
 from ...errors import UserError
-from .. import layouts, unsaid
-from ..held import Held
+from .. import layouts, missing_input
+from ..array_reader import Held
 from ..robot import Robot, configurations, needs_figure, robot_joints
-from ..skeleton.hinged import HingeLayout
+from ..skeleton.hinge_joints import HingeLayout
 from ..tables import table_text
-from ..take import Recording, Take
+from ..trajectory import Recording, Take
 from .csv_table import without_heading
 from .mjlab import beside as beside
 
@@ -55,7 +55,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     figure_joints = robot_joints(model)
     width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in figure_joints)
     if source.numbers.shape[1] != width + 1 and fps is None:
-        raise UserError(f"{path}: the format contains no rate; {unsaid.RATE}")
+        raise UserError(f"{path}: the format contains no rate; {missing_input.RATE}")
     if source.numbers.shape[1] not in (width, width + 1):
         shape = source.numbers.shape
         raise UserError(

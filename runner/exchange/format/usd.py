@@ -22,7 +22,7 @@ from ...errors import UserError
 from ...scene.triangles import Piece, linear, pieces, texels, triangles
 from ..nodes import usd_file
 from ..skeleton import hierarchy
-from ..take import Recording, Take
+from ..trajectory import Recording, Take
 from .bvh import recording
 
 ENDINGS = (".usd", ".usda", ".usdc")

@@ -20,7 +20,7 @@ from scipy.spatial.transform import Rotation, Slerp
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ...system import largest
+from ...system import size_limit
 from .node_tree import Nodes, moving_tree, rate_of
 
 KINDS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -75,7 +75,7 @@ class _File:
         view, kind = self.asset.bufferViews[accessor.bufferView], np.dtype(KINDS[accessor.componentType])
         width, start = WIDTHS[accessor.type], (view.byteOffset or 0) + (accessor.byteOffset or 0)
         stride = view.byteStride or width * kind.itemsize
-        largest.check(self.path, 8 * width * accessor.count, f"accessor {index}")
+        size_limit.check(self.path, 8 * width * accessor.count, f"accessor {index}")
         data = self.buffers[view.buffer]
         if start < 0 or stride < 1 or start + stride * (accessor.count - 1) + width * kind.itemsize > len(data):
             raise UserError(f"{self.path}: accessor {index} reaches beyond its buffer; the file is cut short")
@@ -96,7 +96,7 @@ class _File:
         first, last = min(float(times[0]) for times in keys), max(float(times[-1]) for times in keys)
         rate = fps or rate_of(max(keys, key=len))
         count = int((last - first) * rate + 1e-6) + 1
-        largest.check(self.path, 8 * 16 * count * len(self.asset.nodes), "its animation")
+        size_limit.check(self.path, 8 * 16 * count * len(self.asset.nodes), "its animation")
         at = first + np.arange(count) / rate
         order, parents = self._order()
         moved: dict[int, dict[str, Array]] = {}

@@ -16,7 +16,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ...system import largest
+from ...system import size_limit
 from .node_tree import Nodes, moving_tree
 
 REST = "rest"  # custom data of prims that this program writes: translation and rotation wxyz in the model's rest pose
@@ -95,7 +95,7 @@ def _times(
     a_second = stage.GetTimeCodesPerSecond()
     rate = fps or a_second / float(np.median(np.diff(codes)))
     count = int((codes[-1] - codes[0]) / a_second * rate + 1e-6) + 1
-    largest.check(path, 8 * 16 * count * nodes, "its motion")
+    size_limit.check(path, 8 * 16 * count * nodes, "its motion")
     return [codes[0] + i * a_second / rate for i in range(count)], rate
 
 

@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import UserError
-from ...system import largest
-from ..held import Held
+from ...system import size_limit
+from ..array_reader import Held
 from .pickled_arrays import CONSTRUCTORS, Refused, Trailing, Unfinished
 
 TENSORS = ": save its tensors as arrays in Python, with .numpy(), and dump it again"
@@ -43,13 +43,13 @@ def content(source: Path) -> bytes:
     opened = next((opened for mark, opened in COMPRESSED.items() if data.startswith(mark)), None)
     if opened is None:
         return data
-    most = largest.bound()
+    most = size_limit.bound()
     stream = opened()
     try:
         out = stream.decompress(data, most + 1)
     except (OSError, EOFError, ValueError, lzma.LZMAError, zlib.error) as error:
         raise UserError(f"{source}: damaged compressed file: {error}") from None
-    largest.check(source, len(out), "it, decompressed,")
+    size_limit.check(source, len(out), "it, decompressed,")
     if not stream.eof:
         raise UserError(f"{source}: damaged compressed file: cut short")
     return out
@@ -66,7 +66,7 @@ class _Unpickler(InPython):
 
     def __init__(self, stream: io.BytesIO, size: int, where: object) -> None:
         super().__init__(stream, encoding="latin1")
-        self.stream, self.size, self.where, self.most = stream, size, where, largest.bound()
+        self.stream, self.size, self.where, self.most = stream, size, where, size_limit.bound()
 
     def find_class(self, module: str, name: str) -> Any:
         """The safe constructor of a name."""
@@ -79,7 +79,7 @@ class _Unpickler(InPython):
         """Count an instruction; raises UserError if they need more memory than the limit."""
         self.size += STEP_BYTES
         if self.size > self.most:
-            largest.check(self.where, self.size, "what it holds")
+            size_limit.check(self.where, self.size, "what it holds")
 
     def check_top(self) -> None:
         """Complete the top of the stack if its state is known; raises Refused for long integers."""

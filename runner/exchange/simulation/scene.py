@@ -42,7 +42,7 @@ from ...scene.framing import size_of
 from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..forces import Forces
 from ..skeleton.roles import unique
-from ..take import Take
+from ..trajectory import Take
 
 FREQUENCY = 8.0  # [Hz] at which a limb held by its actuators would swing: several times what people do
 DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping

@@ -20,7 +20,7 @@ from dynsplines.solver.surface.touch import movers, solids
 from ...clip import load as clip
 from ...scene.compose import quietly
 from ..forces import Forces
-from ..take import Take
+from ..trajectory import Take
 from .scene import FREE, SLIDE, TIMESTEPS, Simulation
 
 LASTS = 1.0  # [s]

@@ -10,7 +10,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from .captured import Captured
+from .captured_skeleton import Captured
 from .roles import lineage, unique
 
 DENSITY = 1000.0  # [kg/m³]

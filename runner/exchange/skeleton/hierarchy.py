@@ -10,7 +10,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ..take import Bodies
+from ..trajectory import Bodies
 from .roles import unique
 
 # A figure of ours looks along x and has y to its left and z up; one of animators looks along z, has x to its left, y up

@@ -26,14 +26,14 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.root import Root
 
 from ...errors import UserError
-from .. import unsaid
+from .. import missing_input
 from . import hierarchy
 from .branches import completed
-from .captured import Captured
+from .captured_skeleton import Captured
 from .limbs import Limb, bend
 from .roles import apply_bone_map, lineage, roles
-from .rooted import carrying, shifted
-from .upright import standing_turn
+from .root_motion import carrying, shifted
+from .up_axis import standing_turn
 
 NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")
 NEXT = {
@@ -198,7 +198,7 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
             listed = captured.names if by_role is captured.roles else hierarchy.names(model)[1:]
             raise UserError(
                 f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}; "
-                f"{unsaid.MAP}"
+                f"{missing_input.MAP}"
             )
     root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
     if root is None:

@@ -15,7 +15,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from .captured import Captured
+from .captured_skeleton import Captured
 
 NAMES = (
     "pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2", "left_ankle", "right_ankle",

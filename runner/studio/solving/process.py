@@ -13,7 +13,7 @@ HEAVY = (  # what takes longest to import, in pieces of a few tenths of a second
     "dynsplines.solver.inbetween",
     "dynsplines.clip.table",
     "dynsplines.clip.load",
-    "dynsplines.studio.solving.work",
+    "dynsplines.studio.solving.loop",
 )
 PATIENCE = 2.5  # [s] that imports let the page go first, which has something to show already
 
@@ -26,13 +26,13 @@ def entry(line: Any, outside: bool, is_seen: bool) -> None:
     """
     from ...picture.graphics import do_without
     from ...system import mujoco_warnings
+    from ...system.low_priority import yielding
     from ...system.threads import keep_to_one, without_tools
-    from ...system.yielding import yielding
 
     keep_to_one()
     do_without()
     yielding([without_tools, *(partial(import_module, name) for name in HEAVY)], PATIENCE if is_seen else 0.0)
-    from .work import serve
+    from .loop import serve
 
     with mujoco_warnings.reported_to(mujoco_warnings.print_note):
         serve(line, outside)

@@ -13,7 +13,7 @@ from dynsplines.solver.posing import limb
 
 from ...clip.build import Clip
 from ...clip.posing.places import posable_sites
-from ...exchange.drawn import drawn
+from ...exchange.model_json import drawn
 from ...exchange.skeleton import hierarchy
 from ...scene.triangles import is_still, pieces
 

@@ -22,7 +22,7 @@ from paper.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, s
 from rich.console import Console
 from tiny import names
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.motion import Saved
@@ -66,12 +66,12 @@ def deviations(case: Case) -> Deviations:
 
 @pytest.fixture(scope="module")
 def climber() -> Saved:
-    return work.solve(clip.from_text(STEP_UP, name="climber"), quiet()).saved(quiet(), with_report=False)
+    return solving.solve(clip.from_text(STEP_UP, name="climber"), quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.fixture(scope="module")
 def tumbler() -> Saved:
-    return work.solve(clip.load("tumble"), quiet()).saved(quiet(), with_report=False)
+    return solving.solve(clip.load("tumble"), quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.fixture

@@ -10,10 +10,10 @@ from command import Command, commanded
 from dynsplines import UserError, load_motion, motion
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import taken
+from dynsplines.exchange.motion_import import taken
 from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.solving import unsolved
 from dynsplines.system.progress import Progress
-from dynsplines.work import unsolved
 
 TIMES = np.arange(45) / 30
 

@@ -7,11 +7,12 @@ import shipped
 from faulted import Take
 from paper.penetration import penetration
 
-from dynsplines.clean import cleaning, sinking
+from dynsplines.clean import cleaning
+from dynsplines.clean import penetration as sinking
 from dynsplines.clean.cleaning import Cleaned, cleaned
-from dynsplines.clean.comparing import Comparison, verdict
+from dynsplines.clean.comparison import Comparison, verdict
 from dynsplines.clean.repairs import repaired
-from dynsplines.clip.follow.keeping import Ground, ground_of
+from dynsplines.clip.tracking.penalties import Ground, ground_of
 from dynsplines.motion import samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path, natural_spline

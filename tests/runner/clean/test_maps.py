@@ -8,13 +8,13 @@ import pytest
 from command import Command, commanded
 from rich.console import Console
 
-from dynsplines import cli, work
-from dynsplines.clean import running
+from dynsplines import cli, solving
+from dynsplines.clean import command as clean_command
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.skeleton import retarget
 from dynsplines.exchange.skeleton.bvh_file import read
-from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import Captured
 from dynsplines.scene.compose import figure_spec
 from dynsplines.system.progress import Progress
 
@@ -23,7 +23,7 @@ ROLES = [f"{side}_{part}" for side in ("left", "right") for part in ("upper_arm"
 
 @pytest.fixture(scope="module")
 def walk(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    moved = work.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
+    moved = solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
     return Path(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh"))
 
 
@@ -102,9 +102,9 @@ def test_clean_uses_a_map(walk, tmp_path, monkeypatch):
     bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=False)
     lines = "".join(f'{role} = "{name}"\n' for role, name in bone_map.items())
     (tmp_path / "m.toml").write_text(f"[recording]\n{lines}", encoding="utf-8")
-    received = list[running.Source]()
-    monkeypatch.setattr(running, "run", lambda source, *_, **__: received.append(source))
+    received = list[clean_command.Source]()
+    monkeypatch.setattr(clean_command, "run", lambda source, *_, **__: received.append(source))
     cli.clean(tmp_path / "a.bvh", figure="human", map_file=tmp_path / "m.toml")
-    read_back = running._read(received[0], running._around(received[0]), Progress(Console(quiet=True)))
+    read_back = clean_command._read(received[0], clean_command._around(received[0]), Progress(Console(quiet=True)))
     expected, _ = retarget.onto(Captured.of(read(walk)[0]), figure_spec("human").compile(), "walk.bvh")
     np.testing.assert_allclose(read_back.qpos, expected, atol=1e-5)

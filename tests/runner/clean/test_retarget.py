@@ -16,9 +16,9 @@ from dynsplines.edit.edits import repeated
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
-from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import Captured
 from dynsplines.exchange.skeleton.roles import roles
-from dynsplines.exchange.take import Bodies
+from dynsplines.exchange.trajectory import Bodies
 from dynsplines.motion import Saved
 from dynsplines.solver import quaternion as quat
 from dynsplines.system.progress import Progress
@@ -44,10 +44,10 @@ def walked(files: Path) -> Saved:
     """The walk on the robot."""
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(files)
-        from dynsplines.clean import running
+        from dynsplines.clean import command
 
-        source = running.Source(Path("walk.bvh"), "android.xml", apart=True)
-        running.run(source, Path("out.npz"), overwrite=True, progress=Progress())
+        source = command.Source(Path("walk.bvh"), "android.xml", apart=True)
+        command.run(source, Path("out.npz"), overwrite=True, progress=Progress())
         return motion.load(Path("out.npz"))
 
 

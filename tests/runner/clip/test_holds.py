@@ -10,7 +10,7 @@ import pytest
 from carried import in_carried
 from rich.console import Console
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
@@ -274,7 +274,7 @@ def test_at_another_speed_and_in_a_part_of_the_clip_holds_keep_their_place(solve
     clip, _ = solved
     fast = retimed_tables(table_of(clip.text, "lift"), 2.0)
     assert [(row.start, row.end) for row in fast.hold] == [(0.3, 0.75)] * 2
-    part = trimmed(work.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
+    part = trimmed(solving.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
     (left, right) = clips.clip_from_motion(part).context.holds
     assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
     assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.hold") == 1

@@ -9,7 +9,7 @@ import pytest
 from rich.console import Console
 from tiny import CLIP, FIGURE, HINGE, changed, written
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.report import report, tables
 from dynsplines.system.progress import Progress
@@ -36,7 +36,7 @@ def kinds(problem: clip.Clip) -> set[str]:
 
 
 def solved(problem: clip.Clip) -> dict:
-    found = work.solve(problem, Progress(Console(file=io.StringIO())))
+    found = solving.solve(problem, Progress(Console(file=io.StringIO())))
     return report(found.clip, found.motion, 0.0)
 
 
@@ -88,11 +88,11 @@ def test_a_slide_beyond_its_range_is_reported_in_metres(tmp_path):
     )
     text = HINGE.format(keys="").replace('name="slide"', 'name="slide" limited="true" range="-.1 .2"')
     (tmp_path / "hinge.xml").write_text(text, encoding="utf-8")
-    data = report((one := work.unsolved(clip.load(str(path)))).clip, one.motion, 0.0)["after"]["beyond joint range"]
+    data = report((one := solving.unsolved(clip.load(str(path)))).clip, one.motion, 0.0)["after"]["beyond joint range"]
     assert data["unit"] == "m"
     assert 0.1 <= data["most"] < 0.3
 
 
 def test_no_limited_joints_no_row(tmp_path):
-    one = work.unsolved(clip.load(str(written(tmp_path))))
+    one = solving.unsolved(clip.load(str(written(tmp_path))))
     assert report(one.clip, one.motion, 0.0)["after"]["beyond joint range"] == {}

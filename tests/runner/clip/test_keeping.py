@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import shipped
 
-from dynsplines.clip.follow.keeping import NEXT_TO, Ground, ground_of, problem
+from dynsplines.clip.tracking.penalties import NEXT_TO, Ground, ground_of, problem
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure

@@ -12,7 +12,7 @@ from command import commanded
 from rich.console import Console
 from tiny import HINGE
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
@@ -90,7 +90,7 @@ def test_a_site_is_where_the_keyframe_specifies_and_stays_so_in_the_motion(coord
         rest = problem.keys[0].state
         same = {n for n in EVERY if np.array_equal(_own(problem, key.state, n), _own(problem, rest, n))}
         assert same == EVERY - leg
-    raw = work.unsolved(problem).motion
+    raw = solving.unsolved(problem).motion
     there = seen(problem, raw.at(0.8)[0]).site("left_toe").xpos
     np.testing.assert_allclose(there, [0.4, 0.1, 0.27], atol=MET)
 
@@ -188,7 +188,7 @@ def test_a_search_ends_within_a_millimetre_and_is_reported(coordinates):
     assert not problem.keys[1].fixed[_columns(problem, "right_shoulder")].any()
     (weight,) = [w for p, w in problem.penalties if isinstance(p, Placement)]
     assert weight == 30
-    solved = work.solve(problem, quiet())
+    solved = solving.solve(problem, quiet())
     data = seen(problem, solved.motion.at(0.8)[0])
     off = np.linalg.norm(data.site("right_hand").xpos - [0.5, -0.3, 1.1])
     assert off < 1e-3
@@ -213,7 +213,7 @@ def test_a_search_at_an_end_of_the_clip_is_met(which, others):
     bodies = (place, rest) if which == "first" else (rest, place)
     text = HEAD + "".join(f"[[keyframe]]\ntime = {i}\n{body}" for i, body in enumerate(bodies))
     problem = read(text)
-    motion = work.solve(problem, quiet()).motion
+    motion = solving.solve(problem, quiet()).motion
     at = motion.at(0.0 if which == "first" else 1.0)[0]
     assert np.linalg.norm(seen(problem, at).site("left_hand").xpos - [0.3, 0.2, 1.1]) < 1e-3
 
@@ -222,7 +222,7 @@ def test_a_search_at_an_end_of_the_clip_is_met(which, others):
 def test_only_given_axes_are_searched_for():
     text = second('sites.left_hand = {position = ["free", "free", 1.3], by = "search"}\n')
     problem = read(text)
-    at = work.solve(problem, quiet()).motion.at(0.8)[0]
+    at = solving.solve(problem, quiet()).motion.at(0.8)[0]
     assert seen(problem, at).site("left_hand").xpos[2] == pytest.approx(1.3, abs=1e-3)
 
 

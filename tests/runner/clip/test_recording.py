@@ -10,7 +10,7 @@ import shipped
 from command import commanded
 from paper.penetration import penetration
 
-from dynsplines import Keyframe, build, motion, recordings, work
+from dynsplines import Keyframe, build, motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.edit.edits import measured
 from dynsplines.errors import UserError
@@ -19,8 +19,8 @@ from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import TrackingPenalty
+from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
-from dynsplines.work import Solved
 
 REACH = """
 figure = "human"
@@ -242,7 +242,7 @@ def test_a_keyframe_of_an_arm_leaves_the_body_unchanged(folder, saved):
 @pytest.mark.parametrize("change", [[{}], {"a": 1}, [{"point": "left_toe", "from, s": 1, "to, s": 0}], 3])
 def test_stances_that_a_strangers_file_makes_up_are_refused_or_do_no_harm(folder, change):
     clip = recordings.from_text(KERB, name="kerb", folder=folder)
-    found = work.unsolved(clip).saved(Progress(), with_report=False)
+    found = solving.unsolved(clip).saved(Progress(), with_report=False)
     with pytest.raises(UserError, match="stances"):
         clips.clip_from_motion(replace(found, search={"stances": change}))
     kept = clips.clip_from_motion(replace(found, search={"stances": clip.stances}))

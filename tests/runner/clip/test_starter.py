@@ -13,7 +13,7 @@ import pytest
 from command import commanded
 from rich.console import Console
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.starter import starter
 from dynsplines.clip.text import keyframe_tables
@@ -61,7 +61,7 @@ def written(text: str, folder: Path) -> clip.Clip:
 def test_a_model_of_any_joint_gets_a_clip_that_moves_within_its_ranges(kind, tmp_path):
     problem = written(f"<mujoco><worldbody>{KINDS[kind]}</worldbody></mujoco>", tmp_path)
     assert len(problem.keys) == 3
-    solved = work.solve(problem, Progress(Console(file=io.StringIO())))
+    solved = solving.solve(problem, Progress(Console(file=io.StringIO())))
     saved = solved.saved(Progress(Console(file=io.StringIO())))
     assert saved.report["after"]["keyframe error"] <= 1e-12
     assert saved.report["after"]["beyond joint range"].get("most", 0) < 0.5

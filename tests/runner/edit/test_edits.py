@@ -14,7 +14,7 @@ import pytest
 import tiny
 from rich.console import Console
 
-from dynsplines import models, motion, work
+from dynsplines import models, motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.table import RotationTable
@@ -39,7 +39,7 @@ def progress() -> Progress:
 
 
 def solved(text: str, name: str) -> Saved:
-    return work.solve(clip.from_text(text, name=name), progress()).saved(progress(), with_report=False)
+    return solving.solve(clip.from_text(text, name=name), progress()).saved(progress(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -179,7 +179,7 @@ LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3,
 @pytest.mark.slow
 def test_an_edited_loop_is_still_measured_as_one(tmp_path):
     found = clip.load(str(tiny.written(tmp_path, LOOP)))
-    saved = work.solve(found, progress()).saved(progress(), with_report=False)
+    saved = solving.solve(found, progress()).saved(progress(), with_report=False)
     for edited in (saved, edits.retimed(saved, 2.0), edits.repeated(saved, 2)):
         report = edits.measured(edited, progress(), "edited").report
         count = len(edited.keys) // 2
@@ -223,7 +223,7 @@ def test_edits_that_make_no_motion_are_refused(steps, cycle, saved):
 @pytest.mark.slow
 def test_motions_in_different_coordinates_are_not_joined(steps):
     text = steps.text.replace("[solve]", '[solve]\ncoordinates = "joint"')
-    other = work.unsolved(clip.from_text(text, name="other")).saved(progress(), with_report=False)
+    other = solving.unsolved(clip.from_text(text, name="other")).saved(progress(), with_report=False)
     with pytest.raises(UserError, match="'steps' is in world coordinates, 'other' in joint coordinates"):
         edits.joined(steps, other, 0.4, progress())
 

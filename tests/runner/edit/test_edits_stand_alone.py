@@ -11,7 +11,7 @@ import shipped
 import tiny
 from rich.console import Console
 
-from dynsplines import models, motion, recordings, work
+from dynsplines import models, motion, recordings, solving
 from dynsplines.clip import file as clip_file
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import table_of
@@ -39,7 +39,7 @@ def shared(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def solved(clip: Clip) -> Saved:
-    return work.solve(clip, quiet()).saved(quiet(), with_report=False)
+    return solving.solve(clip, quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +96,7 @@ def test_what_is_edited_of_a_motion_that_follows_a_recording_is_a_motion_of_keyf
         clip_file.write(edited, tmp_path / "part.toml", exact=exact, overwrite=True)
         again = recordings.load(str(tmp_path / "part.toml"))
         np.testing.assert_allclose([k.time for k in again.keys], [k.time for k in edited.keys], atol=1e-12)
-    own = work.solve(again, quiet()).motion.timeline  # exact: the spline through them as it is
+    own = solving.solve(again, quiet()).motion.timeline  # exact: the spline through them as it is
     np.testing.assert_allclose(
         again.figure.to_qpos(path_of(own).at(when(times)))[:, :3], at(edited, when(times))[:, :3], rtol=0, atol=off
     )

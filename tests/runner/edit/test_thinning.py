@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from tiny import names, written
 
-from dynsplines import motion, work
+from dynsplines import motion, solving
 from dynsplines.cli import app
 from dynsplines.clip import load as clip
 from dynsplines.clip.parse import table_of
@@ -28,7 +28,7 @@ BOUND = (0.02, np.radians(5))
 @pytest.fixture(scope="module")
 def walk() -> Saved:
     """The loop as its raw spline, which is quick to have."""
-    return work.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
+    return solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -86,7 +86,7 @@ def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
     run(source, target, exact=True)
-    again = work.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
+    again = solving.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
     said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \((\w+)\)", capsys.readouterr().err)
     assert said
     assert int(said[1]) == len(again.keys) < 15
@@ -105,7 +105,7 @@ def test_a_clip_is_solved_as_ever_and_both_motions_are_reported(straight, tmp_pa
     run(source, target)
     found = clip.load(str(target))
     assert found.settings.max_evaluations > 1 and found.settings.variable != 0
-    again = work.solve(found, Progress()).saved(Progress(), with_report=False)
+    again = solving.solve(found, Progress()).saved(Progress(), with_report=False)
     assert again.timeline.variable_count > 0
     spline, solved = (
         float(number) for number in re.findall(r"at most ([\d.]+) cm", "".join(capsys.readouterr().err.splitlines()))
@@ -125,7 +125,7 @@ def test_thinning_an_exact_clip_gives_one_that_is_searched(straight, tmp_path):
     run(source, target, exact=True)
     solve = table_of(target.read_text(), "step").solve
     assert solve is not None and (solve.variable, solve.frames, solve.evaluations) == (0, 0, 1)
-    exact = work.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
+    exact = solving.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
     solve = table_of(thinned(exact, *BOUND).motion.text, "again").solve
     assert solve is None or (solve.variable, solve.frames, solve.evaluations) == (None, None, None)
 
@@ -157,7 +157,7 @@ def test_the_solved_motion_keeps_the_bound_where_that_is_asked(walk, tmp_path):
     run(source, target, solve=True)
     off = []
     for file in (tmp_path / "spline.toml", target):
-        again = work.solve(clip.load(str(file)), Progress()).saved(Progress(), with_report=False)
+        again = solving.solve(clip.load(str(file)), Progress()).saved(Progress(), with_report=False)
         assert again.timeline.variable_count > 0
         off.append(apart(step, again))
     assert off[0] > 0.02  # as few keyframes as its spline needs are too few for what is searched

@@ -11,7 +11,7 @@ import tiny
 from rich.console import Console
 from scipy.spatial.transform import Rotation
 
-from dynsplines import motion, work
+from dynsplines import motion, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.posing.rotation import quaternion_of
@@ -19,7 +19,7 @@ from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationT
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of
 from dynsplines.errors import UserError
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.trajectory import Take
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
 from dynsplines.solver import quaternion as quat
@@ -43,7 +43,7 @@ def progress() -> Progress:
 
 
 def solved(folder: Path, text: str) -> Saved:
-    return work.solve(clips.load(str(tiny.written(folder, text))), progress()).saved(progress(), with_report=False)
+    return solving.solve(clips.load(str(tiny.written(folder, text))), progress()).saved(progress(), with_report=False)
 
 
 @pytest.fixture(scope="module", params=[TOLD, GIVEN], ids=["told", "given"])

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines import models
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, gaps
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
 ROBOT = mujoco.MjModel.from_xml_string(ANDROID)

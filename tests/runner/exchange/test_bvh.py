@@ -14,17 +14,17 @@ import puppet
 import pytest
 from scipy.spatial.transform import Rotation
 
-from dynsplines import models, work
+from dynsplines import models, solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import bvh
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
-from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import Captured
 from dynsplines.exchange.skeleton.roles import roles
-from dynsplines.exchange.take import Bodies, Take
+from dynsplines.exchange.trajectory import Bodies, Take
 from dynsplines.scene.mujoco_versions import remove
 from dynsplines.solver import quaternion as quat
 from dynsplines.system.progress import Progress
@@ -34,12 +34,12 @@ TENTH = 1e-4  # [m]
 
 @pytest.fixture(scope="module")
 def cartwheel():
-    return Take.of(work.unsolved(clip.load("cartwheel")).saved(Progress(), with_report=False))
+    return Take.of(solving.unsolved(clip.load("cartwheel")).saved(Progress(), with_report=False))
 
 
 @pytest.fixture(scope="module")
 def rail():
-    return Take.of(work.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False), 24.0)
+    return Take.of(solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False), 24.0)
 
 
 def y_up(take):

@@ -13,7 +13,7 @@ from dynsplines import models
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import mimickit
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
 Y_UP = Rotation.from_matrix([[1, 0, 0], [0, 0, 1], [0, -1, 0]])  # from our axes to DeepMimic's: x, up, right

@@ -6,18 +6,18 @@ import mujoco
 import numpy as np
 import pytest
 
-from dynsplines import models, motion, work
+from dynsplines import models, motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import csv_table
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 from dynsplines.system.progress import Progress
 
 
 @pytest.fixture(scope="module")
 def saved():
-    return work.unsolved(clip.load("sit_down")).saved(Progress(), with_report=False)
+    return solving.unsolved(clip.load("sit_down")).saved(Progress(), with_report=False)
 
 
 @pytest.mark.slow

@@ -6,7 +6,7 @@ import pytest
 from dynsplines.errors import UserError
 from dynsplines.exchange import gaps
 from dynsplines.exchange.skeleton import bvh_file
-from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import Captured
 
 CHANNELS = "CHANNELS 3 Zrotation Xrotation Yrotation"
 JOINTS = ("LeftUpLeg", "LeftLeg", "RightUpLeg", "RightLeg", "LeftHandThumb1")

@@ -11,7 +11,7 @@ from random_robots import motion_of
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.take import Wishes
+from dynsplines.exchange.trajectory import Wishes
 from dynsplines.solver import quaternion as quat
 
 ARM = """

@@ -9,9 +9,9 @@ import pytest
 import shipped
 
 from dynsplines import UserError, load_motion
-from dynsplines.clean import running
+from dynsplines.clean import command
 from dynsplines.exchange import formats, gaps
-from dynsplines.exchange.imported import imported, taken
+from dynsplines.exchange.motion_import import imported, taken
 from dynsplines.system.progress import Progress
 
 
@@ -86,8 +86,8 @@ def test_the_sample_before_stands_in_or_the_first_good_one(index: int) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("ending", ["bvh", "csv"])
 def test_clean_bridges_them(folder: Path, tmp_path: Path, ending: str) -> None:
-    target = running.run(
-        running.Source(folder / f"torn.{ending}", "human"), tmp_path / "clean.npz", progress=Progress()
+    target = command.run(
+        command.Source(folder / f"torn.{ending}", "human"), tmp_path / "clean.npz", progress=Progress()
     )
     whole = taken(folder / "whole.bvh", figure="human")
     found = load_motion(target)

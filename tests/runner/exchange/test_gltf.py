@@ -12,11 +12,11 @@ import numpy as np
 import puppet
 import pytest
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.trajectory import Take
 from dynsplines.system.progress import Progress
 
 pygltflib = pytest.importorskip("pygltflib")
@@ -32,7 +32,7 @@ require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSyn
 def take(request):
     if request.param == "puppet":
         return Take.of(puppet.moved(), 48.0)
-    return Take.of(work.unsolved(clip.load(request.param)).saved(Progress(), with_report=False))
+    return Take.of(solving.unsolved(clip.load(request.param)).saved(Progress(), with_report=False))
 
 
 @pytest.fixture(scope="module")

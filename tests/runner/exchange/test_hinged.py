@@ -10,8 +10,8 @@ from figures import BALL_TREE
 from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
-from dynsplines.exchange.skeleton.hinged import Hinged, HingeLayout, angles, rates, rotation_of
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.skeleton.hinge_joints import Hinged, HingeLayout, angles, rates, rotation_of
+from dynsplines.exchange.trajectory import Take
 from dynsplines.scene.assets import Scene
 from dynsplines.solver import quaternion as quat
 

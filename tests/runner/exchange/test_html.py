@@ -15,7 +15,7 @@ import pytest
 
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import html
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.trajectory import Take
 
 SOURCES = Path(__file__).parents[3] / "pages" / "src"
 

@@ -6,7 +6,7 @@ import pytest
 import wild
 
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 
 TETRAHEDRON = "v 0 0 0\nv .1 0 0\nv 0 .12 0\nv 0 0 .3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 FIGURE = """

@@ -9,7 +9,7 @@ import wild
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 
 
 @pytest.fixture(scope="module")

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 from dynsplines.motion import sampled
 from dynsplines.system.progress import Progress
 
@@ -173,7 +173,7 @@ def test_bones_are_where_the_files_matrices_put_them(name, tmp_path):
 @pytest.mark.parametrize("ending", ["glb", "usdc"])
 def test_a_motion_written_by_this_program_comes_back(ending, tmp_path):
     """Joints to the precision of the file; the root is placed on the ground, so it may be lifted as a whole."""
-    written = work.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False)
+    written = solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False)
     file = formats.export(written, "gltf" if ending == "glb" else "usd", tmp_path / f"a.{ending}")
     back = imported(file, figure="human", progress=Progress())
     wanted = sampled(written.figure, written.timeline, written.fps).qpos

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 import wild
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
 from dynsplines.exchange.forces import Forces
-from dynsplines.exchange.imported import imported
-from dynsplines.exchange.take import Take, Wishes
+from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.trajectory import Take, Wishes
 from dynsplines.system.progress import Progress
 
 ALL = tuple(quantities.GROUPS)
@@ -24,7 +24,7 @@ NAMES = (
 
 
 def unsolved(name):
-    return work.unsolved(clip.load(name)).saved(Progress(), with_report=False)
+    return solving.unsolved(clip.load(name)).saved(Progress(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -114,7 +114,7 @@ def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
     text = 'figure = "human"\n'
     for time, x in ((0, 0), (0.3, 0), (1.3, 0.8)):
         text += f'[[keyframe]]\ntime = {time}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
-    saved, said = work.unsolved(clip.from_text(text, name="away")).saved(Progress(), with_report=False), []
+    saved, said = solving.unsolved(clip.from_text(text, name="away")).saved(Progress(), with_report=False), []
     path = formats.export(saved, "csv", tmp_path / "a.csv", wishes=Wishes(columns=("ground",)), tell=said.append)
     forces = Forces.of(Take.of(saved))
     assert 0.1 < forces.known.mean() < 0.5
@@ -133,7 +133,7 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
     text = f'figure = "{tmp_path}/arm.xml"\n' + "".join(
         f"[[keyframe]]\ntime = {t}\njoints.turn = {90 * t}\njoints.reach = 0\n" for t in (0, 1)
     )
-    saved = work.unsolved(clip.from_text(text, name="arm")).saved(Progress(), with_report=False)
+    saved = solving.unsolved(clip.from_text(text, name="arm")).saved(Progress(), with_report=False)
     columns = quantities.table(Take.of(saved), ("velocities", "torques"))
     assert list(columns) == ["turn.v [rad/s]", "reach.v [m/s]", "turn.t [N m]", "reach.f [N]"]
     assert all(np.isfinite(column).all() for column in columns.values())

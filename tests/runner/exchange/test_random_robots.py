@@ -19,7 +19,7 @@ from simulated import exported, played
 from dynsplines.errors import UserError
 from dynsplines.exchange import quantities
 from dynsplines.exchange.forces import Forces
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.trajectory import Take
 from dynsplines.motion import Saved
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask

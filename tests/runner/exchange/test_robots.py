@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines import motion
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 
 JOINTS = ["left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "arm_pitch"]
 

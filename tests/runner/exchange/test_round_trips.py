@@ -5,7 +5,7 @@ import wild
 from round_trip import check_round_trip
 
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import imported
+from dynsplines.exchange.motion_import import imported
 
 
 @pytest.mark.slow

@@ -7,12 +7,12 @@ import numpy as np
 import puppet
 import pytest
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.trajectory import Take
 from dynsplines.system.progress import Progress
 
 Usd, UsdGeom = (pytest.importorskip(f"pxr.{name}") for name in ("Usd", "UsdGeom"))
@@ -22,7 +22,7 @@ Usd, UsdGeom = (pytest.importorskip(f"pxr.{name}") for name in ("Usd", "UsdGeom"
 def take(request):
     if request.param == "puppet":
         return Take.of(puppet.moved(name="2 puppets"), 48.0)
-    return Take.of(work.unsolved(clip.load(request.param)).saved(Progress(), with_report=False), 25.0)
+    return Take.of(solving.unsolved(clip.load(request.param)).saved(Progress(), with_report=False), 25.0)
 
 
 @pytest.fixture(scope="module", params=["usda", "usdc"])

@@ -7,7 +7,7 @@ from rich.console import Console
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.imported import imported, taken
+from dynsplines.exchange.motion_import import imported, taken
 from dynsplines.system.progress import Progress
 
 ARM = """

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.measure import violation
@@ -27,7 +27,7 @@ def read(text: str, model: str, folder: Path) -> Clip:
 
 def violations(clip: Clip, kind: str) -> list[Violation]:
     """The violations of a kind on the spline through a clip's keyframes, by time."""
-    raw = work.unsolved(clip).motion.raw
+    raw = solving.unsolved(clip).motion.raw
     found = [each for each in violation.violations(clip, raw, raw) if each.kind == kind]
     return sorted(found, key=lambda each: (each.time or 0.0, each.name))
 

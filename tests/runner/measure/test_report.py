@@ -13,7 +13,7 @@ import pytest
 from rich.console import Console
 from tiny import FIGURE, written
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.quantities import Side
 from dynsplines.measure.report import _far_from_trouble, report, tables
@@ -21,8 +21,8 @@ from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import optimised
+from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
-from dynsplines.work import Solved
 
 FOOT = """
 <mujoco><worldbody>
@@ -40,7 +40,7 @@ def unsolved(folder, keys: list[tuple[float, float, float, float]], head: str = 
         text += f"[[keyframe]]\ntime = {time}\nroot.position = [{x}, {y}, {z}]\nroot.rotation = {{rotvec=[0,0,0]}}\n"
     written(folder, text, "foot.toml")
     (folder / "foot.xml").write_text(FOOT, encoding="utf-8")
-    return work.unsolved(clip.load(str(folder / "foot.toml")))
+    return solving.unsolved(clip.load(str(folder / "foot.toml")))
 
 
 def side(solved: Solved) -> dict:
@@ -207,7 +207,7 @@ def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
 
 def test_a_recording_is_measured_as_what_was_searched_is(solved: Solved):
     """The raw spline of a clip: once as a recording, and once beside what the search made of it."""
-    raw = work.unsolved(solved.clip)
+    raw = solving.unsolved(solved.clip)
     assert raw.motion.is_raw and not solved.motion.is_raw
     assert not replace(raw.motion, evaluations=1).is_raw
     alone, beside = report(raw.clip, raw.motion, 0.0)["after"], report(solved.clip, solved.motion, 0.0)["before"]
@@ -274,7 +274,7 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
     else:
         path = written(tmp_path)
         (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", "tip"), encoding="utf-8")
-    solved = work.solve(clip.load(str(path)), Progress(Console(file=io.StringIO())))
+    solved = solving.solve(clip.load(str(path)), Progress(Console(file=io.StringIO())))
     data = solved.saved(Progress(Console(file=io.StringIO()))).report
     json.dumps(data, allow_nan=False)
     assert data["after"]["skate"] == {}

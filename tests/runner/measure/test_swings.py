@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.swings import runs, swings, words
 from dynsplines.motion import samples_at
@@ -28,7 +28,7 @@ def hopper(folder, start=0.0):
     keys = [f"[[keyframe]]\ntime = {t}\njoints.lift = {z}\njoints.toes = 0\n" for t, z in LIFTS.items()]
     (folder / "hop.toml").write_text('figure = "hopper.xml"\n' + "".join(keys), encoding="utf-8")
     problem = clip.load(str(folder / "hop.toml"))
-    return problem, path_of(work.unsolved(problem).motion.raw)
+    return problem, path_of(solving.unsolved(problem).motion.raw)
 
 
 def test_every_swing_is_reported_with_its_height(tmp_path):

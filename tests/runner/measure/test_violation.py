@@ -16,7 +16,7 @@ import pytest
 from paper.penetration import penetration
 from rich.console import Console
 
-from dynsplines import Keyframe, build, inbetween, load_motion, motion, work
+from dynsplines import Keyframe, build, inbetween, load_motion, motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
@@ -66,7 +66,7 @@ def read(text: str, figure: str = "", folder: Path | None = None) -> Clip:
 
 def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """With the raw spline, or with another timeline through its keyframes; figures here may hang in the air."""
-    raw = work.unsolved(problem).motion.raw
+    raw = solving.unsolved(problem).motion.raw
     found = violation.violations(problem, timeline or raw, raw, stop)
     return tuple(each for each in found if each.kind != "aloft")
 
@@ -82,7 +82,7 @@ def kinds(found: Sequence[Violation]) -> set[str]:
 
 def with_frame(problem: Clip, at: float, change: np.ndarray) -> Timeline:
     """The raw spline with one more frame, in which the state is another."""
-    raw = work.unsolved(problem).motion.raw
+    raw = solving.unsolved(problem).motion.raw
     return raw.inserted([Frame.variable(at, path_of(raw).at(np.array([at]))[0] + change)])
 
 
@@ -120,7 +120,7 @@ def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is(tmp_path):
     )
     problem = read(rows, BALL, tmp_path)
     found = next(each for each in wrong(problem) if each.kind == "penetration")
-    run = sampled(problem.figure, work.unsolved(problem).motion.raw, 1000.0)
+    run = sampled(problem.figure, solving.unsolved(problem).motion.raw, 1000.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
     assert found.amount == pytest.approx(seen.deepest, abs=1e-4)
     assert found.time == pytest.approx(0.75, abs=0.01)
@@ -137,14 +137,14 @@ def test_a_joint_that_swings_in_a_hold_is_reported(tmp_path):
     assert (first.kind, first.name, second.kind) == ("overshoot", "arm", "overshoot")
     assert first.amount == pytest.approx(np.abs(raw).max() - 1, abs=0.1)
     assert "the keyframes at 0 and 1 s both specify" in first.text
-    assert work.solve(problem, quiet()).violations == ()
+    assert solving.solve(problem, quiet()).violations == ()
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["hand_on_rail", "jump_over_box", "sit_down"])
 def test_depths_are_mujocos(name):
     problem = clip.load(name)
-    raw = work.unsolved(problem).motion.raw
+    raw = solving.unsolved(problem).motion.raw
     found = [each for each in wrong(problem) if each.kind == "penetration"]
     run = sampled(problem.figure, raw, 240.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
@@ -236,7 +236,7 @@ def test_a_contact_that_moves_and_its_worst_moment():
     contact = '[[contact]]\npoint = "right_toe"\nfrom = 1.2\nto = 1.8\n'
     problem = read(STANDING + contact)
     found = [each for each in wrong(problem) if each.kind == "contact"]
-    raw = path_of(work.unsolved(problem).motion.raw)
+    raw = path_of(solving.unsolved(problem).motion.raw)
     x = raw.at(np.array([1.2, 1.5, 1.8]))[:, 0]
     assert [(each.name, each.keyframe) for each in found] == [("right_toe", None)]
     assert found[0].amount == pytest.approx(max(x[1] - x[0], x[2] - x[1]), abs=1e-3)
@@ -279,7 +279,7 @@ def test_a_point_off_the_place_that_the_search_was_to_find(tmp_path):
     (found,) = wrong(problem)
     assert (found.kind, found.name, found.keyframe) == ("placement", "tip", None)
     assert found.text == "tip is 50 mm off its place at 1.00 s"
-    assert wrong(problem, work.solve(problem, quiet()).motion.timeline) == ()
+    assert wrong(problem, solving.solve(problem, quiet()).motion.timeline) == ()
 
 
 def swinging(*turns: float) -> str:
@@ -294,7 +294,7 @@ def swinging(*turns: float) -> str:
 def deepest(problem: Clip, rate: float) -> float:
     """[m] of any pair of geoms that MuJoCo lets collide, by its distances, along the raw spline."""
     model, data = problem.figure.model, mujoco.MjData(problem.figure.model)
-    run = sampled(problem.figure, work.unsolved(problem).motion.raw, rate)
+    run = sampled(problem.figure, solving.unsolved(problem).motion.raw, rate)
     depth = 0.0
     for qpos in run.qpos:
         data.qpos[:] = qpos
@@ -403,7 +403,7 @@ def test_a_foot_is_one_line_in_an_interval_and_not_one_for_each_of_its_points():
 
 def test_a_limb_that_whips():
     problem = read('figure = "human"\n' + HIGH.format(0) + HIGH.format(1))
-    raw = work.unsolved(problem).motion.raw
+    raw = solving.unsolved(problem).motion.raw
     elbow = next(link for link in problem.figure.links if link.name == "left_elbow")
     assert problem.figure.is_world
     state = path_of(raw).at(np.array([0.5]))[0]
@@ -477,7 +477,7 @@ def test_limbs_that_one_keyframe_sinks_are_one_line():
 def test_the_look_is_quick():
     problem = clip.load("run_and_step")
     wrong(problem)
-    raw = work.unsolved(problem).motion.raw
+    raw = solving.unsolved(problem).motion.raw
     spent = []
     for _ in range(3):
         begin = time.perf_counter()
@@ -494,7 +494,7 @@ def walked() -> motion.Saved:
     """A motion with a contact that moves and a place that is missed."""
     contact = '[[contact]]\npoint = "right_toe"\nfrom = 1.2\nto = 1.8\n'
     site = 'sites.left_hand = {position = [0.5, 0.4, 1.2], by = "search"}\n'
-    return work.unsolved(unposed(read(STANDING + site + contact))).saved(quiet(), with_report=False)
+    return solving.unsolved(unposed(read(STANDING + site + contact))).saved(quiet(), with_report=False)
 
 
 def said(saved: motion.Saved) -> set[tuple[str, str]]:

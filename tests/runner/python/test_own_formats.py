@@ -8,7 +8,7 @@ import pytest
 import shipped
 
 from dynsplines import UserError, import_motion
-from dynsplines.exchange.take import Recording, Take
+from dynsplines.exchange.trajectory import Recording, Take
 from dynsplines.python.motion import Motion
 from dynsplines.system.progress import Progress
 

@@ -14,7 +14,7 @@ from meshes import stl
 from PIL import Image
 from rich.console import Console
 
-from dynsplines import motion, work
+from dynsplines import motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.picture.show import Look, images
@@ -81,7 +81,7 @@ def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
 
 @pytest.mark.slow
 def test_a_motion_file_needs_no_other_files(model):
-    found = work.solve(clip.load(str(model)), told()).saved(told(), with_report=False)
+    found = solving.solve(clip.load(str(model)), told()).saved(told(), with_report=False)
     target = model.parent.parent / "it.npz"
     motion.save(found, target)
     for path in sorted(model.parent.rglob("*"), reverse=True):
@@ -104,7 +104,7 @@ def test_a_motion_file_of_the_first_format_still_loads(motion_file, tmp_path):
 @pytest.mark.parametrize("damage", ["asset_0", "asset_names"])
 def test_a_motion_file_with_damaged_assets_is_refused(model, damage, tmp_path):
     target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
-    motion.save(work.unsolved(clip.load(str(model))).saved(told(), with_report=False), target)
+    motion.save(solving.unsolved(clip.load(str(model))).saved(told(), with_report=False), target)
     with np.load(target) as data:
         np.savez(bad, **{**data, damage: np.zeros(3)})  # type: ignore[arg-type]
     with pytest.raises(UserError, match="its arrays do not fit together"):

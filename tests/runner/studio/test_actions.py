@@ -14,8 +14,8 @@ from dynsplines.errors import UserError
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
 from dynsplines.studio.session import Session
+from dynsplines.studio.solving.loop import Work
 from dynsplines.studio.solving.stage import limbs
-from dynsplines.studio.solving.work import Work
 
 FIGURE = """
 <mujoco model="leg">

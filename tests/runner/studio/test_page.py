@@ -573,8 +573,8 @@ def saved_run():
 
     from dynsplines.clip import load as clips
     from dynsplines.solver.solution import Solution
+    from dynsplines.solving import Solved
     from dynsplines.system.progress import Progress
-    from dynsplines.work import Solved
 
     clip = clips.load("run_and_step")
     raw = Solution(clip.figure, clip.problem.plain_objective, clip.problem.raw, clip.problem.raw)

@@ -16,7 +16,7 @@ with warnings.catch_warnings():  # of one version's preference for another clien
 from starlette.websockets import WebSocketDisconnect
 
 from dynsplines.errors import UserError
-from dynsplines.studio import files, start
+from dynsplines.studio import files, launch
 from dynsplines.studio.document import Document
 from dynsplines.studio.server import Door, application
 from dynsplines.studio.session import Session
@@ -188,12 +188,12 @@ def test_what_the_studio_does_not_know_is_answered_in_words(client):
 
 
 def test_another_host_needs_leave_and_says_what_it_means():
-    start.check_host("127.0.0.1", allow_remote=False)
-    start.check_host("::1", allow_remote=False)
-    start.check_host("0.0.0.0", allow_remote=True)
+    launch.check_host("127.0.0.1", allow_remote=False)
+    launch.check_host("::1", allow_remote=False)
+    launch.check_host("0.0.0.0", allow_remote=True)
     for host in ("0.0.0.0", "192.168.1.5", "example.org"):
         with pytest.raises(UserError, match=r"other machines could reach .* --allow-remote"):
-            start.check_host(host, allow_remote=False)
+            launch.check_host(host, allow_remote=False)
 
 
 def began(session, monkeypatch, **wishes):
@@ -201,10 +201,10 @@ def began(session, monkeypatch, **wishes):
     served, said = [], []
     monkeypatch.setattr(Session, "start", lambda self: None)
     monkeypatch.setattr(
-        start, "_serve", lambda session, listening, *door: served.append((listening.getsockname(), *door))
+        launch, "_serve", lambda session, listening, *door: served.append((listening.getsockname(), *door))
     )
     wished: dict[str, Any] = {"host": "127.0.0.1", "port": 0, "browser": False, "allow_remote": False, **wishes}
-    start.run(session.document, say=said.append, **wished)
+    launch.run(session.document, say=said.append, **wished)
     return served[0], said
 
 
@@ -242,7 +242,7 @@ def test_a_port_that_is_taken_is_reported(tmp_path):
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         with pytest.raises(UserError, match="--port"):
-            start._bound("127.0.0.1", taken.getsockname()[1])
+            launch._bound("127.0.0.1", taken.getsockname()[1])
 
 
 def test_undo_with_nothing_to_undo_is_refused(session):
@@ -255,7 +255,7 @@ def test_words_of_the_server_do_not_wait_for_each_other():
 
     async def delays():
         told = asyncio.get_running_loop().create_future()
-        listening = start._bound("127.0.0.1", 0)
+        listening = launch._bound("127.0.0.1", 0)
 
         def came(reader, writer):
             told.set_result(writer.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY))

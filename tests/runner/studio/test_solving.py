@@ -17,7 +17,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.studio import paths
-from dynsplines.studio.solving.work import Work
+from dynsplines.studio.solving.loop import Work
 
 DEVIATION = ("Euler-Lagrange residual", "what a frame promises")
 

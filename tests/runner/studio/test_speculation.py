@@ -14,7 +14,7 @@ from dynsplines.studio import actions
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
 from dynsplines.studio.session import Session
-from dynsplines.studio.solving.work import Work
+from dynsplines.studio.solving.loop import Work
 
 EDITED = tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]")
 
@@ -95,7 +95,7 @@ def test_an_invalid_clip_is_rejected_when_it_is_sent_and_not_before(work, tmp_pa
 
 def test_clips_that_load_slowly_are_not_solved_speculatively(work, tmp_path, monkeypatch):
     """Whatever is said meanwhile would wait for it."""
-    monkeypatch.setattr("dynsplines.studio.solving.work.QUICK", 1e-6)
+    monkeypatch.setattr("dynsplines.studio.solving.loop.QUICK", 1e-6)
     load(work, tmp_path, tiny.CLIP + "\n", 1)
     speculate(work, tmp_path, EDITED)
     assert kinds(load(work, tmp_path, EDITED, 2))[0] == "carried"

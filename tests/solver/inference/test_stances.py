@@ -7,8 +7,8 @@ import shipped
 from densities import log_normal
 from faulted import Take
 
-from dynsplines.clip.follow.keeping import Ground
 from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inference.ground_alignment import align_to_ground

@@ -9,11 +9,11 @@ import shipped
 from rich.console import Console
 from simulated import between, clip_file, exported, played
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.take import Wishes
+from dynsplines.exchange.trajectory import Wishes
 from dynsplines.system.progress import Progress
 
 LASTS = 1.0  # [s] of simulation
@@ -95,7 +95,7 @@ def rig(tmp_path_factory):
     folder = tmp_path_factory.mktemp("rig")
     (folder / "rig.xml").write_text(RIG)
     problem = clip.load(str(clip_file(folder, folder / "rig.xml", *KEYS)))
-    saved = work.unsolved(problem).saved(quiet(), with_report=False)
+    saved = solving.unsolved(problem).saved(quiet(), with_report=False)
     return saved, exported(saved, folder)[0]
 
 

@@ -9,7 +9,7 @@ import wild
 
 from dynsplines.exchange.simulation.scene import Simulation
 from dynsplines.exchange.simulation.tracking import note, refined
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.trajectory import Take
 
 BOX = """<mujoco><worldbody><geom type="plane" size="0 0 1" name="floor"/>
   <body name="base" pos="0 0 {z}"><freejoint name="root"/><geom type="box" size=".2 .2 .1" mass="4"/>

@@ -8,13 +8,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 from turned_axes import turned
 
-from dynsplines import models, work
+from dynsplines import models, solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange.format import bvh
 from dynsplines.exchange.skeleton import retarget
-from dynsplines.exchange.skeleton.captured import Captured
-from dynsplines.exchange.skeleton.upright import vertical
-from dynsplines.exchange.take import Take
+from dynsplines.exchange.skeleton.captured_skeleton import Captured
+from dynsplines.exchange.skeleton.up_axis import vertical
+from dynsplines.exchange.trajectory import Take
 from dynsplines.system.progress import Progress
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
@@ -29,7 +29,7 @@ UPS = {  # how a file whose y is up is turned
 @pytest.fixture(scope="module")
 def walk():
     """A person's walk in BVH's axes."""
-    return bvh.skeleton(Take.of(work.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)))
+    return bvh.skeleton(Take.of(solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)))
 
 
 def on_human(skeleton):

@@ -12,7 +12,7 @@ from penalty_slope import penalty_slope
 from random_samples import random_samples
 from rich.console import Console
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -65,13 +65,13 @@ FOUR_BAR = """
   <connect body1="rod" body2="rocker" anchor=".3 0 0"/><weld body1="lid"/></equality></mujoco>"""
 
 
-def solved(text: str, keys: str, folder: Path) -> work.Solved:
+def solved(text: str, keys: str, folder: Path) -> solving.Solved:
     (folder / "it.xml").write_text(text, encoding="utf-8")
     problem = clip.from_text('figure = "it.xml"\n' + keys, name="it", folder=folder)
-    return work.solve(problem, Progress(Console(file=io.StringIO())))
+    return solving.solve(problem, Progress(Console(file=io.StringIO())))
 
 
-def measured(found: work.Solved) -> dict:
+def measured(found: solving.Solved) -> dict:
     return found.saved(Progress(Console(file=io.StringIO()))).report["after"]["equality constraints"]
 
 

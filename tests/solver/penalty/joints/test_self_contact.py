@@ -16,7 +16,7 @@ from penalty_slope import penalty_slope, scaled_like
 from random_samples import random_samples
 from rich.console import Console
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.report import report, tables
 from dynsplines.solver.curve.spline import path_of
@@ -239,7 +239,7 @@ def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_milli
     deepest = {}
     for asked in ("", "[[penalty]]\nkind = 'collision'\nself = true\nmargin = 0.002\n"):
         (tmp_path / "arms.toml").write_text(SWING + asked, encoding="utf-8")
-        solved = work.solve(clip.load(str(tmp_path / "arms.toml")), Progress(Console(file=io.StringIO())))
+        solved = solving.solve(clip.load(str(tmp_path / "arms.toml")), Progress(Console(file=io.StringIO())))
         data = report(solved.clip, solved.motion, 0.0)
         out = io.StringIO()
         Console(file=out, width=160).print(tables(data))

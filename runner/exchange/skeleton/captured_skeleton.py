@@ -11,11 +11,11 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from .. import unsaid
+from .. import missing_input
 from .body_root import from_body_root
 from .bvh_file import Skeleton
 from .roles import apply_bone_map, roles, unique, with_trunk
-from .upright import NONE, TO_Z, standing_turn, vertical
+from .up_axis import NONE, TO_Z, standing_turn, vertical
 
 REACH = 1.25  # [m] from an adult's hips along the bones to the fingertips or toes, about
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
@@ -158,16 +158,15 @@ def _unit(
     if scale is not None:
         return scale, ()
     if longest <= 0:
-        return 0.01, (f"a skeleton without size: taken for centimetres; {unsaid.UNIT}",)
+        return 0.01, (f"a skeleton without size: taken for centimetres; {missing_input.UNIT}",)
     for units in (UNITS, ODD_UNITS):
         likely = {name: unit for name, unit in units.items() if LIKELY[0] <= longest * unit <= LIKELY[1]}
         if likely:
             name = min(likely, key=lambda each: abs(np.log(longest * likely[each] / REACH)))
-            return likely[name], (
-                f"taken for {name}: the longest limb reaches {longest * likely[name]:.2f} m; if not, {unsaid.UNIT}",
-            )
+            length = f"the longest limb reaches {longest * likely[name]:.2f} m"
+            return likely[name], (f"taken for {name}: {length}; if not, {missing_input.UNIT}",)
     unit = REACH / longest
-    return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {unsaid.UNIT}",)
+    return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {missing_input.UNIT}",)
 
 
 def _placed_upright(captured: Captured, skeleton: Skeleton) -> Captured:

@@ -13,9 +13,9 @@ from dynsplines.solver.array import Array
 
 from ..errors import UserError
 from ..system import archive as archive_sizes
-from ..system import largest
+from ..system import size_limit
 from .gaps import UnequalSamples, bridged, samples_used
-from .take import BodyPoses
+from .trajectory import BodyPoses
 
 LARGEST = 1e9  # of any number: its square still is one
 NUMBER = 8  # [bytes]
@@ -114,7 +114,7 @@ class Held:
     def _array(self, name: str, axes: int) -> Any:
         """An entry as an array; raises UserError for lists that are nested deeper or not of equal lengths."""
         value = self.of(name)
-        largest.check(self.where, NUMBER * self._items(name, value, axes), f"'{name}'")
+        size_limit.check(self.where, NUMBER * self._items(name, value, axes), f"'{name}'")
         try:
             return np.asarray(value)
         except ValueError:
@@ -128,7 +128,7 @@ class Held:
             raise UserError(f"{self.where}: '{name}' has lists in lists, deeper than it should")
         if axes == 1 and not any(isinstance(item, list | tuple | np.ndarray) for item in found):
             return len(found)
-        total, most = 0, largest.bound() // NUMBER
+        total, most = 0, size_limit.bound() // NUMBER
         for item in found:
             total += 1 + self._items(name, item, axes - 1)
             if total > most:

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import retarget
 from dynsplines.exchange.skeleton.bvh_file import read
-from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import Captured
 from dynsplines.system.progress import Progress
 
 CLOSE = 1e-3  # [m]
@@ -58,7 +58,7 @@ def person(turn):
 
 @pytest.fixture(scope="module")
 def walk(tmp_path_factory):
-    moved = work.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
+    moved = solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
     skeleton, _ = read(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh"))
     return Captured.of(skeleton, 0.01)
 

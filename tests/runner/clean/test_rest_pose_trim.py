@@ -6,8 +6,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from dynsplines import models, motion, work
-from dynsplines.clean import lead_in
+from dynsplines import models, motion, solving
+from dynsplines.clean import rest_pose_trim
 from dynsplines.clip import load as clip
 from dynsplines.edit import thin_files
 from dynsplines.scene.compose import compose, figure_spec
@@ -32,7 +32,7 @@ class Ear(Progress):
 @pytest.fixture(scope="module")
 def walk():
     """(T, nq) at RATE, a person who walks."""
-    found = work.unsolved(clip.load("walk_loop")).motion.timeline
+    found = solving.unsolved(clip.load("walk_loop")).motion.timeline
     times = np.arange(0, found.times[-1] - found.times[0], 1 / RATE) + found.times[0]
     return clip.load("walk_loop").figure.to_qpos(path_of(found).at(times))
 
@@ -52,7 +52,7 @@ def raised(angle: float, at: np.ndarray = HUMAN.qpos0) -> np.ndarray:
 
 def seen(*parts):
     qpos = np.concatenate([np.atleast_2d(part) for part in parts])
-    return lead_in.lead_in(HUMAN, np.arange(len(qpos)) / RATE, qpos)
+    return rest_pose_trim.lead_in(HUMAN, np.arange(len(qpos)) / RATE, qpos)
 
 
 @pytest.mark.slow
@@ -100,12 +100,12 @@ def test_figures_without_arms_begin_at_once():
     model = mujoco.MjModel.from_xml_string(
         '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
     )
-    assert lead_in.lead_in(model, np.arange(9) / RATE, np.tile(model.qpos0, (9, 1))) is None
+    assert rest_pose_trim.lead_in(model, np.arange(9) / RATE, np.tile(model.qpos0, (9, 1))) is None
 
 
 def spline(qpos):
     found = clip.from_qpos("walk", compose(figure_spec("human")), np.arange(len(qpos)) / RATE, qpos, RATE, "walk.csv")
-    return work.unsolved(found).saved(Progress(), with_report=False)
+    return solving.unsolved(found).saved(Progress(), with_report=False)
 
 
 @pytest.fixture
@@ -139,13 +139,13 @@ def test_it_is_told_and_stays_unless_it_is_to_be_left_out(recording, walk):
 def test_leaving_out_what_is_not_there_is_told(recording):
     cut, _ = read(recording, skip_rest=True)
     ear = Ear()
-    assert lead_in.told(cut, ear, skip=True) is cut
+    assert rest_pose_trim.told(cut, ear, skip=True) is cut
     assert ear.heard == ["note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out"]
 
 
 @pytest.mark.slow
 def test_a_clip_is_no_recording():
-    saved = work.unsolved(clip.load("sit_down")).saved(Progress(), with_report=False)
+    saved = solving.unsolved(clip.load("sit_down")).saved(Progress(), with_report=False)
     ear = Ear()
-    assert lead_in.told(saved, ear, skip=True) is saved
+    assert rest_pose_trim.told(saved, ear, skip=True) is saved
     assert "nothing is left out" in ear.heard[0]

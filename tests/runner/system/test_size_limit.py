@@ -15,13 +15,13 @@ from dynsplines import models, motion
 from dynsplines.clip.load import load
 from dynsplines.clip.parse import check_times
 from dynsplines.errors import UserError
-from dynsplines.exchange.held import held
+from dynsplines.exchange.array_reader import held
 from dynsplines.scene import mjcf_size
 from dynsplines.scene.assets import Scene, taken_along
 from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.system import largest
+from dynsplines.solving import solve
+from dynsplines.system import size_limit
 from dynsplines.system.progress import Progress
-from dynsplines.work import solve
 
 
 def model(inside: str) -> str:
@@ -114,7 +114,7 @@ def test_the_environment_says_how_large_is_too_large(monkeypatch: pytest.MonkeyP
     mjcf_size.check(BOMBS["a height field"], "model")
     monkeypatch.setenv("DYNSPLINES_LARGEST", "lots")
     with pytest.raises(UserError, match="DYNSPLINES_LARGEST=lots: give a number of MB, such as 4000"):
-        largest.bound()
+        size_limit.bound()
 
 
 def archive(path: Path, arrays: dict[str, bytes]) -> None:

@@ -9,7 +9,7 @@ import pytest
 from dynsplines import inbetween, load
 from dynsplines.errors import UserError
 from dynsplines.exchange.skeleton import bvh_file, retarget
-from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import Captured
 from dynsplines.solver.array import Array
 from tests.support.biped import BALL, BOX, CART, biped, joints, nested, scene
 

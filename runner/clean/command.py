@@ -16,24 +16,24 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.solution import Improvement
 
 from .. import motion
-from ..clip.follow.keeping import ground_of, rests_of
-from ..clip.follow.recording import Moving
 from ..clip.load import figure_of, load_motion
 from ..clip.obstacles import obstacles
 from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
+from ..clip.tracking.penalties import ground_of, rests_of
+from ..clip.tracking.recording import Moving
 from ..errors import UserError
 from ..exchange import formats, gaps
-from ..exchange.imported import taken
+from ..exchange.motion_import import taken
 from ..exchange.skeleton import maps, retarget
 from ..motion import Saved
-from ..scene import outside
+from ..scene import file_access
 from ..scene.assets import Scene
 from ..scene.compose import Step, compose
 from ..system.output import Replacement, check_new, check_target
 from ..system.progress import Progress
 from .cleaning import Cleaned, cleaned
-from .comparing import Comparison, verdict
+from .comparison import Comparison, verdict
 from .repairs import repaired
 
 NAMED = 6  # stances that are listed of a point
@@ -103,7 +103,7 @@ def moving(file: Path, figure: str, scene: SceneTable) -> Moving:
         )
     stat = file.stat()
     scene_json = scene.model_dump_json(by_alias=True, exclude_unset=True)
-    return _moving(file, figure, scene_json, (stat.st_mtime_ns, stat.st_size), outside.is_allowed())
+    return _moving(file, figure, scene_json, (stat.st_mtime_ns, stat.st_size), file_access.is_allowed())
 
 
 @lru_cache(maxsize=2)

@@ -18,7 +18,7 @@ from dynsplines.solver.solution import Improvement, Solution
 from .clip.build import Clip
 from .measure.violation import Violation, violations
 from .motion import Saved, Search
-from .system import largest
+from .system import size_limit
 from .system.progress import Progress
 
 # [bytes] of a search for every pair of a frame's numbers; short clips of chains of hinges take 1100 to 1500
@@ -102,9 +102,9 @@ def _check_size(clip: Clip) -> None:
     """Raise UserError for a figure with too many joints for the memory of a search."""
     width = clip.figure.width
     if width > WIDEST:
-        largest.check(clip.name, NUMBER * width, f"the search with {width} numbers a frame")
+        size_limit.check(clip.name, NUMBER * width, f"the search with {width} numbers a frame")
     else:
-        largest.check(clip.name, PAIR * width**2, f"the search with {width} numbers a frame, all with all,")
+        size_limit.check(clip.name, PAIR * width**2, f"the search with {width} numbers a frame, all with all,")
 
 
 def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> Solved:

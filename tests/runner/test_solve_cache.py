@@ -14,13 +14,13 @@ from command import commanded
 from rich.console import Console
 from tiny import CLIP, FIGURE, changed, names, written
 
-from dynsplines import kept, work
+from dynsplines import solve_cache, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.measure.report import report
 from dynsplines.solver.search.minimum import Stop
+from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
-from dynsplines.work import Solved
 
 TETRAHEDRON = "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv 0 0 {}\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 MESHED = FIGURE.replace(
@@ -40,13 +40,13 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The names of the clips that are really solved."""
     done: list[str] = []
-    solve = work.solve
+    solve = solving.solve
 
     def watched(clip: Clip, progress: Progress) -> Solved:
         done.append(clip.name)
         return solve(clip, progress)
 
-    monkeypatch.setattr(work, "solve", watched)
+    monkeypatch.setattr(solving, "solve", watched)
     return done
 
 
@@ -87,8 +87,8 @@ def assert_same(one: Solved, other: Solved) -> None:
 
 
 def test_an_unchanged_clip_is_not_solved_again_and_is_the_same(tmp_path, cache, counted):
-    first = kept.solved(tiny(tmp_path / "a"), progress())
-    again = kept.solved(tiny(tmp_path / "a"), progress())
+    first = solve_cache.solved(tiny(tmp_path / "a"), progress())
+    again = solve_cache.solved(tiny(tmp_path / "a"), progress())
     assert counted == ["tiny"]
     assert_same(first, again)
     assert len(names(cache)) == 1
@@ -96,20 +96,20 @@ def test_an_unchanged_clip_is_not_solved_again_and_is_the_same(tmp_path, cache, 
 
 @pytest.mark.slow
 def test_its_report_is_the_same(tmp_path, cache):
-    one, two = (kept.solved(tiny(tmp_path / "a"), progress()) for _ in range(2))
+    one, two = (solve_cache.solved(tiny(tmp_path / "a"), progress()) for _ in range(2))
     assert report(one.clip, one.motion, one.seconds) == report(two.clip, two.motion, two.seconds)
 
 
 def test_fresh_solves_it_all_the_same(tmp_path, cache, counted):
     for _ in range(2):
-        kept.solved(tiny(tmp_path / "a"), progress(), fresh=True)
+        solve_cache.solved(tiny(tmp_path / "a"), progress(), fresh=True)
     assert counted == ["tiny", "tiny"]
 
 
 def test_a_clip_that_is_only_written_otherwise_or_lies_elsewhere_is_not_solved_again(tmp_path, cache, counted):
-    kept.solved(tiny(tmp_path / "a"), progress())
-    kept.solved(tiny(tmp_path / "b", "# Other words.\n" + changed("fps = 20", "fps = 25")), progress())
-    kept.solved(tiny(tmp_path / "c", changed("time = 0\n", "time    =   0\n")), progress())
+    solve_cache.solved(tiny(tmp_path / "a"), progress())
+    solve_cache.solved(tiny(tmp_path / "b", "# Other words.\n" + changed("fps = 20", "fps = 25")), progress())
+    solve_cache.solved(tiny(tmp_path / "c", changed("time = 0\n", "time    =   0\n")), progress())
     assert counted == ["tiny"]
 
 
@@ -127,36 +127,36 @@ def test_a_clip_that_is_only_written_otherwise_or_lies_elsewhere_is_not_solved_a
     ],
 )
 def test_whatever_changes_its_solution_makes_it_another_clip(tmp_path, text):
-    assert kept.key_of(tiny(tmp_path / "a")) != kept.key_of(tiny(tmp_path / "b", text))
+    assert solve_cache.key_of(tiny(tmp_path / "a")) != solve_cache.key_of(tiny(tmp_path / "b", text))
 
 
 def test_so_does_any_file_of_its_model(tmp_path):
     keys = {
-        kept.key_of(meshed(tmp_path / "a")),
-        kept.key_of(meshed(tmp_path / "b", tip=0.2)),
-        kept.key_of(meshed(tmp_path / "c", gravity=9.9)),
+        solve_cache.key_of(meshed(tmp_path / "a")),
+        solve_cache.key_of(meshed(tmp_path / "b", tip=0.2)),
+        solve_cache.key_of(meshed(tmp_path / "c", gravity=9.9)),
     }
     assert len(keys) == 3
-    assert kept.key_of(meshed(tmp_path / "d")) in keys
+    assert solve_cache.key_of(meshed(tmp_path / "d")) in keys
 
 
 def test_so_does_the_program_that_solves_it(tmp_path, monkeypatch):
     problem = tiny(tmp_path / "a")
-    before = kept.key_of(problem)
-    versions = dict.fromkeys(("dynamic-splines", *kept.LIBRARIES), "7")
+    before = solve_cache.key_of(problem)
+    versions = dict.fromkeys(("dynamic-splines", *solve_cache.LIBRARIES), "7")
     for name in versions:
-        kept._program.cache_clear()
-        monkeypatch.setattr(kept, "version", {**versions, name: "8"}.__getitem__)
-        before, old = kept.key_of(problem), before
+        solve_cache._program.cache_clear()
+        monkeypatch.setattr(solve_cache, "version", {**versions, name: "8"}.__getitem__)
+        before, old = solve_cache.key_of(problem), before
         assert before != old
-    monkeypatch.setattr(kept, "__file__", str(tmp_path / "a" / "kept.py"))
+    monkeypatch.setattr(solve_cache, "__file__", str(tmp_path / "a" / "solve_cache.py"))
     (tmp_path / "a" / "more.py").write_text("1", encoding="utf-8")
-    kept._program.cache_clear()
-    text = kept.key_of(problem)
+    solve_cache._program.cache_clear()
+    text = solve_cache.key_of(problem)
     (tmp_path / "a" / "more.py").write_text("2", encoding="utf-8")
-    kept._program.cache_clear()
-    assert text not in (before, kept.key_of(problem))
-    kept._program.cache_clear()
+    solve_cache._program.cache_clear()
+    assert text not in (before, solve_cache.key_of(problem))
+    solve_cache._program.cache_clear()
 
 
 def flipped(data: bytes) -> bytes:
@@ -207,17 +207,17 @@ DAMAGE = {
 
 
 def test_a_damaged_file_is_as_good_as_none_and_is_replaced(tmp_path, cache, counted):
-    first = kept.solved(tiny(tmp_path / "a"), progress())
+    first = solve_cache.solved(tiny(tmp_path / "a"), progress())
     whole = only(cache).read_bytes()
     for name, damage in DAMAGE.items():
         only(cache).write_bytes(whole)
-        assert kept.read(only(cache), first.clip) is not None
+        assert solve_cache.read(only(cache), first.clip) is not None
         damage(only(cache))
-        assert kept.read(only(cache), first.clip) is None, name
-    again = kept.solved(tiny(tmp_path / "a"), progress())
+        assert solve_cache.read(only(cache), first.clip) is None, name
+    again = solve_cache.solved(tiny(tmp_path / "a"), progress())
     assert counted == ["tiny", "tiny"]
     np.testing.assert_array_equal(again.motion.timeline.rows, first.motion.timeline.rows)
-    assert kept.read(only(cache), first.clip) is not None
+    assert solve_cache.read(only(cache), first.clip) is not None
 
 
 @pytest.mark.slow
@@ -225,20 +225,22 @@ def test_old_ones_make_room_and_nothing_else_is_touched(tmp_path, cache, monkeyp
     texts = [changed("rotvec = [0, 40, 0]", f"rotvec = [0, {angle}, 0]") for angle in (40, 41, 42, 43)]
     problems = [tiny(tmp_path / f"{i}", text) for i, text in enumerate(texts)]
     for age, problem in enumerate(problems[:3]):
-        kept.solved(problem, progress())
-        os.utime(cache / f"{kept.key_of(problem)}.npz", (1e9 + age, 1e9 + age))
+        solve_cache.solved(problem, progress())
+        os.utime(cache / f"{solve_cache.key_of(problem)}.npz", (1e9 + age, 1e9 + age))
     (cache / "mine.npz").write_bytes(bytes(10_000))
-    kept.solved(problems[0], progress())  # used: now it is the youngest
-    monkeypatch.setattr(kept, "MOST_BYTES", 2.5 * (cache / f"{kept.key_of(problems[0])}.npz").stat().st_size)
-    kept.solved(problems[3], progress())
-    assert names(cache) == sorted([f"{kept.key_of(problems[i])}.npz" for i in (0, 3)] + ["mine.npz"])
+    solve_cache.solved(problems[0], progress())  # used: now it is the youngest
+    monkeypatch.setattr(
+        solve_cache, "MOST_BYTES", 2.5 * (cache / f"{solve_cache.key_of(problems[0])}.npz").stat().st_size
+    )
+    solve_cache.solved(problems[3], progress())
+    assert names(cache) == sorted([f"{solve_cache.key_of(problems[i])}.npz" for i in (0, 3)] + ["mine.npz"])
 
 
 @pytest.mark.slow
 def test_where_nothing_can_be_kept_it_is_solved(tmp_path, cache, counted):
     cache.write_text("no folder", encoding="utf-8")
     for _ in range(2):
-        kept.solved(tiny(tmp_path / "a"), progress())
+        solve_cache.solved(tiny(tmp_path / "a"), progress())
     assert counted == ["tiny", "tiny"]
     assert cache.read_text(encoding="utf-8") == "no folder"
 
@@ -247,7 +249,7 @@ def test_where_nothing_can_be_kept_it_is_solved(tmp_path, cache, counted):
 def test_nothing_is_kept_if_nothing_is_to_be(tmp_path, cache, counted, monkeypatch):
     for word in ("off", "0", "OFF"):
         monkeypatch.setenv("DYNSPLINES_CACHE", word)
-        kept.solved(tiny(tmp_path / "a"), progress())
+        solve_cache.solved(tiny(tmp_path / "a"), progress())
     assert counted == ["tiny", "tiny", "tiny"]
     assert not cache.exists()
 
@@ -256,16 +258,16 @@ def test_by_default_it_is_the_users_folder_for_such_things(monkeypatch, tmp_path
     monkeypatch.delenv("DYNSPLINES_CACHE")
     if sys.platform == "linux":
         monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-        assert kept.place() == tmp_path / "dynsplines"
-    place = kept.place()
+        assert solve_cache.place() == tmp_path / "dynsplines"
+    place = solve_cache.place()
     assert place is not None
     assert place.name.lower() in ("dynsplines", "cache")
 
 
 def test_a_search_that_was_stopped_is_not_kept(tmp_path, cache, monkeypatch, solved):
     stopped = replace(solved, motion=replace(solved.motion, stop=Stop.INTERRUPTED))
-    monkeypatch.setattr(work, "solve", lambda *_: stopped)
-    kept.solved(tiny(tmp_path / "a"), progress())
+    monkeypatch.setattr(solving, "solve", lambda *_: stopped)
+    solve_cache.solved(tiny(tmp_path / "a"), progress())
     assert not cache.exists()
 
 

@@ -34,7 +34,7 @@ from ... import recordings
 from ...clip.build import Clip
 from ...clip.parse import table_of
 from ...errors import UserError, one_line
-from ...scene.outside import allowed
+from ...scene.file_access import allowed
 from ...system.cache_folder import place as cache
 from .. import paths
 from ..outline import formats, kinds, outline
@@ -241,10 +241,10 @@ class Work:
     def _first(self, clip: Clip, *, go: bool) -> None:
         """A newly opened clip: its cached solution, or a search from the raw spline."""
         self._send_path(clip.problem.raw, "carried")  # a first view
-        from ... import kept  # imported late: the figure is already shown
+        from ... import solve_cache  # imported late: the figure is already shown
 
         folder = cache()
-        cached = None if folder is None else kept.read(folder / f"{kept.key_of(clip)}.npz", clip)
+        cached = None if folder is None else solve_cache.read(folder / f"{solve_cache.key_of(clip)}.npz", clip)
         raw = clip.problem.raw
         self.found = Solution(clip.figure, clip.problem.plain_objective, raw, raw) if cached is None else cached.motion
         if cached is not None:
@@ -283,8 +283,8 @@ class Work:
         if clip is None or solution is None:
             raise UserError("nothing has been solved yet")
         from ... import motion
+        from ...solving import Solved
         from ...system.progress import Progress
-        from ...work import Solved
 
         saved = Solved(clip, solution, None).saved(Progress(), with_report=False)
         motion.save(saved, Path(file))
@@ -347,10 +347,10 @@ class Work:
             return
         self._take(solution)
         if begin is None and solution.stop is Stop.CONVERGED and (folder := cache()) is not None:
-            from ... import kept
-            from ...work import Solved
+            from ... import solve_cache
+            from ...solving import Solved
 
-            kept.write(Solved(clip, solution, None), folder / f"{kept.key_of(clip)}.npz")
+            solve_cache.write(Solved(clip, solution, None), folder / f"{solve_cache.key_of(clip)}.npz")
         self._judge(stop=solution.stop.name)
 
     def _lowered(

@@ -29,17 +29,17 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.solution import Solution
 
-from . import work
+from . import solving
 from .clip.build import Clip
 from .clip.parse import table_of
 from .clip.text import tables
 from .errors import UserError
 from .measure.exactness import keyframe_error
 from .motion import Saved, read_arrays
+from .solving import Solved
 from .system.cache_folder import make_room, place
 from .system.output import Replacement
 from .system.progress import Progress
-from .work import Solved
 
 FORMAT = 1  # of the kept file
 MOST_BYTES = 200_000_000  # of all files together; a clip of some seconds takes 50 to 200 kB
@@ -57,16 +57,16 @@ def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
     """
     folder = place()
     if folder is None:
-        return work.solve(clip, progress)
+        return solving.solve(clip, progress)
     file = folder / f"{key_of(clip)}.npz"
     solution = None if fresh else read(file, clip)
     if solution is None:
-        solution = work.solve(clip, progress)
+        solution = solving.solve(clip, progress)
         if solution.motion.stop is not Stop.INTERRUPTED:
             write(solution, file)
         return solution
-    work.tell_notes(clip, progress)
-    progress.say(f"solved before: {work.course(solution.motion) or 'nothing to search'}; --no-cache solves it again")
+    solving.tell_notes(clip, progress)
+    progress.say(f"solved before: {solving.course(solution.motion) or 'nothing to search'}; --no-cache solves it again")
     return solution
 
 

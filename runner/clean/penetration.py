@@ -11,7 +11,7 @@ from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 
-from ..clip.follow.keeping import LONGEST_PANEL, NEXT_TO, POINTS, Ground
+from ..clip.tracking.penalties import LONGEST_PANEL, NEXT_TO, POINTS, Ground
 from ..measure.depths import bunches, depths
 
 RATE = 240.0  # [1/s]

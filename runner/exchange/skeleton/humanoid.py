@@ -12,7 +12,7 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ..robot import FREE
-from .hinged import BALL
+from .hinge_joints import BALL
 
 SIDES = ("left", "right")
 JOINTS = ("spine", *(f"{side}_{part}" for side in SIDES for part in ("shoulder", "elbow", "hip", "knee", "ankle")))

@@ -9,7 +9,7 @@ import pytest
 from rich.console import Console
 from tiny import CLIP, changed, written
 
-from dynsplines import work
+from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.solver.curve.spline import path_of
@@ -31,19 +31,19 @@ class Listening(Progress):
         self.steps: list[str] = []
         self.interrupt_at = interrupt_at
 
-    def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:
+    def step(self, solving: str, share: float | None, note: str = "", *, force: bool = False) -> None:
         self.steps.append(note)
         if len(self.steps) == self.interrupt_at:
             raise KeyboardInterrupt
 
 
-def value(solved: work.Solved) -> float:
+def value(solved: solving.Solved) -> float:
     return solved.motion.objective.value(path_of(solved.motion.timeline))
 
 
 def test_every_improvement_is_reported_and_the_last_line_sums_up(problem):
     progress = Listening()
-    solved = work.solve(problem, progress)
+    solved = solving.solve(problem, progress)
     assert len(progress.steps) == len(solved.motion.trace) + 1
     assert "->" in progress.steps[-1]
     assert (solved.seconds or 0) > 0
@@ -58,7 +58,7 @@ def test_what_was_not_found_is_reported_first(tmp_path):
     text = (tmp_path / "tiny.xml").read_text(encoding="utf-8").replace("left_toe", "tip")
     (tmp_path / "tiny.xml").write_text(text, encoding="utf-8")
     progress = Listening()
-    work.solve(clip.load(str(tmp_path / "tiny.toml")), progress)
+    solving.solve(clip.load(str(tmp_path / "tiny.toml")), progress)
     assert progress.out.getvalue().splitlines() == [
         "note: no feet found, nor a site named heel or toe: no contact points"
     ]
@@ -66,7 +66,7 @@ def test_what_was_not_found_is_reported_first(tmp_path):
 
 def test_an_interrupted_solve_keeps_the_best_path(problem):
     progress = Listening(interrupt_at=4)
-    solved = work.solve(problem, progress)
+    solved = solving.solve(problem, progress)
     assert solved.motion.stop is Stop.INTERRUPTED
     assert len(solved.motion.trace) == 4
     solved.saved(progress, with_report=False)
@@ -76,13 +76,13 @@ def test_an_interrupted_solve_keeps_the_best_path(problem):
 
 
 def test_a_solve_can_be_stopped_after_so_many_evaluations(problem):
-    solved = work.solve(problem, Listening(), stop_after=3)
+    solved = solving.solve(problem, Listening(), stop_after=3)
     assert solved.motion.stop is Stop.INTERRUPTED
     assert solved.motion.evaluations <= 5
 
 
 def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
-    solved = work.unsolved(problem)
+    solved = solving.unsolved(problem)
     assert solved.motion.timeline is solved.motion.raw
     assert solved.motion.evaluations == 0
     kept = solved.saved(Progress(Console(file=io.StringIO())), with_report=False)

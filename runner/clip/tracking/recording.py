@@ -28,7 +28,7 @@ from dynsplines.solver.surface.points import Point, placed, places_of
 from ... import motion
 from ...errors import UserError
 from ..table import RecordingTable
-from .keeping import Ground, problem
+from .penalties import Ground, problem
 
 CLOSE = 0.004  # [s] between frames at least
 RATE = 120.0  # [1/s] at which a motion is taken down

@@ -17,7 +17,7 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 
 from ..table import KeyframeTable, RotationTable
-from .rooting import roots_by_name
+from .root_entries import roots_by_name
 
 HALF, SAME = 180.0, 1.0  # [degrees] that a turn between two keyframes is at most; by which two turns differ
 STEP = 120.0  # [degrees] of a turn between keyframes that are advised, at most

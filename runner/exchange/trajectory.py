@@ -14,7 +14,7 @@ from dynsplines.solver.figure.figure import Figure
 
 from ..motion import Saved, sampled
 from ..scene.assets import Assets
-from .skeleton.hinged import Hinged
+from .skeleton.hinge_joints import Hinged
 
 
 @dataclass(frozen=True)

@@ -37,9 +37,9 @@ from dynsplines.solver.surface.points import Point
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
 from .places import Places
-from .rooting import posed_roots, root_links
+from .root_entries import posed_roots, root_links
 from .rotation import quaternion_of
-from .standing import Stander
+from .standing_feet import Stander
 
 BESIDE = 0.1  # share of the largest miss below which a goal's miss is not reported: it results from the largest one
 

@@ -16,8 +16,8 @@ from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import taken_along
 from ..scene.compose import compose, figure_spec, first_line, quietly
+from ..solving import unsolved
 from ..system.progress import Progress
-from ..work import unsolved
 from . import gaps, winding
 from .formats import Reader, read_by, recording, stem
 

@@ -18,10 +18,10 @@ from dynsplines.solver.penalty import JointRange, Rolling, Speed, Support, joint
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import arrays_of, places_of
 
-from ..clip.follow.keeping import Ground
+from ..clip.tracking.penalties import Ground
 from ..measure.checks import turning, turns
 from .cleaning import Cleaned, Verdict
-from .sinking import along, depth
+from .penetration import along, depth
 
 RATE = 120.0  # [1/s]
 SLIP, DEPTH, HOVER = 5.0, 2.0, 5.0  # [mm] of what is sound
