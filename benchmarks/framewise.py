@@ -35,7 +35,7 @@ from dynsplines.clean.comparison import Comparison, Look
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy
-from dynsplines.exchange.skeleton.captured_skeleton import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.scene.assets import taken_along
 from dynsplines.scene.compose import compose, figure_spec
@@ -88,7 +88,7 @@ class Goal:
     def of(cls, file: Path, found: Cleaned) -> Goal:
         model, t = found.figure.model, found.recorded.times
         skeleton, rate = bvh_file.read(file)
-        captured = Captured.of(skeleton)
+        captured = CapturedSkeleton.of(skeleton)
         at = np.minimum(np.round(t * rate).astype(int), len(captured.position) - 1)
         bodies = {r: 1 + i for r, i in roles(hierarchy.names(model)[1:], list(model.body_parentid[1:] - 1)).items()}
         places, turned = poses(model, found.figure.to_qpos(found.before.at(t)))

@@ -168,7 +168,7 @@ def kinds() -> Iterator[str]:
     for kind in KINDS.values():
         options = ", ".join(f"`{name}` ({text})" for name, text in kind.choices().items())
         for i, part in enumerate(kind.parts):
-            small = re.sub(r'(<\w+>|\[\[\w+\]\]|by = "\w+")', r"`\1`", part.keeps_small)
+            small = re.sub(r'(<\w+>|\[\[\w+\]\]|by = "\w+")', r"`\1`", part.quantity)
             weight = f"{part.weight:g}" + (
                 f" with `{part.option}`" if part.option else "" if kind.is_default else ", if listed"
             )

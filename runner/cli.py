@@ -379,7 +379,7 @@ def list_penalties(as_json: AsJson = False) -> None:
             print(kind.name)
         for part in kind.parts:
             on = f"; on with {part.option}" if part.option else "" if kind.is_default else "; on where listed"
-            print(f"{f'  {part.name}' if part.name else kind.name:13} {part.weight:4g}  {part.keeps_small}{on}")
+            print(f"{f'  {part.name}' if part.name else kind.name:13} {part.weight:4g}  {part.quantity}{on}")
         for name, values in kind.choices().items():
             print(f"{'':20}{name} ({values})")
 
@@ -523,16 +523,16 @@ def export(
     allow_outside: Outside = False,
 ) -> None:
     """Export a motion to the format of another program."""
-    form, wishes = formats.chosen(to, output), trajectory.Wishes(simulate, quantities.named(columns))
-    formats.check_wishes(form, wishes)
-    target = output or formats.target_of(formats.stem(Path(source)), form, wishes)
+    form, options = formats.chosen(to, output), trajectory.ExportOptions(simulate, quantities.named(columns))
+    formats.check_options(form, options)
+    target = output or formats.target_of(formats.stem(Path(source)), form, options)
     outputs.check_target(target)
     outputs.check_new(target, overwrite=overwrite)
     with terminal.Progress() as progress:
         clip = inputs.load(source)
         inputs.span(clip, repeat)
         saved, violations = inputs.solved(clip, progress, repeat, fresh=fresh)
-        formats.export(saved, form.name, target, fps=fps, wishes=wishes, overwrite=overwrite, tell=progress.say)
+        formats.export(saved, form.name, target, fps=fps, options=options, overwrite=overwrite, tell=progress.say)
         _conclude(progress, target, violations, source)
 
 
@@ -556,7 +556,7 @@ def import_motion(
         raise UserError(f"'{target}' is the input file; give another -o")
     outputs.check_new(target, overwrite=overwrite)
     with terminal.Progress() as progress:
-        recording = motion_import.imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
+        recording = motion_import.import_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
         saved = rest_pose_trim.told(recording, progress, skip=skip_rest)
         motion.save(saved, target)
         violations = violation.of_motion(saved)
@@ -569,7 +569,7 @@ def list_formats() -> None:
     """List the formats that export writes and import reads."""
     for form in formats.FORMATS:
         uses = " and ".join(word for word, can in (("reads", form.reads), ("writes", form.writes)) if can)
-        print(f"{form.name:12} {form.ending:15} {uses:16} {form.says}")
+        print(f"{form.name:12} {form.ending:15} {uses:16} {form.description}")
 
 
 @app.command(rich_help_panel="Recordings")

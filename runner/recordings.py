@@ -16,7 +16,7 @@ from . import motion
 from .clip import load as clips
 from .clip.build import Clip
 from .clip.parse import Parsed, parse, read
-from .clip.tracking.recording import Moving
+from .clip.tracking.recording import RecordedPath
 from .errors import UserError
 from .scene import file_access
 
@@ -75,7 +75,7 @@ def _loaded(
     )
 
 
-def recorded(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> Moving | None:
+def recorded(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> RecordedPath | None:
     """Return the motion that a clip follows; None without a recording.
 
     figure_file  where the figure is now, if not where the clip has it
@@ -96,7 +96,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
         return _solved(str(file), str(file.resolve()), where, following)
     if file.suffix == ".npz" and not (file.is_file() and not motion.is_motion(str(file))):
         saved = motion.load(file)
-        return Moving(saved.figure, saved.timeline, saved.fps)
+        return RecordedPath(saved.figure, saved.timeline, saved.fps)
     figure = figure_file or source.table.figure
     if figure_file is None and figure not in models.figures() and source.folder is not None:
         figure = str(source.folder / figure)
@@ -108,7 +108,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
         raise UserError(f"{where}: {error}") from None
 
 
-def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) -> Moving:
+def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) -> RecordedPath:
     """The motion of a clip that ships or of a clip's file."""
     if identity in following:
         raise UserError(f"{where}: '{source}' follows itself")
@@ -119,13 +119,13 @@ def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) 
 
 
 @lru_cache(maxsize=4)
-def _shipped(name: str) -> Moving:
+def _shipped(name: str) -> RecordedPath:
     return _solution(name, (name,))
 
 
-def _solution(source: str, following: tuple[str, ...]) -> Moving:
+def _solution(source: str, following: tuple[str, ...]) -> RecordedPath:
     from dynsplines.solver.inbetween import inbetween  # only here: most clips follow no other
 
     file = read(source)
     clip = _loaded(file, following) if isinstance(file, Parsed) else clips.load(source)
-    return Moving(clip.figure, inbetween(clip.problem).timeline, clip.fps)
+    return RecordedPath(clip.figure, inbetween(clip.problem).timeline, clip.fps)

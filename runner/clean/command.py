@@ -21,10 +21,10 @@ from ..clip.obstacles import obstacles
 from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.tracking.penalties import ground_of, rests_of
-from ..clip.tracking.recording import Moving
+from ..clip.tracking.recording import RecordedPath
 from ..errors import UserError
 from ..exchange import formats, gaps
-from ..exchange.motion_import import taken
+from ..exchange.motion_import import read_recording
 from ..exchange.skeleton import maps, retarget
 from ..motion import Saved
 from ..scene import file_access
@@ -91,7 +91,7 @@ def run(
     return target
 
 
-def moving(file: Path, figure: str, scene: SceneTable) -> Moving:
+def moving(file: Path, figure: str, scene: SceneTable) -> RecordedPath:
     """The motion that a clip in a scene follows, of a figure's recording; raises UserError."""
     if not file.is_file():
         raise UserError(f"no file '{file}'")
@@ -107,11 +107,11 @@ def moving(file: Path, figure: str, scene: SceneTable) -> Moving:
 
 
 @lru_cache(maxsize=2)
-def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> Moving:
+def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> RecordedPath:
     """Cached while the file is unchanged: editing a clip reads it again and again."""
     around, silent = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), Progress(Console(quiet=True))
     saved = _cleaned(_read(Source(file, figure), around, silent), around, None, silent, apart=False)[1]
-    return Moving(saved.figure, saved.timeline, saved.fps)
+    return RecordedPath(saved.figure, saved.timeline, saved.fps)
 
 
 def made(source: Source, within: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
@@ -171,11 +171,11 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
         return _Read.of(load_motion(source.file))
     chosen = retarget.Map()
     if source.map is not None and not source.writes_map:
-        told_by = file_of(source.map, MapTable)
-        chosen = retarget.Map(told_by.figure, told_by.recording)
+        write_endings = file_of(source.map, MapTable)
+        chosen = retarget.Map(write_endings.figure, write_endings.recording)
     with retarget.by(chosen) as met, gaps.allowed():
         try:
-            take = taken(
+            take = read_recording(
                 source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress
             )
         except UserError as error:
@@ -193,7 +193,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
     return _Read(take.name, scene, take.time, take.qpos, take.fps)
 
 
-def _write_map(target: Path, used: retarget.Used, progress: Progress) -> None:
+def _write_map(target: Path, used: retarget.AppliedMap, progress: Progress) -> None:
     """Write the map that was used, for editing."""
     with Replacement(target) as temporary:
         temporary.write_text(maps.text_of(used), encoding="utf-8")

@@ -32,7 +32,7 @@ RANGE = 0.5  # [°] beyond a joint's range, likewise
 class Line:
     """A measured quantity before and after, with its unit, and the bound of acceptable values, if there is one."""
 
-    says: str
+    label: str
     unit: str
     before: float
     after: float
@@ -76,7 +76,7 @@ class Comparison:
     def violations(self) -> list[dict[str, Any]]:
         """What is not sound after it, the worst first, as a batch's manifest has it."""
         violations = [
-            {"text": f"{line.says}: {line.after:.3g} {line.unit}", "amount": line.after, "bound": line.bound}
+            {"text": f"{line.label}: {line.after:.3g} {line.unit}", "amount": line.after, "bound": line.bound}
             for line in self.lines
             if line.bound is not None and line.after > line.bound
         ]
@@ -85,7 +85,7 @@ class Comparison:
     @property
     def figures(self) -> dict[str, tuple[float, float]]:
         """The measured quantities before and after, by name and unit."""
-        return {f"{line.says} [{line.unit}]": (round(line.before, 6), round(line.after, 6)) for line in self.lines}
+        return {f"{line.label} [{line.unit}]": (round(line.before, 6), round(line.after, 6)) for line in self.lines}
 
     @cached_property
     def times(self) -> Array:
@@ -114,7 +114,7 @@ class Comparison:
         for heading in ("", "before", "after"):
             out.add_column(heading, justify="left" if not heading else "right")
         for line in self.lines:
-            out.add_row(line.says, *(f"{value:.3g} {line.unit}" for value in (line.before, line.after)))
+            out.add_row(line.label, *(f"{value:.3g} {line.unit}" for value in (line.before, line.after)))
         for one in self.moved:
             out.add_row(
                 f"{one.name} moved",

@@ -27,7 +27,7 @@ from .parse import Parsed, table_of
 from .posing.couplings import complaints
 from .table import ClipTable, SolveTable
 from .tracking.penalties import ground_of, rests_of, stances_in, stances_of
-from .tracking.recording import Followed
+from .tracking.recording import TrackedRecording
 
 CustomPenalties = Sequence[tuple[Penalty, float]]
 
@@ -165,7 +165,7 @@ def build(
 def build_following(
     source: Parsed,
     scene: Scene,
-    recording: Followed,
+    recording: TrackedRecording,
     edits: Sequence[Frame],
     fps: float,
     known: object = None,

@@ -146,15 +146,15 @@ class CycleOptions(Options):
 class Part:
     """A term of E that a kind of soft constraint adds.
 
-    weight       default α in E
-    keeps_small  the quantity
-    build        from a clip's context and the options of its table; None if the clip has nothing to penalise
-    name         in a table of weights, and of the term: KIND.NAME. Empty for the only part of a kind
-    option       the option that switches it on; None: always on
+    weight    default α in E
+    quantity  what it keeps small
+    build     from a clip's context and the options of its table; None if the clip has nothing to penalise
+    name      in a table of weights, and of the term: KIND.NAME. Empty for the only part of a kind
+    option    the option that switches it on; None: always on
     """
 
     weight: float
-    keeps_small: str
+    quantity: str
     build: Callable[[Context, Any], Penalty | None]
     name: str = ""
     option: str | None = None
@@ -184,7 +184,7 @@ class Kind:
                 "part": part.name,
                 "term": self.term(part),
                 "weight": part.weight,
-                "keeps small": part.keeps_small,
+                "quantity": part.quantity,
                 "is on": self.is_default and part.option is None,
             }
             for part in self.parts

@@ -35,7 +35,7 @@ from .posing.placement import wanted
 from .posing.places import Places
 from .posing.root_entries import ambiguities
 from .table import ClipTable, KeyframeTable, SolveTable
-from .tracking.recording import Followed, Moving, followed
+from .tracking.recording import RecordedPath, TrackedRecording, followed
 
 
 def load(
@@ -95,7 +95,7 @@ def from_parsed(
     spec: mujoco.MjSpec | None = None,
     unmet: list[str] | None = None,
     like: Clip | None = None,
-    recording: Moving | None = None,
+    recording: RecordedPath | None = None,
 ) -> Clip:
     """Return the clip of a parsed text.
 
@@ -311,7 +311,7 @@ def clip_from_motion(saved: Saved) -> Clip:
     source = Parsed.of(saved.text, saved.name, saved.name)
     if source.table.recording is not None:
         edits = edits_of(saved.keys, source.table)
-        recording = Followed.of_motion(saved.figure, saved.raw, source.table.recording, saved.name)
+        recording = TrackedRecording.of_motion(saved.figure, saved.raw, source.table.recording, saved.name)
         clip = build_following(source, saved.scene, recording, edits, saved.fps, saved.search.get("stances"))
         return replace(clip, problem=replace(clip.problem, keys=saved.keys))  # the recording need not exist any more
     try:

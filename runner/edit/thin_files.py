@@ -14,7 +14,7 @@ from ..clean import rest_pose_trim
 from ..clip.load import load_motion
 from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
-from ..exchange.motion_import import imported
+from ..exchange.motion_import import import_recording
 from ..motion import Saved
 from ..system.output import check_new
 from ..system.progress import Progress
@@ -51,7 +51,7 @@ class ToThin:
             return load_motion(path)
         if not is_foreign_file and (self.source in models.clips() or path.suffix.lower() == ".toml"):
             return solve_cache.saved(recordings.load(self.source), progress, fresh=self.fresh)
-        return imported(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
+        return import_recording(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
 
 
 def bound(error: str, angle: float) -> tuple[float, float]:

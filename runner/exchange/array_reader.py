@@ -22,7 +22,7 @@ NUMBER = 8  # [bytes]
 SAMPLES = "samples"  # the first axis of arrays with a row an instant
 
 
-class Held:
+class ArrayReader:
     """A file's entries by name; errors name the file, the missing entry, and the entries present.
 
     where   how errors call the file
@@ -136,7 +136,7 @@ class Held:
         return total
 
 
-def body_poses(found: Held) -> BodyPoses | None:
+def body_poses(found: ArrayReader) -> BodyPoses | None:
     """Return the body poses next to qpos in a file, by the names of MuJoCo and mjlab, or None."""
     place = next((name for name in ("xpos", "body_pos_w", "body_pos") if name in found), None)
     if place is None or np.ndim(found.of(place)) != 3:
@@ -148,7 +148,7 @@ def body_poses(found: Held) -> BodyPoses | None:
     return BodyPoses(position, rotation, turn == "xquat", names)
 
 
-def held(source: Path) -> Held:
+def read_npz(source: Path) -> ArrayReader:
     """The arrays of an .npz file, or that of an .npy file as qpos.
 
     Those that are pickled objects count as not there, for pickles are never loaded.
@@ -167,10 +167,10 @@ def held(source: Path) -> Held:
         raise
     except Exception as error:  # a damaged zip raises nearly anything
         raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
-    return Held(source, {name: array for name, array in arrays.items() if isinstance(array, np.ndarray)})
+    return ArrayReader(source, {name: array for name, array in arrays.items() if isinstance(array, np.ndarray)})
 
 
-def _single(source: Path) -> Held:
+def _single(source: Path) -> ArrayReader:
     """The array of an .npy file as qpos."""
     try:
         array = np.load(source, allow_pickle=False)
@@ -179,7 +179,7 @@ def _single(source: Path) -> Held:
         raise UserError(f"{source}: it holds {what}; an .npy file of qpos (T, nq) is read") from None
     if not isinstance(array, np.ndarray):
         raise UserError(f"{source}: not an .npy file; name it .npz")
-    return Held(source, {"qpos": array})
+    return ArrayReader(source, {"qpos": array})
 
 
 def _unpickled(archive: Any, name: str) -> Any:

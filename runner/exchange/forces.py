@@ -25,7 +25,7 @@ from dynsplines.solver.penalty.ground.support import Reactions
 
 from ..clip import load as clip
 from ..motion import samples_at
-from .trajectory import Take
+from .trajectory import SampledTrajectory
 
 STIFF = 1e-7  # softness of a support so that what is left is what cannot be supplied, and not what would cost force
 
@@ -47,24 +47,24 @@ class Foot:
 
 @dataclass(frozen=True)
 class Forces:
-    """The forces of a take with the motion `samples`; support None: a figure without a free root.
+    """The forces of a trajectory with the motion `samples`; support None: a figure without a free root.
 
-    model  whose forces they are: the take's, or one with the same joints
+    model  whose forces they are: the trajectory's, or one with the same joints
     """
 
-    take: Take
+    trajectory: SampledTrajectory
     samples: Samples
     support: Support | None
     model: mujoco.MjModel
 
     @classmethod
-    def of(cls, take: Take, model: mujoco.MjModel | None = None) -> Forces:
+    def of(cls, trajectory: SampledTrajectory, model: mujoco.MjModel | None = None) -> Forces:
         """The forces of a motion in its own model, or in another one with the same joints."""
-        saved = take.saved
+        saved = trajectory.saved
         support = clip.clip_from_motion(saved).context.support
         stiff = None if support is None else replace(support, softness=STIFF)
-        samples = samples_at(saved.figure, path_of(saved.timeline), take.time)
-        return cls(take, samples, stiff, take.model if model is None else model)
+        samples = samples_at(saved.figure, path_of(saved.timeline), trajectory.time)
+        return cls(trajectory, samples, stiff, trajectory.model if model is None else model)
 
     @cached_property
     def known(self) -> Mask:
@@ -76,7 +76,7 @@ class Forces:
     @cached_property
     def inverse(self) -> Array:
         """(T, nv) MuJoCo's qfrc_inverse without contacts: joint forces as if nothing were on the ground."""
-        return inverse_dynamics(self.model, self.take.qpos, self.take.qvel, self.take.qacc)
+        return inverse_dynamics(self.model, self.trajectory.qpos, self.trajectory.qvel, self.trajectory.qacc)
 
     @cached_property
     def wrench(self) -> RootWrench | None:
@@ -84,7 +84,7 @@ class Forces:
         if self.support is None:
             return None
         out, root = RootWrench(self.samples, self.support.root), self.support.root
-        dof = self.take.figure.links[root].dof
+        dof = self.trajectory.figure.links[root].dof
         links = self.samples.links
         out.force = np.ascontiguousarray(self.inverse[:, dof : dof + 3].T)
         moment = applied(links.rotation[:, :, [root]], self.inverse[:, dof + 3 : dof + 6].T[:, None])[:, 0]
@@ -120,7 +120,7 @@ class Forces:
 
     def _foot(self, link: int) -> Foot:
         assert self.support is not None and self._reactions is not None
-        reactions, count, figure = self._reactions, self.samples.count, self.take.figure
+        reactions, count, figure = self._reactions, self.samples.count, self.trajectory.figure
         indices = np.flatnonzero(self._links[reactions.footing] == link)
         at, place, force = reactions.at[indices], reactions.place[:, indices], reactions.force[:, indices]
         normals = np.array([self.support.footings[i].normal for i in reactions.footing[indices]]).reshape(-1, 3).T
@@ -144,17 +144,17 @@ class Forces:
     def torques(self) -> Array:
         """(T, nv) MuJoCo's qfrc_inverse less the ground's reactions; at a free root what is left over."""
         out = self.inverse.copy()
-        reactions, model = self._reactions, self.take.model
+        reactions, model = self._reactions, self.trajectory.model
         if self.support is None or reactions is None:
             return out
         data, jacobian = mujoco.MjData(model), np.zeros((3, model.nv))
-        bodies = [self.take.figure.links[link].body for link in self._links]
+        bodies = [self.trajectory.figure.links[link].body for link in self._links]
         order = np.argsort(reactions.at, kind="stable")
         posed = -1
         for i in order:
             t = int(reactions.at[i])
             if t != posed:
-                data.qpos[:] = self.take.qpos[t]
+                data.qpos[:] = self.trajectory.qpos[t]
                 mujoco.mj_kinematics(model, data)
                 mujoco.mj_comPos(model, data)
                 posed = t

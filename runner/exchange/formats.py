@@ -16,7 +16,7 @@ from ..system import size_limit
 from ..system.output import Replacement, check_new, check_target
 from . import gaps, layouts, missing_input
 from .array_reader import names_in
-from .trajectory import Recording, Take, Wishes
+from .trajectory import ExportOptions, Recording, SampledTrajectory
 
 OF_MOTIONS = {"format_version", "frame_state"}  # arrays that only saved motions have
 SIMULATED = ".simulate.xml"  # the ending of a scene that stands by itself
@@ -26,11 +26,11 @@ WISHES = {"simulate": "a scene to simulate", "columns": "columns of forces or ve
 class Writer(Protocol):
     """Writes motions in a format."""
 
-    def write(self, take: Take, path: Path) -> None:
+    def write(self, trajectory: SampledTrajectory, path: Path) -> None:
         """Write a motion.
 
         Args:
-            take: The motion at equal time steps.
+            trajectory: The motion at equal time steps.
             path: A temporary file, which is then renamed to the output file.
 
         Raises:
@@ -63,14 +63,14 @@ class Reader(Protocol):
 class Format:
     """A file format: its name, its file ending, a one-line description, and the module that implements it.
 
-    The module has `write(take, path)` if others can read what we write, and `read(path, model, fps)`, which gives a
+    The module has `write(trajectory, path)` if others can read what we write, and `read(path, model, fps)`, which gives a
     Recording, if we can read what others write; model is None where the user named no figure. Both raise UserError.
-    It may have `beside(take)`, what is to lie beside the motion's file (the hinge model that it is for), by its ending
+    It may have `beside(trajectory)`, what is to lie beside the motion's file (the hinge model that it is for), by its ending
     or, where it does not begin with a dot, its name; and `recognises(path)`, for endings that several formats share.
     also   endings of the same format that are read
     variants endings of the same format that it can be written with
     containers endings of other files that hold the same, only read
-    wishes what more of `Wishes` it can hold
+    options what more of `ExportOptions` it can hold
     scales the files have no unit of length: `read` takes `scale` [m], None to infer it
     shares another format's ending that its files have as well, where what is in them decides
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
@@ -78,7 +78,7 @@ class Format:
 
     name: str
     ending: str
-    says: str
+    description: str
     module: str
     writes: bool = True
     reads: bool = False
@@ -87,33 +87,33 @@ class Format:
     also: tuple[str, ...] = ()
     variants: tuple[str, ...] = ()
     containers: tuple[str, ...] = ()
-    wishes: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
     shares: str | None = None
 
     @property
-    def told_by(self) -> tuple[str, ...]:
+    def write_endings(self) -> tuple[str, ...]:
         """The endings that select it for writing."""
         return self.ending, *self.variants
 
     @property
-    def read_by(self) -> tuple[str, ...]:
+    def read_endings(self) -> tuple[str, ...]:
         """The endings of files that can be of it."""
         return "." + self.ending.rpartition(".")[2], *self.also, *self.containers
 
     def check_name(self, target: Path) -> None:
         """Raise UserError unless the file name fits this format: .npz also stands for .mjlab.npz."""
-        endings = dict.fromkeys((*self.told_by, *self.also, Path(f"_{self.ending}").suffix))
+        endings = dict.fromkeys((*self.write_endings, *self.also, Path(f"_{self.ending}").suffix))
         if not target.name.lower().endswith(tuple(endings)):
             raise UserError(f"'{target}': the name of a file of the format {self.name} ends in {' or '.join(endings)}")
 
 
 FORMATS = (
     Format("csv", ".csv", "a row an instant: time, qpos under the joints' names, and more", "csv_table", reads=True,
-           wishes=("columns",), containers=(".tsv", ".txt")),
+           options=("columns",), containers=(".tsv", ".txt")),
     Format("npz", ".qpos.npz", "time, qpos, qvel, qacc, names and the figure as plain arrays", "arrays", reads=True,
            containers=(".npy",)),
     Format("mjcf", ".keys.xml", "figure and scene with a <key> an instant", "mjcf_keys", reads=True, also=(".xml",),
-           variants=(SIMULATED,), wishes=("simulate",)),
+           variants=(SIMULATED,), options=("simulate",)),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinges and bodies in the world", "mjlab", reads=True),
     Format("mjlab-csv", ".mjlab.csv", "their input: root, quaternion xyzw, hinges; no names", "mjlab_csv", reads=True,
            shares=".csv", containers=(".tsv", ".txt")),
@@ -191,7 +191,7 @@ def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None
 
 def by_ending(path: Path) -> Format | None:
     """The format of a name's whole ending, such as .loco.npz; None for a plain .npz, which is a motion."""
-    return _longest(path, [(ending, form) for form in FORMATS for ending in form.told_by])
+    return _longest(path, [(ending, form) for form in FORMATS for ending in form.write_endings])
 
 
 def is_foreign(path: Path) -> bool:
@@ -200,26 +200,26 @@ def is_foreign(path: Path) -> bool:
         return True
     if not path.is_file() or OF_MOTIONS.intersection(names_in(path)):
         return False
-    return any(_recognises(form, path) for form in readers().values() if path.name.lower().endswith(form.read_by))
+    return any(_recognises(form, path) for form in readers().values() if path.name.lower().endswith(form.read_endings))
 
 
-def target_of(name: str, form: Format, wishes: Wishes) -> Path:
+def target_of(name: str, form: Format, options: ExportOptions) -> Path:
     """The default export path of a motion's name: in the current folder, whatever characters the name contains."""
     plain = Path(name.replace("\\", "/")).name or "motion"
-    return Path(f"{plain}{SIMULATED if wishes.simulate else form.ending}")
+    return Path(f"{plain}{SIMULATED if options.simulate else form.ending}")
 
 
-def asked_by(target: Path | None, wishes: Wishes) -> Wishes:
-    """The wishes of a file with this name: one that ends in .simulate.xml is a scene to simulate."""
+def read_options(target: Path | None, options: ExportOptions) -> ExportOptions:
+    """The options of a file with this name: one that ends in .simulate.xml is a scene to simulate."""
     is_scene = target is not None and target.name.lower().endswith(SIMULATED)
-    return replace(wishes, simulate=True) if is_scene else wishes
+    return replace(options, simulate=True) if is_scene else options
 
 
-def check_wishes(form: Format, wishes: Wishes) -> None:
+def check_options(form: Format, options: ExportOptions) -> None:
     """Raises UserError for what a format cannot hold."""
-    for name, is_requested in (("simulate", wishes.simulate), ("columns", bool(wishes.columns))):
-        if is_requested and name not in form.wishes:
-            able = ", ".join(other.name for other in FORMATS if name in other.wishes)
+    for name, is_requested in (("simulate", options.simulate), ("columns", bool(options.columns))):
+        if is_requested and name not in form.options:
+            able = ", ".join(other.name for other in FORMATS if name in other.options)
             raise UserError(f"the format '{form.name}' cannot hold {WISHES[name]}; those that can: {able}")
 
 
@@ -229,25 +229,25 @@ def export(
     target: Path | None = None,
     *,
     fps: float | None = None,
-    wishes: Wishes | None = None,
+    options: ExportOptions | None = None,
     overwrite: bool = True,
     tell: Callable[[str], None] | None = None,
 ) -> Path:
     """Write a motion in another format, atomically; the default path is its name with the format's ending.
 
-    wishes     what more it shall hold
+    options    what more it shall hold
     overwrite  replace existing files, the main one and its companions, unless their content is identical
     tell       takes lines for the user: further files written, and data that the format cannot hold
     Raises UserError for an unknown format, another format's ending, a missing extra, and what the format cannot hold.
     """
-    form, wishes = chosen(kind, target), asked_by(target, wishes or Wishes())
-    check_wishes(form, wishes)
-    target = target or target_of(saved.name, form, wishes)
+    form, options = chosen(kind, target), read_options(target, options or ExportOptions())
+    check_options(form, options)
+    target = target or target_of(saved.name, form, options)
     check_target(target)
     check_new(target, overwrite=overwrite)
     module = _module(form)
-    take = Take.of(saved, fps, wishes)
-    others = _beside(module, take, target)
+    trajectory = SampledTrajectory.of(saved, fps, options)
+    others = _beside(module, trajectory, target)
     for other, content in others.items():
         if other == target:
             raise UserError(f"'{target}' is the name of a file of the figure, too; give another -o")
@@ -255,13 +255,13 @@ def export(
             check_new(other, overwrite=overwrite)
     assert module.write is not None, "a format that is written"
     with Replacement(target) as temporary:
-        module.write(take, temporary)
+        module.write(trajectory, temporary)
     for other, content in others.items():
         with Replacement(other) as temporary:
             temporary.write_bytes(content)
-        take.notes.append(f"wrote {other}")
+        trajectory.notes.append(f"wrote {other}")
     if tell is not None:
-        for note in take.notes:
+        for note in trajectory.notes:
             tell(note)
     return target
 
@@ -271,13 +271,13 @@ def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = N
     check_target(target)
     check_new(target, overwrite=overwrite)
     with Replacement(target) as temporary:
-        own.write(Take.of(saved, fps), temporary)
+        own.write(SampledTrajectory.of(saved, fps), temporary)
     return target
 
 
-def _beside(module: Module, take: Take, target: Path) -> dict[Path, bytes]:
+def _beside(module: Module, trajectory: SampledTrajectory, target: Path) -> dict[Path, bytes]:
     """The companion files of a motion's file."""
-    companions = {} if module.beside is None else module.beside(take)
+    companions = {} if module.beside is None else module.beside(trajectory)
     return {
         target.with_suffix(name) if name.startswith(".") else target.parent / name: (
             content if isinstance(content, bytes) else content.encode()
@@ -357,7 +357,7 @@ def _fitting(source: Path) -> list[Format]:
         raise UserError(f"'{source}': {_write_only(selected.name)}")
     if selected is not None:
         return [selected, *(form for form in available if form.shares == selected.ending and _recognises(form, source))]
-    sharing = [form for form in available if name.endswith(form.read_by)]
+    sharing = [form for form in available if name.endswith(form.read_endings)]
     fitting = [form for form in sharing if _recognises(form, source)]
     if not fitting:
         names = ", ".join(form.name for form in sharing or available)
@@ -375,9 +375,9 @@ def _recognises(form: Format, source: Path) -> bool:
 class Module:
     """The functions of a format's module: see `Format`."""
 
-    write: Callable[[Take, Path], None] | None
+    write: Callable[[SampledTrajectory, Path], None] | None
     read: Callable[..., Recording] | None
-    beside: Callable[[Take], Mapping[str, str | bytes]] | None
+    beside: Callable[[SampledTrajectory], Mapping[str, str | bytes]] | None
     recognises: Callable[[Path], bool] | None
 
 

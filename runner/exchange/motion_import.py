@@ -23,7 +23,7 @@ from .formats import Reader, read_by, recording, stem
 
 
 @dataclass(frozen=True)
-class Taken:
+class ImportedMotion:
     """A file of another program, read for a figure.
 
     name; spec and model, the figure; time (T,) [s] and qpos (T, nq), hinges without wraps; fps [1/s]; loops, whether
@@ -39,7 +39,7 @@ class Taken:
     loops: bool
 
 
-def taken(
+def read_recording(
     source: Path,
     kind: str | Reader | None = None,
     *,
@@ -47,7 +47,7 @@ def taken(
     fps: float | None = None,
     scale: float | None = None,
     progress: Progress | None = None,
-) -> Taken:
+) -> ImportedMotion:
     """Reads a file of another program.
 
     figure  a shipped figure's name or a path to MJCF, for files that bring none
@@ -74,7 +74,7 @@ def taken(
     for note in (*record.notes, *notes):
         progress.say(f"note: {note}")
     rate = record.fps or (float(np.round(1 / np.median(np.diff(record.time)), 6)) if record.time.size > 1 else 30.0)
-    return Taken(stem(source), spec, model, record.time, qpos, rate, record.loops)
+    return ImportedMotion(stem(source), spec, model, record.time, qpos, rate, record.loops)
 
 
 def _compiled(spec: mujoco.MjSpec, figure: str) -> mujoco.MjModel:
@@ -86,7 +86,7 @@ def _compiled(spec: mujoco.MjSpec, figure: str) -> mujoco.MjModel:
         raise UserError(f"{figure}: MuJoCo cannot compile it: {first_line(error)}") from None
 
 
-def imported(
+def import_recording(
     source: Path,
     kind: str | Reader | None = None,
     *,
@@ -102,7 +102,7 @@ def imported(
     Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
     progress = progress or Progress()
-    record = taken(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
+    record = read_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
     clip = clips.from_qpos(
         record.name, compose(record.spec, bare=record.model), record.time, record.qpos, record.fps, source.name
     )

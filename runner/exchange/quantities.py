@@ -21,7 +21,7 @@ from dynsplines.solver.figure.dynamics import inverse_dynamics
 
 from ..errors import UserError, unknown
 from .forces import Forces
-from .trajectory import Take
+from .trajectory import SampledTrajectory
 
 Columns = dict[str, Array]
 AXES = "xyz"
@@ -33,24 +33,24 @@ CONSTRAINT_NOTE = (
 UNKNOWN_NOTE = "the support of the figure is unknown in {share:.0%} of the instants: forces there are nan"
 
 
-def velocities(take: Take, forces: Forces) -> Columns:
+def velocities(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     """MuJoCo's qvel."""
     units = ("m/s", "rad/s")
-    return _by_dof(take.model, take.qvel, {"free": "v w", "ball": "w", "hinge": "v", "slide": "v"}, units)
+    return _by_dof(trajectory.model, trajectory.qvel, {"free": "v w", "ball": "w", "hinge": "v", "slide": "v"}, units)
 
 
-def torques(take: Take, forces: Forces) -> Columns:
+def torques(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     """The torques of all joints but free ones."""
     units = ("N", "N m")
-    return _by_dof(take.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
+    return _by_dof(trajectory.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
 
 
-def wrench(take: Take, forces: Forces) -> Columns:
+def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     """The wrench at the free root that carries the figure; raises UserError if there is none."""
-    root_wrench, root = forces.wrench, take.figure.root
+    root_wrench, root = forces.wrench, trajectory.figure.root
     if root_wrench is None or root is None or not root.is_free:
-        raise UserError(f"{take.name}: the figure has no free root, so no wrench moves it from outside")
-    name = take.figure.links[root_wrench.root].name
+        raise UserError(f"{trajectory.name}: the figure has no free root, so no wrench moves it from outside")
+    name = trajectory.figure.links[root_wrench.root].name
     return (
         _vector(f"{name}.f", "N", root_wrench.force)
         | _vector(f"{name}.m", "N m", root_wrench.moment)
@@ -58,10 +58,12 @@ def wrench(take: Take, forces: Forces) -> Columns:
     )
 
 
-def ground(take: Take, forces: Forces) -> Columns:
+def ground(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     """The ground reactions of every foot with a stance; raises UserError if there is none."""
     if not forces.feet:
-        raise UserError(f"{take.name}: no stance is known, so the ground reaction force is unknown; add a [[contact]]")
+        raise UserError(
+            f"{trajectory.name}: no stance is known, so the ground reaction force is unknown; add a [[contact]]"
+        )
     out: Columns = {}
     for foot in forces.feet:
         out |= _vector(f"{foot.name}.f", "N", foot.force)
@@ -70,7 +72,7 @@ def ground(take: Take, forces: Forces) -> Columns:
     return out | _vector("unsupplied.f", "N", forces.rest[:3]) | _vector("unsupplied.m", "N m", forces.rest[3:])
 
 
-GROUPS: dict[str, Callable[[Take, Forces], Columns]] = {
+GROUPS: dict[str, Callable[[SampledTrajectory, Forces], Columns]] = {
     "velocities": velocities,
     "torques": torques,
     "wrench": wrench,
@@ -87,28 +89,28 @@ def named(text: str) -> tuple[str, ...]:
     return tuple(GROUPS) if "all" in words else tuple(dict.fromkeys(words))
 
 
-def table(take: Take, groups: Sequence[str]) -> Columns:
+def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
     """The columns (T,) of groups, by heading. Unknown forces are reported in the notes."""
     if not groups:
         return {}
-    forces = Forces.of(take)
+    forces = Forces.of(trajectory)
     out: Columns = {}
     for group in GROUPS:
         if group in groups:
-            out |= GROUPS[group](take, forces)
+            out |= GROUPS[group](trajectory, forces)
     if {"torques", "ground"} & set(groups) and not forces.known.all():
-        take.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.known.mean())))
+        trajectory.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.known.mean())))
     if "torques" in groups:
-        take.notes.extend(constraint_notes(take, forces))
+        trajectory.notes.extend(constraint_notes(trajectory, forces))
     return out
 
 
-def constraint_notes(take: Take, forces: Forces) -> list[str]:
+def constraint_notes(trajectory: SampledTrajectory, forces: Forces) -> list[str]:
     """A line on the forces of joint limits and equality constraints, where they are a large part of the torques."""
-    model = take.model
+    model = trajectory.model
     if not (model.neq or model.jnt_limited.any() or model.tendon_limited.any()):
         return []
-    free = inverse_dynamics(model, take.qpos, take.qvel, take.qacc, disabled=EQUALITIES_AND_LIMITS)
+    free = inverse_dynamics(model, trajectory.qpos, trajectory.qvel, trajectory.qacc, disabled=EQUALITIES_AND_LIMITS)
     size = np.abs(forces.inverse - free)
     at, dof = np.unravel_index(int(size.argmax()), size.shape)
     if size[at, dof] <= LARGE * np.abs(forces.inverse).max():
@@ -122,7 +124,7 @@ def constraint_notes(take: Take, forces: Forces) -> list[str]:
             size=size[at, dof],
             unit="N" if is_force else "N m",
             joint=model.joint(joint).name or f"joint{joint}",
-            time=take.time[at],
+            time=trajectory.time[at],
         )
     ]
 

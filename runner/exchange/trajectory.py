@@ -1,4 +1,4 @@
-"""Data of the formats: a motion at equal time steps in MuJoCo's layout (Take), and a file's content (Recording)."""
+"""Data of the formats: a motion at equal time steps in MuJoCo's layout (SampledTrajectory), and a file's content (Recording)."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from dynsplines.solver.figure.figure import Figure
 
 from ..motion import Saved, sampled
 from ..scene.assets import Assets
-from .skeleton.hinge_joints import Hinged
+from .skeleton.hinge_joints import HingeModel
 
 
 @dataclass(frozen=True)
-class Wishes:
+class ExportOptions:
     """Optional content of a file.
 
     simulate  figure and scene collide, and joints have actuators
@@ -30,7 +30,7 @@ class Wishes:
 
 
 @dataclass(frozen=True)
-class Take:
+class SampledTrajectory:
     """A motion at equal time steps, to be written to a file, in MuJoCo's order and units.
 
     Attributes:
@@ -41,7 +41,7 @@ class Take:
         qvel: Velocities (T, nv).
         qacc: Accelerations (T, nv).
         notes: Lines for the user, which the writer extends.
-        wishes: Requested optional content.
+        options: Requested optional content.
     """
 
     saved: Saved
@@ -51,14 +51,14 @@ class Take:
     qvel: Array
     qacc: Array
     notes: list[str] = field(default_factory=list)
-    wishes: Wishes = Wishes()
+    options: ExportOptions = ExportOptions()
 
     @classmethod
-    def of(cls, saved: Saved, fps: float | None = None, wishes: Wishes | None = None) -> Take:
+    def of(cls, saved: Saved, fps: float | None = None, options: ExportOptions | None = None) -> SampledTrajectory:
         """A saved motion at its own rate, or at another; raises UserError for more samples than memory is made for."""
         rate = fps or saved.fps
         at = sampled(saved.figure, saved.timeline, rate)
-        return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc, wishes=wishes or Wishes())
+        return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc, options=options or ExportOptions())
 
     @property
     def figure(self) -> Figure:
@@ -93,18 +93,18 @@ class Take:
         return self.is_loop
 
     @cached_property
-    def period(self) -> Take:
+    def period(self) -> SampledTrajectory:
         """A loop at the rate nearest to its own that samples its end too; other motions as they are."""
         if not self.is_loop:
             return self
         times = self.saved.timeline.times
         lasts = float(times[-1] - times[0])
-        return Take.of(self.saved, max(1, round(lasts * self.fps)) / lasts)
+        return SampledTrajectory.of(self.saved, max(1, round(lasts * self.fps)) / lasts)
 
     @cached_property
-    def hinged(self) -> Hinged:
+    def hinged(self) -> HingeModel:
         """The motion of the figure with three hinges for every ball joint."""
-        out = Hinged.of(self.model, self.saved.scene, self.qpos, self.qvel)
+        out = HingeModel.of(self.model, self.saved.scene, self.qpos, self.qvel)
         if (warning := out.warning(self.time)) is not None:
             self.notes.append(warning)
         return out

@@ -109,11 +109,11 @@ def import_motion(
         UserError: For an invalid file, or one that does not fit the figure; one line.
     """
     from ..clean import rest_pose_trim
-    from ..exchange.motion_import import imported
+    from ..exchange.motion_import import import_recording
 
     if figure is not None and not isinstance(figure, str | os.PathLike):
         raise UserError(f"figure is a name or a path to MJCF, not of type {type(figure).__name__}")
     figure = None if figure is None else str(os.fspath(figure))
     with file_access.allowed(allow_outside):
-        motion = imported(Path(source), format, figure=figure, fps=fps, scale=scale)
+        motion = import_recording(Path(source), format, figure=figure, fps=fps, scale=scale)
     return Motion(rest_pose_trim.without(motion) if skip_rest else motion)

@@ -354,13 +354,13 @@ class Motion(Renames):
             UserError: For an unknown format, or data that it cannot hold.
         """
         from ..exchange import formats, quantities
-        from ..exchange.trajectory import Wishes
+        from ..exchange.trajectory import ExportOptions
 
         target = Path(path)
         if to is not None and not isinstance(to, str):
             return formats.written_by(to, self.saved, target, fps=fps)
-        wishes = Wishes(simulate, quantities.named(columns if isinstance(columns, str) else ",".join(columns)))
-        return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, wishes=wishes)
+        options = ExportOptions(simulate, quantities.named(columns if isinstance(columns, str) else ",".join(columns)))
+        return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, options=options)
 
     def save(self, path: str | os.PathLike[str], *, exact: bool = False, overwrite: bool = False) -> Path:
         """Save the motion (.npz, for `load_motion`), or a clip of its keyframes (.toml).
@@ -527,9 +527,9 @@ class Motion(Renames):
     def _repr_html_(self) -> str:
         """A player of the motion before and after, for notebooks: a page without external content."""
         from ..exchange.format.html import page
-        from ..exchange.trajectory import Take
+        from ..exchange.trajectory import SampledTrajectory
 
-        inside = html.escape(page(Take.of(self.saved)))
+        inside = html.escape(page(SampledTrajectory.of(self.saved)))
         style = f"width: 100%; height: {PLAYER_HEIGHT}px; border: 0"
         return f'<iframe title="{html.escape(self.name)}" style="{style}" srcdoc="{inside}"></iframe>'
 

@@ -62,7 +62,11 @@ def formats() -> dict[str, Any]:
     """The formats that can be written."""
     from ..exchange.formats import FORMATS  # only here: the figure is on the page by now
 
-    rows = [{"name": entry.name, "ending": entry.ending, "says": entry.says} for entry in FORMATS if entry.writes]
+    rows = [
+        {"name": entry.name, "ending": entry.ending, "description": entry.description}
+        for entry in FORMATS
+        if entry.writes
+    ]
     return {"formats": rows, "films": list(FILMS)}
 
 

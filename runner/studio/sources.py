@@ -106,9 +106,9 @@ def _recording(path: Path, figure: str | None) -> Document:
     """A file of another program: imported beside itself, and followed."""
     from .. import motion
     from ..exchange.formats import stem
-    from ..exchange.motion_import import imported
+    from ..exchange.motion_import import import_recording
 
-    saved = imported(path, figure=figure)
+    saved = import_recording(path, figure=figure)
     target = path.resolve().with_name(f"{stem(path)}.npz")
     if target.exists() and target != path.resolve():
         raise UserError(f"'{target.name}' already exists, where {path.name} would be imported to; open that one")

@@ -30,7 +30,7 @@ from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import references, table_of
 from dynsplines.clip.starter import starter
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 from dynsplines.measure import violation
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.motion import Saved
@@ -213,7 +213,7 @@ def _import(kind: str, figure: str | None, path: Path) -> object:
     if crc32(path.read_bytes()) % WHOLE_OF:
         model = None if figure is None else _model(figure)
         return formats.recording(path, kind, model=model, fps=30.0 if kind == "mjlab-csv" else None)
-    return imported(path, kind, figure=figure, fps=30.0 if kind == "mjlab-csv" else None, progress=told())
+    return import_recording(path, kind, figure=figure, fps=30.0 if kind == "mjlab-csv" else None, progress=told())
 
 
 @cache

@@ -20,7 +20,7 @@ from rich.console import Console
 from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
-from dynsplines.exchange.skeleton.hinge_joints import Hinged
+from dynsplines.exchange.skeleton.hinge_joints import HingeModel
 from dynsplines.motion import Saved
 from dynsplines.system.progress import Progress
 
@@ -95,7 +95,7 @@ def test_locomujoco_loads_a_trajectory_and_its_model_replays_it(tmp_path, monkey
     target = formats.export(saved, "locomujoco", tmp_path / "a.loco.npz")
     found = trajectory.load(str(target), backend=np)
     at = wild.samples(saved)
-    hinged = Hinged.of(saved.figure.model, saved.scene, at.qpos, at.qvel)
+    hinged = HingeModel.of(saved.figure.model, saved.scene, at.qpos, at.qvel)
     data = mujoco.MjData(hinged.model)
     assert found.info.frequency == wild.FPS
     assert found.info.joint_names == [hinged.model.joint(i).name for i in range(hinged.model.njnt)]

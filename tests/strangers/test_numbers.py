@@ -16,7 +16,7 @@ from dynsplines.clip import load as clip
 from dynsplines.clip.starter import starter
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 from dynsplines.motion import Saved
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface.points import MOST_BETWEEN, body_points
@@ -66,7 +66,7 @@ def test_a_skeleton_whose_joints_are_all_in_one_place_is_refused(tmp_path: Path)
     text = (tmp_path / "a.bvh").read_text(encoding="utf-8")
     (tmp_path / "a.bvh").write_text(re.sub(r"OFFSET .*", "OFFSET 0 0 0", text), encoding="utf-8")
     with pytest.raises(UserError, match=r"a.bvh: its legs are without length"):
-        imported(tmp_path / "a.bvh", figure="human")
+        import_recording(tmp_path / "a.bvh", figure="human")
 
 
 @pytest.mark.parametrize("name", ["x" * 400, "x/" * 3000, "a\0b"])

@@ -8,7 +8,7 @@ import numpy as np
 
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
 from dynsplines.exchange.skeleton.hinge_joints import angles
-from dynsplines.exchange.trajectory import Take
+from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.solver import quaternion as quat
 
 MIXAMO = {
@@ -31,7 +31,7 @@ def t_pose() -> dict[str, np.ndarray]:
 
 
 def disguised(
-    take: Take,
+    take: SampledTrajectory,
     *,
     names: Mapping[str, str] = MIXAMO,
     zero: Mapping[str, np.ndarray] | None = None,

@@ -8,7 +8,7 @@ import numpy as np
 import wild
 
 from dynsplines.exchange import formats, layouts
-from dynsplines.exchange.motion_import import taken
+from dynsplines.exchange.motion_import import read_recording
 from dynsplines.motion import Saved
 
 EXACT = 1e-6  # [m], [rad]
@@ -17,7 +17,7 @@ EXACT = 1e-6  # [m], [rad]
 def check_round_trip(saved: Saved, kind: str, folder: Path, figure: str | None) -> None:
     """Up to the signs of quaternions, and at the same times."""
     target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}")
-    before, found = wild.samples(saved), taken(target, kind, figure=figure, fps=saved.fps)
+    before, found = wild.samples(saved), read_recording(target, kind, figure=figure, fps=saved.fps)
     after = found.qpos.copy()
     assert after.shape == before.qpos.shape, kind
     for columns in layouts.quaternions(saved.figure.model):

@@ -52,7 +52,7 @@ export const open = async (): Promise<void> => {
 };
 
 export const exported = (): void => {
-  const to = el("select", { "aria-label": "format" }, ...formats.formats.map((each) => el("option", { value: each.name, text: `${each.name} – ${each.says}` })));
+  const to = el("select", { "aria-label": "format" }, ...formats.formats.map((each) => el("option", { value: each.name, text: `${each.name} – ${each.description}` })));
   const name = el("input", { type: "text", "aria-label": "file name" });
   const ended = (): void => { name.value = `${base()}${formats.formats.find((each) => each.name === to.value)?.ending.split(/[ ,]/)[0] ?? ""}`; };
   to.addEventListener("change", ended);

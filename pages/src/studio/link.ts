@@ -106,7 +106,7 @@ const HANDLERS: Record<string, (message: Message) => void> = {
 };
 
 export let curves: Message | null = null;
-export let formats: { formats: { name: string; ending: string; says: string }[]; films: string[] } = { formats: [], films: [] };
+export let formats: { formats: { name: string; ending: string; description: string }[]; films: string[] } = { formats: [], films: [] };
 export let task: string | null = null;
 export let offer: string | null = null;
 export let connected = false;

@@ -31,7 +31,7 @@ export interface Stage extends Drawn {
   limbs: { name: string; joints: string[]; end: number }[];
 }
 export interface Violation { kind: string; name: string; time: number | null; amount: number; unit: string; keyframe: number | null; text: string; }
-export interface Kind { kind: string; part: string; term: string; weight: number; "keeps small": string; "is on": boolean; }
+export interface Kind { kind: string; part: string; term: string; weight: number; quantity: string; "is on": boolean; }
 export interface Course { value?: number; parts?: Record<string, number>; evaluation?: number; frames: number[]; kind: string; }
 
 export type Which = "after" | "before" | "both" | "side" | "snapshot";

@@ -168,7 +168,7 @@ const weights = (): void => {
   const box = $("panel-weights"), parts = course?.parts ?? {}, scroll = box.scrollTop;
   if (box.contains(window.document.activeElement) && (window.document.activeElement as HTMLInputElement).type === "range") return;
   const sum = Object.values(parts).reduce((total, each) => total + each, 0);
-  const rows = kinds.map(({ kind, part, term, weight: base, "keeps small": small, "is on": on }) => {
+  const rows = kinds.map(({ kind, part, term, weight: base, quantity: small, "is on": on }) => {
     const own = document.weights[term], given = term in document.weights;
     const now = own ?? loaded?.weights[term] ?? (on ? base : 0);
     const slider = el("input", { type: "range", min: -SCALE, max: SCALE, step: 0.05, "aria-label": `weight of ${term}`, value: now > 0 ? Math.log10(now / base) : -SCALE });

@@ -40,7 +40,7 @@ TOLERANCE = 1e-3  # relative decrease of E at which a search ends: an edit start
 ROUNDING = 1e-9  # [s]
 
 
-class Moving(NamedTuple):
+class RecordedPath(NamedTuple):
     """A motion, and its images a second."""
 
     figure: Figure
@@ -49,7 +49,7 @@ class Moving(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Followed:
+class TrackedRecording:
     """A recording in a clip's own time.
 
     knots  (M,) [s] of its own frames, at which its spline is itself
@@ -61,10 +61,13 @@ class Followed:
     where: str
 
     @classmethod
-    def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> Followed:
+    def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> TrackedRecording:
         """The recording that a saved motion follows, from its raw path: the warped recording."""
         return cls(
-            RecordedMotion.of(figure, *_taken_down(Moving(figure, raw, RATE)), exact=True), raw.times, table, where
+            RecordedMotion.of(figure, *_taken_down(RecordedPath(figure, raw, RATE)), exact=True),
+            raw.times,
+            table,
+            where,
         )
 
     @property
@@ -160,7 +163,7 @@ class Followed:
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
 
 
-def followed(table: RecordingTable, figure: Figure, motion: Moving | None, where: str) -> Followed:
+def followed(table: RecordingTable, figure: Figure, motion: RecordedPath | None, where: str) -> TrackedRecording:
     """Return the recording that a clip follows in the clip's time.
 
     Raises:
@@ -176,12 +179,12 @@ def followed(table: RecordingTable, figure: Figure, motion: Moving | None, where
         timeline = motion.timeline if table.repeat is None else repeated(motion.figure, motion.timeline, table.repeat)
     except TimelineError as error:
         raise UserError(f"{here}: repeat: {error}") from None
-    time, qpos = _cut(*_taken_down(Moving(motion.figure, timeline, motion.fps)), table, here)
+    time, qpos = _cut(*_taken_down(RecordedPath(motion.figure, timeline, motion.fps)), table, here)
     recorded = RecordedMotion.of(figure, _clip_time(time, table), qpos, exact=True)
-    return Followed(recorded, _clip_time(timeline.times, table, time[0]), table, where)
+    return TrackedRecording(recorded, _clip_time(timeline.times, table, time[0]), table, where)
 
 
-def _taken_down(saved: Moving) -> tuple[Array, Array]:
+def _taken_down(saved: RecordedPath) -> tuple[Array, Array]:
     """Times (T,) [s] and qpos (T, nq) of a motion, its end among them, RATE of them a second or more."""
     path, fps = path_of(saved.timeline), max(saved.fps, RATE)
     first, last = path.span

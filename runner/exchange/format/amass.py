@@ -35,10 +35,10 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from .. import missing_input
-from ..array_reader import SAMPLES, Held, held, names_in, times
+from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
 from ..pickles import plain_pickle
 from ..skeleton import smpl
-from ..skeleton.humanoid import Person
+from ..skeleton.humanoid import Humanoid
 from ..trajectory import Recording
 from . import bvh
 
@@ -100,17 +100,17 @@ def _is_smpl(names: Iterable[str]) -> bool:
     return bool(turned and there.intersection(PLACES)) and ROBOT not in there
 
 
-def _arrays(path: Path) -> Held:
+def _arrays(path: Path) -> ArrayReader:
     """The arrays of a file with one motion."""
-    return held(path) if path.suffix.lower() == ".npz" else plain_pickle.one_motion(plain_pickle.load(path))
+    return read_npz(path) if path.suffix.lower() == ".npz" else plain_pickle.one_motion(plain_pickle.load(path))
 
 
-def _first(found: Held, names: tuple[str, ...]) -> str | None:
+def _first(found: ArrayReader, names: tuple[str, ...]) -> str | None:
     """The first of some names that a file has."""
     return next((name for name in names if name in found), None)
 
 
-def _motion(found: Held) -> tuple[Array, Array]:
+def _motion(found: ArrayReader) -> tuple[Array, Array]:
     """Positions (T, 3) and rotation vectors (T, 22, 3); raises UserError for other shapes."""
     place, poses = _first(found, PLACES) or PLACES[0], _first(found, POSES)
     root, body = _first(found, ROOTS), _first(found, BODIES)
@@ -130,7 +130,7 @@ def _motion(found: Held) -> tuple[Array, Array]:
     return position, turns[:, :BODY].reshape(count, -1, 3)
 
 
-def _rows(found: Held, name: str, least: int) -> Array:
+def _rows(found: ArrayReader, name: str, least: int) -> Array:
     """(T, least or more) of an array (T, n), or of one (T, joints, 3)."""
     nested = isinstance(found.of(name), np.ndarray) and found.of(name).ndim == 3
     shape = (SAMPLES, f"joints of {name}", 3) if nested else (SAMPLES, f"numbers of {name}")
@@ -144,7 +144,7 @@ def _rows(found: Held, name: str, least: int) -> Array:
     return array
 
 
-def _scale(found: Held) -> float:
+def _scale(found: ArrayReader) -> float:
     """The number by which positions are larger than SMPL's."""
     array = np.asarray(found.of(SCALE))
     if array.size != 1 or array.dtype.kind not in "fiu" or not 0 < float(array.reshape(())) < np.inf:
@@ -152,22 +152,22 @@ def _scale(found: Held) -> float:
     return float(array.reshape(()))
 
 
-def _on_shape(found: Held) -> tuple[str, ...]:
+def _on_shape(found: ArrayReader) -> tuple[str, ...]:
     """A note if a file has the person's shape."""
     betas = found.of("betas") if "betas" in found else None
     has_shape = isinstance(betas, np.ndarray) and betas.dtype.kind in "fiu" and bool(np.any(betas))
     return ("bones are those of SMPL's mean shape: the file's 'betas' are not used",) if has_shape else ()
 
 
-def _person(model: mujoco.MjModel) -> Person | None:
+def _person(model: mujoco.MjModel) -> Humanoid | None:
     """A figure as a person, if it has the ball joints."""
     try:
-        return Person.of(model, NAME)
+        return Humanoid.of(model, NAME)
     except UserError:
         return None
 
 
-def _on_person(person: Person, position: Array, local: Array) -> Array:
+def _on_person(person: Humanoid, position: Array, local: Array) -> Array:
     """qpos (T, nq) by the joints' angles, on the floor."""
     rotation = smpl.in_world(local)
     bodies = {"root": quat.product(rotation[:, 0], smpl.TO_SMPL)}

@@ -24,24 +24,24 @@ from ...motion import asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
 from ...scene.compose import first_line, quietly
 from .. import layouts, missing_input
-from ..array_reader import Held, body_poses, held, names_in, times
+from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times
 from ..robot import needs_figure
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """All of it in double precision."""
-    model = take.model
+    model = trajectory.model
     arrays = {
-        "fps": take.fps,
-        "time": take.time,
-        "qpos": take.qpos,
-        "qvel": take.qvel,
-        "qacc": take.qacc,
+        "fps": trajectory.fps,
+        "time": trajectory.time,
+        "qpos": trajectory.qpos,
+        "qvel": trajectory.qvel,
+        "qacc": trajectory.qacc,
         "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),
         "body_names": np.array([model.body(i).name for i in range(model.nbody)]),
-        "mjcf": np.array(take.saved.mjcf),
-        **asset_arrays(take.saved.scene),
+        "mjcf": np.array(trajectory.saved.mjcf),
+        **asset_arrays(trajectory.saved.scene),
     }
     write_arrays(path, arrays)
 
@@ -53,7 +53,7 @@ def recognises(path: Path) -> bool:
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Raises UserError for arrays that are missing, of other shapes, or for another figure."""
-    arrays = held(path)
+    arrays = read_npz(path)
     mjcf = None
     if model is None:
         if "mjcf" not in arrays:
@@ -81,7 +81,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     return result if mjcf is None else replace(result, mjcf=mjcf, assets=assets, others=())
 
 
-def _time(found: Held, count: int, fps: float | None) -> Array:
+def _time(found: ArrayReader, count: int, fps: float | None) -> Array:
     if "time" in found:
         return found.numbers("time", "samples")
     if fps is None:

@@ -18,9 +18,9 @@ from dynsplines.solver.array import Array
 
 from ..skeleton import bvh_file, captured_figure, hierarchy, retarget
 from ..skeleton.bvh_file import Joint, Skeleton, written
-from ..skeleton.captured_skeleton import Captured
+from ..skeleton.captured_skeleton import CapturedSkeleton
 from ..skeleton.hinge_joints import angles
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 
 CENTIMETRES = 100.0  # a metre
 FIXED = 1e-7  # [m]: less is no movement
@@ -28,9 +28,9 @@ LIFTED = 0.002  # [m] worth a note
 PLACES = ("Xposition", "Yposition", "Zposition")
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """The skeleton and its motion into a .bvh."""
-    path.write_text(written(skeleton(take)), encoding="utf-8", newline="\n")
+    path.write_text(written(skeleton(trajectory)), encoding="utf-8", newline="\n")
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
@@ -51,11 +51,11 @@ def recording(
     notes: tuple[str, ...] = (),
 ) -> Recording:
     """Read a skeleton's motion, of any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`."""
-    return of_captured(Captured.of(skeleton, scale, retarget.chosen().recording), rate, path, model, notes)
+    return of_captured(CapturedSkeleton.of(skeleton, scale, retarget.chosen().recording), rate, path, model, notes)
 
 
 def of_captured(
-    captured: Captured, rate: float, path: Path, model: mujoco.MjModel | None, notes: tuple[str, ...]
+    captured: CapturedSkeleton, rate: float, path: Path, model: mujoco.MjModel | None, notes: tuple[str, ...]
 ) -> Recording:
     """Read a captured motion as a new figure or on a figure; rate [1/s], path is the label in errors."""
     time = np.arange(len(captured.position)) / rate
@@ -68,14 +68,14 @@ def of_captured(
     return Recording(time, qpos, mjcf, rate, (*notes, *captured.notes, *raised))
 
 
-def skeleton(take: Take) -> Skeleton:
+def skeleton(trajectory: SampledTrajectory) -> Skeleton:
     """The moving bodies as joints; under a root that stands still at the origin if they are several figures."""
-    model, names = take.model, hierarchy.names(take.model)
+    model, names = trajectory.model, hierarchy.names(trajectory.model)
     bodies = [body for body in range(1, model.nbody) if model.body_weldid[body] != 0]
     tops = [body for body in bodies if model.body_weldid[model.body_parentid[body]] == 0]
     at_rest = hierarchy.rest(model)
-    place = y_up(take.bodies.position)
-    turn = _turned(quat.product(take.bodies.rotation, quat.conjugate(at_rest.rotation)))
+    place = y_up(trajectory.bodies.position)
+    turn = _turned(quat.product(trajectory.bodies.rotation, quat.conjugate(at_rest.rotation)))
     place_at_rest = y_up(at_rest.position[0])
     rows = ([0] if len(tops) > 1 else []) + bodies
     joints, columns = [], []
@@ -98,7 +98,7 @@ def skeleton(take: Take) -> Skeleton:
         )
         columns += [CENTIMETRES * moved] if moves else []
         columns.append(np.degrees(angles(relative[:, None], order.lower())[:, 0]))
-    return Skeleton(tuple(joints), 1 / take.fps, np.concatenate(columns, axis=1))
+    return Skeleton(tuple(joints), 1 / trajectory.fps, np.concatenate(columns, axis=1))
 
 
 def y_up(vector: Array) -> Array:

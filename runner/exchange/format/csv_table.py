@@ -18,7 +18,7 @@ from ...errors import UserError
 from .. import layouts, missing_input, quantities
 from ..array_reader import times
 from ..tables import headings, table_text
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 
 FORMULA = "=+-@\t\r"  # what a spreadsheet takes for the begin of one, and runs
 QUOTE = "'"
@@ -40,13 +40,13 @@ def columns(model: mujoco.MjModel) -> list[str]:
     return out
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Every number with the digits that bring it back exactly."""
-    more = quantities.table(take, take.wishes.columns)
-    table = np.column_stack([take.time, take.qpos, *more.values()])
+    more = quantities.table(trajectory, trajectory.options.columns)
+    table = np.column_stack([trajectory.time, trajectory.qpos, *more.values()])
     with path.open("w", newline="", encoding="utf-8") as stream:
         rows = csv.writer(stream)
-        rows.writerow([_inert(name) for name in ("time", *columns(take.model), *more)])
+        rows.writerow([_inert(name) for name in ("time", *columns(trajectory.model), *more)])
         rows.writerows(map(repr, row) for row in table.tolist())
 
 

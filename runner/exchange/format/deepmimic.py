@@ -28,10 +28,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ..array_reader import Held
+from ..array_reader import ArrayReader
 from ..robot import needs_figure
-from ..skeleton.humanoid import Person
-from ..trajectory import Recording, Take
+from ..skeleton.humanoid import Humanoid
+from ..trajectory import Recording, SampledTrajectory
 
 NAME = "deepmimic"
 LIMB = (("hip", 4), ("knee", 1), ("ankle", 4), ("shoulder", 4), ("elbow", 1))  # numbers a joint: quaternion or angle
@@ -53,10 +53,10 @@ def theirs(vector: Array) -> Array:
     return np.stack([vector[..., 0], vector[..., 2], -vector[..., 1]], -1)
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """A motion of a person; a loop is sampled so that its last frame is its end."""
-    person = Person.of(take.model, NAME)
-    whole = take.period
+    person = Humanoid.of(trajectory.model, NAME)
+    whole = trajectory.period
     steps = np.append(np.full(len(whole.time) - 1, 1 / whole.fps), 0.0)
     position = whole.qpos[:, person.root : person.root + 3] * (HIPS / person.height)
     columns = [steps[:, None], theirs(position), _their_rotation(person.rotation(whole.qpos))]
@@ -75,11 +75,11 @@ def write(take: Take, path: Path) -> None:
         columns.append(-np.unwrap(angle)[:, None])
     worst = max(lost, key=lambda name: lost[name])
     if lost[worst] > LOST:
-        take.notes.append(
+        trajectory.notes.append(
             f"'{worst}' is a hinge there: up to {np.degrees(lost[worst]):.1f}° of twist and swing are left out"
         )
     rows = ",\n".join(json.dumps(row) for row in np.concatenate(columns, 1).tolist())
-    loop = "wrap" if take.is_wrapped else "none"
+    loop = "wrap" if trajectory.is_wrapped else "none"
     path.write_text(f'{{\n"Loop": "{loop}",\n"Frames":\n[\n{rows}\n]\n}}\n', encoding="utf-8")
 
 
@@ -94,8 +94,8 @@ def recognises(path: Path) -> bool:
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Their humanoid's motion on a person; raises UserError for other skeletons, of other numbers a frame."""
-    person = Person.of(needs_figure(model, path), NAME)
-    content = Held(path, _parsed(path))
+    person = Humanoid.of(needs_figure(model, path), NAME)
+    content = ArrayReader(path, _parsed(path))
     frames = content.numbers("Frames", "frames", "numbers")
     if frames.shape[1] != WIDTH:
         names = ", ".join(name for name, _ in JOINTS)
@@ -124,7 +124,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 def _our_rotation(part: Array, name: str, path: Path) -> Array:
     called = f"Frames, the rotation of {name}"
-    rotation = Held(path, {called: part}).quaternions(called, "frames", 4)
+    rotation = ArrayReader(path, {called: part}).quaternions(called, "frames", 4)
     return np.concatenate([rotation[:, :1], ours(rotation[:, 1:])], 1)
 
 

@@ -23,7 +23,7 @@ from ...errors import UserError
 from ...scene.triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 from ..nodes import gltf_file
 from ..skeleton import hierarchy
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 from .bvh import recording
 
 STILL = 1e-7  # [m, or of a quaternion's entries]: less is no movement
@@ -61,15 +61,15 @@ class _Blob:
         return len(self.asset.accessors) - 1
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """The whole scene and its one animation; the extras of the animation hold the times of the keyframes."""
     if path.suffix.lower() != ".glb":
         raise UserError(f"the name of a glTF file that is written ends in .glb, not '{path.suffix}'")
-    model = take.model
+    model = trajectory.model
     asset = gl.GLTF2(asset=gl.Asset(version="2.0", generator="dynamic-splines"))
     blob = _Blob(asset)
     names = hierarchy.names(model)
-    position, rotation = hierarchy.local(model, take.bodies)
+    position, rotation = hierarchy.local(model, trajectory.bodies)
     asset.nodes = [
         gl.Node(name=name, translation=_least(position[0, body]), rotation=_least(hierarchy.xyzw(rotation[0, body])))
         for body, name in enumerate(names)
@@ -82,9 +82,9 @@ def write(take: Take, path: Path) -> None:
     asset.nodes[0].extras = {}
     asset.nodes[0].rotation = hierarchy.xyzw(hierarchy.Y_UP).tolist()
     asset.nodes[0].translation = None
-    _meshes(asset, blob, model, names, 10.0 + float(np.abs(take.bodies.position).max()))
-    _animation(asset, blob, take, position, rotation)
-    asset.scenes, asset.scene = [gl.Scene(name=take.name, nodes=[0])], 0
+    _meshes(asset, blob, model, names, 10.0 + float(np.abs(trajectory.bodies.position).max()))
+    _animation(asset, blob, trajectory, position, rotation)
+    asset.scenes, asset.scene = [gl.Scene(name=trajectory.name, nodes=[0])], 0
     asset.buffers = [gl.Buffer(byteLength=len(blob.data))]
     asset.set_binary_blob(bytes(blob.data))
     path.write_bytes(b"".join(asset.save_to_bytes()))
@@ -102,19 +102,22 @@ def _least(row: Array) -> list[float] | None:
     return None if np.allclose(row, at_rest, atol=1e-12) else row.astype(np.float32).astype(float).tolist()
 
 
-def _animation(asset: gl.GLTF2, blob: _Blob, take: Take, position: Array, rotation: Array) -> None:
+def _animation(asset: gl.GLTF2, blob: _Blob, trajectory: SampledTrajectory, position: Array, rotation: Array) -> None:
     """A channel for what moves; all share the times."""
     clip = gl.Animation(
-        name=take.name,
-        extras={"fps": take.fps, "keyframes": [round(k.time - float(take.time[0]), 9) for k in take.saved.keys]},
+        name=trajectory.name,
+        extras={
+            "fps": trajectory.fps,
+            "keyframes": [round(k.time - float(trajectory.time[0]), 9) for k in trajectory.saved.keys],
+        },
     )
     times = None
-    for body in range(1, take.model.nbody):
+    for body in range(1, trajectory.model.nbody):
         for path, track in (("translation", position[:, body]), ("rotation", hierarchy.xyzw(rotation[:, body]))):
             if np.abs(track - track[0]).max() <= STILL:
                 continue
             if times is None:
-                times = blob.accessor(np.arange(len(take.time)) / take.fps, bounded=True)
+                times = blob.accessor(np.arange(len(trajectory.time)) / trajectory.fps, bounded=True)
             clip.samplers.append(
                 gl.AnimationSampler(input=times, output=blob.accessor(track), interpolation=gl.ANIM_LINEAR)
             )

@@ -28,25 +28,25 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from .. import layouts
-from ..array_reader import Held, times
+from ..array_reader import ArrayReader, times
 from ..pickles import plain_pickle
 from ..robot import Robot, configurations, needs_figure
-from ..trajectory import Bodies, BodyPoses, Recording, Take
+from ..trajectory import Bodies, BodyPoses, Recording, SampledTrajectory
 from .mjlab import beside as beside
 
 NAME = "gmr"
 ASAP = {"root_trans_offset": "root_pos", "dof": "dof_pos"}  # names of ASAP and PHC, and GMR's
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
-    hinged = take.hinged
+    hinged = trajectory.hinged
     robot = Robot.of(hinged.model, NAME)
     bodies = Bodies.of(hinged.model, hinged.qpos, hinged.qvel)
     root = hinged.qpos[:, robot.root : robot.root + 7]
     away = bodies.position[:, robot.bodies] - root[:, None, :3]
     entries = {
-        "fps": take.fps,
+        "fps": trajectory.fps,
         "root_pos": np.ascontiguousarray(root[:, :3]),
         "root_rot": np.roll(root[:, 3:], -1, axis=1),
         "dof_pos": hinged.qpos[:, robot.columns],
@@ -81,7 +81,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     )
 
 
-def _motion(found: Held) -> Held:
+def _motion(found: ArrayReader) -> ArrayReader:
     """The one motion of a file, under GMR's keys; raises UserError for several, and for one without joints."""
     entries = dict(plain_pickle.one_motion(found).entries)
     for theirs, ours in ASAP.items():
@@ -92,15 +92,15 @@ def _motion(found: Held) -> Held:
     joints = entries.get("dof_pos")
     if isinstance(joints, np.ndarray) and joints.ndim == 3 and joints.shape[2] == 1:
         entries["dof_pos"] = joints[:, :, 0]
-    return Held(found.where, entries)
+    return ArrayReader(found.where, entries)
 
 
-def _root_turned(found: Held) -> Array:
+def _root_turned(found: ArrayReader) -> Array:
     """The root's rotation (T, 4) as ASAP has it besides: the first of the rotation vectors of all bodies."""
     return quat.aligned(quat.from_rotation_vector(found.numbers("pose_aa", "samples", "bodies and axes", 3)[:, 0]))
 
 
-def _bodies(found: Held) -> BodyPoses | None:
+def _bodies(found: ArrayReader) -> BodyPoses | None:
     """The bodies about the root, or the root's rotation vector, where the file has them."""
     if "local_body_pos" in found:
         names = tuple(found.texts("link_body_list")) if "link_body_list" in found else None

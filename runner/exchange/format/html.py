@@ -20,22 +20,22 @@ from ...motion import sampled
 from ...scene.triangles import is_still, pieces
 from ..model_json import drawn, packed
 from ..skeleton import hierarchy
-from ..trajectory import Bodies, Take
+from ..trajectory import Bodies, SampledTrajectory
 
 SAME = 1e-6  # [m, or of a quaternion's entries]: nearer, before and after are one motion
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """A page that plays the motion, whole in one file."""
-    path.write_text(page(take), encoding="utf-8")
+    path.write_text(page(trajectory), encoding="utf-8")
 
 
-def page(take: Take) -> str:
+def page(trajectory: SampledTrajectory) -> str:
     """The complete HTML text."""
     folder = files("dynsplines.exchange") / "player"
     parts = {
-        "title": html.escape(take.name),
-        "data": json.dumps(content(take), separators=(",", ":")).replace("<", "\\u003c"),
+        "title": html.escape(trajectory.name),
+        "data": json.dumps(content(trajectory), separators=(",", ":")).replace("<", "\\u003c"),
         **{
             name: (folder / file).read_text(encoding="utf-8")
             for name, file in (("style", "style.css"), ("player", "player.js"))
@@ -45,25 +45,26 @@ def page(take: Take) -> str:
     return re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found[1]], frame)
 
 
-def content(take: Take) -> dict[str, Any]:
+def content(trajectory: SampledTrajectory) -> dict[str, Any]:
     """The page's data; lengths in metres, z up, quaternions xyzw, times from 0."""
-    model, start = take.model, float(take.time[0])
-    raw = sampled(take.figure, take.saved.raw, take.fps)
+    model, start = trajectory.model, float(trajectory.time[0])
+    raw = sampled(trajectory.figure, trajectory.saved.raw, trajectory.fps)
     before = Bodies.of(model, raw.qpos, raw.qvel)
     changed = any(
-        np.abs(getattr(before, part) - getattr(take.bodies, part)).max() > SAME for part in ("position", "rotation")
+        np.abs(getattr(before, part) - getattr(trajectory.bodies, part)).max() > SAME
+        for part in ("position", "rotation")
     )
     visible = pieces(model)
     moving = sorted({piece.body for piece in visible if not is_still(model, piece)}) or list(range(1, model.nbody))
-    places = take.bodies.position[:, moving]
+    places = trajectory.bodies.position[:, moving]
     extent = float(np.ptp(places, axis=(0, 1))[:2].max())
     return {
-        "name": take.name,
-        "fps": take.fps,
-        "count": len(take.time),
-        "keys": [{"time": key.time - start, "partial": not bool(np.all(key.fixed))} for key in take.saved.keys],
+        "name": trajectory.name,
+        "fps": trajectory.fps,
+        "count": len(trajectory.time),
+        "keys": [{"time": key.time - start, "partial": not bool(np.all(key.fixed))} for key in trajectory.saved.keys],
         "bodies": hierarchy.names(model),
-        "after": _track(take.bodies),
+        "after": _track(trajectory.bodies),
         "before": _track(before) if changed else None,
         **drawn(model, 30.0 + 2 * float(np.abs(places).max())),
         "extent": extent,

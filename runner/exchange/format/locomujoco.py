@@ -28,9 +28,9 @@ from dynsplines.solver.array import Array
 from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts, missing_input
-from ..array_reader import Held, body_poses, held, names_in, times
+from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times
 from ..robot import configurations, needs_figure
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 from .mjlab import beside as beside
 
 NAME = "locomujoco"
@@ -44,9 +44,9 @@ OF_DATA = ("xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat")
 WIDTHS = {0: 7, 2: 1, 3: 1}  # of a joint's type in qpos
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """In double precision."""
-    hinged = take.hinged
+    hinged = trajectory.hinged
     model = hinged.model
     arrays = {
         "qpos": hinged.qpos,
@@ -55,7 +55,7 @@ def write(take: Take, path: Path) -> None:
         "joint_names": np.array([model.joint(i).name or f"joint{i}" for i in range(model.njnt)]),
         "body_names": np.array([model.body(i).name or f"body{i}" for i in range(model.nbody)]),
         "site_names": np.array([model.site(i).name or f"site{i}" for i in range(model.nsite)], dtype=np.str_),
-        "frequency": np.array(take.fps),
+        "frequency": np.array(trajectory.fps),
         **{name: np.array(getattr(model, name)) for name in ("njnt", "nbody", "nsite", *OF_MODEL)},
         **_of_data(model, hinged.qpos, hinged.qvel),
     }
@@ -87,7 +87,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     Raises UserError for files of several motions, and for other joints than the figure's.
     """
     model = needs_figure(model, path)
-    arrays = held(path)
+    arrays = read_npz(path)
     if "qpos" not in arrays and any(name.startswith(BEFORE) for name in arrays.entries):
         return _before_1_0(arrays, model, path, fps)
     if "qpos" not in arrays and "states" in arrays:
@@ -105,7 +105,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         arrays.check_samples("split_points", (declared,))
     root = starts[kinds.index(0)]
     hinges = [i for i, kind in enumerate(kinds) if kind != 0]
-    rotation = Held(path, {"qpos (the root's quaternion)": qpos[:, root + 3 : root + 7]})
+    rotation = ArrayReader(path, {"qpos (the root's quaternion)": qpos[:, root + 3 : root + 7]})
     turned = rotation.quaternions("qpos (the root's quaternion)", "samples", 4)
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
     rate = arrays.rate("frequency", fps)
@@ -117,7 +117,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     )
 
 
-def _declared(found: Held, path: Path) -> int:
+def _declared(found: ArrayReader, path: Path) -> int:
     """The number of samples that the file declares; raises UserError for several motions."""
     splits = found.numbers("split_points", "splits")
     if len(splits) > 2:
@@ -125,7 +125,7 @@ def _declared(found: Held, path: Path) -> int:
     return int(splits[-1] - splits[0]) if splits.size == 2 else 0
 
 
-def _before_1_0(found: Held, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
+def _before_1_0(found: ArrayReader, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
     """Read one array per joint, for the models of that version, whose roots are slides and hinges."""
     joints = [model.joint(joint).name for joint in range(model.njnt)]
     missing = [name for name in joints if BEFORE + name not in found]

@@ -28,7 +28,7 @@ from ..array_reader import times
 from ..pickles import plain_pickle
 from ..robot import FREE, needs_figure
 from ..skeleton.hinge_joints import BALL, HingeLayout, angles, rotation_of
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 
 CLAMP, WRAP = 0, 1  # its codes for what plays once and what repeats
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
@@ -101,22 +101,24 @@ def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
     )
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Plain numbers in lists, as they write it."""
-    whole = take.period
-    root, joints = parts(take.model)
+    whole = trajectory.period
+    root, joints = parts(trajectory.model)
     at, turn = whole.qpos[:, root : root + 3], quat.rotation_vector(whole.qpos[:, root + 3 : root + 7])
     frames = np.concatenate([at, turn, *(part.numbers(whole.qpos) for part in joints)], axis=1)
-    entries = {"loop_mode": WRAP if take.is_wrapped else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
+    entries = {"loop_mode": WRAP if trajectory.is_wrapped else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
     plain_pickle.dump(entries, path)
-    if abs(whole.fps - take.fps) > 1e-9:
-        take.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
+    if abs(whole.fps - trajectory.fps) > 1e-9:
+        trajectory.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
 
 
-def beside(take: Take) -> dict[str, str | bytes]:
+def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
     """The character file and what it refers to, if the figure has ball joints."""
-    layout = HingeLayout(take.model, CHARACTER)
-    return {".character.xml": layout.mjcf(take.saved.mjcf), **take.saved.scene.assets} if layout.balls else {}
+    layout = HingeLayout(trajectory.model, CHARACTER)
+    return (
+        {".character.xml": layout.mjcf(trajectory.saved.mjcf), **trajectory.saved.scene.assets} if layout.balls else {}
+    )
 
 
 def recognises(path: Path) -> bool:

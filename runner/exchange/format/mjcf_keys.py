@@ -19,40 +19,42 @@ from ...errors import UserError
 from ...scene.assets import taken_along
 from ...scene.compose import figure_spec, first_line, quietly
 from ...scene.mujoco_versions import portable_text, remove
-from ..array_reader import Held
+from ..array_reader import ArrayReader
 from ..simulation import scene, tracking
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Keys after the model as it is, or one that stands by itself, see `simulation`."""
-    simulation = scene.Simulation.of(take) if take.wishes.simulate else None
+    simulation = scene.Simulation.of(trajectory) if trajectory.options.simulate else None
     tracked = None
-    if simulation is not None and len(take.time) > 1:
-        simulation, tracked = tracking.refined(simulation, take)
-    root = ElementTree.fromstring(take.saved.mjcf) if simulation is None else simulation.root
+    if simulation is not None and len(trajectory.time) > 1:
+        simulation, tracked = tracking.refined(simulation, trajectory)
+    root = ElementTree.fromstring(trajectory.saved.mjcf) if simulation is None else simulation.root
     for keyframes in root.findall("keyframe"):
         root.remove(keyframes)
     keyframes = ElementTree.SubElement(root, "keyframe")
-    stem = re.sub(r"\W+", "_", take.name) or "key"
-    for i, (time, qpos, qvel) in enumerate(zip(take.time.tolist(), take.qpos, take.qvel, strict=True)):
+    stem = re.sub(r"\W+", "_", trajectory.name) or "key"
+    for i, (time, qpos, qvel) in enumerate(
+        zip(trajectory.time.tolist(), trajectory.qpos, trajectory.qvel, strict=True)
+    ):
         values = {"name": f"{stem}_{i}", "time": repr(time), "qpos": _written(qpos), "qvel": _written(qvel)}
         if simulation is not None:
             values["ctrl"] = _written(simulation.control[i])
         ElementTree.SubElement(keyframes, "key", values)
     if simulation is not None:
         count = len(simulation.drives)
-        take.notes.append(f"{count} position actuators; `ctrl` of the keys is what to aim them at")
-        take.notes.extend(simulation.notes)
+        trajectory.notes.append(f"{count} position actuators; `ctrl` of the keys is what to aim them at")
+        trajectory.notes.extend(simulation.notes)
         if tracked is not None:
-            take.notes.append(tracking.note(tracked, simulation, take))
+            trajectory.notes.append(tracking.note(tracked, simulation, trajectory))
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="unicode")
 
 
-def beside(take: Take) -> dict[str, str | bytes]:
+def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
     """The files that the model refers to."""
-    return dict(take.saved.scene.assets)
+    return dict(trajectory.saved.scene.assets)
 
 
 def _written(row: np.ndarray) -> str:
@@ -81,7 +83,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
             raise UserError(f"{path}: qpos of key {i + 1} has {row.size} numbers, not the figure's {compiled.nq}")
         if row.size:
             qpos[i] = row  # as written: MuJoCo makes quaternions unit
-    keys = Held(path, {"time": np.array(compiled.key_time), "qpos": qpos})
+    keys = ArrayReader(path, {"time": np.array(compiled.key_time), "qpos": qpos})
     time = keys.numbers("time", "keys")
     if not np.any(time != time[0]):
         raise UserError(f"{path}: all its keys are of the time {time[0]:g}; a motion's times rise")

@@ -26,20 +26,20 @@ from dynsplines.solver.figure.root import root_of
 from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts
-from ..array_reader import Held, held, names_in, times
+from ..array_reader import ArrayReader, names_in, read_npz, times
 from ..robot import Robot, configurations, needs_figure
-from ..trajectory import Bodies, BodyPoses, Recording, Take
+from ..trajectory import Bodies, BodyPoses, Recording, SampledTrajectory
 
 NAME = "mjlab"
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
-    hinged = take.hinged
+    hinged = trajectory.hinged
     robot = Robot.of(hinged.model, NAME)
     bodies = Bodies.of(hinged.model, hinged.qpos, hinged.qvel)
     arrays = {
-        "fps": np.array([take.fps]),
+        "fps": np.array([trajectory.fps]),
         "joint_pos": hinged.qpos[:, robot.columns],
         "joint_vel": hinged.qvel[:, robot.dofs],
         "body_pos_w": bodies.position[:, robot.bodies],
@@ -52,9 +52,11 @@ def write(take: Take, path: Path) -> None:
     write_arrays(path, arrays)
 
 
-def beside(take: Take) -> dict[str, str | bytes]:
+def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
     """The model of hinges that the motion is for, if it is not the figure itself, and the files it refers to."""
-    return {".hinges.xml": take.hinged.mjcf, **take.saved.scene.assets} if take.hinged.is_other else {}
+    return (
+        {".hinges.xml": trajectory.hinged.mjcf, **trajectory.saved.scene.assets} if trajectory.hinged.is_other else {}
+    )
 
 
 def recognises(path: Path) -> bool:
@@ -65,7 +67,7 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Root and hinges, verified by the bodies; by name where the file has names, else in the figure's order."""
     model = needs_figure(model, path)
-    arrays = held(path)
+    arrays = read_npz(path)
     rate = arrays.rate("fps", fps)
     joints = arrays.numbers("joint_pos", "samples", "joints")
     position = arrays.numbers("body_pos_w", "samples", "bodies", 3)
@@ -110,7 +112,7 @@ def _whole(model: mujoco.MjModel, path: Path, numbers: Array, names: list[str] |
     """All of qpos, the root's seven numbers before the joints."""
     if numbers.shape[1] < 7:
         raise UserError(f"{path}: 'joint_pos' has {numbers.shape[1]} columns, too few for a root")
-    rotation = Held(path, {"joint_pos": numbers[:, 3:7]}).quaternions("joint_pos", "samples", 4)
+    rotation = ArrayReader(path, {"joint_pos": numbers[:, 3:7]}).quaternions("joint_pos", "samples", 4)
     joints = numbers[:, 7:]
     if names is not None and len(names) == joints.shape[1] + 1:  # the root's joint is named, too
         names = names[1:]

@@ -17,26 +17,26 @@ import numpy as np
 
 from ...errors import UserError
 from .. import layouts, missing_input
-from ..array_reader import Held
+from ..array_reader import ArrayReader
 from ..robot import Robot, configurations, needs_figure, robot_joints
 from ..skeleton.hinge_joints import HingeLayout
 from ..tables import table_text
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 from .csv_table import without_heading
 from .mjlab import beside as beside
 
 NAME = "mjlab-csv"
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Every number with the digits that bring it back exactly."""
-    hinged = take.hinged
+    hinged = trajectory.hinged
     robot = Robot.of(hinged.model, NAME)
     root = hinged.qpos[:, robot.root : robot.root + 7]
     rows = np.column_stack([root[:, :3], np.roll(root[:, 3:], -1, axis=1), hinged.qpos[:, robot.columns]])
     with path.open("w", encoding="utf-8") as stream:
         stream.writelines(",".join(map(repr, row)) + "\n" for row in rows.tolist())
-    take.notes.append(f"the file contains no rate: {take.fps:g} samples a second")
+    trajectory.notes.append(f"the file contains no rate: {trajectory.fps:g} samples a second")
 
 
 def recognises(path: Path) -> bool:
@@ -63,7 +63,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         )
     time, table = without_heading(path, source.numbers, width, fps)
     parts = {"root": table[:, :3], "quaternion (columns 4 to 7)": table[:, 3:7], "hinges": table[:, 7:]}
-    arrays = Held(path, parts)
+    arrays = ArrayReader(path, parts)
     position, joints = arrays.numbers("root", "T", 3), arrays.numbers("hinges", "T", "n")
     rotation = arrays.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
     readings: dict[tuple[str, ...], layouts.Reading] = {

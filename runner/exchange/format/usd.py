@@ -22,30 +22,30 @@ from ...errors import UserError
 from ...scene.triangles import Piece, linear, pieces, texels, triangles
 from ..nodes import usd_file
 from ..skeleton import hierarchy
-from ..trajectory import Recording, Take
+from ..trajectory import Recording, SampledTrajectory
 from .bvh import recording
 
 ENDINGS = (".usd", ".usda", ".usdc")
 STILL = 1e-9  # [m, or of a quaternion's entries]: less is no movement
 
 
-def write(take: Take, path: Path) -> None:
+def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Binary for .usd and .usdc, text for .usda."""
     if path.suffix not in ENDINGS:
         raise UserError(f"a USD file's name ends in one of: {', '.join(ENDINGS)}")
     stage = Usd.Stage.CreateInMemory()
     UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
     UsdGeom.SetStageMetersPerUnit(stage, 1.0)
-    stage.SetTimeCodesPerSecond(take.fps)
-    stage.SetFramesPerSecond(take.fps)
+    stage.SetTimeCodesPerSecond(trajectory.fps)
+    stage.SetFramesPerSecond(trajectory.fps)
     stage.SetStartTimeCode(0)
-    stage.SetEndTimeCode(len(take.time) - 1)
-    paths = _bodies(stage, take)
+    stage.SetEndTimeCode(len(trajectory.time) - 1)
+    paths = _bodies(stage, trajectory)
     looks: dict[tuple[object, ...], UsdShade.Material] = {}
     scope = UsdGeom.Scope.Define(stage, _free(stage, paths[0], "looks")).GetPrim()
-    reach = 10.0 + float(np.abs(take.bodies.position).max())
-    for piece in pieces(take.model):
-        _bind(_prim(stage, take.model, piece, paths[piece.body], reach), take.model, piece, looks, scope)
+    reach = 10.0 + float(np.abs(trajectory.bodies.position).max())
+    for piece in pieces(trajectory.model):
+        _bind(_prim(stage, trajectory.model, piece, paths[piece.body], reach), trajectory.model, piece, looks, scope)
     try:
         is_written = stage.GetRootLayer().Export(str(path))
     except Tf.ErrorException:  # it lists what it was doing, over many lines
@@ -70,21 +70,21 @@ def _free(stage: Usd.Stage, above: Sdf.Path, text: str) -> Sdf.Path:
     return path
 
 
-def _bodies(stage: Usd.Stage, take: Take) -> list[Sdf.Path]:
+def _bodies(stage: Usd.Stage, trajectory: SampledTrajectory) -> list[Sdf.Path]:
     """Every body's Xform; the world is the default prim."""
-    model, position_rotation = take.model, hierarchy.local(take.model, take.bodies)
+    model, position_rotation = trajectory.model, hierarchy.local(trajectory.model, trajectory.bodies)
     names = hierarchy.names(model)
     rest_place, rest_turn = (track[0] for track in hierarchy.local(model, hierarchy.rest(model)))
     paths: list[Sdf.Path] = []
     for body in range(model.nbody):
         above = paths[int(model.body_parentid[body])] if body else Sdf.Path.absoluteRootPath
-        path = _free(stage, above, names[body] if body else take.name)
+        path = _free(stage, above, names[body] if body else trajectory.name)
         paths.append(path)
         form = UsdGeom.Xform.Define(stage, path)
-        form.GetPrim().SetDisplayName(names[body] if body else take.name)
+        form.GetPrim().SetDisplayName(names[body] if body else trajectory.name)
         if body == 0:
             stage.SetDefaultPrim(form.GetPrim())
-            form.GetPrim().SetCustomDataByKey("keyframes", _keyframes(take))
+            form.GetPrim().SetCustomDataByKey("keyframes", _keyframes(trajectory))
             continue
         at_rest = Vt.DoubleArray([*rest_place[body].tolist(), *rest_turn[body].tolist()])
         form.GetPrim().SetCustomDataByKey(usd_file.REST, at_rest)
@@ -94,9 +94,11 @@ def _bodies(stage: Usd.Stage, take: Take) -> list[Sdf.Path]:
     return paths
 
 
-def _keyframes(take: Take) -> Vt.DoubleArray:
+def _keyframes(trajectory: SampledTrajectory) -> Vt.DoubleArray:
     """Time codes of the keyframes, whole or not."""
-    return Vt.DoubleArray([round((key.time - float(take.time[0])) * take.fps, 6) for key in take.saved.keys])
+    return Vt.DoubleArray(
+        [round((key.time - float(trajectory.time[0])) * trajectory.fps, 6) for key in trajectory.saved.keys]
+    )
 
 
 def _animate(op: UsdGeom.XformOp, track: Array, kind: Callable[[Array], Any]) -> None:

@@ -18,7 +18,7 @@ from typing import Any
 
 from ...errors import UserError
 from ...system import size_limit
-from ..array_reader import Held
+from ..array_reader import ArrayReader
 from .pickled_arrays import CONSTRUCTORS, Refused, Trailing, Unfinished
 
 TENSORS = ": save its tensors as arrays in Python, with .numpy(), and dump it again"
@@ -131,7 +131,7 @@ class _Instructions(dict[int, Callable[[_Unpickler], None]]):
 _Unpickler.dispatch = _Instructions(map(_checked, INSTRUCTIONS.split()))
 
 
-def load(source: Path) -> Held:
+def load(source: Path) -> ArrayReader:
     """The dict in a pickle; raises UserError for a damaged one, and for one that holds more than plain data."""
     try:
         data = content(source)
@@ -150,10 +150,10 @@ def load(source: Path) -> Held:
     foreign = next((key for key in entries if not isinstance(key, str)), None)
     if foreign is not None:
         raise UserError(f"{source}: a key in it is a {type(foreign).__name__}, not a text")
-    return Held(source, entries)
+    return ArrayReader(source, entries)
 
 
-def one_motion(found: Held) -> Held:
+def one_motion(found: ArrayReader) -> ArrayReader:
     """The one motion of a file that has it under its name, as PHC and ASAP write it; raises UserError for several."""
     entries = found.entries
     if not entries or not all(isinstance(entry, dict) for entry in entries.values()):
@@ -161,7 +161,7 @@ def one_motion(found: Held) -> Held:
     if len(entries) > 1:
         names = ", ".join(list(entries)[:5]) + (", ..." if len(entries) > 5 else "")
         raise UserError(f"{found.where}: it holds {len(entries)} motions: {names}; save one of them alone")
-    return Held(found.where, {str(key): value for key, value in next(iter(entries.values())).items()})
+    return ArrayReader(found.where, {str(key): value for key, value in next(iter(entries.values())).items()})
 
 
 def dump(entries: dict[str, Any], target: Path) -> None:

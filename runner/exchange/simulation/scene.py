@@ -42,7 +42,7 @@ from ...scene.framing import size_of
 from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..forces import Forces
 from ..skeleton.roles import unique
-from ..trajectory import Take
+from ..trajectory import SampledTrajectory
 
 FREQUENCY = 8.0  # [Hz] at which a limb held by its actuators would swing: several times what people do
 DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
@@ -108,15 +108,15 @@ class Simulation:
     notes: tuple[str, ...]
 
     @classmethod
-    def of(cls, take: Take) -> Simulation:
+    def of(cls, trajectory: SampledTrajectory) -> Simulation:
         """The scene of a motion; raises ValueError where MuJoCo cannot compile it."""
-        actuators = drives(take)
-        root, notes = _scene(take, actuators)
+        actuators = drives(trajectory)
+        root, notes = _scene(trajectory, actuators)
         with quietly():
             model = mujoco.MjModel.from_xml_string(
-                ElementTree.tostring(root, encoding="unicode"), dict(take.saved.scene.assets)
+                ElementTree.tostring(root, encoding="unicode"), dict(trajectory.saved.scene.assets)
             )
-        return cls(root, model, actuators, targets(take, model, actuators), tuple(notes))
+        return cls(root, model, actuators, targets(trajectory, model, actuators), tuple(notes))
 
     def with_timestep(self, timestep: float) -> Simulation:
         """Return the same scene with another time step [s]."""
@@ -128,10 +128,10 @@ class Simulation:
         return replace(self, root=root, model=model)
 
 
-def drives(take: Take) -> list[Drive]:
+def drives(trajectory: SampledTrajectory) -> list[Drive]:
     """The actuators of a figure, joint after joint."""
-    model, least, joints = take.model, _least(take), joint_names(take.model)
-    largest = np.abs(np.nan_to_num(Forces.of(take).torques)).max(axis=0, initial=0)
+    model, least, joints = trajectory.model, _least(trajectory), joint_names(trajectory.model)
+    largest = np.abs(np.nan_to_num(Forces.of(trajectory).torques)).max(axis=0, initial=0)
     out: list[Drive] = []
     for joint in range(model.njnt):
         kind, dof = int(model.jnt_type[joint]), int(model.jnt_dofadr[joint])
@@ -161,11 +161,11 @@ def _rounded(gain: float) -> float:
     return float(f"{gain:.3g}")
 
 
-def _least(take: Take) -> Array:
+def _least(trajectory: SampledTrajectory) -> Array:
     """(njnt,) the gain that holds all of the figure, for joints between its root and the soles that it stands on."""
-    figure, model = take.figure, take.model
+    figure, model = trajectory.figure, trajectory.model
     out = np.zeros(model.njnt)
-    points = clip.clip_from_motion(take.saved).context.points
+    points = clip.clip_from_motion(trajectory.saved).context.points
     if figure.root is None or not points:
         return out
     root = figure.root.link
@@ -189,21 +189,21 @@ def _standing(figure: Figure, feet: set[int]) -> set[int]:
     return out
 
 
-def targets(take: Take, model: mujoco.MjModel, actuators: list[Drive]) -> Array:
+def targets(trajectory: SampledTrajectory, model: mujoco.MjModel, actuators: list[Drive]) -> Array:
     """(T, nu) what `ctrl` is at the samples. Where no torque is known, position and velocity alone.
 
     model  the scene to simulate, whose torques are supplied
     """
-    torques = np.nan_to_num(Forces.of(take, model).torques)
-    out = np.zeros((len(take.qpos), len(actuators)))
+    torques = np.nan_to_num(Forces.of(trajectory, model).torques)
+    out = np.zeros((len(trajectory.qpos), len(actuators)))
     for column, drive in enumerate(actuators):
         first, dof = int(model.jnt_qposadr[drive.joint]), int(model.jnt_dofadr[drive.joint])
         if drive.axis is None:
-            at = take.qpos[:, first]
+            at = trajectory.qpos[:, first]
         else:
-            at = _rotation_vectors(take.qpos[:, first : first + 4])[:, drive.axis]
+            at = _rotation_vectors(trajectory.qpos[:, first : first + 4])[:, drive.axis]
             dof += drive.axis
-        out[:, column] = at + (drive.kv * take.qvel[:, dof] + torques[:, dof]) / drive.kp
+        out[:, column] = at + (drive.kv * trajectory.qvel[:, dof] + torques[:, dof]) / drive.kp
     return out
 
 
@@ -215,19 +215,19 @@ def _rotation_vectors(quaternions: Array) -> Array:
     return out
 
 
-def _scene(take: Take, actuators: list[Drive]) -> tuple[ElementTree.Element, list[str]]:
+def _scene(trajectory: SampledTrajectory, actuators: list[Drive]) -> tuple[ElementTree.Element, list[str]]:
     """The model's text with colliding geoms, actuators and options; and notes on what it overrides."""
-    spec = take.saved.scene.spec()
-    model, names = take.model, joint_names(take.model)
+    spec = trajectory.saved.scene.spec()
+    model, names = trajectory.model, joint_names(trajectory.model)
     notes = [*_set_options(spec, model), *_collide(spec, model)]
     for name, joint in zip(names, spec.joints, strict=True):
         joint.name = name
     with quietly():
-        overlaps = _exclude_overlaps(spec, spec.compile(), take.qpos)
+        overlaps = _exclude_overlaps(spec, spec.compile(), trajectory.qpos)
         if overlaps:
             spec.compile()
-    if take.figure.root is not None and not take.figure.root.is_free:
-        moved = ", ".join(names[joint] for joint in take.figure.root.joints)
+    if trajectory.figure.root is not None and not trajectory.figure.root.is_free:
+        moved = ", ".join(names[joint] for joint in trajectory.figure.root.joints)
         notes.append(f"the root's joints have actuators too, which carry the figure: {moved}")
     notes += overlaps
     root = ElementTree.fromstring(portable_text(spec))

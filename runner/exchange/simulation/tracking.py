@@ -20,7 +20,7 @@ from dynsplines.solver.surface.touch import movers, solids
 from ...clip import load as clip
 from ...scene.compose import quietly
 from ..forces import Forces
-from ..trajectory import Take
+from ..trajectory import SampledTrajectory
 from .scene import FREE, SLIDE, TIMESTEPS, Simulation
 
 LASTS = 1.0  # [s]
@@ -69,15 +69,17 @@ class Tracking:
         return step, int(np.nanargmax(share[step]))
 
 
-def tracked(simulation: Simulation, take: Take, control: Array | None = None, lasts: float = LASTS) -> Tracking:
+def tracked(
+    simulation: Simulation, trajectory: SampledTrajectory, control: Array | None = None, lasts: float = LASTS
+) -> Tracking:
     """Simulates a scene from its first key.
 
     control  (T, nu) `ctrl` at the keys, by default the simulation's
     """
     model, aims = simulation.model, simulation.control if control is None else control
-    first = float(take.time[0])
-    last = min(first + lasts, float(take.time[-1]))
-    data = started(model, take, aims)
+    first = float(trajectory.time[0])
+    last = min(first + lasts, float(trajectory.time[-1]))
+    data = started(model, trajectory, aims)
     is_length = np.zeros(model.nv, bool)
     for kind, dof in zip(model.jnt_type.tolist(), model.jnt_dofadr.tolist(), strict=True):
         is_length[dof : dof + (3 if kind == FREE else int(kind == SLIDE))] = True
@@ -85,40 +87,40 @@ def tracked(simulation: Simulation, take: Take, control: Array | None = None, la
     with quietly():
         while data.time < last and not fell:
             before = data.time
-            data.ctrl = between(take.time, aims, before)
+            data.ctrl = between(trajectory.time, aims, before)
             mujoco.mj_step(model, data)
             fell = data.time <= before or not np.isfinite(data.qpos).all()  # MuJoCo starts again where it gives up
             if not fell:
                 times.append(data.time)
-                errors.append(np.abs(difference(model, take, data)))
+                errors.append(np.abs(difference(model, trajectory, data)))
     deviations = np.array(errors)
     return Tracking(
         np.array(times), np.where(is_length, np.nan, deviations), np.where(is_length, deviations, np.nan), fell=fell
     )
 
 
-def refined(simulation: Simulation, take: Take) -> tuple[Simulation, Tracking]:
+def refined(simulation: Simulation, trajectory: SampledTrajectory) -> tuple[Simulation, Tracking]:
     """The scene with the largest time step of those tried by which it follows its motion, else as it is.
 
     They do not help a free joint that leaves the motion first, which has no actuator, and geoms that are in each other.
     """
-    first, model = tracked(simulation, take), simulation.model
-    if first.is_within or model.jnt_type[model.dof_jntid[first.leaves[1]]] == FREE or _depths(simulation, take):
+    first, model = tracked(simulation, trajectory), simulation.model
+    if first.is_within or model.jnt_type[model.dof_jntid[first.leaves[1]]] == FREE or _depths(simulation, trajectory):
         return simulation, first
     for timestep in FINER:
         if timestep < simulation.model.opt.timestep:
             finer = simulation.with_timestep(timestep)
-            tracking = tracked(finer, take)
+            tracking = tracked(finer, trajectory)
             if tracking.is_within:
                 line = f"the scene to simulate has time steps of {timestep:g} s: larger ones leave the motion"
                 return replace(finer, notes=(*finer.notes, line)), tracking
     return simulation, first
 
 
-def started(model: mujoco.MjModel, take: Take, aims: Array) -> mujoco.MjData:
+def started(model: mujoco.MjModel, trajectory: SampledTrajectory, aims: Array) -> mujoco.MjData:
     """The state at the first key."""
     data = mujoco.MjData(model)
-    data.time, data.qpos, data.qvel, data.ctrl = take.time[0], take.qpos[0], take.qvel[0], aims[0]
+    data.time, data.qpos, data.qvel, data.ctrl = trajectory.time[0], trajectory.qpos[0], trajectory.qvel[0], aims[0]
     return data
 
 
@@ -129,15 +131,15 @@ def between(times: Array, rows: Array, time: float) -> Array:
     return (1 - share) * rows[after - 1] + share * rows[after]
 
 
-def difference(model: mujoco.MjModel, take: Take, data: mujoco.MjData) -> Array:
+def difference(model: mujoco.MjModel, trajectory: SampledTrajectory, data: mujoco.MjData) -> Array:
     """(nv,) from the motion to a state: [m] of slides and positions, [rad] of what turns."""
-    wanted, out = between(take.time, take.qpos, data.time), np.zeros(model.nv)
+    wanted, out = between(trajectory.time, trajectory.qpos, data.time), np.zeros(model.nv)
     mujoco.mj_normalizeQuat(model, wanted)
     mujoco.mj_differentiatePos(model, out, 1.0, wanted, data.qpos)
     return out
 
 
-def note(tracking: Tracking, simulation: Simulation, take: Take) -> str:
+def note(tracking: Tracking, simulation: Simulation, trajectory: SampledTrajectory) -> str:
     """A line on how far the scene follows its motion, and if it does not, why."""
     angle, length = np.nanmax(tracking.angle, initial=0), np.nanmax(tracking.length, initial=0)
     lasts = tracking.time[-1] - tracking.time[0]
@@ -151,7 +153,7 @@ def note(tracking: Tracking, simulation: Simulation, take: Take) -> str:
     off = f"{100 * DISTANCE:g} cm" if np.isfinite(tracking.length[at, dof]) else f"{ANGLE:g} rad"
     then = "MuJoCo stops the simulation" if tracking.fell else f"up to {size} after {lasts:.2g} s"
     when = tracking.time[at] - tracking.time[0]
-    reason = "; ".join(_reasons(tracking, simulation, take))
+    reason = "; ".join(_reasons(tracking, simulation, trajectory))
     return f"mj_step of the scene leaves the motion: '{name}' by {off} after {when:.2f} s, {then}; {reason}"
 
 
@@ -159,11 +161,13 @@ def _rounded(value: float) -> str:
     return f"{value:.2g}" if value >= 1e-4 else f"{value:.0e}"
 
 
-def _depths(simulation: Simulation, take: Take, deepest: float = DEEP) -> list[str]:
+def _depths(simulation: Simulation, trajectory: SampledTrajectory, deepest: float = DEEP) -> list[str]:
     """The two geoms that the motion has deepest in each other in the first second, if by more than `deepest` [m]."""
     model, data = simulation.model, mujoco.MjData(simulation.model)
     out = list[str]()
-    for time, qpos in zip(take.time[take.time <= take.time[0] + LASTS], take.qpos, strict=False):
+    for time, qpos in zip(
+        trajectory.time[trajectory.time <= trajectory.time[0] + LASTS], trajectory.qpos, strict=False
+    ):
         data.qpos = qpos
         mujoco.mj_fwdPosition(model, data)
         contact = min(data.contact, key=lambda each: each.dist, default=None)
@@ -174,15 +178,17 @@ def _depths(simulation: Simulation, take: Take, deepest: float = DEEP) -> list[s
     return out
 
 
-def _aloft(simulation: Simulation, take: Take) -> list[str]:
+def _aloft(simulation: Simulation, trajectory: SampledTrajectory) -> list[str]:
     """The initial height of a figure with a free root above the ground."""
     model, data = simulation.model, mujoco.MjData(simulation.model)
-    root, still = take.figure.root, solids(take.model)
+    root, still = trajectory.figure.root, solids(trajectory.model)
     if root is None or not root.is_free or not still:
         return []
-    data.qpos = take.qpos[0]
+    data.qpos = trajectory.qpos[0]
     mujoco.mj_kinematics(model, data)
-    figure_geoms = [geom for geom in movers(take.model) if model.body_rootid[model.geom_bodyid[geom]] == root.body]
+    figure_geoms = [
+        geom for geom in movers(trajectory.model) if model.body_rootid[model.geom_bodyid[geom]] == root.body
+    ]
     gap = min(
         (mujoco.mj_geomDistance(model, data, geom, solid, FAR, None) for geom in figure_geoms for solid in still),
         default=0.0,
@@ -190,17 +196,17 @@ def _aloft(simulation: Simulation, take: Take) -> list[str]:
     return [f"it begins {100 * gap:.2g} cm above the ground"] if GAP < gap < FAR else []
 
 
-def _reasons(tracking: Tracking, simulation: Simulation, take: Take) -> list[str]:
+def _reasons(tracking: Tracking, simulation: Simulation, trajectory: SampledTrajectory) -> list[str]:
     """Reasons in the motion that actuators cannot compensate."""
-    model, out = simulation.model, _depths(simulation, take) or _aloft(simulation, take)
-    data = started(model, take, simulation.control)
+    model, out = simulation.model, _depths(simulation, trajectory) or _aloft(simulation, trajectory)
+    data = started(model, trajectory, simulation.control)
     with quietly():
         mujoco.mj_forward(model, data)
     equality = np.abs(data.efc_pos[: data.ne])
     if equality.size and equality.max() > APART:
         out.append(f"equality constraints are violated by {equality.max():.2g} at the first key")
-    forces = Forces.of(take, model)
-    early = take.time <= take.time[0] + LASTS
+    forces = Forces.of(trajectory, model)
+    early = trajectory.time <= trajectory.time[0] + LASTS
     unknown = float(np.mean(~forces.known[early]))
     if unknown > 0:
         out.append(f"at {unknown:.0%} of the instants no contact is known that carries the figure")
@@ -210,22 +216,22 @@ def _reasons(tracking: Tracking, simulation: Simulation, take: Take) -> list[str
             out.append(
                 f"the motion needs a force at the root that no contact supplies, up to {deficit:.0%} of its weight"
             )
-    if clip.clip_from_motion(take.saved).context.carried:
+    if clip.clip_from_motion(trajectory.saved).context.carried:
         out.append("nothing holds what the figure carries")
     if np.any(model.jnt_type == FREE):
         out.append("nothing balances it")
-    out += _exceeded(model, take)
-    return out or _tested(tracking, simulation, take)
+    out += _exceeded(model, trajectory)
+    return out or _tested(tracking, simulation, trajectory)
 
 
-def _exceeded(model: mujoco.MjModel, take: Take) -> list[str]:
+def _exceeded(model: mujoco.MjModel, trajectory: SampledTrajectory) -> list[str]:
     """The hinge or slide that the motion has farthest beyond its range, where that exerts forces."""
     if model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_LIMIT):
         return []
     scalar = np.flatnonzero(model.jnt_limited.astype(bool) & (model.jnt_type >= SLIDE))
     if not scalar.size:
         return []
-    qpos, (low, high) = take.qpos[:, model.jnt_qposadr[scalar]], model.jnt_range[scalar].T
+    qpos, (low, high) = trajectory.qpos[:, model.jnt_qposadr[scalar]], model.jnt_range[scalar].T
     beyond = np.maximum(low - qpos, qpos - high).max(axis=0)
     most = int(beyond.argmax())
     name, kind = model.joint(int(scalar[most])).name, int(model.jnt_type[scalar[most]])
@@ -233,13 +239,13 @@ def _exceeded(model: mujoco.MjModel, take: Take) -> list[str]:
     return [f"the motion has '{name}' {size} beyond its range"] if beyond[most] > EXCEEDED else []
 
 
-def _tested(before: Tracking, simulation: Simulation, take: Take) -> list[str]:
+def _tested(before: Tracking, simulation: Simulation, trajectory: SampledTrajectory) -> list[str]:
     """The changes without which the scene follows its motion: contacts or large time steps."""
     model = copy.copy(simulation.model)
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
-    if tracked(replace(simulation, model=model), take).is_within:
-        return _depths(simulation, take, 0.0) or ["contacts push it away"]
-    finest = tracked(simulation.with_timestep(FINER[-1]), take)
+    if tracked(replace(simulation, model=model), trajectory).is_within:
+        return _depths(simulation, trajectory, 0.0) or ["contacts push it away"]
+    finest = tracked(simulation.with_timestep(FINER[-1]), trajectory)
     if finest.worst < before.worst / 2:
         return [f"its time step is too large; {FINER[-1]:g} s reduces the error to {finest.worst / before.worst:.0%}"]
     return ["its actuators do not hold it"]

@@ -10,7 +10,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from .captured_skeleton import Captured
+from .captured_skeleton import CapturedSkeleton
 from .roles import lineage, unique
 
 DENSITY = 1000.0  # [kg/m³]
@@ -25,7 +25,7 @@ WORLD = "world"  # a body of MuJoCo
 COLOURS = {"left": "0.17 0.45 0.56 1", "right": "0.93 0.55 0.22 1", "": "0.45 0.5 0.56 1"}
 
 
-def figure(captured: Captured) -> tuple[str, Array]:
+def figure(captured: CapturedSkeleton) -> tuple[str, Array]:
     """The MJCF text and qpos (T, nq). The angles of the file's own zero are this figure's rest."""
     lowest = min(
         captured.at_zero[:, 2].min(), *(captured.at_zero[i, 2] + end[2] for i, end in captured.ends.items()), 0.0
@@ -62,12 +62,12 @@ def figure(captured: Captured) -> tuple[str, Array]:
     return ET.tostring(root, encoding="unicode"), qpos
 
 
-def _depth_first(captured: Captured, joint: int = 0) -> list[int]:
+def _depth_first(captured: CapturedSkeleton, joint: int = 0) -> list[int]:
     """A joint and all below it in the order of MuJoCo's bodies."""
     return [joint, *(below for child in captured.children(joint) for below in _depth_first(captured, child))]
 
 
-def _side(captured: Captured, joint: int, by_joint: dict[int, str]) -> str:
+def _side(captured: CapturedSkeleton, joint: int, by_joint: dict[int, str]) -> str:
     """Of the limb that a joint is of."""
     for i in lineage(joint, captured.parents):
         side = by_joint.get(i, "").partition("_")[0]
@@ -81,7 +81,7 @@ def _row(values: Iterable[float]) -> str:
 
 
 def _bones(
-    body: ET.Element, captured: Captured, joint: int, name: str, role: str, colour: str, taken: set[str]
+    body: ET.Element, captured: CapturedSkeleton, joint: int, name: str, role: str, colour: str, taken: set[str]
 ) -> None:
     """A capsule to every child and to the end; a ball where there is none. The first has the body's name."""
     share, least, most = THICKNESS[role]
@@ -99,7 +99,7 @@ def _bones(
         ET.SubElement(body, "geom", name=name, type="sphere", size=f"{least:.4g}", rgba=colour)
 
 
-def _lines(captured: Captured, joint: int, role: str) -> list[tuple[Array, Array]]:
+def _lines(captured: CapturedSkeleton, joint: int, role: str) -> list[tuple[Array, Array]]:
     """From where to where (3,) its bones go; where left and right begin, up between them, and from one to the other."""
     below = captured.children(joint)
     origin, tips = np.zeros(3), [captured.offset[child] for child in below]
@@ -115,7 +115,7 @@ def _lines(captured: Captured, joint: int, role: str) -> list[tuple[Array, Array
     return [(origin, tip) for tip in tips]
 
 
-def _begins(captured: Captured, joint: int) -> str:
+def _begins(captured: CapturedSkeleton, joint: int) -> str:
     """Which side's limb this joint or one below it begins."""
     for side in SIDES:
         limb = [captured.roles[role] for role in captured.roles if role.startswith(side)]
@@ -124,7 +124,7 @@ def _begins(captured: Captured, joint: int) -> str:
     return ""
 
 
-def _soles(bodies: list[ET.Element], captured: Captured) -> None:
+def _soles(bodies: list[ET.Element], captured: CapturedSkeleton) -> None:
     """Sites at heel and toe, on the ground where the foot is lowest: what is kept from sliding and sinking."""
     for side, (ankle, toe, end, low) in captured.feet.items():
         over_ankle, over_toe = captured.position[low, ankle], captured.at(toe, end)[low]
@@ -135,13 +135,13 @@ def _soles(bodies: list[ET.Element], captured: Captured) -> None:
             ET.SubElement(bodies[joint], "site", name=f"{side}_{name}", pos=_row(place))
 
 
-def _hands(bodies: list[ET.Element], captured: Captured) -> None:
+def _hands(bodies: list[ET.Element], captured: CapturedSkeleton) -> None:
     for side in SIDES:
         joint = captured.roles.get(f"{side}_hand")
         if joint is not None:
             ET.SubElement(bodies[joint], "site", name=f"{side}_hand", pos=_row(0.5 * _middle(captured, joint)))
 
 
-def _middle(captured: Captured, joint: int) -> Array:
+def _middle(captured: CapturedSkeleton, joint: int) -> Array:
     below = captured.children(joint)
     return np.mean([captured.offset[i] for i in below], axis=0) if below else captured.ends.get(joint, np.zeros(3))

@@ -26,7 +26,7 @@ DRIFT = 0.01  # of the reach that a bone may change its length unmentioned
 
 
 @dataclass(frozen=True)
-class Captured:
+class CapturedSkeleton:
     """Joints, parents first (-1 for the root), at equal times.
 
     offset (J, 3) [m] from the parent when nothing is turned, ends {joint: (3,)}, position (T, J, 3) and rotation
@@ -44,7 +44,9 @@ class Captured:
     bone_map: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, skeleton: Skeleton, scale: float | None = None, bone_map: Mapping[str, str] | None = None) -> Captured:
+    def of(
+        cls, skeleton: Skeleton, scale: float | None = None, bone_map: Mapping[str, str] | None = None
+    ) -> CapturedSkeleton:
         """From a file's unit and axes; scale [m] its unit, inferred if None; bone_map, names by role."""
         bone_map, notes_of_file = bone_map or {}, skeleton.notes
         skeleton, folded = from_body_root(skeleton, bone_map)
@@ -67,7 +69,7 @@ class Captured:
         )  # fmt: skip
         return _placed_upright(here, skeleton)
 
-    def turned(self, world: Array, rest: Array) -> Captured:
+    def turned(self, world: Array, rest: Array) -> CapturedSkeleton:
         """With the world turned (4,), and the pose in which nothing is turned by another turn (4,)."""
         back = quat.inverse(rest)
         local = quat.product(quat.product(rest, self.local), back)
@@ -142,7 +144,7 @@ class Captured:
         """The height [m] of the lower foot's toe where it is lowest; nought if there are no feet."""
         return min((float(self.at(toe, end)[low, 2]) for _, toe, end, low in self.feet.values()), default=0.0)
 
-    def raised(self, by: float) -> Captured:
+    def raised(self, by: float) -> CapturedSkeleton:
         return replace(self, position=self.position + np.array([0, 0, by]))
 
 
@@ -169,7 +171,7 @@ def _unit(
     return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {missing_input.UNIT}",)
 
 
-def _placed_upright(captured: Captured, skeleton: Skeleton) -> Captured:
+def _placed_upright(captured: CapturedSkeleton, skeleton: Skeleton) -> CapturedSkeleton:
     """With z up in the world and in the pose in which nothing is turned, of one in the file's axes."""
     up, note = vertical(captured.position, captured.roles, skeleton.up)
     world = TO_Z[up]

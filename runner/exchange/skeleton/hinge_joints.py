@@ -238,7 +238,7 @@ def _drop_references(root: ElementTree.Element, balls: set[str]) -> None:
 
 
 @dataclass(frozen=True, eq=False)
-class Hinged:
+class HingeModel:
     """A motion of hinges only: qpos (T, nq), qvel (T, nv) of the model, which mjcf gives in full."""
 
     layout: HingeLayout
@@ -248,7 +248,7 @@ class Hinged:
     qvel: Array
 
     @classmethod
-    def of(cls, model: mujoco.MjModel, scene: Scene, qpos: Array, qvel: Array) -> Hinged:
+    def of(cls, model: mujoco.MjModel, scene: Scene, qpos: Array, qvel: Array) -> HingeModel:
         """The variant of a model, which the scene gives in full, and its motion; without ball joints all stays."""
         layout, mjcf = HingeLayout(model), scene.mjcf
         hinges = layout.qpos(qpos)

@@ -19,7 +19,7 @@ JOINTS = ("spine", *(f"{side}_{part}" for side in SIDES for part in ("shoulder",
 
 
 @dataclass(frozen=True, eq=False)
-class Person:
+class Humanoid:
     """First columns in qpos of the root and of the ball joints, by name; height [m] of hips above soles at rest."""
 
     model: mujoco.MjModel
@@ -28,7 +28,7 @@ class Person:
     height: float
 
     @classmethod
-    def of(cls, model: mujoco.MjModel, form: str) -> Person:
+    def of(cls, model: mujoco.MjModel, form: str) -> Humanoid:
         """Of a figure like the shipped human: upright at rest, facing x, all of its bodies parallel to the world."""
         kinds = model.jnt_type.tolist()
         balls = {model.joint(j).name: j for j, kind in enumerate(kinds) if kind == BALL}

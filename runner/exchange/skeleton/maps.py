@@ -9,7 +9,7 @@ from dynsplines import models
 
 from ...clip.text import written
 from ...errors import UserError
-from .retarget import NEEDED, Used
+from .retarget import NEEDED, AppliedMap
 from .roles import ROLES
 
 HEADING = '# Bone map, by role: a body of the figure, a joint of the recording; "" for none.\n'
@@ -25,7 +25,7 @@ def map_of(file: Path | None) -> Path | None:
         raise UserError(f"--map: no file '{file}', and {error}") from None
 
 
-def text_of(used: Used) -> str:
+def text_of(used: AppliedMap) -> str:
     """The file of a map as it was used; roles that were not found are lines to fill in."""
     figure = _table("figure", used.figure, used.recording, used.bodies)
     return f"{HEADING}{figure}\n{_table('recording', used.recording, used.figure, used.joints)}"

@@ -29,7 +29,7 @@ from ...errors import UserError
 from .. import missing_input
 from . import hierarchy
 from .branches import completed
-from .captured_skeleton import Captured
+from .captured_skeleton import CapturedSkeleton
 from .limbs import Limb, bend
 from .roles import apply_bone_map, lineage, roles
 from .root_motion import carrying, shifted
@@ -151,20 +151,20 @@ class Map:
 
 
 @dataclass(frozen=True)
-class Used(Map):
+class AppliedMap(Map):
     """A map as it was used, and the names that it may have: bodies of the figure, joints of the recording."""
 
     bodies: Sequence[str] = ()
     joints: Sequence[str] = ()
 
 
-_mapping: ContextVar[tuple[Map, list[Used]] | None] = ContextVar("mapping", default=None)
+_mapping: ContextVar[tuple[Map, list[AppliedMap]] | None] = ContextVar("mapping", default=None)
 
 
 @contextmanager
-def by(chosen: Map) -> Iterator[list[Used]]:
+def by(chosen: Map) -> Iterator[list[AppliedMap]]:
     """In here recordings come on to figures by a map, where that says anything; gives those that were used."""
-    used = list[Used]()
+    used = list[AppliedMap]()
     before = _mapping.set((chosen, used))
     try:
         yield used
@@ -178,14 +178,14 @@ def chosen() -> Map:
     return Map() if now is None else now[0]
 
 
-def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
+def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
     """qpos (T, nq) of the figure, and notes; where is how errors call the file."""
     standing, (chosen, used) = _Standing.of(model), _mapping.get() or (Map(), [])
     names = hierarchy.names(model)
     standing = replace(standing, roles=apply_bone_map(standing.roles, chosen.figure, names, "figure"))
     captured = replace(captured, bone_map=chosen.recording)
     used.append(
-        Used(
+        AppliedMap(
             {role: names[body] for role, body in standing.roles.items()},
             {role: captured.names[joint] for role, joint in captured.roles.items()},
             names[1:],
@@ -245,7 +245,7 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     return qpos, tuple(notes)
 
 
-def _limbs(captured: Captured, standing: _Standing, turns: Mapping[int, Array], scale: float) -> Iterator[Limb]:
+def _limbs(captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, Array], scale: float) -> Iterator[Limb]:
     """Arms and legs, with where their hands and feet are about shoulder and hip; scale: of legs."""
     for side, parts in product(("left", "right"), (LEG, ARM)):
         chain = [f"{side}_{part}" for part in parts]
@@ -269,7 +269,7 @@ def _length(places: Sequence[Array] | Array) -> float:
     return float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
 
 
-def _has_toes(captured: Captured, side: str) -> bool:
+def _has_toes(captured: CapturedSkeleton, side: str) -> bool:
     """Whether there is a joint of toes between ankle and tip of a foot, and anything beyond it that it turns."""
     toes = captured.roles.get(f"{side}_toe")
     if toes is None or side not in captured.feet:
@@ -278,7 +278,7 @@ def _has_toes(captured: Captured, side: str) -> bool:
     return toes in lineage(tip, captured.parents) and (toes != tip or bool(np.any(end)))
 
 
-def _toes_in_foot(captured: Captured, side: str, *, at_zero: bool) -> Captured:
+def _toes_in_foot(captured: CapturedSkeleton, side: str, *, at_zero: bool) -> CapturedSkeleton:
     """Turned at an ankle so that, with stiff toes, the foot would end where it does with those that bend.
 
     at_zero  toes are straight when nothing is turned; otherwise they are in the image in which the foot is lowest
@@ -358,7 +358,7 @@ def _heading(left: Array) -> Array:
     return quat.from_rotation_vector(np.array([0, 0, np.arctan2(-left[0], left[1])]))
 
 
-def _upright(captured: Captured, standing: _Standing, shared: list[str]) -> dict[str, Array]:
+def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str]) -> dict[str, Array]:
     """A by role, from the pose in which nothing is turned."""
     captured_left = captured.at_zero[captured.roles["left_thigh"]] - captured.at_zero[captured.roles["right_thigh"]]
     standing_left = standing.place[standing.roles["left_thigh"]] - standing.place[standing.roles["right_thigh"]]
@@ -381,7 +381,7 @@ def _upright(captured: Captured, standing: _Standing, shared: list[str]) -> dict
     return out
 
 
-def _bone(captured: Captured, role: str) -> Array:
+def _bone(captured: CapturedSkeleton, role: str) -> Array:
     """(3,) from a joint to where its limb goes on, in the joint's axes."""
     joint, (side, _, part) = captured.roles[role], role.partition("_")
     onward = captured.roles.get(f"{side}_{NEXT.get(part, '')}")
@@ -395,12 +395,12 @@ def _bone(captured: Captured, role: str) -> Array:
     return captured.at_zero[tip] + end - captured.at_zero[joint]
 
 
-def _seen(captured: Captured, role: str, vector: Array) -> Array:
+def _seen(captured: CapturedSkeleton, role: str, vector: Array) -> Array:
     """(3,) the mean of directions (T, 3) of the world, as a joint sees them."""
     return quat.rotated(quat.conjugate(captured.rotation[:, captured.roles[role]]), vector).mean(axis=0)
 
 
-def _by_bends(captured: Captured, standing: _Standing, shared: list[str]) -> dict[str, Array]:
+def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]) -> dict[str, Array]:
     """A by role, from two directions of every bone, whatever the pose in which nothing is turned."""
     out: dict[str, Array] = {}
     lateral: dict[str, Array] = {}
@@ -439,12 +439,12 @@ def _by_bends(captured: Captured, standing: _Standing, shared: list[str]) -> dic
     return out
 
 
-def _world(captured: Captured, role: str) -> Array:
+def _world(captured: CapturedSkeleton, role: str) -> Array:
     """(T, 3) a bone's direction in the world."""
     return quat.rotated(captured.rotation[:, captured.roles[role]], _unit(_bone(captured, role)))
 
 
-def _flat(captured: Captured, standing: _Standing, side: str) -> Array:
+def _flat(captured: CapturedSkeleton, standing: _Standing, side: str) -> Array:
     """A of a foot: level, and pointing where it does, in the image in which it is lowest."""
     ankle, toe, end, low = captured.feet[side]
     up = np.array([0.0, 0, 1])
@@ -455,7 +455,7 @@ def _flat(captured: Captured, standing: _Standing, side: str) -> Array:
     return quat.product(quat.conjugate(captured.rotation[low, ankle]), turn)
 
 
-def _like_parent(captured: Captured, role: str, out: dict[str, Array]) -> Array:
+def _like_parent(captured: CapturedSkeleton, role: str, out: dict[str, Array]) -> Array:
     """A that keeps a part as it lies on the next one above with an A, in the mean."""
     joint = captured.roles[role]
     role_of = {captured.roles[other]: other for other in out}
@@ -552,7 +552,9 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
         qpos[rows[better]], short[rows[better]] = again[better], remainder[better]
 
 
-def _placed(captured: Captured, standing: _Standing, root: Root, qpos: Array, scale: float) -> tuple[Array, Array]:
+def _placed(
+    captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float
+) -> tuple[Array, Array]:
     """The root where the middle of the hips comes to the captured one's, scaled about the world's origin; and (T, 3)
     [m] by how much it misses that, on slides."""
     model = standing.model

@@ -15,7 +15,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from .captured_skeleton import Captured
+from .captured_skeleton import CapturedSkeleton
 
 NAMES = (
     "pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2", "left_ankle", "right_ankle",
@@ -140,7 +140,7 @@ def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
     return position, ()
 
 
-def captured(position: Array, local: Array) -> Captured:
+def captured(position: Array, local: Array) -> CapturedSkeleton:
     """The mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a world whose z is up."""
     ours, turn = quat.inverse(TO_SMPL), in_world(local)
     place = position[:, None] + about_pelvis(turn)
@@ -148,6 +148,6 @@ def captured(position: Array, local: Array) -> Captured:
     relative[:, PELVIS] = quat.product(local[:, PELVIS], TO_SMPL)
     ends = {joint: quat.rotated(ours, end) for joint, end in ENDS.items()}
     rotation = quat.aligned(quat.product(turn, TO_SMPL))
-    return Captured(
+    return CapturedSkeleton(
         list(NAMES), list(PARENT), quat.rotated(ours, OFFSET), ends, place, rotation, quat.aligned(relative)
     )

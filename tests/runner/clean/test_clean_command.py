@@ -10,7 +10,7 @@ from command import Command, commanded
 from dynsplines import UserError, load_motion, motion
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import taken
+from dynsplines.exchange.motion_import import read_recording
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solving import unsolved
 from dynsplines.system.progress import Progress
@@ -87,7 +87,7 @@ def test_what_came_in_a_format_goes_out_in_it_unasked(command, squats, tmp_path,
     done = command("clean", squats / f"bobs{ending}", "--figure", "human")
     assert done.code == 0, done.err
     assert done.last == f"wrote bobs.clean{ending}"
-    found = taken(tmp_path / f"bobs.clean{ending}", figure="human")
+    found = read_recording(tmp_path / f"bobs.clean{ending}", figure="human")
     assert found.time[-1] == pytest.approx(TIMES[-1], abs=0.05)
     again = command("clean", squats / f"bobs{ending}", "--figure", "human")
     assert again.code == 2

@@ -44,7 +44,7 @@ def clean(take: Take, bad: Array) -> Cleaned:
 
 
 def value(found: Comparison, says: str) -> tuple[float, float]:
-    line = next(line for line in found.lines if line.says.startswith(says))
+    line = next(line for line in found.lines if line.label.startswith(says))
     return line.before, line.after
 
 

@@ -19,7 +19,7 @@ from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationT
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of
 from dynsplines.errors import UserError
-from dynsplines.exchange.trajectory import Take
+from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
 from dynsplines.solver import quaternion as quat
@@ -171,7 +171,7 @@ def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
 
 
 def test_formats_whose_loops_only_travel_get_no_loop_and_a_note(circle):
-    take = Take.of(circle, 20.0)
+    take = SampledTrajectory.of(circle, 20.0)
     assert not take.is_wrapped
     assert take.notes == ["the format has no loops that rotate: one period is written, without a loop"]
 

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines import models
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, gaps
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
 ROBOT = mujoco.MjModel.from_xml_string(ANDROID)
@@ -199,7 +199,7 @@ def test_without_a_figure_the_mean_shape_is_one(tmp_path):
     poses, trans = walk()
     poses[:, 1:22] += rng.uniform(-0.3, 0.3, (SAMPLES, 21, 3))
     path = written(tmp_path, poses=poses, trans=trans, mocap_framerate=RATE, betas=np.ones(16))
-    saved = imported(path)
+    saved = import_recording(path)
     model = saved.figure.model
     recording = formats.recording(path)
     data = mujoco.MjData(model)

@@ -19,12 +19,12 @@ from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import bvh
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
-from dynsplines.exchange.skeleton.captured_skeleton import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.exchange.skeleton.roles import roles
-from dynsplines.exchange.trajectory import Bodies, Take
+from dynsplines.exchange.trajectory import Bodies, SampledTrajectory
 from dynsplines.scene.mujoco_versions import remove
 from dynsplines.solver import quaternion as quat
 from dynsplines.system.progress import Progress
@@ -34,12 +34,12 @@ TENTH = 1e-4  # [m]
 
 @pytest.fixture(scope="module")
 def cartwheel():
-    return Take.of(solving.unsolved(clip.load("cartwheel")).saved(Progress(), with_report=False))
+    return SampledTrajectory.of(solving.unsolved(clip.load("cartwheel")).saved(Progress(), with_report=False))
 
 
 @pytest.fixture(scope="module")
 def rail():
-    return Take.of(solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False), 24.0)
+    return SampledTrajectory.of(solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False), 24.0)
 
 
 def y_up(take):
@@ -101,7 +101,7 @@ def by_hand(skeleton, sample):
 
 def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
     """Slides and joints beside their bodies' origins have positions; turned rest poses are baked in."""
-    take = Take.of(puppet.moved(), 48.0)
+    take = SampledTrajectory.of(puppet.moved(), 48.0)
     found, fps = bvh_file.read(written(take, tmp_path))
     assert fps == 48.0
     names = hierarchy.names(take.model)
@@ -116,9 +116,9 @@ def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
 @pytest.mark.slow
 def test_of_several_figures_the_one_with_limbs_is_read(tmp_path, capsys):
     """The first moves freely under a common root, so its travel can be kept only without that root."""
-    take = Take.of(puppet.moved(), 48.0)
+    take = SampledTrajectory.of(puppet.moved(), 48.0)
     path = written(take, tmp_path)
-    back = Take.of(imported(path, scale=0.01, progress=Progress()), 48.0)
+    back = SampledTrajectory.of(import_recording(path, scale=0.01, progress=Progress()), 48.0)
     assert back.time.size == take.time.size
     assert [back.model.body(i).name for i in range(2)] == ["world", "hips"]
     travel = [np.ptp(each.bodies.position[:, each.model.body("hips").id, :2], axis=0) for each in (back, take)]
@@ -192,7 +192,7 @@ def test_parents_above_the_pelvis_change_nothing(parents, cartwheel, tmp_path):
     (tmp_path / "plain.bvh").write_text(bvh_file.written(found), encoding="utf-8")
     (tmp_path / "under.bvh").write_text(bvh_file.written(PARENTS[parents](found)), encoding="utf-8")
     with_parents, plain = (
-        Take.of(imported(tmp_path / name, figure="human", progress=Progress()), 30.0)
+        SampledTrajectory.of(import_recording(tmp_path / name, figure="human", progress=Progress()), 30.0)
         for name in ("under.bvh", "plain.bvh")
     )
     assert np.ptp(plain.qpos[:, 0]) > 0.5
@@ -209,13 +209,13 @@ def test_names_that_clash_in_mjcf_are_told_apart(tmp_path):
         text = text.replace(f"{word}", f"\n{word}")
     path = tmp_path / "clash.bvh"
     path.write_text(text.replace("ROW", "0 " * 15))
-    model = imported(path, scale=0.01).figure.model
+    model = import_recording(path, scale=0.01).figure.model
     assert [model.body(i).name for i in range(1, model.nbody)] == ["Hips", "Hips_2", "a_b", "a_b_2"]
 
 
 @pytest.mark.slow
 def test_a_hinge_along_an_axis_turns_about_that_axis_alone(tmp_path):
-    take = Take.of(puppet.moved(), 48.0)
+    take = SampledTrajectory.of(puppet.moved(), 48.0)
     found, _ = bvh_file.read(written(take, tmp_path))
     column = sum(len(j.channels) for j in found.joints[: found.names.index("swing")])
     joint = found.joints[found.names.index("swing")]
@@ -238,7 +238,7 @@ def test_end_sites_are_hands_and_toes(cartwheel):
 
 @pytest.mark.slow
 def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
-    back = Take.of(imported(written(cartwheel, tmp_path), figure="human"))
+    back = SampledTrajectory.of(import_recording(written(cartwheel, tmp_path), figure="human"))
     assert back.fps == cartwheel.fps
     before, after = cartwheel.bodies.position[:, 1:], back.bodies.position[:, 1:]
     np.testing.assert_allclose(after - lift(after, before), before, atol=TENTH)
@@ -247,7 +247,7 @@ def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
 
 @pytest.mark.slow
 def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tmp_path):
-    back = Take.of(imported(written(cartwheel, tmp_path)))
+    back = SampledTrajectory.of(import_recording(written(cartwheel, tmp_path)))
     names = [cartwheel.model.body(body).name for body in range(1, cartwheel.model.nbody)]
     before = cartwheel.bodies.position[:, 1:]
     after = back.bodies.position[:, [back.model.body(name).id for name in names]]
@@ -272,7 +272,7 @@ def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tm
 def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, rail, tmp_path):
     path = tmp_path / "t.bvh"
     path.write_text(bvh_file.written(disguise.disguised(rail, zero=disguise.t_pose(), **other)))
-    back = Take.of(imported(path, figure="human"))
+    back = SampledTrajectory.of(import_recording(path, figure="human"))
     shift = back.bodies.position[:, 1] - rail.bodies.position[:, 1]
     if "larger" not in other:
         np.testing.assert_allclose(shift - shift[0] * [0, 0, 1], 0, atol=TENTH)
@@ -288,7 +288,7 @@ def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(r
     """As LAFAN1's: directions of limbs come from the motion; a forearm's own twist may differ."""
     model = rail.model
     zero = {model.body(b).name: quat.normalised(rng.normal(size=4)) for b in range(1, model.nbody)}
-    qpos, _ = retarget.onto(Captured.of(disguise.disguised(rail, zero=zero)), model, "a.bvh")
+    qpos, _ = retarget.onto(CapturedSkeleton.of(disguise.disguised(rail, zero=zero)), model, "a.bvh")
     back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
     shift = back.position[:, 1] - rail.bodies.position[:, 1]
     np.testing.assert_allclose((back.position - rail.bodies.position - shift[:, None])[:, 1:], 0, atol=0.002)
@@ -310,7 +310,7 @@ def test_hinges_turn_as_near_as_they_can(cartwheel):
             for letter, axis in zip("zxy", np.eye(3)[[2, 0, 1]], strict=True):
                 body.add_joint(name=f"{name}_{letter}", type=mujoco.mjtJoint.mjJNT_HINGE, axis=axis)
     model = spec.compile()
-    qpos, _ = retarget.onto(Captured.of(bvh.skeleton(cartwheel)), model, "a.bvh")
+    qpos, _ = retarget.onto(CapturedSkeleton.of(bvh.skeleton(cartwheel)), model, "a.bvh")
     back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
     before, after = cartwheel.bodies.position[:, 1:], back.position[:, 1:]
     off = np.abs(after - lift(after, before) - before).max(axis=(1, 2))
@@ -324,7 +324,7 @@ def test_bones_of_other_lengths_bring_hands_and_feet_to_scaled_places_and_the_fe
     for name in ("left_shin", "right_shin"):
         spec.body(name).pos *= 1.3
     model = spec.compile()
-    qpos, notes = retarget.onto(Captured.of(bvh.skeleton(cartwheel)), model, "a.bvh")
+    qpos, notes = retarget.onto(CapturedSkeleton.of(bvh.skeleton(cartwheel)), model, "a.bvh")
     back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
     assert any("scaled by 1.147" in note for note in notes), notes
     for side in ("left", "right"):
@@ -405,7 +405,7 @@ def test_bones_of_a_drawing_beside_the_skeleton_are_no_part_of_it(before):
     }  # fmt: skip
 
 
-def with_toes(take: Take, bend: np.ndarray) -> Skeleton:
+def with_toes(take: SampledTrajectory, bend: np.ndarray) -> Skeleton:
     """The human's motion on a skeleton whose feet have toes in their front third, bent up by angles (T,) [rad]."""
     found = bvh.skeleton(take)
     joints, columns, at = [], [], 0
@@ -434,7 +434,7 @@ def test_toes_turn_the_feet_of_a_figure_that_has_none(cartwheel):
     model, angles = cartwheel.model, np.linspace(0, 0.9, count)
     seen = []
     for bend in (np.zeros(count), angles):
-        qpos, notes = retarget.onto(Captured.of(with_toes(cartwheel, bend), 0.01), model, "a.bvh")
+        qpos, notes = retarget.onto(CapturedSkeleton.of(with_toes(cartwheel, bend), 0.01), model, "a.bvh")
         assert any("the figure has no toes: what left_toe and right_toe bend turns its feet" in note for note in notes)
         assert not any("without a counterpart in the figure" in note for note in notes)
         seen.append(Bodies.of(model, qpos, np.zeros((count, model.nv))))
@@ -483,7 +483,7 @@ def test_a_rounded_frame_time_is_the_rate_that_is_meant(tmp_path):
     assert bvh_file.fps_of(0.033367, 6) == pytest.approx(30 / 1.001)
     assert bvh_file.fps_of(0.0333333, 7) == 30
     assert bvh_file.fps_of(0.017, 3) == 59
-    back = imported(path)
+    back = import_recording(path)
     assert back.fps == 120
     assert back.figure.model.nq == 11
 
@@ -532,9 +532,9 @@ def test_a_figure_or_file_without_legs_is_told(cartwheel, tmp_path):
     path = tmp_path / "good.bvh"
     path.write_text(GOOD)
     with pytest.raises(UserError, match="file's joints none is a left thigh by its name: Hips, Chest"):
-        imported(path, figure="human")
+        import_recording(path, figure="human")
     with pytest.raises(UserError, match="figure's bodies none is a left thigh by its name: body"):
-        imported(written(cartwheel, tmp_path), figure="spinner")
+        import_recording(written(cartwheel, tmp_path), figure="spinner")
 
 
 @pytest.mark.slow
@@ -546,9 +546,9 @@ def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
         def say(self, line):
             said.append(line)
 
-    imported(path, progress=Ear())
+    import_recording(path, progress=Ear())
     assert any("taken for centimetres" in text for text in said)
-    small = Take.of(imported(path, scale=0.001))
+    small = SampledTrajectory.of(import_recording(path, scale=0.001))
     np.testing.assert_allclose(np.ptp(small.qpos[:, 0]), 0.1 * np.ptp(cartwheel.qpos[:, 0]), atol=1e-6)
     with pytest.raises(UserError, match="--scale does not apply"):
         formats.recording(Path(formats.export(cartwheel.saved, "csv", tmp_path / "a.csv")), scale=0.1)

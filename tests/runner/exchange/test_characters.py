@@ -13,7 +13,7 @@ from dynsplines import models
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import mimickit
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
 Y_UP = Rotation.from_matrix([[1, 0, 0], [0, 0, 1], [0, -1, 0]])  # from our axes to DeepMimic's: x, up, right
@@ -37,7 +37,7 @@ def exported(saved, kind, folder):
 
 
 def came_back(saved, target, figure="human", tolerance=1e-9):
-    back = imported(target, figure=figure)
+    back = import_recording(target, figure=figure)
     before, after = wild.samples(saved), wild.samples(back, saved.fps)
     np.testing.assert_allclose(after.time - after.time[0], before.time - before.time[0], atol=1e-9)
     wild.same_poses(saved.figure.model, before.qpos, after.qpos, tolerance)
@@ -123,7 +123,7 @@ def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
         first, last = frames[0, 1:], frames[-1, 1:]
     assert last[0] - first[0] > 0.5
     np.testing.assert_allclose(last[3:], first[3:], atol=1e-9)
-    back = imported(target, figure="human")
+    back = import_recording(target, figure="human")
     assert back.timeline.times[-1] - back.timeline.times[0] == pytest.approx(period, abs=1e-9)
     assert back.timeline.ends == "periodic" and len(wild.samples(back).time) == len(frames)
     if kind == "mimickit":
@@ -135,7 +135,7 @@ def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
 def test_a_file_that_only_says_that_it_loops_is_read_as_it_is(hinged_knees, tmp_path):
     target, _ = exported(hinged_knees, "deepmimic", tmp_path)
     target.write_text(target.read_text().replace('"none"', '"wrap"'))
-    assert imported(target, figure="human").timeline.ends == "free"
+    assert import_recording(target, figure="human").timeline.ends == "free"
     came_back(hinged_knees, target)
 
 

@@ -11,7 +11,7 @@ from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import csv_table
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 from dynsplines.system.progress import Progress
 
 
@@ -23,7 +23,7 @@ def saved():
 @pytest.mark.slow
 def test_a_motion_comes_back_from_its_table_to_the_last_digit(saved, tmp_path):
     target = formats.export(saved, "csv", tmp_path / "sit.csv")
-    back = imported(target, figure="human")
+    back = import_recording(target, figure="human")
     before, after = (motion.sampled(m.figure, m.timeline, m.fps) for m in (saved, back))
     np.testing.assert_array_equal(before.time, after.time)
     np.testing.assert_allclose(before.qpos, after.qpos, atol=1e-12)

@@ -6,7 +6,7 @@ import pytest
 from dynsplines.errors import UserError
 from dynsplines.exchange import gaps
 from dynsplines.exchange.skeleton import bvh_file
-from dynsplines.exchange.skeleton.captured_skeleton import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 
 CHANNELS = "CHANNELS 3 Zrotation Xrotation Yrotation"
 JOINTS = ("LeftUpLeg", "LeftLeg", "RightUpLeg", "RightLeg", "LeftHandThumb1")
@@ -50,7 +50,7 @@ def test_complete_frames_of_a_cut_file_are_used(content, count, note, tmp_path):
     assert len(skeleton.values) == count
     expected = [[float(word) for word in row.split()] for row in rows()[:count]]
     np.testing.assert_allclose(skeleton.values, expected)
-    assert any(note in each for each in Captured.of(skeleton, 0.01).notes), skeleton.notes
+    assert any(note in each for each in CapturedSkeleton.of(skeleton, 0.01).notes), skeleton.notes
 
 
 @pytest.mark.parametrize("word", ["nan", "-nan(ind)", "1.#QNAN", "inf", "null"])

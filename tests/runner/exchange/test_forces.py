@@ -11,7 +11,7 @@ from random_robots import motion_of
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.trajectory import Wishes
+from dynsplines.exchange.trajectory import ExportOptions
 from dynsplines.solver import quaternion as quat
 
 ARM = """
@@ -64,7 +64,7 @@ ROBOT = """
 
 def table(saved, path, columns):
     """The columns of an exported file by heading."""
-    formats.export(saved, "csv", path, wishes=Wishes(columns=columns))
+    formats.export(saved, "csv", path, options=ExportOptions(columns=columns))
     with path.open(newline="") as stream:
         heading, *rows = csv.reader(stream)
     return dict(zip(heading, np.array(rows, float).T, strict=True))
@@ -122,5 +122,5 @@ def test_large_forces_of_a_joint_limit_are_reported(tmp_path):
     path.write_text(ARM.format(option="", joint="", body="", tendon=""))
     qpos = np.radians([[0, 0], [60, 10], [0, 0]])
     saved = wild.through(str(path), 0.3 * np.arange(3), qpos)
-    formats.export(saved, "csv", tmp_path / "a.csv", wishes=Wishes(columns=("torques",)), tell=lines.append)
+    formats.export(saved, "csv", tmp_path / "a.csv", options=ExportOptions(columns=("torques",)), tell=lines.append)
     assert any("forces of joint limits" in line and "N m at shoulder" in line for line in lines)

@@ -11,7 +11,7 @@ import shipped
 from dynsplines import UserError, load_motion
 from dynsplines.clean import command
 from dynsplines.exchange import formats, gaps
-from dynsplines.exchange.motion_import import imported, taken
+from dynsplines.exchange.motion_import import import_recording, read_recording
 from dynsplines.system.progress import Progress
 
 
@@ -47,14 +47,14 @@ FILES = ["bvh", "qpos.npz"]
 @pytest.mark.parametrize("ending", [*FILES, "csv"])
 def test_import_refuses_them(folder: Path, ending: str) -> None:
     with pytest.raises(UserError, match=r"finite"):
-        imported(folder / f"torn.{ending}", figure="human")
+        import_recording(folder / f"torn.{ending}", figure="human")
 
 
 @pytest.mark.parametrize("ending", FILES)
 def test_they_are_left_out_and_the_others_are_as_they_were(folder: Path, ending: str) -> None:
-    whole = taken(folder / f"whole.{ending}", figure="human")
+    whole = read_recording(folder / f"whole.{ending}", figure="human")
     with gaps.allowed():
-        torn = taken(folder / f"torn.{ending}", figure="human")
+        torn = read_recording(folder / f"torn.{ending}", figure="human")
     kept = np.delete(np.arange(whole.time.size), [2, 3, 4])
     np.testing.assert_allclose(torn.time, whole.time[kept], atol=1e-9)
     np.testing.assert_allclose(np.abs(torn.qpos), np.abs(whole.qpos[kept]), atol=1e-6)
@@ -66,7 +66,7 @@ def test_a_file_of_nothing_else_is_refused_all_the_same(folder: Path, tmp_path: 
     arrays["qpos"][:, 7] = np.nan
     np.savez(tmp_path / "none.qpos.npz", **arrays)
     with gaps.allowed(), pytest.raises(UserError, match="'qpos': an entry is not a finite number"):
-        taken(tmp_path / "none.qpos.npz")
+        read_recording(tmp_path / "none.qpos.npz")
 
 
 @pytest.mark.parametrize("index", [0, 5])
@@ -89,6 +89,6 @@ def test_clean_bridges_them(folder: Path, tmp_path: Path, ending: str) -> None:
     target = command.run(
         command.Source(folder / f"torn.{ending}", "human"), tmp_path / "clean.npz", progress=Progress()
     )
-    whole = taken(folder / "whole.bvh", figure="human")
+    whole = read_recording(folder / "whole.bvh", figure="human")
     found = load_motion(target)
     assert abs(found.duration - (whole.time[-1] - whole.time[0])) < 1e-6

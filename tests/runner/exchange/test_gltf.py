@@ -16,7 +16,7 @@ from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
-from dynsplines.exchange.trajectory import Take
+from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.system.progress import Progress
 
 pygltflib = pytest.importorskip("pygltflib")
@@ -31,8 +31,8 @@ require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSyn
 @pytest.fixture(scope="module", params=["puppet", "hand_on_rail"])
 def take(request):
     if request.param == "puppet":
-        return Take.of(puppet.moved(), 48.0)
-    return Take.of(solving.unsolved(clip.load(request.param)).saved(Progress(), with_report=False))
+        return SampledTrajectory.of(puppet.moved(), 48.0)
+    return SampledTrajectory.of(solving.unsolved(clip.load(request.param)).saved(Progress(), with_report=False))
 
 
 @pytest.fixture(scope="module")

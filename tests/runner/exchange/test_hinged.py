@@ -10,8 +10,8 @@ from figures import BALL_TREE
 from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
-from dynsplines.exchange.skeleton.hinge_joints import Hinged, HingeLayout, angles, rates, rotation_of
-from dynsplines.exchange.trajectory import Take
+from dynsplines.exchange.skeleton.hinge_joints import HingeLayout, HingeModel, angles, rates, rotation_of
+from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.scene.assets import Scene
 from dynsplines.solver import quaternion as quat
 
@@ -20,7 +20,7 @@ ORDERS = ["".join(order) for order in itertools.permutations("xyz")]
 
 @pytest.fixture(scope="module")
 def take():
-    return Take.of(wild.motion_of("human"))
+    return SampledTrajectory.of(wild.motion_of("human"))
 
 
 def test_all_bodies_of_the_variant_stand_and_move_as_those_of_the_figure(take):
@@ -55,7 +55,7 @@ def test_joints_carry_the_names_of_the_balls_and_their_axes_in_order(take):
 
 @pytest.mark.slow
 def test_velocities_are_the_differences_of_neighbouring_samples(take):
-    fine = Take.of(take.saved, 5000.0).hinged
+    fine = SampledTrajectory.of(take.saved, 5000.0).hinged
     ahead = np.zeros(fine.model.nv)
     mujoco.mj_differentiatePos(fine.model, ahead, 2 / 5000, fine.qpos[2000], fine.qpos[2002])
     # over the step the root turns: differentiatePos speaks in its first axes, the middle sample in its own
@@ -102,10 +102,10 @@ def test_a_joint_near_the_lock_is_reported_and_one_far_off_is_not():
     layout = HingeLayout(model)
     at = int(model.jnt_qposadr[model.joint("elbow").id])
     qpos[1, at : at + 4] = quat.from_rotation_vector(np.radians([0, 0, 85]))
-    found = Hinged.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.array([0, 0.5, 1]))
+    found = HingeModel.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.array([0, 0.5, 1]))
     assert found is not None and found.startswith("'elbow' comes within 5° of gimbal lock at 0.50 s")
     qpos[1, at : at + 4] = quat.from_rotation_vector(np.radians([170, 0, 0]))
-    assert Hinged.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.arange(3.0)) is None
+    assert HingeModel.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.arange(3.0)) is None
     assert layout.balls == [1, 2, 3]
 
 
@@ -125,7 +125,7 @@ def test_what_acts_on_ball_joints_goes_and_anchors_and_damping_stay():
 
 def test_a_figure_of_hinges_stays_as_it_is_and_a_name_twice_is_refused(tmp_path):
     (tmp_path / "robot.xml").write_text(wild.ROBOT)
-    take = Take.of(wild.motion_of(str(tmp_path / "robot.xml")))
+    take = SampledTrajectory.of(wild.motion_of(str(tmp_path / "robot.xml")))
     assert take.hinged.model is take.model and not take.hinged.is_other
     np.testing.assert_array_equal(take.hinged.qpos, take.qpos)
     text = BALL_TREE.replace('name="elbow"', 'name="hip_x" type="hinge"/><joint name="elbow"')

@@ -15,14 +15,14 @@ import pytest
 
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import html
-from dynsplines.exchange.trajectory import Take
+from dynsplines.exchange.trajectory import SampledTrajectory
 
 SOURCES = Path(__file__).parents[3] / "pages" / "src"
 
 
 @pytest.fixture(scope="module")
 def take():
-    return Take.of(puppet.moved(name="a < b & </script>"), 48.0)
+    return SampledTrajectory.of(puppet.moved(name="a < b & </script>"), 48.0)
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +77,7 @@ def test_its_pieces_are_the_visible_geoms_where_mujoco_has_them(take, content):
 
 def test_before_is_there_only_where_it_differs(saved, content):
     assert content["before"] is None
-    told = html.content(Take.of(saved))
+    told = html.content(SampledTrajectory.of(saved))
     before, after = (numbers(told[side]["position"], 3) for side in ("before", "after"))
     assert 1e-4 < np.abs(before - after).max() < 1
     assert [key["partial"] for key in told["keys"]] == [False, True, False]
@@ -142,7 +142,7 @@ def test_in_a_browser_it_plays_and_its_slider_moves_the_figure(tab, saved):
     if not page.evaluate("player.playing"):
         page.keyboard.press(" ")
     assert page.evaluate("player.playing")
-    take = Take.of(saved)
+    take = SampledTrajectory.of(saved)
     at = 5
     page.evaluate(
         "share => { const s = document.getElementById('scrub'); s.value = share; s.dispatchEvent(new Event('input')) }",

@@ -6,7 +6,7 @@ import pytest
 import wild
 
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 
 TETRAHEDRON = "v 0 0 0\nv .1 0 0\nv 0 .12 0\nv 0 0 .3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 FIGURE = """
@@ -41,7 +41,7 @@ def test_models_next_to_or_in_the_file_find_their_meshes(kind, saved, tmp_path):
 
 @pytest.mark.parametrize("kind", ["mjcf", "npz"])
 def test_files_that_bring_a_figure_bring_its_meshes(kind, saved, tmp_path):
-    back = imported(formats.export(saved, kind, tmp_path / f"out{formats.writer(kind).ending}"))
+    back = import_recording(formats.export(saved, kind, tmp_path / f"out{formats.writer(kind).ending}"))
     assert back.figure.model.nmesh == 1
     before, after = wild.samples(saved), wild.samples(back)
     wild.same_poses(saved.figure.model, before.qpos, after.qpos)

@@ -9,7 +9,7 @@ import wild
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +33,7 @@ def test_mujoco_reads_every_key_to_the_last_digit(human, tmp_path):
 def test_the_keys_come_back_as_a_motion_and_as_a_clip(human, tmp_path):
     target = formats.export(human, "mjcf", tmp_path / "out.keys.xml")
     before = wild.samples(human)
-    for back in (imported(target), imported(target, figure="human")):
+    for back in (import_recording(target), import_recording(target, figure="human")):
         after = wild.samples(back)
         np.testing.assert_array_equal(after.time, before.time)
         wild.same_poses(back.figure.model, before.qpos, after.qpos)
@@ -47,13 +47,13 @@ def test_keys_of_others_are_read_with_their_figure_and_faults_are_reported(tmp_p
         return tmp_path / "own.xml"
 
     good = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 1.2"/></keyframe>'
-    back = imported(written(good))
+    back = import_recording(written(good))
     np.testing.assert_allclose(wild.samples(back).qpos[-1], [0.1, 1.2])
     with pytest.raises(UserError, match="no <key> elements; a motion needs two or more"):
-        imported(written(""))
+        import_recording(written(""))
     with pytest.raises(UserError, match="all its keys are of the time 0"):
-        imported(written(good.replace("0.5", "0")))
+        import_recording(written(good.replace("0.5", "0")))
     with pytest.raises(UserError, match="its qpos has 2 numbers; the figure's 51"):
-        imported(written(good), figure="human")
+        import_recording(written(good), figure="human")
     with pytest.raises(UserError, match="MuJoCo cannot"):
-        imported(written("<keyframe><key nonsense='1'/></keyframe>"))
+        import_recording(written("<keyframe><key nonsense='1'/></keyframe>"))

@@ -12,7 +12,7 @@ from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 from dynsplines.motion import sampled
 from dynsplines.system.progress import Progress
 
@@ -162,7 +162,7 @@ FILES = {
 @pytest.mark.parametrize("name", FILES)
 def test_bones_are_where_the_files_matrices_put_them(name, tmp_path):
     """All bones of the figure that comes with the file; it may be lifted as a whole."""
-    saved = imported(FILES[name](tmp_path / name), progress=Progress())
+    saved = import_recording(FILES[name](tmp_path / name), progress=Progress())
     wanted = avatar.in_our_axes(avatar.moving())
     found = places(saved, avatar.NAMES)
     found[..., 2] += wanted[0, 0, 2] - found[0, 0, 2]
@@ -175,7 +175,7 @@ def test_a_motion_written_by_this_program_comes_back(ending, tmp_path):
     """Joints to the precision of the file; the root is placed on the ground, so it may be lifted as a whole."""
     written = solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False)
     file = formats.export(written, "gltf" if ending == "glb" else "usd", tmp_path / f"a.{ending}")
-    back = imported(file, figure="human", progress=Progress())
+    back = import_recording(file, figure="human", progress=Progress())
     wanted = sampled(written.figure, written.timeline, written.fps).qpos
     found = sampled(back.figure, back.timeline, written.fps).qpos
     found[:, 2] += wanted[0, 2] - found[0, 2]

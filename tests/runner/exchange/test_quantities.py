@@ -12,8 +12,8 @@ from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
 from dynsplines.exchange.forces import Forces
-from dynsplines.exchange.motion_import import imported
-from dynsplines.exchange.trajectory import Take, Wishes
+from dynsplines.exchange.motion_import import import_recording
+from dynsplines.exchange.trajectory import ExportOptions, SampledTrajectory
 from dynsplines.system.progress import Progress
 
 ALL = tuple(quantities.GROUPS)
@@ -35,7 +35,7 @@ def walk():
 @pytest.fixture(scope="module")
 def table(walk, tmp_path_factory):
     """The file, and its columns by heading."""
-    path = formats.export(walk, "csv", tmp_path_factory.mktemp("walk") / "a.csv", wishes=Wishes(columns=ALL))
+    path = formats.export(walk, "csv", tmp_path_factory.mktemp("walk") / "a.csv", options=ExportOptions(columns=ALL))
     with path.open(newline="") as stream:
         heading, *rows = csv.reader(stream)
     return path, dict(zip(heading, np.array(rows, float).T, strict=True))
@@ -51,7 +51,7 @@ def test_columns_have_names_and_units_and_the_table_is_read_as_before(walk, tabl
     assert list(columns)[:3] == ["time", "root.x", "root.y"]
     assert set(NAMES) <= columns.keys()
     assert not any(name.startswith("root.t") for name in columns)
-    back = imported(path, figure="human")
+    back = import_recording(path, figure="human")
     np.testing.assert_allclose(wild.samples(back).qpos, wild.samples(walk).qpos, atol=1e-12)
 
 
@@ -101,7 +101,7 @@ def test_torques_are_inverse_dynamics_under_the_grounds_forces(walk, table):
 
 @pytest.mark.slow
 def test_the_ground_carries_a_figure_that_stands():
-    take = Take.of(unsolved("sit_down"))
+    take = SampledTrajectory.of(unsolved("sit_down"))
     forces = Forces.of(take)
     assert forces.wrench is not None and forces.support is not None
     up = sum(foot.force[2, 0] for foot in forces.feet)
@@ -115,8 +115,10 @@ def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
     for time, x in ((0, 0), (0.3, 0), (1.3, 0.8)):
         text += f'[[keyframe]]\ntime = {time}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
     saved, said = solving.unsolved(clip.from_text(text, name="away")).saved(Progress(), with_report=False), []
-    path = formats.export(saved, "csv", tmp_path / "a.csv", wishes=Wishes(columns=("ground",)), tell=said.append)
-    forces = Forces.of(Take.of(saved))
+    path = formats.export(
+        saved, "csv", tmp_path / "a.csv", options=ExportOptions(columns=("ground",)), tell=said.append
+    )
+    forces = Forces.of(SampledTrajectory.of(saved))
     assert 0.1 < forces.known.mean() < 0.5
     assert any("the support of the figure is unknown" in line for line in said)
     with path.open(newline="") as stream:
@@ -134,13 +136,13 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
         f"[[keyframe]]\ntime = {t}\njoints.turn = {90 * t}\njoints.reach = 0\n" for t in (0, 1)
     )
     saved = solving.unsolved(clip.from_text(text, name="arm")).saved(Progress(), with_report=False)
-    columns = quantities.table(Take.of(saved), ("velocities", "torques"))
+    columns = quantities.table(SampledTrajectory.of(saved), ("velocities", "torques"))
     assert list(columns) == ["turn.v [rad/s]", "reach.v [m/s]", "turn.t [N m]", "reach.f [N]"]
     assert all(np.isfinite(column).all() for column in columns.values())
     with pytest.raises(UserError, match="no free root"):
-        quantities.table(Take.of(saved), ("wrench",))
+        quantities.table(SampledTrajectory.of(saved), ("wrench",))
     with pytest.raises(UserError, match="no stance is known"):
-        quantities.table(Take.of(saved), ("ground",))
+        quantities.table(SampledTrajectory.of(saved), ("ground",))
 
 
 def test_groups_are_named_with_commas():

@@ -19,7 +19,7 @@ from simulated import exported, played
 from dynsplines.errors import UserError
 from dynsplines.exchange import quantities
 from dynsplines.exchange.forces import Forces
-from dynsplines.exchange.trajectory import Take
+from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.motion import Saved
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
@@ -42,15 +42,15 @@ def borne(forces: Forces) -> Mask:
 
 def check_forces(saved: Saved, expected: Array) -> None:
     """Torques, and the root's wrench about the centre of mass, are those of mj_inverse."""
-    forces, at, model = Forces.of(Take.of(saved)), wild.samples(saved), saved.figure.model
+    forces, at, model = Forces.of(SampledTrajectory.of(saved)), wild.samples(saved), saved.figure.model
     rows = forces.known & ~borne(forces)
     np.testing.assert_allclose(forces.torques[rows], expected[rows], rtol=0, atol=EXACT * np.abs(expected).max())
     root = saved.figure.root
     if root is None or not root.is_free:
         with pytest.raises(UserError, match="no free root"):
-            quantities.wrench(Take.of(saved), forces)
+            quantities.wrench(SampledTrajectory.of(saved), forces)
         return
-    columns = quantities.wrench(Take.of(saved), forces)
+    columns = quantities.wrench(SampledTrajectory.of(saved), forces)
     force, moment, centre = np.array(list(columns.values())).reshape(3, 3, -1).transpose(0, 2, 1)
     q, dof, data = int(model.jnt_qposadr[root.joints[0]]), int(model.jnt_dofadr[root.joints[0]]), mujoco.MjData(model)
     for qpos, row in zip(at.qpos, centre, strict=True):
@@ -92,7 +92,7 @@ def largest_errors(model: mujoco.MjModel) -> tuple[float, float]:
 def check_simulation(saved: Saved, folder: Path, expected: Array) -> None:
     """The scene follows the motion, or a note says that it does not, and why."""
     model, notes = exported(saved, folder)
-    forces = Forces.of(Take.of(saved))
+    forces = Forces.of(SampledTrajectory.of(saved))
     check_feed_forward(model, expected, forces.known & ~borne(forces))
     angle, length = largest_errors(model)
     line = next(note for note in notes if note.startswith("mj_step of the scene"))

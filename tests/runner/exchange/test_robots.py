@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines import motion
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import imported
+from dynsplines.exchange.motion_import import import_recording
 
 JOINTS = ["left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "arm_pitch"]
 
@@ -45,7 +45,7 @@ def hinge_model(target):
 
 def came_back(saved, target, figure: str | None = "human", tolerance=1e-9, **more):
     """A file read again brings every body to where it was, at the same times from 0 on."""
-    back = imported(target, figure=figure, **more)
+    back = import_recording(target, figure=figure, **more)
     assert back.fps == pytest.approx(saved.fps, abs=1e-6)
     before, after = wild.samples(saved), wild.samples(back)
     np.testing.assert_allclose(after.time - after.time[0], before.time - before.time[0], atol=1e-12)
@@ -101,7 +101,7 @@ def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, tmp_path):
     np.testing.assert_allclose(wild.poses(model, qpos)["xpos"], truth["xpos"], atol=1e-9)
     came_back(human, target, fps=wild.FPS)
     with pytest.raises(UserError, match="the format contains no rate; give the rate: --fps, or fps= in Python"):
-        imported(target, figure="human")
+        import_recording(target, figure="human")
 
 
 @pytest.mark.slow
@@ -168,7 +168,7 @@ def test_locomujoco_reads_files_of_its_own_tool_and_refuses_several_motions(robo
     entries["split_points"] = np.array([0, 10, len(before.time)])
     np.savez(tmp_path / "two.npz", **entries)
     with pytest.raises(UserError, match="holds 2 motions"):
-        imported(tmp_path / "two.npz", figure=str(robot_file))
+        import_recording(tmp_path / "two.npz", figure=str(robot_file))
 
 
 @pytest.mark.slow
@@ -180,7 +180,7 @@ def test_plain_arrays_bring_motion_and_figure(human, tmp_path):
     model = mujoco.MjModel.from_xml_string(str(file["mjcf"]))
     assert [model.joint(i).name for i in range(model.njnt)] == list(file["joint_names"])
     wild.same_poses(model, before.qpos, file["qpos"])
-    back = imported(target)
+    back = import_recording(target)
     np.testing.assert_array_equal(wild.samples(back).time, before.time)
     came_back(human, target, None)
     np.savez(tmp_path / "bare.npz", qpos=before.qpos, fps=50)
@@ -188,9 +188,9 @@ def test_plain_arrays_bring_motion_and_figure(human, tmp_path):
     np.savez(tmp_path / "barest.npz", qpos=before.qpos)
     came_back(human, tmp_path / "barest.npz", fps=50.0)
     with pytest.raises(UserError, match="neither 'time' nor 'fps'"):
-        imported(tmp_path / "barest.npz", figure="human")
+        import_recording(tmp_path / "barest.npz", figure="human")
     with pytest.raises(UserError, match="no 'mjcf', the figure; name the figure: --figure"):
-        imported(tmp_path / "bare.npz")
+        import_recording(tmp_path / "bare.npz")
 
 
 BAD = {
@@ -234,7 +234,7 @@ def test_bad_files_are_reported_in_one_line_that_names_file_and_fault(kind, chan
     else:
         np.savez(target, **entries)
     with pytest.raises(UserError, match=says) as error:
-        imported(target, kind, figure=str(robot_file))
+        import_recording(target, kind, figure=str(robot_file))
     assert str(target) in str(error.value) and "\n" not in str(error.value)
 
 
@@ -266,13 +266,13 @@ def test_what_is_in_a_file_tells_its_format_where_the_ending_does_not(human, rob
         plain = target.rename(tmp_path / f"plain_{kind}{target.suffix}")
         assert formats.recording(plain, model=saved.figure.model).qpos.shape == wild.samples(saved).qpos.shape
     motion.save(human, tmp_path / "ours.npz")
-    assert len(imported(tmp_path / "ours.npz").keys) == len(wild.samples(human).time)
+    assert len(import_recording(tmp_path / "ours.npz").keys) == len(wild.samples(human).time)
     np.savez(tmp_path / "other.npz", a=1)
     with pytest.raises(
         UserError, match="its ending is of no known format; give --from, or format= in Python, one of: npz, mjlab"
     ):
-        imported(tmp_path / "other.npz", figure="human")
+        import_recording(tmp_path / "other.npz", figure="human")
     with pytest.raises(UserError, match="no file"):
-        imported(tmp_path / "absent.npz", figure="human")
+        import_recording(tmp_path / "absent.npz", figure="human")
     with pytest.raises(UserError, match="'amass' is read only; written are: csv"):
         formats.export(human, "amass", tmp_path / "out")

@@ -7,7 +7,7 @@ from rich.console import Console
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import imported, taken
+from dynsplines.exchange.motion_import import import_recording, read_recording
 from dynsplines.system.progress import Progress
 
 ARM = """
@@ -43,7 +43,7 @@ def recording(**columns):
 
 def read(arm, qpos, time=TIME):
     np.savetxt(arm.parent / "arm.csv", np.column_stack([time, qpos]), delimiter=",", fmt="%.9f")
-    return taken(arm.parent / "arm.csv", "csv", figure=str(arm)).qpos
+    return read_recording(arm.parent / "arm.csv", "csv", figure=str(arm)).qpos
 
 
 @pytest.mark.parametrize("low", [-np.pi, 0.0])
@@ -72,18 +72,18 @@ def test_every_format_is_unwrapped(arm, kind, tmp_path):
     keys[:, 7] = wrapped(angle)
     saved = wild.through(str(arm), np.linspace(0, 2, 5), keys)
     target = formats.export(saved, kind, tmp_path / f"a{formats.writer(kind).ending}", fps=2.0)
-    found = taken(target, figure=str(arm), fps=2.0)
+    found = read_recording(target, figure=str(arm), fps=2.0)
     np.testing.assert_allclose(found.qpos[:, 7], angle, atol=1e-8)
 
 
 def test_the_joints_are_named_in_a_note(arm, capsys):
     qpos = recording(turret=wrapped(3 * TIME))
     np.savetxt(arm.parent / "arm.csv", np.column_stack([TIME, qpos]), delimiter=",")
-    taken(arm.parent / "arm.csv", "csv", figure=str(arm), progress=Progress(Console(width=200)))
+    read_recording(arm.parent / "arm.csv", "csv", figure=str(arm), progress=Progress(Console(width=200)))
     assert capsys.readouterr().out == "note: 'turret': angles wrap at a whole turn, first at 1.067 s: unwrapped\n"
 
 
 def test_a_table_of_another_figure_is_refused_as_before(arm):
     (arm.parent / "arm.csv").write_text("1,2,3\n4,5,6\n")
     with pytest.raises(UserError, match="3 columns"):
-        imported(arm.parent / "arm.csv", figure=str(arm))
+        import_recording(arm.parent / "arm.csv", figure=str(arm))

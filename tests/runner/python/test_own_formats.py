@@ -8,7 +8,7 @@ import pytest
 import shipped
 
 from dynsplines import UserError, import_motion
-from dynsplines.exchange.trajectory import Recording, Take
+from dynsplines.exchange.trajectory import Recording, SampledTrajectory
 from dynsplines.python.motion import Motion
 from dynsplines.system.progress import Progress
 
@@ -16,7 +16,7 @@ from dynsplines.system.progress import Progress
 class Plain:
     """qpos under times, as numbers in rows."""
 
-    def write(self, take: Take, path: Path) -> None:
+    def write(self, take: SampledTrajectory, path: Path) -> None:
         np.savetxt(path, np.column_stack([take.time, take.qpos]), fmt="%.17g")
 
     def read(self, path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
@@ -27,7 +27,7 @@ class Plain:
 class Broken:
     """Gives up in the middle."""
 
-    def write(self, take: Take, path: Path) -> None:
+    def write(self, take: SampledTrajectory, path: Path) -> None:
         path.write_text("half")
         raise UserError("no more")
 

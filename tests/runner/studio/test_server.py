@@ -196,14 +196,14 @@ def test_another_host_needs_leave_and_says_what_it_means():
             launch.check_host(host, allow_remote=False)
 
 
-def began(session, monkeypatch, **wishes):
+def began(session, monkeypatch, **options):
     """What the command says and serves, without a process and without a server."""
     served, said = [], []
     monkeypatch.setattr(Session, "start", lambda self: None)
     monkeypatch.setattr(
         launch, "_serve", lambda session, listening, *door: served.append((listening.getsockname(), *door))
     )
-    wished: dict[str, Any] = {"host": "127.0.0.1", "port": 0, "browser": False, "allow_remote": False, **wishes}
+    wished: dict[str, Any] = {"host": "127.0.0.1", "port": 0, "browser": False, "allow_remote": False, **options}
     launch.run(session.document, say=said.append, **wished)
     return served[0], said
 

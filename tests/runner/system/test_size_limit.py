@@ -15,7 +15,7 @@ from dynsplines import models, motion
 from dynsplines.clip.load import load
 from dynsplines.clip.parse import check_times
 from dynsplines.errors import UserError
-from dynsplines.exchange.array_reader import held
+from dynsplines.exchange.array_reader import read_npz
 from dynsplines.scene import mjcf_size
 from dynsplines.scene.assets import Scene, taken_along
 from dynsplines.scene.compose import compose, figure_spec
@@ -129,7 +129,7 @@ def npy(shape: str, data: bytes) -> bytes:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("read", [motion.read_arrays, held])
+@pytest.mark.parametrize("read", [motion.read_arrays, read_npz])
 def test_arrays_are_weighed_before_they_are_read(read, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DYNSPLINES_LARGEST", "10")
     bomb = tmp_path / "bomb.npz"
@@ -144,7 +144,7 @@ def test_arrays_are_weighed_before_they_are_read(read, tmp_path: Path, monkeypat
     np.savez_compressed(stream, a=np.arange(1e6))
     bomb.write_bytes(stream.getvalue())
     found = read(bomb)
-    assert (found.entries if read is held else found)["a"].size == 1e6
+    assert (found.entries if read is read_npz else found)["a"].size == 1e6
 
 
 def test_a_figure_of_so_many_joints_that_no_search_has_room_is_refused_before_one(monkeypatch: pytest.MonkeyPatch):

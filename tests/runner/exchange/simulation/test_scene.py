@@ -13,7 +13,7 @@ from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.trajectory import Wishes
+from dynsplines.exchange.trajectory import ExportOptions
 from dynsplines.system.progress import Progress
 
 LASTS = 1.0  # [s] of simulation
@@ -49,7 +49,7 @@ def person(request, tmp_path_factory):
     """A shipped clip, solved and exported to be simulated, and without."""
     saved = shipped.solved(request.param).saved(quiet(), with_report=False)
     folder = tmp_path_factory.mktemp("person")
-    formats.export(saved, "mjcf", folder / "stands.xml", wishes=Wishes(simulate=True))
+    formats.export(saved, "mjcf", folder / "stands.xml", options=ExportOptions(simulate=True))
     formats.export(saved, "mjcf", folder / "falls.xml")
     return request.param, folder
 
@@ -119,4 +119,4 @@ def test_actuators_of_the_model_are_replaced_and_what_has_no_name_gets_one(rig):
 
 def test_only_mjcf_can_be_simulated(rig, tmp_path):
     with pytest.raises(UserError, match="the format 'csv' cannot hold a scene to simulate; those that can: mjcf"):
-        formats.export(rig[0], "csv", tmp_path / "a.csv", wishes=Wishes(simulate=True))
+        formats.export(rig[0], "csv", tmp_path / "a.csv", options=ExportOptions(simulate=True))

@@ -9,7 +9,7 @@ import wild
 
 from dynsplines.exchange.simulation.scene import Simulation
 from dynsplines.exchange.simulation.tracking import note, refined
-from dynsplines.exchange.trajectory import Take
+from dynsplines.exchange.trajectory import SampledTrajectory
 
 BOX = """<mujoco><worldbody><geom type="plane" size="0 0 1" name="floor"/>
   <body name="base" pos="0 0 {z}"><freejoint name="root"/><geom type="box" size=".2 .2 .1" mass="4"/>
@@ -39,7 +39,9 @@ ARMS = """<mujoco><worldbody><body name="trunk"><joint name="turn" axis="0 0 1"/
 def simulated(tmp_path, text, qpos, step=0.5):
     """The scene of the motion through poses some time apart [s], how it follows it, and the line on that."""
     (tmp_path / "model.xml").write_text(text)
-    take = Take.of(wild.through(str(tmp_path / "model.xml"), step * np.arange(len(qpos)), np.array(qpos, float)))
+    take = SampledTrajectory.of(
+        wild.through(str(tmp_path / "model.xml"), step * np.arange(len(qpos)), np.array(qpos, float))
+    )
     simulation, tracking = refined(Simulation.of(take), take)
     return simulation, tracking, note(tracking, simulation, take)
 

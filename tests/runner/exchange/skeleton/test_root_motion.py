@@ -9,7 +9,7 @@ import pytest
 from dynsplines import inbetween, load
 from dynsplines.errors import UserError
 from dynsplines.exchange.skeleton import bvh_file, retarget
-from dynsplines.exchange.skeleton.captured_skeleton import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.solver.array import Array
 from tests.support.biped import BALL, BOX, CART, biped, joints, nested, scene
 
@@ -37,15 +37,15 @@ ROOTS = {
 
 
 @pytest.fixture(scope="module")
-def recording(tmp_path_factory: pytest.TempPathFactory) -> Captured:
+def recording(tmp_path_factory: pytest.TempPathFactory) -> CapturedSkeleton:
     """A person that goes aside and turns to its left, as BVH."""
     folder = tmp_path_factory.mktemp("recording")
     (folder / "c.toml").write_text(CLIP, encoding="utf-8")
     inbetween(load(folder / "c.toml")).export(folder / "walk.bvh")
-    return Captured.of(bvh_file.read(folder / "walk.bvh")[0])
+    return CapturedSkeleton.of(bvh_file.read(folder / "walk.bvh")[0])
 
 
-def bodies(xml: str, recording: Captured) -> tuple[Array, Array]:
+def bodies(xml: str, recording: CapturedSkeleton) -> tuple[Array, Array]:
     """(T, 7, 3) [m] and (T, 7, 9) of the biped's bodies on a recording."""
     model = mujoco.MjModel.from_xml_string(xml)
     qpos, _ = retarget.onto(recording, model, "walk.bvh")
@@ -60,7 +60,7 @@ def bodies(xml: str, recording: Captured) -> tuple[Array, Array]:
 
 
 @pytest.mark.parametrize("kind", ROOTS)
-def test_the_motion_is_that_of_a_robot_alone_on_a_free_joint(recording: Captured, kind: str) -> None:
+def test_the_motion_is_that_of_a_robot_alone_on_a_free_joint(recording: CapturedSkeleton, kind: str) -> None:
     places, turns = bodies(scene(biped()), recording)
     assert np.linalg.norm(places[-1, 0] - places[0, 0]) > 0.3
     seen = bodies(ROOTS[kind], recording)
@@ -68,7 +68,7 @@ def test_the_motion_is_that_of_a_robot_alone_on_a_free_joint(recording: Captured
     assert seen[1] == pytest.approx(turns, abs=1e-3)
 
 
-def test_what_a_planar_root_cannot_follow_is_noted(recording: Captured) -> None:
+def test_what_a_planar_root_cannot_follow_is_noted(recording: CapturedSkeleton) -> None:
     model = mujoco.MjModel.from_xml_string(scene(biped(joints(("tx", "tz", "ry")))))
     qpos, notes = retarget.onto(recording, model, "walk.bvh")
     said = next(note for note in notes if note.startswith("the root moves on tx, tz, ry alone"))
@@ -76,7 +76,7 @@ def test_what_a_planar_root_cannot_follow_is_noted(recording: Captured) -> None:
     assert qpos[-1, 0] - qpos[0, 0] == pytest.approx(0.3 * 0.8 / 0.93, abs=0.05)
 
 
-def test_a_root_that_only_turns_is_refused(recording: Captured) -> None:
+def test_a_root_that_only_turns_is_refused(recording: CapturedSkeleton) -> None:
     model = mujoco.MjModel.from_xml_string(scene(biped(joints(("rx", "ry", "rz")))))
     with pytest.raises(UserError, match="the figure's root, 'pelvis', needs a free joint, or slides"):
         retarget.onto(recording, model, "walk.bvh")

@@ -12,7 +12,7 @@ from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import retarget
 from dynsplines.exchange.skeleton.bvh_file import read
-from dynsplines.exchange.skeleton.captured_skeleton import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.system.progress import Progress
 
 CLOSE = 1e-3  # [m]
@@ -60,7 +60,7 @@ def person(turn):
 def walk(tmp_path_factory):
     moved = solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
     skeleton, _ = read(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh"))
-    return Captured.of(skeleton, 0.01)
+    return CapturedSkeleton.of(skeleton, 0.01)
 
 
 def places(model, qpos):

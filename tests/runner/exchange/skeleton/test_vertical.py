@@ -12,9 +12,9 @@ from dynsplines import models, solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange.format import bvh
 from dynsplines.exchange.skeleton import retarget
-from dynsplines.exchange.skeleton.captured_skeleton import Captured
+from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.exchange.skeleton.up_axis import vertical
-from dynsplines.exchange.trajectory import Take
+from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.system.progress import Progress
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
@@ -29,12 +29,14 @@ UPS = {  # how a file whose y is up is turned
 @pytest.fixture(scope="module")
 def walk():
     """A person's walk in BVH's axes."""
-    return bvh.skeleton(Take.of(solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)))
+    return bvh.skeleton(
+        SampledTrajectory.of(solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False))
+    )
 
 
 def on_human(skeleton):
     """Distances (T, 12, 12) [m] between bodies and heights (T, 12) [m], by MuJoCo; notes."""
-    captured = Captured.of(skeleton, 0.01)
+    captured = CapturedSkeleton.of(skeleton, 0.01)
     qpos, _ = retarget.onto(captured, HUMAN, "walk.bvh")
     data, out = mujoco.MjData(HUMAN), []
     for row in qpos:
