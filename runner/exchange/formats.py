@@ -63,10 +63,10 @@ class Reader(Protocol):
 class Format:
     """A file format: its name, its file ending, a one-line description, and the module that implements it.
 
-    The module has `write(trajectory, path)` if others can read what we write, and `read(path, model, fps)`, which gives a
-    Recording, if we can read what others write; model is None where the user named no figure. Both raise UserError.
-    It may have `beside(trajectory)`, what is to lie beside the motion's file (the hinge model that it is for), by its ending
-    or, where it does not begin with a dot, its name; and `recognises(path)`, for endings that several formats share.
+    The module has `write(trajectory, path)` if the format can be written, and `read(path, model, fps)`, which returns a
+    Recording, if it can be read; model is None where the user named no figure. Both raise UserError.
+    It may have `beside(trajectory)`, further files (such as a hinge model) by their ending or, without a leading dot,
+    their name; and `recognises(path)`, for endings that several formats share.
     also   endings of the same format that are read
     variants endings of the same format that it can be written with
     containers endings of other files that hold the same, only read

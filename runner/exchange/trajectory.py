@@ -1,4 +1,4 @@
-"""Data of the formats: a motion at equal time steps in MuJoCo's layout (SampledTrajectory), and a file's content (Recording)."""
+"""Data of the formats: a motion at equal time steps in MuJoCo's layout, and the content of a recording's file."""
 
 from __future__ import annotations
 
