@@ -1,4 +1,4 @@
-"""Every block of code of every page of docs/ runs, from the top to the bottom of its page, and prints what it says."""
+"""Code blocks of docs/ run from top to bottom of a page and print the output shown; links, site and reference."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ PAGES = sorted((ROOT / "docs").glob("*.md"))
 API = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
 
 
-def printed(example: Example) -> str | None:
-    """A block of text is what the code above it has printed; `...` stands for anything."""
+def compare_output(example: Example) -> str | None:
+    """Compare a block of text with the output of the code above it; `...` stands for anything."""
     wanted, got = str(example.parsed).strip() + "\n", example.namespace["printed"].strip() + "\n"
     checker, flags = doctest.OutputChecker(), doctest.ELLIPSIS
     if checker.check_output(wanted, got, flags):
@@ -39,7 +39,7 @@ def printed(example: Example) -> str | None:
     return checker.output_difference(doctest.Example("", wanted), got, flags)
 
 
-def commands(example: Example) -> None:
+def run_commands(example: Example) -> None:
     """Run a block of shell and print violations, and all output of `clean` and grep. Videos are rendered small."""
     for line in str(example.parsed).strip().splitlines():
         name, *words = shlex.split(line)
@@ -69,8 +69,8 @@ def other_command(name: str, words: list[str]) -> str:
     return done.stdout if name == "grep" else ""
 
 
-def kept(example: Example) -> None:
-    """A block of TOML: a file, if its first line says which."""
+def write_file(example: Example) -> None:
+    """Write a block of TOML to a file, if its first line is the name."""
     text = str(example.parsed)
     if name := re.match(r"# (\w+\.toml)\n", text):
         Path(name[1]).write_text(text, encoding="utf-8")
@@ -79,9 +79,9 @@ def kept(example: Example) -> None:
 SYBIL = Sybil(
     parsers=[
         PythonCodeBlockParser(),
-        CodeBlockParser(language="text", evaluator=printed),
-        CodeBlockParser(language="sh", evaluator=commands),
-        CodeBlockParser(language="toml", evaluator=kept),
+        CodeBlockParser(language="text", evaluator=compare_output),
+        CodeBlockParser(language="sh", evaluator=run_commands),
+        CodeBlockParser(language="toml", evaluator=write_file),
     ]
 )
 
@@ -103,27 +103,27 @@ def test_the_blocks_of_a_page_run(page: Path, tmp_path: Path, monkeypatch: pytes
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_what_a_page_links_to_is_there(page: Path) -> None:
+def test_links_of_a_page_exist(page: Path) -> None:
     for target in re.findall(r"\]\(([^)#]+)\)", page.read_text(encoding="utf-8")):
         assert (page.parent / target).exists(), target
 
 
-def test_every_name_of_the_package_is_on_the_first_page() -> None:
+def test_every_name_of_the_package_is_on_the_python_page() -> None:
     import dynsplines
 
-    told = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
     for name in dynsplines.__all__:
-        assert re.search(rf"`[^`]*\b{name}\b", told), name
+        assert re.search(rf"`[^`]*\b{name}\b", page), name
 
 
-def test_every_page_is_on_the_first() -> None:
-    told = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
-    assert {page.name for page in PAGES} - {"index.md"} == set(re.findall(r"\]\((\w+\.md)\)", told))
+def test_every_page_is_in_the_index() -> None:
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    assert {page.name for page in PAGES} - {"index.md"} == set(re.findall(r"\]\((\w+\.md)\)", index))
 
 
 def test_every_page_is_in_the_sites_table_of_contents() -> None:
-    told = (ROOT / "docs" / "site" / "mkdocs.yml").read_text(encoding="utf-8")
-    assert {page.name for page in PAGES} == set(re.findall(r"(\w+\.md)$", told, re.MULTILINE))
+    config = (ROOT / "docs" / "site" / "mkdocs.yml").read_text(encoding="utf-8")
+    assert {page.name for page in PAGES} == set(re.findall(r"(\w+\.md)$", config, re.MULTILINE))
 
 
 def test_the_reference_is_what_the_schema_specifies(monkeypatch: pytest.MonkeyPatch) -> None:
