@@ -126,7 +126,7 @@ const begin = (): void => {
     drawn = `${now} ${which}`;
     $<HTMLInputElement>("scrub").value = String(duration ? now / duration : 0);
     $("scrub").style.setProperty("--done", `${duration ? (100 * now) / duration : 0}%`);
-    $("clock").innerHTML = `<b>${now.toFixed(2)}</b> / ${duration.toFixed(2)} s &ensp;image ${Math.round(now * fps)}`;
+    $("clock").innerHTML = `<b>${now.toFixed(2)}</b> / ${duration.toFixed(2)} s &ensp;frame ${Math.round(now * fps)}`;
   };
   const tick = (stamp: number): void => {
     requestAnimationFrame(tick);
