@@ -60,7 +60,7 @@ def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | Non
     return _found(problem, raw, raw, improved, lambda loop: loop.better_than(raw, loop.over(raw)))
 
 
-def resumed(
+def continue_from(
     problem: Problem,
     begin: Timeline,
     *,

@@ -99,13 +99,15 @@ class Objective:
             scale, instants = term.penalty.normalization, instants_of(term.penalty)
             length = instants.size or last - first
             whole = scale.reference * length / spacing**scale.time_power
-            most = whole if scale.is_violation else scale.most * length
+            most = whole if scale.is_violation else scale.raw_cap * length
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
         measures = {term.penalty.name: term.factor / term.weight for term in terms if term.weight > 0}
         for i, term in enumerate(terms):
-            beside = term.penalty.normalization.beside
-            if beside in measures:
-                terms[i] = replace(term, factor=term.weight * measures[beside] / term.penalty.normalization.reference)
+            normalize_by = term.penalty.normalization.normalize_by
+            if normalize_by in measures:
+                terms[i] = replace(
+                    term, factor=term.weight * measures[normalize_by] / term.penalty.normalization.reference
+                )
         return replace(self, terms=tuple(terms), heavy=HEAVY * self.raw_cost or np.inf)
 
     @property
@@ -117,7 +119,9 @@ class Objective:
     def measured(self) -> tuple[Term, ...]:
         """The terms that are divided by their own integrals over the raw spline."""
         return tuple(
-            t for t in self.terms if not t.penalty.normalization.is_violation and not t.penalty.normalization.beside
+            t
+            for t in self.terms
+            if not t.penalty.normalization.is_violation and not t.penalty.normalization.normalize_by
         )
 
     def _typical(self, raw: Path, integrals: Array) -> Array:

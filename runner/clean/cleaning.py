@@ -12,7 +12,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
-from dynsplines.solver.inbetween import inbetween, resumed
+from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.inference.ground_alignment import align_to_ground, move_to_ground
 from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.solver.inference.stances import RecordedStance, infer_stances, unsure
@@ -151,7 +151,7 @@ def _out_of_edges(
         if times[-1] - times[0] < LONG:
             solution = inbetween(asked, improved=improved)
         else:
-            solution = resumed(asked, asked.raw, between=list(_stretches(more)), improved=improved)
+            solution = continue_from(asked, asked.raw, between=list(_stretches(more)), improved=improved)
     return asked, solution
 
 

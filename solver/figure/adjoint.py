@@ -28,7 +28,7 @@ Gradients = tuple[Array | None, Array | None, Array | None]
 class Adjoint(Protocol):
     """Something derived from the links' motion that can pull gradients of it back."""
 
-    def settle(self, into: Cotangent, buffer: Array) -> None:
+    def flush(self, into: Cotangent, buffer: Array) -> None:
         """Adds the gradients with respect to the links' motion to `into`; `buffer` is used up."""
         ...
 
@@ -67,7 +67,7 @@ class Cotangent:
         self._wrenches: list[Wrenches] = []
         self._deferred: list[tuple[Adjoint, Array]] = []
 
-    def deferred(self, source: Adjoint, kinds: int) -> Array:
+    def defer(self, source: Adjoint, kinds: int) -> Array:
         """A buffer (kinds, 3, L, S), zeros at first, for gradients with respect to what `source` derives.
 
         All who use it add to it; it is pulled back once, at the end.
@@ -79,27 +79,23 @@ class Cotangent:
         self._deferred.append((source, buffer))
         return buffer
 
-    def accumulate(self, name: Quantity, gradient: Array) -> None:
-        """Adds a gradient with respect to one of the quantities."""
-        if self._knows(name):
-            self._parts[name] += gradient
-        else:
-            self._parts[name] = np.array(gradient)
+    def accumulate(self, name: Quantity, gradient: Array, *, donate: bool = False) -> None:
+        """Add a gradient with respect to one of the quantities.
 
-    def absorb(self, name: Quantity, gradient: Array) -> None:
-        """`accumulate` of an array that the caller gives up: it may be stored and modified."""
-        if self._knows(name):
+        donate  the caller does not use the array any more: it may be stored and modified
+        """
+        if self._has(name):
             self._parts[name] += gradient
         else:
-            self._parts[name] = gradient
+            self._parts[name] = gradient if donate else np.array(gradient)
 
     def buffer(self, name: Quantity) -> Array:
         """The array itself, zeros at first, to add into by index."""
-        if not self._knows(name):
+        if not self._has(name):
             self._parts[name] = np.zeros(self._shape(name))
         return self._parts[name]
 
-    def _knows(self, name: Quantity) -> bool:
+    def _has(self, name: Quantity) -> bool:
         """Whether there is a gradient already."""
         if name in self._parts:
             return True
@@ -128,7 +124,7 @@ class Cotangent:
         link, at = np.divmod(flat, self.samples.count)
         self.add_wrenches(of_point(at, link, offset, force))
 
-    def _settle_wrenches(self) -> None:
+    def _flush_wrenches(self) -> None:
         """Adds all wrenches to what they are on."""
         count, shape = self.samples.count, (3, len(self.samples.figure.links), self.samples.count)
         size = shape[1] * shape[2]
@@ -138,28 +134,32 @@ class Cotangent:
                 flat = np.concatenate([w.link * count + w.at for w, _ in parts_of_kind])
                 places = flat + size * np.arange(3)[:, None]
                 vectors = np.concatenate([part for _, part in parts_of_kind], axis=1)
-                self.absorb(name, np.bincount(places.ravel(), vectors.ravel(), 3 * size).astype(float).reshape(shape))
+                self.accumulate(
+                    name,
+                    np.bincount(places.ravel(), vectors.ravel(), 3 * size).astype(float).reshape(shape),
+                    donate=True,
+                )
 
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
         samples = self.samples
         for source, buffer in self._deferred:
-            source.settle(self, buffer)
+            source.flush(self, buffer)
         if self._wrenches:
-            self._settle_wrenches()
+            self._flush_wrenches()
         if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:
             _origins_pulled_back(self)
             if "swing" in self._parts:
                 by_omega, by_alpha = swing_pulled_back(self._parts["swing"], samples.links.omega)
-                self.absorb("omega", by_omega)
-                self.absorb("alpha", by_alpha)
+                self.accumulate("omega", by_omega, donate=True)
+                self.accumulate("alpha", by_alpha, donate=True)
             quaternions = _quaternion_gradients(self)
             if samples.figure.is_world:
                 blocks = [g[:, 1:] for g in quaternions]
             else:
                 blocks = _products_pulled_back(self, quaternions)
             for (_, name, _), block in zip(OF_THE_STATE, blocks, strict=False):
-                self.absorb(name, block)
+                self.accumulate(name, block, donate=True)
         g, g_d, g_dd = (self._by_entries(y, q) for y, q, _ in OF_THE_STATE)
         return g, g_d, g_dd
 
@@ -215,7 +215,7 @@ def _to_owners(into: Cotangent, name: Quantity, part: Array, owners: Index | Non
         incidence = np.zeros((len(into.samples.figure.links), owners.size))
         incidence[owners, np.arange(owners.size)] = 1
         part = np.matmul(incidence, part)
-    into.absorb(name, part)
+    into.accumulate(name, part, donate=True)
 
 
 def _origins_pulled_back(cotangent: Cotangent) -> None:

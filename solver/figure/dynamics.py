@@ -74,13 +74,13 @@ class InverseDynamics:
 
         The backward sweep runs once for all contributions, when the cotangent's gradients are requested.
         """
-        buffer = into.deferred(self, 3)
+        buffer = into.defer(self, 3)
         buffer[0] += moment_bar
         for target, part in zip(buffer[1:], (force_bar, centre_bar), strict=True):
             if part is not None:
                 target += part
 
-    def settle(self, into: Cotangent, buffer: Array) -> None:
+    def flush(self, into: Cotangent, buffer: Array) -> None:
         """The backward sweep of all deferred contributions, (3, 3, L, S)."""
         tables, links = self.links.figure.tables, self.links
         moment_bar, force_bar, centre_bar = buffer
@@ -91,18 +91,18 @@ class InverseDynamics:
         centre_bar += cross(self.net_force, m)
         pair = np.array([cross(m, links.omega), m])  # what meets ω and ω'
         inertia_pair = np.einsum("ijls,kjls->kils", self.inertia, pair)
-        into.absorb("omega", cross(self.momenta[0], m))
-        into.absorb("omega", inertia_pair[0])
-        into.absorb("alpha", inertia_pair[1])
-        into.absorb("turn", cross_sum(self.momenta, pair))
-        into.absorb("turn", cross_sum(inertia_pair, links.spins))
+        into.accumulate("omega", cross(self.momenta[0], m), donate=True)
+        into.accumulate("omega", inertia_pair[0], donate=True)
+        into.accumulate("alpha", inertia_pair[1], donate=True)
+        into.accumulate("turn", cross_sum(self.momenta, pair), donate=True)
+        into.accumulate("turn", cross_sum(inertia_pair, links.spins), donate=True)
         f_bar *= tables.mass[:, None]
         attached_pulled_back(into, self.offset, (centre_bar, None, f_bar))
         if links.hang is not None:
-            into.absorb("turn", cross(links.hang, anchor_bar))
+            into.accumulate("turn", cross(links.hang, anchor_bar), donate=True)
         anchor_bar += centre_bar
-        into.absorb("x", anchor_bar)
-        into.absorb("x_dd", f_bar)
+        into.accumulate("x", anchor_bar, donate=True)
+        into.accumulate("x_dd", f_bar, donate=True)
 
 
 def body_forces(samples: Samples) -> BodyForces:

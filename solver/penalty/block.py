@@ -19,7 +19,7 @@ from ..figure.adjoint import OF_THE_STATE, Cotangent
 from ..figure.kinematics import Samples
 from ..figure.wrenches import Wrenches
 from .curvature import Curvature
-from .one_sided import OneSided, Rows
+from .one_sided import OneSidedResiduals, Rows
 
 FREEDOMS = 6  # of a link's motion
 MANY = 2  # times as many residuals of a link as freedoms, and their rows are kept as combinations of those
@@ -149,11 +149,11 @@ class Block:
                 np.add.at(total[:, : rows.shape[1]], self.of, rows)
         return total
 
-    def sides(self, samples: Samples) -> OneSided:
+    def one_sided_residuals(self, samples: Samples) -> OneSidedResiduals:
         """The residuals in the form of a model of E, with unit weights: rows by y only."""
         root = np.sqrt(self.weight)
         block = self if np.all(root == 1) else replace(self, value=root * self.value, changes=self._scaled(root))
-        return OneSided(block.at, block.value, (block._side_rows(samples),))
+        return OneSidedResiduals(block.at, block.value, (block._side_rows(samples),))
 
     def _scaled(self, factor: Array | float) -> tuple[Change, ...]:
         factor = (factor + np.zeros(self.at.size))[slice(None) if self.of is None else self.of]

@@ -17,7 +17,7 @@ import numpy as np
 from ..array import Array, Index
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
-from .one_sided import OneSided
+from .one_sided import OneSidedResiduals
 
 ROWS_AT_ONCE = 400  # copies of samples that an adjoint sweep takes at once: they stay in cache
 DIFFERENCE = 1e-6  # of a state's size, between the gradients of a difference
@@ -62,7 +62,7 @@ class Curvature:
         present = self._diagonals[order]
         self._diagonals[order] = added if present is None else present + added
 
-    def add_sides(self, sides: OneSided, scale: Array) -> None:
+    def add_one_sided(self, sides: OneSidedResiduals, scale: Array) -> None:
         """One-sided residuals, those of them that count."""
         active = np.flatnonzero(sides.value > 0)
         order, at = np.argsort(sides.at[active], kind="stable"), sides.at[active]

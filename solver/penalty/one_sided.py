@@ -99,7 +99,7 @@ class Rows:
 
 
 @dataclass(frozen=True, eq=False)
-class OneSided:
+class OneSidedResiduals:
     """Such residuals.
 
     at        (P,) sample of each
@@ -112,25 +112,25 @@ class OneSided:
     gradients: tuple[Rows, ...]
 
     @classmethod
-    def plain(cls, at: Index, value: Array, rows: Array) -> OneSided:
+    def plain(cls, at: Index, value: Array, rows: Array) -> OneSidedResiduals:
         """With rows (P, N), none of which is a combination of others."""
         return cls(at, value, (Rows.plain(at, rows),))
 
     @classmethod
-    def none(cls) -> OneSided:
+    def none(cls) -> OneSidedResiduals:
         """None at present."""
         return cls(np.zeros(0, np.intp), np.zeros(0), ())
 
     @classmethod
-    def joined(cls, parts: Sequence[OneSided]) -> OneSided:
+    def joined(cls, parts: Sequence[OneSidedResiduals]) -> OneSidedResiduals:
         """One after the other."""
         at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
         return cls(at, value, tuple(rows for part in parts for rows in part.gradients))
 
-    def shifted(self, first: int) -> OneSided:
+    def shifted(self, first: int) -> OneSidedResiduals:
         """The same for samples that are counted from an earlier one."""
         gradients = tuple(replace(rows, at=rows.at + first) for rows in self.gradients)
-        return OneSided(self.at + first, self.value, gradients)
+        return OneSidedResiduals(self.at + first, self.value, gradients)
 
     @property
     def rows(self) -> Array:
@@ -144,7 +144,7 @@ class OneSided:
             yield slice(first, first + rows.of.size), rows
             first += rows.of.size
 
-    def sorted(self) -> tuple[OneSided, Index]:
+    def sorted(self) -> tuple[OneSidedResiduals, Index]:
         """The plain ones as one part, by sample, before all others; and the order (P,) that this puts them in."""
         plain = [(run, rows) for run, rows in self.parts() if rows.is_plain]
         others = [(run, rows) for run, rows in self.parts() if not rows.is_plain]
@@ -155,7 +155,7 @@ class OneSided:
         basis = np.concatenate([rows.basis[:, 0] for _, rows in plain])[by_sample]
         order = np.concatenate([place[by_sample], *(np.arange(run.start, run.stop) for run, _ in others)])
         rows = Rows.plain(self.at[place[by_sample]], basis), *(rows for _, rows in others)
-        return OneSided(self.at[order], self.value[order], rows), order
+        return OneSidedResiduals(self.at[order], self.value[order], rows), order
 
     def taken(self, some: Index) -> Array:
         """(A, N) the gradients of some, which rise."""

@@ -20,7 +20,7 @@ from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 from .block import Block, Dense, summed
 from .curvature import Curvature, add_differences, jacobian
-from .one_sided import OneSided
+from .one_sided import OneSidedResiduals
 
 
 @dataclass(frozen=True)
@@ -31,9 +31,9 @@ class Normalization:
         reference: f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing at keyframes 1 s apart.
         is_violation: Whether f_j is zero wherever the constraint holds, like a depth, and not a cost of all motion.
         time_power: f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations.
-        beside: The name of a term whose integral divides this one too, if it is present. `reference` of this term then
-            weighs as much as one of the other.
-        most: Upper limit of the mean of f_j over the raw spline in the normalization.
+        normalize_by: The name of a term whose integral divides this one too, if it is present. `reference` of this term
+            then weighs as much as one of the other.
+        raw_cap: Upper limit of the mean of f_j over the raw spline in the normalization.
         is_sharp: Whether f_j begins, ends or peaks abruptly in time, so that the few samples that suffice for the
             curvature of other terms would miss it. Its curvature consists of rows only.
     """
@@ -41,8 +41,8 @@ class Normalization:
     reference: float
     is_violation: bool = False
     time_power: int = 0
-    beside: str | None = None
-    most: float = np.inf
+    normalize_by: str | None = None
+    raw_cap: float = np.inf
     is_sharp: bool = False
 
 
@@ -118,21 +118,21 @@ class Penalty(ABC):
         which is no sum of squares."""
         return tuple(self.residuals(samples)) if type(self).evaluate is Penalty.evaluate else None
 
-    def modelled(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
+    def model_blocks(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
         """`nearby`, with what is known of `residuals` at these samples."""
         return known if known is not None and type(self).nearby is Penalty.nearby else self.nearby(samples)
 
     def curvature(
         self, samples: Samples, into: Curvature, scale: Array, known: Sequence[Block | Dense] | None = None
     ) -> None:
-        """Add the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, except for those of `sides`.
+        """Add the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, without those that are one-sided.
 
         known  what `blocks` gave at the same samples
         """
         if type(self).residuals is Penalty.residuals:
             add_differences(self.evaluate, samples, into, scale)
             return
-        for k, block in enumerate(self.modelled(samples, known)):
+        for k, block in enumerate(self.model_blocks(samples, known)):
             if isinstance(block, Block):
                 block.add_to(into, scale)
             elif block.curved is not None:
@@ -153,12 +153,14 @@ class Penalty(ABC):
 
         into.add_rows(at, scale[at], jacobian(samples, at, seeded))
 
-    def sides(self, samples: Samples, known: Sequence[Block | Dense] | None = None) -> OneSided | None:
+    def one_sided_residuals(
+        self, samples: Samples, known: Sequence[Block | Dense] | None = None
+    ) -> OneSidedResiduals | None:
         """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has none ever."""
         if type(self).residuals is Penalty.residuals:
             return None
-        blocks = [block for block in self.modelled(samples, known) if isinstance(block, Block) and block.one_sided]
-        return OneSided.joined([block.sides(samples) for block in blocks]) if blocks else None
+        blocks = [block for block in self.model_blocks(samples, known) if isinstance(block, Block) and block.one_sided]
+        return OneSidedResiduals.joined([block.one_sided_residuals(samples) for block in blocks]) if blocks else None
 
 
 class Momentary(Penalty):

@@ -160,7 +160,7 @@ class WeakForm:
         curvature = Curvature(samples)
         for term in self.objective.terms:
             term.penalty.curvature(samples, curvature, term.factor * shares)
-            sides = term.penalty.sides(samples)
+            sides = term.penalty.one_sided_residuals(samples)
             if sides is not None:
-                curvature.add_sides(sides, term.factor * shares)
+                curvature.add_one_sided(sides, term.factor * shares)
         return curvature

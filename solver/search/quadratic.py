@@ -34,7 +34,7 @@ from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
 from ..figure.kinematics import Samples
 from ..objective import Discretised, Seen, Term
 from ..penalty.curvature import Curvature
-from ..penalty.one_sided import OneSided
+from ..penalty.one_sided import OneSidedResiduals
 
 POINTS = 2  # nodes per span: the curvature of smooth terms needs fewer than E
 SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # least number, and entries by columns: their blocks stay in cache
@@ -362,48 +362,48 @@ class OneSidedTerms:
     """The one-sided residuals of all terms: each adds weight max(0, value + row · δy)², δy the step at its sample.
 
     Attributes:
-        sides: The residuals of all terms, concatenated.
+        residuals: The residuals of all terms, concatenated.
         weight: Their weights in E, (P,).
         sampling: The samples of E.
     """
 
-    sides: OneSided
+    residuals: OneSidedResiduals
     weight: Array
     sampling: Sampling
 
     @classmethod
     def of(cls, layout: Layout, evaluated: Sequence[Seen]) -> OneSidedTerms | None:
         """Collect the one-sided residuals of evaluated samples; None if there are none."""
-        problem, parts, indices = layout.problem, list[tuple[float, OneSided]](), set[int]()
+        problem, parts, indices = layout.problem, list[tuple[float, OneSidedResiduals]](), set[int]()
         terms = problem.objective.terms
         for samples_run in evaluated:
             for k in layout.sided:
-                sides = terms[k].penalty.sides(samples_run.samples, samples_run.blocks[k])
-                if sides is not None:
+                residuals = terms[k].penalty.one_sided_residuals(samples_run.samples, samples_run.blocks[k])
+                if residuals is not None:
                     indices.add(k)
-                    parts.append((terms[k].factor, sides.shifted(samples_run.piece.which.start)))
+                    parts.append((terms[k].factor, residuals.shifted(samples_run.piece.which.start)))
         layout.sided = sorted(indices)
-        parts = [(factor, sides) for factor, sides in parts if sides.at.size]
+        parts = [(factor, residuals) for factor, residuals in parts if residuals.at.size]
         if not parts:
             return None
-        sides, order = OneSided.joined([sides for _, sides in parts]).sorted()
-        factor = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts])[order]
-        return cls(sides, factor * problem.weights[sides.at], problem.sampling)
+        residuals, order = OneSidedResiduals.joined([residuals for _, residuals in parts]).sorted()
+        factor = np.concatenate([np.full(residuals.at.size, factor) for factor, residuals in parts])[order]
+        return cls(residuals, factor * problem.weights[residuals.at], problem.sampling)
 
     @property
     def value(self) -> Array:
         """The residuals, (P,); positive ones are active."""
-        return self.sides.value
+        return self.residuals.value
 
     def change(self, step: Array) -> Array:
         """Return the change (P,) of the residuals for a step (M + 2, N) of the coefficients."""
         change = self.sampling.bases[0] @ step
-        return np.concatenate([rows.moved(change) for rows in self.sides.gradients])
+        return np.concatenate([rows.moved(change) for rows in self.residuals.gradients])
 
     def pulled_back(self, forces: Array) -> Array:
         """Return the gradient (M + 2, N) of forces · residuals, forces (P,)."""
         count = self.sampling.t.size
-        pulled = [rows.pulled_back(forces[run], count) for run, rows in self.sides.parts()]
+        pulled = [rows.pulled_back(forces[run], count) for run, rows in self.residuals.parts()]
         return self.sampling.bases[0].T @ np.add.reduce(pulled)
 
     def squares(self, active: Mask, factor: Array) -> tuple[Index, Array]:
@@ -414,7 +414,7 @@ class OneSidedTerms:
             factor: Multiplies each residual's row, (P,).
         """
         parts = []
-        for run, rows in self.sides.parts():
+        for run, rows in self.residuals.parts():
             chosen = np.flatnonzero(active[run])
             if chosen.size:
                 parts.append(rows.squared(chosen, factor[run][chosen]))

@@ -24,7 +24,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact, Sum, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.one_sided import OneSided
+from dynsplines.solver.penalty.one_sided import OneSidedResiduals
 from dynsplines.solver.surface import Capsule, Ellipsoid, Sphere
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.system.progress import Progress
@@ -64,7 +64,7 @@ def test_the_sides_of_a_rail_are_how_deep_spheres_are_even_before_they_touch(fig
     samples.y[:, :3] *= 0.1
     points = some_points(figure, rng)
     contact = Contact(points, (RAIL,))
-    sides = contact.sides(samples)
+    sides = contact.one_sided_residuals(samples)
     assert sides is not None
     centres, _, _ = contact.centres(samples)
     radii = np.array([point.radius for point in points])
@@ -81,11 +81,11 @@ def test_together_is_the_sum_of_its_parts(figure, rng):
     both = Sum(parts, "both")
     np.testing.assert_allclose(both.evaluate(samples), sum(part.evaluate(samples) for part in parts))
     assert penalty_slope(both, samples, rng) > 1.9
-    counts = [len(sides.at) for part in parts if (sides := part.sides(samples)) is not None]
-    sides = both.sides(samples)
-    assert isinstance(sides, OneSided)
+    counts = [len(sides.at) for part in parts if (sides := part.one_sided_residuals(samples)) is not None]
+    sides = both.one_sided_residuals(samples)
+    assert isinstance(sides, OneSidedResiduals)
     assert len(sides.at) == sum(counts) > max(counts)
-    assert Sum((UnitMagnitude(),), "unit").sides(samples) is None
+    assert Sum((UnitMagnitude(),), "unit").one_sided_residuals(samples) is None
     mine, its = Curvature(samples), Curvature(samples)
     Sum((UnitMagnitude(), UnitMagnitude()), "units").curvature(samples, mine, np.ones(8))
     UnitMagnitude().curvature(samples, its, np.full(8, 2.0))

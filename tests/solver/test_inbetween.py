@@ -16,7 +16,7 @@ from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import _Loop, inbetween, resumed
+from dynsplines.solver.inbetween import _Loop, continue_from, inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
@@ -329,7 +329,7 @@ def resumed_between(*between: tuple[float, float], **settings: object) -> tuple[
         even,
         frames=tuple(replace(f, state=f.state + 0.3 * rng.normal(size=2)) if f.is_variable else f for f in even.frames),
     )
-    return problem, begin, resumed(problem, begin, between=between, improved=seen.append), seen
+    return problem, begin, continue_from(problem, begin, between=between, improved=seen.append), seen
 
 
 @pytest.mark.parametrize("between", [((2.0, 2.5),), ((0.5, 0.5), (4.5, 4.5)), ((1.5, 1.5), (2.0, 2.0))])
@@ -379,7 +379,7 @@ def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
             raise StopSearch
 
     problem, begin, _, _ = resumed_between((0.5, 0.5))
-    found = resumed(problem, begin, between=[(0.5, 0.5), (5.0, 5.0)], improved=stop)
+    found = continue_from(problem, begin, between=[(0.5, 0.5), (5.0, 5.0)], improved=stop)
     assert found.stop is Stop.INTERRUPTED
     assert len(seen) == 2
     late = begin.times > 2

@@ -323,11 +323,11 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
         scale = both.penalty.normalization
         if scale.is_violation:
             assert both.factor == own.factor
-        elif not scale.beside:
+        elif not scale.normalize_by:
             assert both.factor == pytest.approx(min(own.factor, there.factor))
             below += both.factor < own.factor
         else:
-            measure = [t for t in found if t.penalty.name == scale.beside][-1]
+            measure = [t for t in found if t.penalty.name == scale.normalize_by][-1]
             assert both.factor * scale.reference / both.weight == pytest.approx(measure.factor / measure.weight)
     assert below > 0
 

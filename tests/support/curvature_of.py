@@ -21,7 +21,7 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.one_sided import OneSided
+from dynsplines.solver.penalty.one_sided import OneSidedResiduals
 from dynsplines.solver.surface.points import places_of
 
 STEP_SIZE = 1e-5
@@ -146,8 +146,8 @@ def low_samples(figure: Figure, rng: np.random.Generator, count: int = 40) -> Sa
     return samples
 
 
-def sides_of(penalty: Penalty, samples: Samples) -> OneSided:
-    sides = penalty.sides(samples)
+def sides_of(penalty: Penalty, samples: Samples) -> OneSidedResiduals:
+    sides = penalty.one_sided_residuals(samples)
     assert sides is not None
     assert sides.at.shape == sides.value.shape == sides.rows.shape[:1]
     return sides

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.inbetween import inbetween, resumed
+from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.one_thread import one_thread
 from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.search.minimum import Stop, StopSearch
@@ -377,7 +377,7 @@ class Work:
             self._heed()
             if begin is None:
                 return inbetween(clip.problem, improved=seen)
-            return resumed(clip.problem, begin, between=() if between is None else (between,), improved=seen)
+            return continue_from(clip.problem, begin, between=() if between is None else (between,), improved=seen)
         if not best:
             return None
         return Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.INTERRUPTED)

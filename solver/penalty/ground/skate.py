@@ -77,7 +77,7 @@ class Skate(Penalty):
 
     name = "no_slip"
     role = Role.CONTACT
-    normalization = Normalization(WORTH, time_power=2, beside="acceleration.angular")
+    normalization = Normalization(WORTH, time_power=2, normalize_by="acceleration.angular")
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

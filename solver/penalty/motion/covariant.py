@@ -57,8 +57,8 @@ class CovariantAcceleration(Penalty):
         def pulled_back(into: Cotangent, bar: Array) -> None:
             bar = bar.reshape(q.shape)
             across = dot(bar, q) / dot(q, q)
-            into.absorb("q", across * (2 * along * q - q_dd) - along * bar)
-            into.absorb("q_dd", bar - across * q)
+            into.accumulate("q", across * (2 * along * q - q_dd) - along * bar, donate=True)
+            into.accumulate("q_dd", bar - across * q, donate=True)
 
         return Dense((q_dd - along * q).reshape(-1, samples.count), pulled_back, partial(self._curved, samples))
 
@@ -84,9 +84,9 @@ class CovariantAcceleration(Penalty):
             by_q -= off * by_q_dd
             by_q -= (rate * c + dot(bar, w) * inverse) * q
             by_q -= across / root * w
-            into.absorb("q", by_q)
-            into.absorb("q_d", by_q_d)
-            into.absorb("q_dd", by_q_dd)
+            into.accumulate("q", by_q, donate=True)
+            into.accumulate("q_d", by_q_d, donate=True)
+            into.accumulate("q_dd", by_q_dd, donate=True)
 
         return Dense(w.reshape(-1, samples.count), pulled_back, partial(self._curved, samples))
 

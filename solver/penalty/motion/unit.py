@@ -39,7 +39,7 @@ class UnitMagnitude(Penalty):
 
     @property
     def normalization(self) -> Normalization:
-        return Normalization(4e-4 if self.form == "square" else 2e-2, most=self.most)
+        return Normalization(4e-4 if self.form == "square" else 2e-2, raw_cap=self.most)
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
         excess = samples.q_dots[0] - 1
@@ -50,7 +50,7 @@ class UnitMagnitude(Penalty):
             value, slope = excess * g, 1 / (2 * root * g)
 
         def pulled_back(into: Cotangent, bar: Array) -> None:
-            into.absorb("q", (2 * slope * bar) * samples.q)
+            into.accumulate("q", (2 * slope * bar) * samples.q, donate=True)
 
         def curved(into: Curvature, scale: Array) -> None:
             rows = np.zeros((samples.count, excess.shape[0], 1, 3, 4))

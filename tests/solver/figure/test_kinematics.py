@@ -78,7 +78,7 @@ def test_the_adjoint_of_rotations_has_taylor_slope_two(figure, rng):
     assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
 
 
-@pytest.mark.parametrize("direction", ["accumulate", "absorb", "buffer"])
+@pytest.mark.parametrize("direction", ["accumulate", "buffer"])
 def test_a_gradient_with_respect_to_nothing_that_there_is_is_refused(figure, rng, direction):
     cotangent = Cotangent(random_samples(figure, rng))
     with pytest.raises(ValueError, match=r"'spin'; there are: y, y_d, .*omega"):
@@ -94,14 +94,14 @@ def test_what_is_deferred_is_pulled_back_once_from_each_source_for_all_that_was_
         def __init__(self) -> None:
             self.settled = 0
 
-        def settle(self, into: Cotangent, buffer: np.ndarray) -> None:
+        def flush(self, into: Cotangent, buffer: np.ndarray) -> None:
             self.settled += 1
-            into.absorb("x", buffer[0])
+            into.accumulate("x", buffer[0], donate=True)
 
     first, second = Shifted(), Shifted()
     deferred, at_once = Cotangent(samples), Cotangent(samples)
     for source, gradient in zip((first, second, first), rng.normal(size=(3, *samples.links.x.shape)), strict=True):
-        buffer = deferred.deferred(source, 1)
+        buffer = deferred.defer(source, 1)
         assert buffer.shape == (1, *gradient.shape)
         buffer[0] += gradient
         at_once.accumulate("x", gradient)

@@ -128,7 +128,7 @@ def test_bends_are_tolerated_beyond_each_of_their_five_bounds_as_far_as_specifie
     over = np.maximum(over - allowed.at(samples.t), 0)
     assert over.any(axis=(1, 2)).all()
     np.testing.assert_allclose(term.evaluate(samples), np.sum(over**2, axis=(0, 1)), rtol=1e-12)
-    sides = term.sides(samples)
+    sides = term.one_sided_residuals(samples)
     assert sides is not None
     counted = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
     np.testing.assert_allclose(counted, term.evaluate(samples), rtol=1e-12)

@@ -146,7 +146,7 @@ def test_penalties_that_count_on_one_side_only_have_no_curvature_of_their_own(fi
 
 
 def test_penalties_that_count_on_both_sides_have_no_sides(figure, rng, known):
-    assert known[0].sides(some_samples(figure, rng)) is None
+    assert known[0].one_sided_residuals(some_samples(figure, rng)) is None
 
 
 class Plain(Penalty):
@@ -188,7 +188,7 @@ def test_a_penalty_that_says_nothing_gets_its_second_derivatives_with_all_signs_
     hessian = (turn * sizes @ turn.T).reshape(3, width, 3, width)
     expected = np.einsum("s,soa,onpm,spb->sanbm", scale, phi, hessian, phi).reshape(3, 2 * width, 2 * width)
     assert_near(assembled(curvature_of(penalty, samples, scale), phi), expected)
-    assert penalty.sides(samples) is None
+    assert penalty.one_sided_residuals(samples) is None
 
 
 def test_more_samples_than_are_taken_at_once_change_nothing_in_differences_of_a_penalty(figure, rng, monkeypatch):
@@ -287,12 +287,12 @@ def test_a_sphere_at_a_step_counts_as_deep_as_its_penalty_specifies_and_not_at_a
 
 def test_no_points_no_surfaces_no_joints_and_nothing_near_have_no_sides(figure, rng):
     samples = low_samples(figure, rng)
-    assert Contact((), (FLOOR,)).sides(samples) is None
-    assert Contact(some_points(figure, rng), ()).sides(samples) is None
-    assert BendLimits(()).sides(samples) is None
+    assert Contact((), (FLOOR,)).one_sided_residuals(samples) is None
+    assert Contact(some_points(figure, rng), ()).one_sided_residuals(samples) is None
+    assert BendLimits(()).one_sided_residuals(samples) is None
     samples.y[:, 2] = 50
     on_the_root = tuple(p for p in some_points(figure, rng) if figure.tables.path[p.link, 1])
-    nothing = Contact(on_the_root, (FLOOR,)).sides(samples)
+    nothing = Contact(on_the_root, (FLOOR,)).one_sided_residuals(samples)
     assert nothing is not None
     assert nothing.at.size == nothing.value.size == len(nothing.rows) == 0
 
@@ -302,7 +302,7 @@ def test_sides_that_count_enter_a_curvature_as_squares(figure, rng, one_sided):
     sides, scale, curvature = sides_of(one_sided, samples), rng.uniform(0.5, 2, 6), Curvature(samples)
     on_the_bound = np.arange(sides.value.size) == sides.value.argmax()
     sides = replace(sides, value=np.where(on_the_bound, 0.0, sides.value))  # where it neither pulls nor counts
-    curvature.add_sides(sides, scale)
+    curvature.add_one_sided(sides, scale)
     phi = rng.normal(size=(6, 3))
     expected = np.zeros((figure.width, figure.width))
     for at, value, row in zip(sides.at, sides.value, sides.rows, strict=True):

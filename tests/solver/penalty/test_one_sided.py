@@ -7,7 +7,7 @@ import pytest
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.penalty import one_sided
-from dynsplines.solver.penalty.one_sided import OneSided, Rows
+from dynsplines.solver.penalty.one_sided import OneSidedResiduals, Rows
 
 SAMPLES, WIDTH = 5, 7
 
@@ -99,9 +99,11 @@ def test_rows_that_are_all_zero_stay_so(rng):
     np.testing.assert_allclose(found, 0, atol=1e-140)
 
 
-def joined(rng: np.random.Generator) -> OneSided:
+def joined(rng: np.random.Generator) -> OneSidedResiduals:
     parts = [plain(rng, [3, 0, 3]), combined(rng, [0, 0, 1, 4]), plain(rng, [1, 4, 0, 0]), combined(rng, [5, 2])]
-    return OneSided.joined([OneSided(dense(rows)[0], rng.normal(size=rows.of.size), (rows,)) for rows in parts])
+    return OneSidedResiduals.joined(
+        [OneSidedResiduals(dense(rows)[0], rng.normal(size=rows.of.size), (rows,)) for rows in parts]
+    )
 
 
 def test_joined_they_follow_one_another(rng):
@@ -111,8 +113,8 @@ def test_joined_they_follow_one_another(rng):
     np.testing.assert_allclose(sides.rows, written, rtol=1e-12)
     for some in ([0], [2, 3], [3, 6, 7, 12], [12], list(range(13))):
         np.testing.assert_allclose(sides.taken(np.array(some)), written[some], rtol=1e-12)
-    assert OneSided.none().rows.shape == (0, 0)
-    assert OneSided.none().at.size == OneSided.none().value.size == 0
+    assert OneSidedResiduals.none().rows.shape == (0, 0)
+    assert OneSidedResiduals.none().at.size == OneSidedResiduals.none().value.size == 0
     assert not sides.taken(np.zeros(0, np.intp)).size
 
 
@@ -127,6 +129,6 @@ def test_sorted_the_plain_ones_come_first_by_sample_and_all_are_what_they_were(r
     again, same = found.sorted()
     assert same.tolist() == list(range(13))
     np.testing.assert_array_equal(again.rows, found.rows)
-    bare = OneSided(np.array([3, 0]), np.zeros(2), (combined(rng, [0, 1]),))
+    bare = OneSidedResiduals(np.array([3, 0]), np.zeros(2), (combined(rng, [0, 1]),))
     assert bare.sorted()[0] is bare
     assert bare.sorted()[1].tolist() == [0, 1]

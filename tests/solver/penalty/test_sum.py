@@ -24,7 +24,7 @@ def test_its_value_gradient_and_curvature_are_the_sums_of_its_parts(figure, rng)
     phi = rng.normal(size=(4, 3))
     found, *expected = (curvature_of(one, samples, scale).quadratic(phi, 0, 4) for one in (both, *parts))
     np.testing.assert_allclose(found, sum(expected), rtol=1e-9, atol=1e-9 * np.abs(found).max())
-    assert both.sides(samples) is None
+    assert both.one_sided_residuals(samples) is None
 
 
 def test_its_sides_are_those_of_the_parts_that_have_some_one_after_the_other(figure, rng):

@@ -13,7 +13,7 @@ from dynsplines.clip import load as clips
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.inbetween import inbetween, resumed
+from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.refine.edit_window import EditWindow
 from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.refine.warm_start import warm_start
@@ -131,7 +131,7 @@ def test_a_search_continues_from_it_and_keeps_what_an_edit_does_not_reach(clip, 
     problem = replace(clip.problem, keys=keys, settings=replace(clip.settings, max_evaluations=4, frames=0))
     begin = warm_start(clip.figure, found.timeline, clip.keys, keys, problem.raw)
     seen = []
-    solution = resumed(problem, begin, between=[(keys[2].time, keys[4].time)], improved=seen.append)
+    solution = continue_from(problem, begin, between=[(keys[2].time, keys[4].time)], improved=seen.append)
     values = [each.value for each in seen]
     assert values == sorted(values, reverse=True)
     assert len(values) > 1
@@ -160,11 +160,11 @@ def test_several_stretches_are_searched_one_after_the_other_and_nothing_between_
     begin = replace(found.timeline, frames=shaken)
     problem = replace(clip.problem, settings=replace(clip.settings, max_evaluations=4, frames=0))
     seen = []
-    solution = resumed(problem, begin, between=stretches, improved=seen.append)
+    solution = continue_from(problem, begin, between=stretches, improved=seen.append)
     values = [each.value for each in seen]
     assert values == sorted(values, reverse=True)
     value = problem.objective.value(path_of(solution.timeline))
-    assert value < problem.objective.value(path_of(resumed(problem, begin, between=stretches[:1]).timeline))
+    assert value < problem.objective.value(path_of(continue_from(problem, begin, between=stretches[:1]).timeline))
     np.testing.assert_allclose(values[-1], value, rtol=0.05)
     t, free = solution.timeline.times, np.zeros(begin.times.size, bool)
     np.testing.assert_array_equal(t, begin.times)

@@ -212,7 +212,7 @@ class Dense:
         moved = moved_by(problem, problem.sampling.t)[:, 0]
         values, weights, rows = [], [], []
         for term in problem.objective.terms[len(SMOOTH) :]:
-            sides = term.penalty.sides(samples)
+            sides = term.penalty.one_sided_residuals(samples)
             assert sides is not None
             values.append(sides.value)
             weights.append(term.factor * problem.weights[sides.at])

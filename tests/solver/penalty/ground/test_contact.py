@@ -83,7 +83,7 @@ def test_by_way_of_their_links_motions_the_rows_of_many_points_are_what_they_are
         pytest.skip("nothing beside what carries the surfaces")
     for many in (1000, 0):
         monkeypatch.setattr(block, "MANY", many)
-        sides = contact.sides(samples)
+        sides = contact.one_sided_residuals(samples)
         assert sides is not None
         found.append(sides)
     one_by_one, by_motion = found
@@ -100,7 +100,7 @@ def test_a_links_motion_is_worth_its_six_rows_from_more_than_twice_as_many_point
     samples = random_samples(figure, rng, 3)
     samples.y[:, 2] = -9
     points = tuple(Point("cloud", 1, 0.1 * rng.normal(size=3)) for _ in range(count))
-    sides = Contact(points, (FLOOR,)).sides(samples)
+    sides = Contact(points, (FLOOR,)).one_sided_residuals(samples)
     assert sides is not None
     assert sides.at.size == 3 * count
     assert [rows.is_plain for rows in sides.gradients] == [is_plain]

@@ -112,7 +112,7 @@ def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
 def test_the_rows_of_its_sides_are_its_gradient(link, rng):
     figure = figure_of()
     samples, contact = tangled(figure, rng), few(link)
-    sides = contact.sides(samples)
+    sides = contact.one_sided_residuals(samples)
     assert sides is not None
     deep = sides.value > 0
     cotangent = Cotangent(samples)

@@ -101,7 +101,7 @@ def assert_curvature(figure: Figure, rng: np.random.Generator) -> None:
     moved = np.einsum("sron,soa->sran", jacobians(away, samples), phi).reshape(samples.count, -1, 2 * figure.width)
     expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", moved, moved)
     assert_near(assembled(curvature_of(placement, samples, scale), phi), expected)
-    assert placement.sides(samples) is None
+    assert placement.one_sided_residuals(samples) is None
 
 
 def test_nothing_to_place_costs_nothing(figure, rng):

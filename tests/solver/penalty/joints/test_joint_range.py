@@ -163,7 +163,7 @@ def test_only_limited_joints_that_can_pass_their_range_count():
     assert ranges(ONE.format(50).replace('limited="true"', 'limited="false"')) == []
     assert ranges(BALL_TREE) == []
     free = random_samples(Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), np.random.default_rng(1))
-    assert JointRange(()).sides(free) is None
+    assert JointRange(()).one_sided_residuals(free) is None
     assert not JointRange(()).evaluate(free, Cotangent(free)).any()
 
 

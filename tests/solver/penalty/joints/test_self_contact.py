@@ -194,7 +194,7 @@ def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure,
     assert not penalty.evaluate(Samples(figure, rest, 0 * rest, 0 * rest)).any()
     samples = random_samples(figure, rng)
     none = SelfContact((), np.zeros((2, 0), np.intp))
-    assert none.sides(samples) is None
+    assert none.one_sided_residuals(samples) is None
     assert not none.evaluate(samples, Cotangent(samples)).any()
     assert none.geom_pairs.shape == (2, 0)
 

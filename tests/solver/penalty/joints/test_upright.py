@@ -72,7 +72,7 @@ def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng
     moved = np.einsum("sron,soa->sran", jacobians(away, samples), phi).reshape(samples.count, -1, 2 * figure.width)
     expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", moved, moved)
     assert_near(assembled(curvature_of(upright, samples, scale), phi), expected)
-    assert upright.sides(samples) is None
+    assert upright.one_sided_residuals(samples) is None
 
 
 def test_nothing_that_leans_costs_nothing(figure, rng):
