@@ -31,7 +31,7 @@ class Listening(Progress):
         self.steps: list[str] = []
         self.interrupt_at = interrupt_at
 
-    def step(self, solving: str, share: float | None, note: str = "", *, force: bool = False) -> None:
+    def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:
         self.steps.append(note)
         if len(self.steps) == self.interrupt_at:
             raise KeyboardInterrupt
