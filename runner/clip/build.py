@@ -64,6 +64,7 @@ class Clip(Renames):
         "asking": "with_problem",
         "own": "custom_penalties",
         "said": "authored_keys",
+        "follows": "has_recording",
     }
 
     @property
@@ -79,17 +80,17 @@ class Clip(Renames):
     @property
     def authored_keys(self) -> tuple[Frame, ...]:
         """The keyframes of the clip's text: without the frames of a recording that it follows."""
-        return edits_of(self.keys, table_of(self.text, self.context.where)) if self.follows else self.keys
+        return edits_of(self.keys, table_of(self.text, self.context.where)) if self.has_recording else self.keys
 
     @property
-    def follows(self) -> bool:
+    def has_recording(self) -> bool:
         """Whether it follows a recording, so that most of its frames are not keyframes of its text."""
         return "recording" in self.text and table_of(self.text, self.context.where).recording is not None
 
     @property
     def stances(self) -> list[dict[str, object]]:
         """The stances of a clip that follows a recording, as a motion's file contains them; none of others."""
-        return stances_of(self.context.contacts.given) if self.follows else []
+        return stances_of(self.context.contacts.given) if self.has_recording else []
 
     @property
     def penalties(self) -> tuple[tuple[Penalty, float], ...]:

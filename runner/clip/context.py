@@ -159,13 +159,13 @@ class Context:
         return bool(self.figure.tables.free_links.size)
 
     @cached_property
-    def carried(self) -> tuple[int, ...]:
+    def grasped(self) -> tuple[int, ...]:
         """The links that hands hold."""
         return tuple(grasped_links(self.figure, self.holds))
 
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
         """Return the points that do not belong to grasped objects."""
-        return tuple(point for point in points if point.link not in self.carried)
+        return tuple(point for point in points if point.link not in self.grasped)
 
     @property
     def flies(self) -> bool:
@@ -186,16 +186,16 @@ class Context:
         return steady(self.figure, self.keys, repeats=repeats, aloft=aloft)
 
     @property
-    def lying(self) -> tuple[Stance, ...]:
+    def resting_objects(self) -> tuple[Stance, ...]:
         """Position of carried objects before and after they are grasped."""
         return resting_objects(
-            self.figure, self.keys, [link for link in self.carried if self.figure.links[link].parent == 0]
+            self.figure, self.keys, [link for link in self.grasped if self.figure.links[link].parent == 0]
         )
 
     @property
     def leans(self) -> tuple[Lean, ...]:
         """The trunk's tilt in the poses before placing."""
-        roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.carried]
+        roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.grasped]
         root = self.figure.root
         if root is not None and not root.is_free:
             roots.append(root.link)

@@ -228,7 +228,7 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
     ground = tuple(s for s in context.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
     corners = _contacts(context, body_points(figure), ground, margin)
-    if not others and not context.carried:
+    if not others and not context.grasped:
         return corners[0] if len(corners) == 1 else Sum(corners, called=BODY)
     skin = _contacts(context, covering_points(figure), others, margin) if others else ()
     return Sum((*corners, *skin, *_from_held(context, margin)), called=BODY)
@@ -238,7 +238,7 @@ def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
     """The figure's corners out of the objects that it holds. They are near its hands all the time, so that all of its
     skin would take ten times as long."""
     points = context.exclude_grasped(body_points(context.figure))
-    objects = [(link, surfaces_on(context.figure, link)) for link in context.carried]
+    objects = [(link, surfaces_on(context.figure, link)) for link in context.grasped]
     return tuple(
         Contact(points, surfaces, margin, called=BODY, carrier=link).allowing(
             context.figure,
@@ -274,8 +274,8 @@ def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
 
 
 def _stance(context: Context, options: Options) -> Penalty | None:
-    stances = (*context.stances, *context.lying)
-    return StancePenalty(stances) if context.points or context.lying else None
+    stances = (*context.stances, *context.resting_objects)
+    return StancePenalty(stances) if context.points or context.resting_objects else None
 
 
 def _contact(context: Context, options: Options) -> Penalty | None:

@@ -337,7 +337,7 @@ def _carried(contacts: Sequence[ContactTable], figure: Figure, seam: Seam, perio
     """Contacts with their positions where a loop has them some periods later."""
 
     def later(position: ArrayLike) -> tuple[float, ...]:
-        return tuple(seam.carried(figure, np.array(position), periods).tolist())
+        return tuple(seam.moved_points(figure, np.array(position), periods).tolist())
 
     return [row if row.position is None else row.changed(position=later(row.position)) for row in contacts]
 

@@ -78,7 +78,7 @@ def run(
 def _is_sampled(found: Clip | Saved) -> bool:
     """Whether keyframes are a recording's samples, which the user did not set and messages cannot refer to."""
     if isinstance(found, Clip):
-        return found.follows
+        return found.has_recording
     follows = bool(found.text) and table_of(found.text, found.name).recording is not None
     return follows or violation.is_recording(found)
 

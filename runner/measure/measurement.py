@@ -151,7 +151,7 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
     if joints:
         fixed_joints = fixed.joints([joint.link for joint in joints])
         yield checks.ranges(joints, ("range", "travel"), "{joint.name} is {} beyond its range", fixed_joints)
-    if context.held_joints and not clip.follows:
+    if context.held_joints and not clip.has_recording:
         during = "the keyframes at {joint.first:g} and {joint.last:g} s both specify"
         text = f"{{joint.name}} swings {{}} off the value that {during}"
         yield checks.ranges(context.held_joints, ("overshoot", "overshoot travel"), text)
@@ -162,7 +162,7 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
         checks.torn(fixed),
         checks.lengths(figure),
         checks.whips(figure, raw_peak),
-        checks.tangled(context.carried, fixed),
+        checks.tangled(context.grasped, fixed),
     )
     yield from (check for check in optional if check is not None)
     if context.bends:

@@ -68,7 +68,7 @@ def report(
         **({} if seconds is None else {"seconds": seconds}),
         "stopped because": motion.stop.value,
         "cycle": _cycle_report(clip),
-        "segments": _segments(clip, motion, told) if searched and not clip.follows else [],
+        "segments": _segments(clip, motion, told) if searched and not clip.has_recording else [],
         **sides,
     }
 

@@ -26,7 +26,7 @@ from ..clip import file as clip_file
 from ..clip import load as clips
 from ..clip.build import Clip
 from ..edit import edits, thinning
-from ..errors import Renames, UserError
+from ..errors import Renames, UserError, renamed_arguments
 from ..measure import violation
 from ..measure.report import tables
 from ..measure.violation import Violation
@@ -481,12 +481,13 @@ class Motion(Renames):
         return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
 
     @as_python_warnings()
-    def cleaned(self, within: str | float | None = None) -> Motion:
+    @renamed_arguments(within="max_displacement")
+    def cleaned(self, max_displacement: str | float | None = None) -> Motion:
         """Return a cleaned recording: repaired, smoothed by its estimated noise, with planted feet.
 
         Args:
-            within: Maximum displacement of hands, feet and pelvis, where their stances allow it: "3cm", "30mm", or
-                metres.
+            max_displacement: Maximum displacement of hands, feet and pelvis, where their stances allow it: "3cm",
+                "30mm", or metres.
 
         Returns:
             The cleaned motion; its `before` is the recording.
@@ -496,7 +497,7 @@ class Motion(Renames):
         """
         from ..clean.command import motion_cleaned
 
-        bound = None if within is None else length(within, "within")
+        bound = None if max_displacement is None else length(max_displacement, "max_displacement")
         return Motion(motion_cleaned(self.saved, bound, _silent()))
 
     @as_python_warnings()

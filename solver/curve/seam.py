@@ -109,7 +109,7 @@ class Seam:
         """Return A, (N, N)."""
         return self.linear(np.eye(self.signs.size)).T
 
-    def carried(self, figure: Figure, points: Array, periods: ArrayLike = 1) -> Array:
+    def moved_points(self, figure: Figure, points: Array, periods: ArrayLike = 1) -> Array:
         """Return points (..., 3) [m] of the world moved with the first free root by a number of periods.
 
         Without a free root they are unchanged.

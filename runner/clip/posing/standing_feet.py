@@ -275,7 +275,7 @@ class _Seen:
         turns = np.arange(-1, 2)
         return (
             (times[:-1] + period * turns[:, None]).ravel(),
-            np.concatenate([seam.carried(self.figure, centres[:, :-1], turn) for turn in turns], axis=1),
+            np.concatenate([seam.moved_points(self.figure, centres[:, :-1], turn) for turn in turns], axis=1),
             np.tile(low[:, :-1], (1, 3)),
         )
 

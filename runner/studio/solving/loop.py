@@ -225,7 +225,7 @@ class Work:
         if (
             first
             or timeline is None
-            or clip.follows
+            or clip.has_recording
             or timeline.width != clip.figure.width
             or timeline.ends != clip.ends
         ):

@@ -1,6 +1,7 @@
 """`dynsplines clean`: a recording's file in, a clean one of its format or another out, bad input told."""
 
 from pathlib import Path
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -151,7 +152,7 @@ def test_what_cannot_be_cleaned_is_told_and_nothing_is_written(command, squats, 
 
 @pytest.mark.slow
 def test_from_python_a_motion_is_cleaned_by_a_method(squats):
-    found = load_motion(squats / "bobs.npz").cleaned(within="5cm")
+    found = load_motion(squats / "bobs.npz").cleaned(max_displacement="5cm")
     model, heel = found.clip.figure.model, []
     data = mujoco.MjData(model)
     for t in np.linspace(0, TIMES[-1], 40):
@@ -159,5 +160,8 @@ def test_from_python_a_motion_is_cleaned_by_a_method(squats):
         mujoco.mj_kinematics(model, data)
         heel.append(data.site("left_heel").xpos.copy())
     assert np.ptp(heel, axis=0).max() < 0.01
-    with pytest.raises(UserError, match="within 3: the unit is missing"):
-        load_motion(squats / "bobs.npz").cleaned(within="3")
+    with pytest.raises(UserError, match="max_displacement 3: the unit is missing"):
+        load_motion(squats / "bobs.npz").cleaned(max_displacement="3")
+    former: Any = load_motion(squats / "bobs.npz").cleaned
+    with pytest.raises(TypeError, match="has no argument 'within'; it is named 'max_displacement'"):
+        former(within="5cm")

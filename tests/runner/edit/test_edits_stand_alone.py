@@ -127,14 +127,14 @@ def test_a_motion_that_follows_a_recording_is_thinned_to_a_clip_that_needs_none(
     found = thinning.thinned(followed, 0.02, 0.1)
     thinning.write(found, tmp_path / "thin.toml", exact=exact)
     again = recordings.load(str(tmp_path / "thin.toml"))
-    assert not again.follows
+    assert not again.has_recording
     assert len(again.keys) < len(followed.keys)
 
 
 def test_a_motion_is_saved_as_a_clip_elsewhere_without_the_recording_that_lies_in_its_own_folder(followed, tmp_path):
     clip_file.write(followed, tmp_path / "elsewhere.toml", overwrite=False)
     again = recordings.load(str(tmp_path / "elsewhere.toml"))
-    assert not again.follows
+    assert not again.has_recording
     assert len(again.keys) == followed.timeline.times.size
 
 
@@ -143,10 +143,10 @@ def test_one_that_follows_what_ships_is_saved_as_the_same_edit(tmp_path):
     saved = shipped.solved("step_on_kerb").saved(quiet(), with_report=False)
     clip_file.write(saved, tmp_path / "kerb.toml", overwrite=False)
     again = recordings.load(str(tmp_path / "kerb.toml"))
-    assert again.follows
+    assert again.has_recording
     assert [key.time for key in again.authored_keys] == [2.24, 2.86, 3.24]
     clip_file.write(saved, tmp_path / "exact.toml", exact=True, overwrite=False)
-    assert not recordings.load(str(tmp_path / "exact.toml")).follows
+    assert not recordings.load(str(tmp_path / "exact.toml")).has_recording
 
 
 def test_flights_are_cut_and_shifted_as_contacts_are(flying):
@@ -231,7 +231,7 @@ def test_things_go_with_the_recording_that_a_clip_follows(tmp_path):
     motion.save(recorded, tmp_path / "own.npz")
     following = FOLLOWING.replace("[recording]", THING + "[recording]")
     bare = recordings.from_text(following, name="bare", folder=tmp_path)
-    assert bare.follows
+    assert bare.has_recording
     edits_ = '[[keyframe]]\ntime = 0.1\nroot.position = ["free", "free", 1.01]\n[[keyframe]]\ntime = 0.3\n'
     clip = recordings.from_text(following + edits_ + PLACED.format(x=2.5), name="edited", folder=tmp_path)
     first, second = clip.authored_keys

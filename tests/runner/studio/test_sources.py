@@ -74,7 +74,7 @@ def test_a_motion_that_followed_a_recording_elsewhere_is_its_own_keyframes(saved
     motion.save(replace(saved, text=text), tmp_path / "moved.npz")
     found = opened(str(tmp_path / "moved.npz"))
     clip = recordings.from_text(found.text, name="moved", folder=found.folder)
-    assert not clip.follows
+    assert not clip.has_recording
     assert [key.time for key in clip.keys] == saved.timeline.times.tolist()
 
 

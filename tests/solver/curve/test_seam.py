@@ -142,8 +142,8 @@ def test_a_period_is_one_by_default_and_takes_what_hangs_from_the_root_with_it(t
     np.testing.assert_allclose(seam.linear(seam.linear(states)), seam.linear(states, 2), atol=1e-12)
     points = rng.normal(size=(4, 3))
     expected = quat.rotated(about, points) + np.array([0.5, -0.1, 0])
-    np.testing.assert_allclose(seam.carried(figure, points), expected, atol=1e-12)
-    back = seam.carried(figure, expected, -1)
+    np.testing.assert_allclose(seam.moved_points(figure, points), expected, atol=1e-12)
+    back = seam.moved_points(figure, expected, -1)
     np.testing.assert_allclose(back, points, atol=1e-12)
 
 
@@ -158,13 +158,13 @@ def test_of_two_free_bodies_the_first_says_how_points_are_carried_and_by_how_muc
     seam = Seam.between(figure, first, last)
     np.testing.assert_allclose(seam.turn(), abouts[0], atol=1e-12)
     points = rng.normal(size=(5, 3))
-    np.testing.assert_allclose(seam.carried(figure, points), quat.rotated(abouts[0], points) + 1, atol=1e-12)
+    np.testing.assert_allclose(seam.moved_points(figure, points), quat.rotated(abouts[0], points) + 1, atol=1e-12)
 
 
 def test_a_loop_of_a_figure_without_a_free_body_carries_no_point_and_turns_nothing(rng):
     figure = figure_of('<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>')
     seam = Seam.between(figure, np.array([1.0, 0, 0, 0]), np.array([1.0, 0, 0, 0]))
     points = rng.normal(size=(5, 3))
-    np.testing.assert_array_equal(seam.carried(figure, points), points)
+    np.testing.assert_array_equal(seam.moved_points(figure, points), points)
     np.testing.assert_array_equal(seam.turn(3), [1, 0, 0, 0])
     assert not seam.turns

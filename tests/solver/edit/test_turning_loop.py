@@ -143,7 +143,7 @@ def test_a_point_is_carried_with_the_root_over_many_periods_at_once():
     points = np.array([[1.0, 0.2, 0.3], [0.4, -1.0, 0.0]])
     turn = quat.from_rotation_vector(np.array([[0.0], [3 * TURN]]) * UP)
     wanted = CENTRE + quat.rotated(turn, points - CENTRE)
-    np.testing.assert_allclose(seam.carried(figure, points, np.array([0, 3])), wanted, atol=1e-12)
+    np.testing.assert_allclose(seam.moved_points(figure, points, np.array([0, 3])), wanted, atol=1e-12)
 
 
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
