@@ -237,7 +237,7 @@ def torn(fixed: Fixed) -> Check | None:
     rows = [row_of("torn", pair.name, f"the loop of {pair.name} is torn by {{}}") for pair in pairs]
     both = fixed.places[[pair.one.link for pair in pairs]] & fixed.places[[pair.two.link for pair in pairs]]
     _, groups = np.unique([pair.name for pair in pairs], return_inverse=True)
-    return Check.each("torn", rows, lambda samples: Hits.of(np.linalg.norm(loops.apart(samples), axis=0)), both, groups)
+    return Check.each("torn", rows, lambda samples: Hits.of(np.linalg.norm(loops.gaps(samples), axis=0)), both, groups)
 
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:

@@ -262,7 +262,7 @@ def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any] | None:
         return None
     seam = Seam.of(clip.figure, timeline)
     roots = clip.figure.tables.position_columns
-    position, velocity, acceleration = map(float, seam.apart(path_of(timeline)))
+    position, velocity, acceleration = map(float, seam.discontinuity(path_of(timeline)))
     mismatch = {"state": position, "first derivative": velocity, "second derivative": acceleration}
     travel = seam.travel[roots[:, 0]].tolist() if roots.size else []
     turn = {"turn, degrees": float(np.degrees(seam.headings[0]))} if seam.turns else {}

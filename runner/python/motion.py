@@ -82,7 +82,7 @@ class Report(dict[str, Any]):
 
 
 @dataclass(frozen=True)
-class Apart:
+class MotionDifference:
     """The largest differences of two motions.
 
     Attributes:
@@ -118,7 +118,7 @@ class Motion(Renames):
 
     saved: Saved
     _solved: Solved | None = field(default=None)
-    RENAMED: ClassVar[Mapping[str, str]] = {"problems": "violations"}
+    RENAMED: ClassVar[Mapping[str, str]] = {"problems": "violations", "apart": "difference"}
 
     def __repr__(self) -> str:
         """ "<Motion run_and_step: 2.20 s, 12 keyframes, 33 variable frames, 39 DOF>" """
@@ -256,7 +256,7 @@ class Motion(Renames):
     def _violations(self) -> tuple[Violation, ...]:
         return violation.of_motion(self.saved) if self._solved is None else self._solved.violations
 
-    def apart(self, other: Motion) -> Apart:
+    def difference(self, other: Motion) -> MotionDifference:
         """Return the largest distance and angle to another motion of the same figure.
 
         Args:
@@ -277,7 +277,7 @@ class Motion(Renames):
             )
         far, turned = recorded.worst(other.saved.timeline)
         times = recorded.times[[far.instant, turned.instant]].tolist()
-        return Apart(far.value, far.name, times[0], float(np.degrees(turned.value)), turned.name, times[1])
+        return MotionDifference(far.value, far.name, times[0], float(np.degrees(turned.value)), turned.name, times[1])
 
     @as_python_warnings()
     def render(

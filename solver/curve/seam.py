@@ -147,7 +147,7 @@ class Seam:
                 shares.append((columns, spline.jumps_of(factor)))
         return shares
 
-    def apart(self, path: Path) -> Array:
+    def discontinuity(self, path: Path) -> Array:
         """Return the largest mismatch (3,) of y, y' and y'' at the end of a loop with those mapped from its start."""
         start, end = (path.motion(np.array([t]))[:, 0] for t in path.span)
         expected = self.linear(start)

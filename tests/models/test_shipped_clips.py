@@ -111,7 +111,7 @@ def test_no_limb_goes_through_the_body(name):
 @pytest.mark.parametrize("name", LOOPS)
 def test_a_loop_continues_across_its_seam_and_its_two_steps_are_mirror_images(name):
     motion, promise = of(name).motion, PROMISES[name]
-    assert Seam.of(motion.figure, motion.timeline).apart(motion.path).max() < 1e-9
+    assert Seam.of(motion.figure, motion.timeline).discontinuity(motion.path).max() < 1e-9
     figure, half = motion.figure, float(motion.timeline.times[-1]) / 2
     t = np.linspace(0, half, 40)
     ahead = promise.travel / 2 * np.eye(figure.width)[0]

@@ -63,7 +63,7 @@ def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[
                 )
     loops = closures(figure)
     if loops:
-        apart = np.linalg.norm(LoopClosure(loops).apart(samples), axis=0)
+        apart = np.linalg.norm(LoopClosure(loops).gaps(samples), axis=0)
         both = placed(figure, keys.fixed, [c.one for c in loops]) & placed(figure, keys.fixed, [c.two for c in loops])
         n, k = (int(i) for i in np.unravel_index(np.argmax(apart * both), apart.shape))
         if both[n, k] and apart[n, k] > TORN:

@@ -56,7 +56,7 @@ class LoopClosure(Penalty):
         )
         return one, two
 
-    def apart(self, samples: Samples) -> Array:
+    def gaps(self, samples: Samples) -> Array:
         """(3, n, S) [m] the ways from the second points to the first."""
         (links, positions), (others, places) = self._sides
         return samples.links.points(links, positions)[0] - samples.links.points(others, places)[0]

@@ -124,7 +124,7 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_contains_it(circle):
     seam = Seam.of(circle.figure, circle.timeline)
     assert np.degrees(seam.headings) == pytest.approx([45])
     np.testing.assert_allclose(seam.travel[:3], [0.3, 0.1, 0], atol=1e-12)
-    assert seam.apart(path_of(circle.timeline)).max() < 1e-9
+    assert seam.discontinuity(path_of(circle.timeline)).max() < 1e-9
     for side in ("before", "after"):
         found = edits.measured(circle, progress(), "edited").report[side]["seam"]
         assert found["turn, degrees"] == pytest.approx(45)
@@ -163,7 +163,7 @@ def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
     for each in (again, edits.retimed(again, 1.5)):
         seam = Seam.of(each.figure, each.timeline)
         assert np.degrees(seam.headings) == pytest.approx([45])
-        assert seam.apart(path_of(each.timeline)).max() < 1e-8
+        assert seam.discontinuity(path_of(each.timeline)).max() < 1e-8
     recorded = recorded_of(again, 0.05, 0.2)
     few = thin(recorded).timeline
     assert recorded.excess(few).max() <= 1

@@ -316,19 +316,19 @@ def test_nothing_is_changed_in_place(motion):
 
 def test_before_is_the_raw_spline(motion):
     assert motion.before.saved.timeline.variable_count == 0
-    far = motion.apart(motion.before)
+    far = motion.difference(motion.before)
     assert 0 < far.distance < 0.3
     assert 0 <= far.time <= 1
     assert far.where in ("hand", "lower", "upper")
-    assert motion.apart(motion).distance < 1e-12
+    assert motion.difference(motion).distance < 1e-12
     assert str(far).startswith("at most ")
 
 
 def test_other_figures_and_shorter_motions_are_not_compared(motion):
     with pytest.raises(UserError, match="different figures"):
-        motion.apart(inbetween(build("spinner", [Keyframe(0, others="rest"), Keyframe(1, others="hold")])))
+        motion.difference(inbetween(build("spinner", [Keyframe(0, others="rest"), Keyframe(1, others="hold")])))
     with pytest.raises(UserError, match="not all of"):
-        motion.apart(motion.trimmed(0.2, 0.8))
+        motion.difference(motion.trimmed(0.2, 0.8))
 
 
 @pytest.mark.slow
@@ -384,7 +384,7 @@ def test_what_cannot_be_done_is_reported(motion, attempt, complaint, tmp_path, m
 
 def test_thinned_keeps_its_bound(motion):
     thin = motion.thinned("5mm", max_angle=3)
-    far = motion.apart(thin)
+    far = motion.difference(thin)
     assert far.distance <= 0.005
     assert far.angle <= 3
     assert 3 <= thin.key_times.size < 12
@@ -396,7 +396,7 @@ def test_files_go_there_and_back(motion, loop, tmp_path):
     for each in (motion, loop):
         assert each.save(tmp_path / "m.npz") == tmp_path / "m.npz"
         again = load_motion(tmp_path / "m.npz")
-        assert again.apart(each).distance < 1e-12
+        assert again.difference(each).distance < 1e-12
         assert again.is_loop == each.is_loop
         each.save(tmp_path / "m.toml", overwrite=True)
         assert load(tmp_path / "m.toml").ends == each.clip.ends
@@ -415,7 +415,7 @@ def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
     recorded.save(tmp_path / "m.toml")
     again = inbetween(load(tmp_path / "m.toml"))
     assert again.key_times.size == 21
-    assert recorded.apart(again).distance < 1e-9
+    assert recorded.difference(again).distance < 1e-9
 
 
 @pytest.mark.slow

@@ -43,7 +43,7 @@ def tumble() -> Motion:
 def test_a_motion_goes_out_and_comes_back(tumble, tmp_path):
     file = tumble.export(tmp_path / "tumble.rows", to=Plain(), fps=60)
     again = import_motion(file, figure="spinner", format=Plain(), fps=60)
-    assert again.apart(tumble).distance < 0.02
+    assert again.difference(tumble).distance < 0.02
     np.testing.assert_allclose(again.sampled(60).qpos, tumble.sampled(60).qpos, atol=1e-9)
 
 

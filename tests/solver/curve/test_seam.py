@@ -40,7 +40,7 @@ def test_a_travelling_loop_is_smooth_across_its_seam_for_every_x(rng, coordinate
         seam = Seam.of(figure, moved)
         np.testing.assert_allclose(seam.travel, STRIDE * np.eye(figure.width)[0], atol=1e-12)
         assert (seam.signs[3:7] < 0).all() == (turns == 1)
-        assert seam.apart(path_of(moved)).max() < 1e-9
+        assert seam.discontinuity(path_of(moved)).max() < 1e-9
         ends = np.array([0.0, PERIOD])
         y, y_d, y_dd = (path_of(moved).at(ends, order) for order in range(3))
         np.testing.assert_allclose(y[1] - y[0] * seam.signs, seam.travel, atol=1e-9)

@@ -241,7 +241,7 @@ def test_a_loop_that_turns_comes_back_as_it_began_whatever_its_ends_leave_out(fr
         assert abs(turned.as_quat(scalar_first=True) @ end[3:7]) == pytest.approx(1, abs=1e-9)
         np.testing.assert_allclose(end[:3] - begin[:3], [0.5, -0.2, 0], atol=1e-9)
         np.testing.assert_allclose(np.linalg.norm(raw.states[:, figure.tables.quaternion_columns], axis=1), 1)
-        assert Seam.of(figure, raw).apart(path_of(raw)).max() < 1e-9
+        assert Seam.of(figure, raw).discontinuity(path_of(raw)).max() < 1e-9
         for frame, pose in zip(keys, (first, middle, last), strict=True):
             at = figure.to_qpos(raw.states[keys.index(frame)])
             for columns in (slice(3, 7), slice(7, 11)):

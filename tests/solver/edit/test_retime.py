@@ -61,7 +61,7 @@ def test_a_retimed_motion_is_the_motion_at_other_times(seed, ends, speed):
 def test_a_retimed_loop_stays_one(turns, rng):
     figure = FIGURE_OF_A_HOP
     fast = retimed(evenly(loop(figure, turns, partial=False), 1), 1.7)
-    assert Seam.of(figure, fast).apart(path_of(fast)).max() < 1e-9
+    assert Seam.of(figure, fast).discontinuity(path_of(fast)).max() < 1e-9
     np.testing.assert_allclose(Unknowns.of(figure, fast).rows(Unknowns.of(figure, fast).start), fast.rows, atol=1e-10)
 
 
@@ -133,7 +133,7 @@ def test_a_repeated_loop_continues_period_by_period(rng, turns, count):
         for order in (1, 2):
             assert_close(path_of(many).at(at, order), path_of(timeline).at(t, order) * seam.signs**number)
     assert len(many.frames) == count * (len(timeline.frames) - 1) + 1
-    assert Seam.of(figure, many).apart(path_of(many)).max() < 1e-9
+    assert Seam.of(figure, many).discontinuity(path_of(many)).max() < 1e-9
     np.testing.assert_allclose(Seam.of(figure, many).travel, count * seam.travel, atol=1e-12)
     again = Unknowns.of(figure, many)
     np.testing.assert_allclose(again.rows(again.start), many.rows, atol=1e-9)

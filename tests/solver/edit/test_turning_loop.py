@@ -68,7 +68,7 @@ def test_a_turning_loop_is_smooth_across_its_seam_for_every_x(rng, coordinates, 
         moved = timeline.with_rows(unknowns.rows(x))
         path, seam = path_of(moved), Seam.of(figure, moved)
         np.testing.assert_allclose(seam.headings, TURN, atol=1e-12)
-        assert seam.apart(path).max() < 1e-9
+        assert seam.discontinuity(path).max() < 1e-9
         # by another way than the seam's own: velocities in the world turn with the figure
         (y, y_end), (v, v_end), (a, a_end) = (path.at([0.0, PERIOD], order) for order in range(3))
         turn = quat.from_rotation_vector(TURN * UP)
@@ -156,9 +156,9 @@ def test_a_turning_loop_played_three_times_is_its_own_curve_turned_on(coordinate
     for number in range(3):
         at = path_of(many).at(t + number * PERIOD)
         np.testing.assert_allclose(at, seam.moved(path_of(timeline).at(t), number), atol=1e-9)
-    assert Seam.of(figure, many).apart(path_of(many)).max() < 1e-8
+    assert Seam.of(figure, many).discontinuity(path_of(many)).max() < 1e-8
     fast = retimed(timeline, 2.0)
-    assert Seam.of(figure, fast).apart(path_of(fast)).max() < 1e-8
+    assert Seam.of(figure, fast).discontinuity(path_of(fast)).max() < 1e-8
 
 
 def test_the_mirror_image_of_a_turning_loop_turns_the_other_way():
@@ -167,7 +167,7 @@ def test_the_mirror_image_of_a_turning_loop_turns_the_other_way():
     mirrored = Mirror.of(figure).timeline(evenly(raw, 1))
     seam = Seam.of(figure, mirrored)
     np.testing.assert_allclose(seam.headings, -TURN, atol=1e-12)
-    assert seam.apart(path_of(mirrored)).max() < 1e-9
+    assert seam.discontinuity(path_of(mirrored)).max() < 1e-9
 
 
 def test_jumps_of_a_turned_pair_make_it_smooth_across_the_seam(rng):

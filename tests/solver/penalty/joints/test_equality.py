@@ -101,7 +101,7 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
     model = mujoco.MjModel.from_xml_string(FOUR_BAR)
     figure, data = Figure(model), mujoco.MjData(model)
     samples = random_samples(figure, rng)
-    apart = LoopClosure(closures(figure)).apart(samples)
+    apart = LoopClosure(closures(figure)).gaps(samples)
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         data.qpos[:] = qpos
         mujoco.mj_forward(model, data)
@@ -146,7 +146,7 @@ def test_the_gradient_is_exact_and_the_curvature_fits_it(penalty, rng):
 
         def residuals(y: np.ndarray) -> np.ndarray:
             there = Samples(figure, y, 0 * y, 0 * y)
-            return term.away(there)[0] if isinstance(term, CouplingPenalty) else term.apart(there)
+            return term.away(there)[0] if isinstance(term, CouplingPenalty) else term.gaps(there)
 
         rate = (residuals(samples.y + step * v) - residuals(samples.y - step * v))[..., 2] / (2 * step)
         assert v @ matrix @ v == pytest.approx(2 * scale[2] * np.sum(rate**2), rel=1e-6)
