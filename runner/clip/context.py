@@ -232,8 +232,8 @@ class Context:
         """The clip's cycle: with the given period, or inferred from keyframes, and then only if it is unambiguous."""
         gait = Gait(self.figure, self.keys, self.points, self.surfaces)
         if not asked:
-            return gait.told()
-        return gait.likeliest() if period is None else gait.given(period)
+            return gait.infer()
+        return gait.likeliest() if period is None else gait.with_period(period)
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
         """Points by name. Raises UserError for unknown names."""

@@ -83,7 +83,7 @@ class Hits:
             return cls(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0))
         return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("row", "at", "amount")))
 
-    def taken(self, which: Index | Mask) -> Hits:
+    def select(self, which: Index | Mask) -> Hits:
         """A selection."""
         return Hits(self.row[which], self.at[which], self.amount[which])
 

@@ -78,7 +78,7 @@ class Measurement:
             samples = samples_at(clip.figure, path, time[run])
             for check, hits in zip(every, parts, strict=True):
                 at = run if check.stride == 1 else run[(run % check.stride == 0) | np.isin(run, key_at)]
-                part = check.hits(samples if at is run else samples.taken(at - run[0]))
+                part = check.hits(samples if at is run else samples.select(at - run[0]))
                 hits.append(replace(part, at=at[part.at]))
         amounts = tuple((check, Hits.joined(hits)) for check, hits in zip(every, parts, strict=True))
         return cls(clip, timeline, time, key_at, amounts, stays)

@@ -146,7 +146,7 @@ def plain(found: Sequence[Violation]) -> list[dict[str, Any]]:
 
 def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]:
     """The worst of every group in each keyframe that causes it, and on the path if it is worse there."""
-    hits = hits.taken(hits.amount > check.bounds[hits.row])
+    hits = hits.select(hits.amount > check.bounds[hits.row])
     if not hits.row.size:
         return
     keys = np.full(motion.time.size, -1)

@@ -110,7 +110,7 @@ class Samples:
         """S"""
         return self.y.shape[0]
 
-    def taken(self, at: Index) -> Samples:
+    def select(self, at: Index) -> Samples:
         """The samples of these indices (R,), with possible repetitions, as separate samples."""
         return Samples(self.figure, self.y[at], self.y_d[at], self.y_dd[at], t=self.t[at])
 

@@ -64,7 +64,7 @@ class Wrenches:
             return 3
         return 1 if self.force_d is None and self.torque_d is None else 2
 
-    def taken(self, some: Index | slice) -> Wrenches:
+    def select(self, some: Index | slice) -> Wrenches:
         """Some of them."""
         vectors = {name: part[:, some] for name, part in self.vectors.items()}
         return Wrenches(self.at[some], self.link[some], **vectors)
@@ -99,7 +99,7 @@ class Wrenches:
         out = np.zeros((self.at.size, self.orders, samples.y.shape[1]))
         for first in range(0, self.at.size, AT_ONCE):
             run = slice(first, first + AT_ONCE)
-            _Sweep(samples, self.taken(run)).add_to(out[run])
+            _Sweep(samples, self.select(run)).add_to(out[run])
         return out
 
 

@@ -58,7 +58,7 @@ class Gait:
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
 
-    def told(self) -> GaitCycle | None:
+    def infer(self) -> GaitCycle | None:
         """Return the cycle of the keyframes, if it is beyond doubt.
 
         The first and the last keyframe may be outside it, such as a standing pose at the start of a walk, if the
@@ -71,7 +71,7 @@ class Gait:
             outside = sum(left_out)
             if outside and len(self.keys.frames) - outside <= FEWEST:
                 continue
-            gait_cycle = self._without(*left_out)._told_by_all
+            gait_cycle = self._without(*left_out)._cycle_of_all
             if gait_cycle is not None and gait_cycle.gain - OUTSIDE * outside > gain:
                 best, gain = gait_cycle, gait_cycle.gain - OUTSIDE * outside
         return best
@@ -90,7 +90,7 @@ class Gait:
         return replace(self, keys=Timeline(frames, ends))
 
     @property
-    def _told_by_all(self) -> GaitCycle | None:
+    def _cycle_of_all(self) -> GaitCycle | None:
         if not (self._may_walk and self._is_level):
             return None
         poses = PoseVectors.of(self.figure, self.keys)
@@ -123,7 +123,7 @@ class Gait:
         cycles = self.candidates(PoseProcess(poses), between, -np.inf)
         return min(cycles, key=lambda gait_cycle: (gait_cycle.slip > SLIP, -gait_cycle.gain), default=None)
 
-    def given(self, period: float) -> GaitCycle | None:
+    def with_period(self, period: float) -> GaitCycle | None:
         """Return the cycle of a given period [s]; None where whole keyframes are too few."""
         poses = PoseVectors.of(self.figure, self.keys)
         return None if poses is None else self._rhythm(PoseProcess(poses), period)

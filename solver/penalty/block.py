@@ -41,7 +41,7 @@ class Entries:
     column: Index
     slope: Array | float = 1.0
 
-    def taken(self, some: Index) -> Entries:
+    def select(self, some: Index) -> Entries:
         """Some of them."""
         slope = self.slope if isinstance(self.slope, float) else self.slope[some]
         return replace(self, at=self.at[some], column=self.column[some], slope=slope)
@@ -118,7 +118,7 @@ class Block:
         if not nonzero.size:
             return
         for change in self.changes:
-            part = change if nonzero.size == bar.size else change.taken(nonzero)
+            part = change if nonzero.size == bar.size else change.select(nonzero)
             if isinstance(part, Wrenches):
                 into.add_wrenches(part.scaled(bar[nonzero]))
             else:

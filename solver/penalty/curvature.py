@@ -66,7 +66,7 @@ class Curvature:
         """One-sided residuals, those of them that count."""
         active = np.flatnonzero(sides.value > 0)
         order, at = np.argsort(sides.at[active], kind="stable"), sides.at[active]
-        self.add_rows(at[order], scale[at[order]], sides.taken(active)[order, None], (0,))
+        self.add_rows(at[order], scale[at[order]], sides.select(active)[order, None], (0,))
 
     def rows_by_y(self) -> list[tuple[Index, Array]]:
         """Residuals that depend on y alone: samples (P,), rising, and rows (P, N)."""
@@ -152,7 +152,7 @@ def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, 
     out = np.empty((at.size, 3, samples.y.shape[1]))
     for first in range(0, at.size, ROWS_AT_ONCE):
         rows = np.arange(first, min(first + ROWS_AT_ONCE, at.size))
-        copies = samples.taken(at[rows])
+        copies = samples.select(at[rows])
         cotangent = Cotangent(copies)
         seeded(copies, cotangent, rows)
         out[rows] = np.stack(cotangent.gradients(), axis=1)

@@ -40,7 +40,7 @@ class Rows:
         """Whether every row is one of the basis, in its order."""
         return self.shares.shape[1] == 1
 
-    def taken(self, some: Index) -> Array:
+    def select(self, some: Index) -> Array:
         """(A, N) some rows."""
         if self.is_plain:
             return self.basis[some, 0]
@@ -135,7 +135,7 @@ class OneSidedResiduals:
     @property
     def rows(self) -> Array:
         """(P, N): all gradients."""
-        return self.taken(np.arange(self.at.size))
+        return self.select(np.arange(self.at.size))
 
     def parts(self) -> Iterator[tuple[slice, Rows]]:
         """The residuals by kind of gradient."""
@@ -157,11 +157,11 @@ class OneSidedResiduals:
         rows = Rows.plain(self.at[place[by_sample]], basis), *(rows for _, rows in others)
         return OneSidedResiduals(self.at[order], self.value[order], rows), order
 
-    def taken(self, some: Index) -> Array:
+    def select(self, some: Index) -> Array:
         """(A, N) the gradients of some, which rise."""
         gradients = []
         for run, rows in self.parts():
             indices = some[np.searchsorted(some, run.start) : np.searchsorted(some, run.stop)] - run.start
             if indices.size:
-                gradients.append(rows.taken(indices))
+                gradients.append(rows.select(indices))
         return np.concatenate(gradients) if gradients else np.zeros((0, 0))

@@ -163,7 +163,7 @@ def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land
 def test_every_third_keyframe_of_the_turning_walk_tells_its_cycle():
     found = of("walk_and_turn").clip
     some = raw_timeline(found.figure, list(found.keys[::3]))
-    gait_cycle = Gait(found.figure, some, found.context.points, found.context.surfaces).told()
+    gait_cycle = Gait(found.figure, some, found.context.points, found.context.surfaces).infer()
     assert gait_cycle is not None
     assert gait_cycle.period == pytest.approx(1.12, rel=0.01)
     assert gait_cycle.slip < 0.15

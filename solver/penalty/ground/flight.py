@@ -63,7 +63,7 @@ class Flight(Penalty):
             wrench.pull_back(into, felt[:3], felt[3:])
 
         def curved(into: Curvature, scale: Array) -> None:
-            wrench = RootWrench(samples.taken(at), self.root)
+            wrench = RootWrench(samples.select(at), self.root)
             rows = share[:, None, None] * wrench_rows(wrench, moment=bool(self.angular))
             each = np.repeat(at, share.size)
             into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))

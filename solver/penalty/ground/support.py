@@ -135,7 +135,7 @@ class Support(Penalty):
 
         def curved(into: Curvature, scale: Array) -> None:
             pushes = replace(solution.pushes, at=np.searchsorted(at, solution.pushes.at))
-            rows = wrench_rows(RootWrench(samples.taken(at), self.root), pushes).reshape(at.size, 6, -1)
+            rows = wrench_rows(RootWrench(samples.select(at), self.root), pushes).reshape(at.size, 6, -1)
             root = share * np.linalg.cholesky(projection(solution.left, solution.edges, self.softness))
             rows = np.matmul(root.swapaxes(1, 2), rows)
             each = np.repeat(at, 6)

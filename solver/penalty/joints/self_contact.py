@@ -65,7 +65,7 @@ class Meeting:
     depth: Array
     apart: Array
 
-    def taken(self, which: Index) -> Meeting:
+    def select(self, which: Index) -> Meeting:
         """Some of them."""
         chosen = (self.at[which], self.first[which], self.last[which])
         vectors = (self.first_arm[:, which], self.last_arm[:, which])
@@ -134,7 +134,7 @@ class SelfContact(Penalty):
             at = np.flatnonzero(dot(gap, gap) < (reach[a] + reach[b] + reach_limit) ** 2)
             if at.size:
                 met = self._met(samples, at, pairs, reach_limit)
-                results.append(met.taken(np.flatnonzero(met.depth > -near)))
+                results.append(met.select(np.flatnonzero(met.depth > -near)))
         if not any(met.at.size for met in results):
             return None
         names = ("at", "first", "last", "first_arm", "last_arm", "depth", "apart")

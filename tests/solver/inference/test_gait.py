@@ -36,7 +36,7 @@ def facing(angle: float, rate: float = 0.0) -> np.ndarray:
 
 @pytest.mark.parametrize("every", [0.3, 0.42, 0.5, 0.7, 1.0])
 def test_a_walks_period_is_found_even_from_keyframes_two_steps_apart(every):
-    gait_cycle = gait(WALK, every).told()
+    gait_cycle = gait(WALK, every).infer()
     assert gait_cycle is not None
     assert abs(gait_cycle.period / PERIOD - 1) < 0.05
     assert gait_cycle.slip < SLIP / 1.3
@@ -44,7 +44,7 @@ def test_a_walks_period_is_found_even_from_keyframes_two_steps_apart(every):
 
 @pytest.mark.parametrize("way", [(2.0, 0.0), (-1.0, 0.4)])
 def test_it_does_not_matter_which_way_the_figure_walks(way):
-    gait_cycle = gait(facing(*way), 0.42).told()
+    gait_cycle = gait(facing(*way), 0.42).infer()
     assert gait_cycle is not None
     assert abs(gait_cycle.period / PERIOD - 1) < 0.05
 
@@ -60,12 +60,12 @@ def sped_up(factor: float, stops: bool = False) -> np.ndarray:
 
 @pytest.mark.parametrize("every", [0.3, 0.42, 0.5])
 def test_feet_that_slip_are_believed_where_those_of_other_periods_slip_more_and_the_body_travels_steadily(every):
-    gait_cycle = gait(sped_up(2.0), every).told()
+    gait_cycle = gait(sped_up(2.0), every).infer()
     assert gait_cycle is not None
     assert gait_cycle.slip > SLIP
     assert abs(gait_cycle.period / PERIOD - 1) < 0.05
-    assert gait(sped_up(2.0, stops=True), every).told() is None
-    assert gait(sped_up(5.0), every).told() is None
+    assert gait(sped_up(2.0, stops=True), every).infer() is None
+    assert gait(sped_up(5.0), every).infer() is None
 
 
 def test_an_alias_explains_the_keyframes_about_as_well_and_slides():
@@ -80,7 +80,7 @@ def test_an_alias_explains_the_keyframes_about_as_well_and_slides():
 
 def test_its_poses_are_those_of_the_walk():
     seen = gait(WALK, 0.42)
-    gait_cycle = seen.told()
+    gait_cycle = seen.infer()
     assert gait_cycle is not None
     columns = gait_cycle.poses.map.columns.T
     real = WALK[np.round(gait_cycle.times * FINE).astype(int)][:, columns]
@@ -93,21 +93,21 @@ def test_poses_without_a_rhythm_tell_none(rng):
     wild = WALK.copy()
     for columns in FIGURE.tables.quaternion_columns.T[1:]:
         wild[:, columns] = quat.from_rotation_vector(rng.normal(scale=0.5, size=(TIME.size, 3)))
-    assert gait(wild, 0.42).told() is None
+    assert gait(wild, 0.42).infer() is None
 
 
 def test_a_figure_that_stays_where_it_is_or_climbs_tells_none():
     still, up = WALK.copy(), gait(WALK, 0.42)
     still[:, 0] = 0.0
-    assert gait(still, 0.42).told() is None
+    assert gait(still, 0.42).infer() is None
     slope = Plane("slope", np.zeros(3), np.array([-0.1, 0, 1]) / np.hypot(0.1, 1))
-    assert Gait(FIGURE, up.keys, SOLES, (slope,)).told() is None
+    assert Gait(FIGURE, up.keys, SOLES, (slope,)).infer() is None
 
 
 def test_two_keyframes_tell_none_even_if_asked():
     keys = raw_timeline(FIGURE, [Frame.key(TIME[k], WALK[k]) for k in (0, 200)])
     two = Gait(FIGURE, keys, SOLES, GROUND)
-    assert two.told() is two.likeliest() is two.given(1.0) is None
+    assert two.infer() is two.likeliest() is two.with_period(1.0) is None
     found = constraints(Context.of(FIGURE, keys, GROUND, "two"), chosen([PenaltyTable.of("cycle", period=1.0)], "two"))
     assert "cycle" not in {penalty.name for penalty, _ in found.penalties}
     assert (
@@ -120,7 +120,7 @@ def test_a_figure_that_is_moved_along_in_one_pose_tells_none():
     still = WALK.copy()
     still[:, 2:] = FIGURE.model.qpos0[2:]
     moved = gait(still, 0.5)
-    assert moved.told() is moved.likeliest() is moved.given(1.0) is None
+    assert moved.infer() is moved.likeliest() is moved.with_period(1.0) is None
     assert gait(WALK, 0.5).likeliest() is not None
 
 
@@ -146,18 +146,18 @@ def test_a_pose_to_set_out_from_stands_outside_the_cycle():
     first = [Frame.key(TIME[0], before[0])]
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(3, TIME.size, round(0.42 * FINE))]
     seen = Gait(FIGURE, raw_timeline(FIGURE, first + keys), SOLES, GROUND)
-    gait_cycle = seen.told()
+    gait_cycle = seen.infer()
     assert gait_cycle is not None
     assert abs(gait_cycle.period / PERIOD - 1) < 0.05
     assert gait_cycle.times[0] == TIME[3]
-    assert seen._told_by_all is None or seen._told_by_all.gain < gait_cycle.gain - 0.2
-    whole = Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).told()
+    assert seen._cycle_of_all is None or seen._cycle_of_all.gain < gait_cycle.gain - 0.2
+    whole = Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).infer()
     assert whole is not None
     assert whole.times[0] == TIME[3]
 
 
 def test_where_the_cycle_is_not_told_it_asks_for_nothing():
-    gait_cycle = gait(WALK, 0.42).told()
+    gait_cycle = gait(WALK, 0.42).infer()
     assert gait_cycle is not None
     late = replace(gait_cycle, times=gait_cycle.times + 1.0)
     t = np.array([gait_cycle.times[0], late.times[0], late.times[-1], late.times[-1] + 0.1])

@@ -56,7 +56,7 @@ def test_candidates_come_likeliest_first_between_the_periods_asked_for_and_above
     assert [gait_cycle.period for gait_cycle in above[:1]] == [found[0].period]
     assert len(above) <= 2
     assert seen.candidates(process, (1.0, 1.0), -np.inf) == []
-    given = seen.given(0.9)
+    given = seen.with_period(0.9)
     assert given is not None
     assert given.period == 0.9
 
@@ -64,17 +64,17 @@ def test_candidates_come_likeliest_first_between_the_periods_asked_for_and_above
 def test_feet_slide_by_as_much_as_the_body_is_carried_along_besides_whatever_the_ground_is_called():
     """Pushed forward by a share of its speed, the standing foot slides by that share of the new one."""
     seen = gait(WALK, 0.3)
-    gait_cycle = seen.given(PERIOD)
+    gait_cycle = seen.with_period(PERIOD)
     assert gait_cycle is not None
     assert gait_cycle.slip < 0.2
     for share in (1.0, 3.0):
         pushed = np.array(WALK)
         pushed[:, 0] *= 1 + share
-        carried = gait(pushed, 0.3).given(PERIOD)
+        carried = gait(pushed, 0.3).with_period(PERIOD)
         assert carried is not None
         assert carried.slip == pytest.approx(share / (1 + share), abs=0.12)
     low = replace(seen, surfaces=(Plane("low", np.array([0, 0, -0.7]), np.array([0.0, 0, 1])),))
-    sunk = low.given(PERIOD)
+    sunk = low.with_period(PERIOD)
     assert sunk is not None
     assert sunk.slip == pytest.approx(gait_cycle.slip, rel=1e-6)  # low is what is lowest of them, not what touches
 

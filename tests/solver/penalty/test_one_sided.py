@@ -51,7 +51,7 @@ def test_some_of_them_are_the_rows_written_out(rng):
     for rows in every(rng):
         _, written = dense(rows)
         some = np.arange(1, len(written), 2)
-        np.testing.assert_allclose(rows.taken(some), written[some], rtol=1e-12)
+        np.testing.assert_allclose(rows.select(some), written[some], rtol=1e-12)
 
 
 @pytest.mark.parametrize("at_once", [1, 2 * WIDTH, 10**6])
@@ -112,10 +112,10 @@ def test_joined_they_follow_one_another(rng):
     written = np.concatenate([dense(rows)[1] for rows in sides.gradients])
     np.testing.assert_allclose(sides.rows, written, rtol=1e-12)
     for some in ([0], [2, 3], [3, 6, 7, 12], [12], list(range(13))):
-        np.testing.assert_allclose(sides.taken(np.array(some)), written[some], rtol=1e-12)
+        np.testing.assert_allclose(sides.select(np.array(some)), written[some], rtol=1e-12)
     assert OneSidedResiduals.none().rows.shape == (0, 0)
     assert OneSidedResiduals.none().at.size == OneSidedResiduals.none().value.size == 0
-    assert not sides.taken(np.zeros(0, np.intp)).size
+    assert not sides.select(np.zeros(0, np.intp)).size
 
 
 def test_sorted_the_plain_ones_come_first_by_sample_and_all_are_what_they_were(rng):

@@ -102,7 +102,7 @@ def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
         mujoco.mj_kinematics(model, data)
         still = [moving_surface(model, g, data.geom_xpos[g], data.geom_xmat[g].reshape(3, 3)) for g in own]
         expected = Contact(contact.points, tuple(s for s in still if s is not None)).evaluate(
-            samples.taken(np.array([i]))
+            samples.select(np.array([i]))
         )
         np.testing.assert_allclose(found[i], expected[0], rtol=1e-6, atol=1e-12)
     assert np.count_nonzero(found) > 3

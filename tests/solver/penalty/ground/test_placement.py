@@ -92,7 +92,7 @@ def assert_curvature(figure: Figure, rng: np.random.Generator) -> None:
         out = np.zeros((there.count, len(placement.placed), 3))
         which, at = np.nonzero(np.array([p.time for p in placement.placed])[:, None] == there.t)
         for k, i in zip(which, at, strict=True):
-            one = Placement((placement.placed[k],)).away(there.taken(np.array([i])))[1]
+            one = Placement((placement.placed[k],)).away(there.select(np.array([i])))[1]
             out[i, k] = one[:, 0]
         return out.reshape(there.count, -1)
 

@@ -40,7 +40,7 @@ def cycled(request, rng) -> Cycle:
     text, coordinates = request.param
     figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
     keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
-    gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).given(0.7)
+    gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).with_period(0.7)
     assert gait_cycle is not None and gait_cycle.trust.max() > 0
     return Cycle(figure, gait_cycle)
 
@@ -112,7 +112,7 @@ def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_th
 
 def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_keyframes():
     seen = gait(WALK, 0.7)
-    gait_cycle = seen.told()
+    gait_cycle = seen.infer()
     assert gait_cycle is not None and len(SOLES) == 4
     cycle = Cycle(FIGURE, gait_cycle)
     initial_guess = cycle.initial_guess(seen.keys, None)
@@ -129,7 +129,7 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
 @pytest.mark.parametrize("every", [0.3, 0.7, 1.0])
 def test_it_leads_with_no_more_frames_than_keep_them_an_eighth_of_a_period_apart(every):
     seen = gait(WALK, every)
-    gait_cycle = seen.given(PERIOD)
+    gait_cycle = seen.with_period(PERIOD)
     assert gait_cycle is not None
     cycle, keys = Cycle(FIGURE, gait_cycle), seen.keys
     initial_guess = cycle.initial_guess(keys, None)
@@ -150,7 +150,7 @@ def test_what_it_leads_with_is_as_long_as_the_clip_though_the_last_keyframe_fixe
     seen = gait(WALK, 0.7)
     *before, last = seen.keys.frames
     keys = replace(seen.keys, frames=(*before, Frame.variable(last.time, last.state)))
-    gait_cycle = seen.told()
+    gait_cycle = seen.infer()
     assert gait_cycle is not None
     initial_guess = Cycle(FIGURE, gait_cycle).initial_guess(keys, None)
     np.testing.assert_array_equal(initial_guess.times[[0, -1]], keys.times[[0, -1]])
