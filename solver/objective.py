@@ -23,6 +23,7 @@ from .penalty import Block, Dense, Penalty
 from .penalty.block import summed
 from .penalty.penalty import instants_of
 
+LONG, TENSION_POWER, MAX_TENSION = 0.25, 4.0, 8.0  # [s] between keyframes, beyond which tension rises, see `tension`
 SMALL_SHARE = 0.01  # of the clip: a violation of 1 cm over so much of it is the unit of a term that is nearly nought
 # share of the clip, times its mean there, least share: see _typical
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
@@ -50,12 +51,14 @@ class Objective:
         terms: The soft constraints with their weights and factors.
         quadrature: The quadrature rule of the integral.
         heavy: The upper limit of E in relative tolerances, so that gross violations do not make the search inexact.
+        key_times: The times of the keyframes between which tension acts, (K,) [s]; None: it is 1 everywhere.
     """
 
     figure: Figure
     terms: tuple[Term, ...]
     quadrature: Quadrature = field(default_factory=Quadrature)
     heavy: float = np.inf
+    key_times: Array | None = None
 
     @classmethod
     def of(
@@ -145,6 +148,24 @@ class Objective:
                 typical[i] *= max(float(capped.sum() / share.sum()), LEAST_TYPICAL)
         return typical
 
+    def tension(self, t: Array) -> Array:
+        """Return how much keyframes around times t (S,) [s] are farther apart than those that specify motion, (S,).
+
+        It is 1 up to LONG, and rises from there with the fourth power of the time between the keyframes. Few keyframes
+        specify little about accelerations: their cost fades, so that a joint does not swing far out between them, see
+        `Normalization.by_tension`.
+        """
+        if self.key_times is None:
+            return np.ones(t.size)
+        segment = np.searchsorted(self.key_times, t, side="right").clip(1, self.key_times.size - 1) - 1
+        gaps = np.diff(self.key_times)[segment]
+        return ((gaps / LONG) ** TENSION_POWER).clip(1.0, MAX_TENSION)
+
+    def factor(self, term: Term, t: Array) -> Array:
+        """Return what multiplies f_j of a term at times t (S,) [s], (S,)."""
+        power = term.penalty.normalization.by_tension
+        return term.factor * (self.tension(t) ** power if power else np.ones(t.size))
+
     def nodes(self, times: Array) -> tuple[Array, Array, Array]:
         """For a spline with knots at `times`: sample times (S,) [s], rising, their weights in an integral (S,) and in
         every term (terms, S): the instants of momentary terms are samples too, which count there and nowhere else."""
@@ -156,7 +177,9 @@ class Objective:
         order = np.argsort(t, kind="stable")
         is_instant = np.append(np.zeros(w.size - instants.size, bool), np.ones(instants.size, bool))[order]
         t, w = t[order], w[order]
-        weights_by_term = np.tile(w, (len(instants_by_term), 1))
+        tension = self.tension(t)
+        powers = [term.penalty.normalization.by_tension for term in self.terms]
+        weights_by_term = np.array([w * tension**power for power in powers]).reshape(len(self.terms), w.size)
         for k, term_instants in enumerate(instants_by_term):
             if term_instants.size:
                 weights_by_term[k] = np.isin(t, term_instants) & is_instant
@@ -189,7 +212,7 @@ class Objective:
         values, first = np.zeros(samples.count), 0
         for part in samples.parts(run_of(self.figure)):
             for term in self.terms:
-                values[first : first + part.count] += term.factor * term.penalty.evaluate(part)
+                values[first : first + part.count] += self.factor(term, part.t) * term.penalty.evaluate(part)
             first += part.count
         return values
 
@@ -199,7 +222,7 @@ class Objective:
         for part in samples.parts(run_of(self.figure)):
             cotangent = Cotangent(part)
             for term in self.terms:
-                term.penalty.evaluate(part, cotangent, np.full(part.count, term.factor))
+                term.penalty.evaluate(part, cotangent, self.factor(term, part.t))
             parts.append(cotangent.gradients())
         g0, g1, g2 = parts[0] if len(parts) == 1 else (np.concatenate(gs) for gs in zip(*parts, strict=True))
         return g0, g1, g2
@@ -223,7 +246,8 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
     for piece in Sampling.of(path.spline, t).pieces(run_of(objective.figure)):
         samples, run = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t), piece.which
         for k, term in enumerate(objective.terms):
-            np.add.at(out[:, k], segment[run], term.factor * w[run] * term.penalty.evaluate(samples))
+            weights = objective.factor(term, t[run]) * w[run]
+            np.add.at(out[:, k], segment[run], weights * term.penalty.evaluate(samples))
     for k, term in enumerate(objective.terms):
         at = instants_of(term.penalty)
         at = at[(at >= times[0]) & ((at < times[-1]) | (at == path.spline.times[-1]))]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,7 +16,7 @@ from .curve.spline import path_of
 from .curve.unknowns import raw_timeline
 from .figure.figure import Figure
 from .objective import Objective
-from .penalty import Guide, Penalty, Role
+from .penalty import Guide, Penalty, Posture, Role
 from .refine.subdivision import CRITERIA
 from .search.minimum import Optimiser
 from .search.refinement import LBFGS
@@ -126,9 +126,14 @@ class Problem:
 
 
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
-    """Return E with every term divided by its integral over the raw path, or over the initial path of a term."""
+    """Return E with every term divided by its integral over the raw path, or over the initial path of a term.
+
+    With the soft constraint of posture, tension acts between the keyframes.
+    """
     guide = guide_of(objective)
-    return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
+    out = objective.renormalised(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
+    is_tense = any(isinstance(term.penalty, Posture) and term.weight > 0 for term in objective.terms)
+    return replace(out, key_times=raw.times) if is_tense else out
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,7 @@ class Normalization:
         raw_cap: Upper limit of the mean of f_j over the raw spline in the normalization.
         is_sharp: Whether f_j begins, ends or peaks abruptly in time, so that the few samples that suffice for the
             curvature of other terms would miss it. Its curvature consists of rows only.
+        by_tension: The power of `Objective.tension` by which f_j counts more between keyframes that are far apart.
     """
 
     reference: float
@@ -44,6 +45,7 @@ class Normalization:
     normalize_by: str | None = None
     raw_cap: float = np.inf
     is_sharp: bool = False
+    by_tension: float = 0.0
 
 
 class Role(Enum):

@@ -480,7 +480,7 @@ class Model:
             samples = Samples(problem.objective.figure, *piece.samples(path.coefficients), t=piece.t)
             curvature = Curvature(samples)
             for term in chosen:
-                term.penalty.curvature(samples, curvature, term.factor * weights)
+                term.penalty.curvature(samples, curvature, problem.objective.factor(term, samples.t) * weights)
             return curvature
 
         for run in evaluated:

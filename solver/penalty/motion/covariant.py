@@ -40,7 +40,7 @@ class CovariantAcceleration(Penalty):
 
     name = "acceleration.angular"
     role = Role.SMOOTHNESS
-    normalization = Normalization(16.0, time_power=4)
+    normalization = Normalization(16.0, time_power=4, by_tension=-1.0)
 
     def __post_init__(self) -> None:
         if self.form not in ("intrinsic", "paper"):

@@ -39,7 +39,7 @@ class Posture(Penalty):
 
     @property
     def normalization(self) -> Normalization:
-        return Normalization(self.settling**2, time_power=2, normalize_by="acceleration.angular")
+        return Normalization(self.settling**2, time_power=2, normalize_by="acceleration.angular", by_tension=0.5)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure
