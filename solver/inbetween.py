@@ -273,6 +273,8 @@ class _Loop:
         descent = Descent(replace(self.objective, terms=terms), timeline)
         minimum = descent.run(optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
         self.evaluations += minimum.evaluations
+        if minimum.stop is Stop.INTERRUPTED:
+            raise KeyboardInterrupt
         return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
 
     def run_windows(self, raw: Timeline, first: Timeline) -> Timeline:
