@@ -36,6 +36,7 @@ EASE = 0.4  # [s] blend before and after a keyframe, by default
 DETAIL = 0.02  # of f over a segment that may be left out: less than a millimetre
 MOVED = 0.02  # [m] displacement of a recorded stance point by a keyframe above which the stance is dropped
 INNER, MARGIN = 0.75, 6  # of a blend: frames beyond are fixed, so many to its end, for the spline rings on a little
+EXACT = 2e-4  # [m] and of a quaternion's entries (0.02°): error of fixed frames above which another one is inserted
 TOLERANCE = 1e-3  # relative decrease of E at which a search ends: an edit starts far from its goal
 ROUNDING = 1e-9  # [s]
 
@@ -127,11 +128,24 @@ class TrackedRecording:
         first, last = self.recorded.path.span
         margin = np.linspace(reach, self.table.blend, MARGIN)
         beside = [first + FINEST, last - FINEST, *(e.time + offset for e in edits for offset in (*margin, *-margin))]
-        knots = np.concatenate([self.knots, np.clip(beside, first, last)])
+        knots = np.concatenate([self._exact_knots(), np.clip(beside, first, last)])
         far = [np.all([np.abs(t - edit.time) >= reach - ROUNDING for edit in edits], axis=0) for t in (times, knots)]
         frames = np.unique(np.concatenate([times[~far[0]], knots[far[1]]])) if edits else knots
         frames = np.unique(np.clip(np.concatenate([[first], frames, [last]]), first, last))
         return frames[np.append(True, np.diff(frames) > CLOSE)]
+
+    def _exact_knots(self) -> Array:
+        """Return the knots, and the middles between them where a spline through the knots alone is not the recording.
+
+        The recording's quaternions may have another length than 1 between its own frames; those of fixed frames have 1.
+        """
+        figure, path = self.recorded.figure, self.recorded.path
+        knots = np.unique(np.clip(self.knots, *path.span))
+        frames = Frame.many(knots, path.at(knots), np.ones((knots.size, figure.width), bool))
+        spline = path_of(Timeline(tuple(frames), path.at(knots[[0, -1]], 1), "clamped"))
+        middles = (knots[1:] + knots[:-1]) / 2
+        errors = figure.to_qpos(spline.at(middles)) - figure.to_qpos(path.at(middles))
+        return np.append(knots, middles[np.abs(errors).max(axis=1) > EXACT])
 
     def _kept(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
         """A frame of the recording that no keyframe reaches by its blend, fixed."""
