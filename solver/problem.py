@@ -95,7 +95,8 @@ class Problem:
 
     keys       keyframes holding *qpos* (nq,) and the mask of what is fixed, at least two, in order of time
     penalties  soft constraints with their weights α
-    ends       "free", "clamped" (with end_slope (2, N), in the figure's coordinates) or "periodic"
+    ends       "free", "clamped", "clamped start", "clamped end" (with end_slope (2, N), in the figure's coordinates) or
+               "periodic"
     travel     (3,) [m] displacement of a loop's root per period; None: that of the keyframes in x and y
     turn       [rad] by how much the root of a loop is turned by then; None: as in the keyframes
     """

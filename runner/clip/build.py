@@ -31,7 +31,13 @@ from .tracking.recording import TrackedRecording
 
 CustomPenalties = Sequence[tuple[Penalty, float]]
 
-AT_REST = "begins and ends at rest, like its first and last keyframes; [solve] ends = 'free' leaves their speeds open"
+# the ends of a spline that is at rest at its start and its end, and a note on it
+AT_REST = {
+    (True, True): ("clamped", "begins and ends at rest, like its first and last keyframes"),
+    (True, False): ("clamped start", "begins at rest, like its first keyframe"),
+    (False, True): ("clamped end", "ends at rest, like its last keyframe"),
+}
+FREE_NOTE = "; [solve] ends = 'free' leaves the speed there open"
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop in a period
 NEXT = 1e-6  # [s] by which a saved keyframe may differ from its time in the text
 
@@ -104,7 +110,8 @@ class Clip(Renames):
 
     @property
     def ends(self) -> str:
-        """The end conditions of the spline: "free", "clamped" (at rest) or "periodic" (a loop)."""
+        """The end conditions of the spline: "free", "clamped" (at rest; "clamped start", "clamped end": there alone) or
+        "periodic" (a loop)."""
         return self.problem.ends
 
     @property
@@ -146,16 +153,18 @@ def build(
         UserError: for keyframes that make no timeline, and for tables that do not fit the figure.
     """
     table, solve = source.table, source.table.solve
-    slope = np.zeros((2, figure.width)) if solve.ends == "clamped" else None
+    slope = np.zeros((2, figure.width)) if solve.ends.startswith("clamped") else None
     turn = radians(solve.turn)
     problem = Problem(figure, tuple(keys), (), source.settings, solve.ends, slope, solve.travel, turn)
     _check_timeline(problem, source.where)
     surfaces = static_surfaces(figure.model)
     context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.hold)
     resting: tuple[str, ...] = ()
-    if "ends" not in solve.given and context.stands_at_its_ends:
-        problem = replace(problem, ends="clamped", end_slope=np.zeros((2, figure.width)))
-        context, resting = replace(context, keys=problem.raw), (AT_REST,)
+    stationary = context.is_stationary_at_ends
+    if "ends" not in solve.given and any(stationary):
+        ends, note = AT_REST[stationary]
+        problem = replace(problem, ends=ends, end_slope=np.zeros((2, figure.width)))
+        context, resting = replace(context, keys=problem.raw), (note + FREE_NOTE,)
     broken = complaints(figure, problem.raw, keys)
     soft_constraints = constraints(context, source.options)
     problem = replace(problem, penalties=soft_constraints.penalties)

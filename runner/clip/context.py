@@ -44,6 +44,7 @@ from .table import ContactTable, HoldTable
 
 FAR_APART = 0.4  # [s] between keyframes, in which a figure takes a step
 STEP = 0.2  # of the height of a figure: how far a foot moves in one
+TRAVELS = 0.5  # [m/s] horizontal speed of a root from one keyframe to the next: half of a walk's
 REPEATED = 1e-3  # [m] and of a quaternion's entries (0.1°): a keyframe that differs by less repeats its neighbour
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
@@ -101,18 +102,30 @@ class Context:
         )
 
     @property
-    def stands_at_its_ends(self) -> bool:
-        """Whether the first and the last keyframe are poses at rest: they repeat their neighbour, or all feet stand."""
+    def is_stationary_at_ends(self) -> tuple[bool, bool]:
+        """Whether the figure is stationary at the first and at the last keyframe.
+
+        It is if the keyframe repeats its neighbour, or if all feet are planted and the root does not travel. Other ends
+        than free ones, and partial keyframes there, are not stationary.
+        """
         keys = self.keys
-        if keys.ends != "free" or not keys.fixed[[0, -1]].all():
-            return False
+        if keys.ends != "free":
+            return False, False
         feet, inferred = {point.link for point in self.points}, (*self.stances, *self.contacts.stances)
-        standing = (
+        planted = (
             {stance.point.link for stance in inferred if stance.first <= keys.times[0]},
             {stance.point.link for stance in inferred if stance.last >= keys.times[-1]},
         )
-        repeated = (np.abs(keys.states[a] - keys.states[b]).max() < REPEATED for a, b in ((0, 1), (-1, -2)))
-        return all(same or (bool(feet) and feet <= links) for same, links in zip(repeated, standing, strict=True))
+
+        def is_stationary(end: int, beside: int, links: set[int]) -> bool:
+            moves = keys.states[beside] - keys.states[end]
+            if not keys.fixed[end].all():
+                return False
+            travel = np.linalg.norm(moves[self.figure.tables.position_columns[:2]], axis=0).max(initial=0.0)
+            is_slow = travel < TRAVELS * abs(keys.times[beside] - keys.times[end])
+            return bool(np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
+
+        return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
 
     @property
     def lacking(self) -> list[str]:

@@ -291,7 +291,7 @@ class SolveTable(Table):
     """Ends of the spline and settings of the search; None: chosen automatically."""
 
     coordinates: Literal["auto", "world", "joint"] = "auto"
-    ends: Literal["free", "clamped", "periodic"] = "free"
+    ends: Literal["free", "clamped", "clamped start", "clamped end", "periodic"] = "free"
     travel: tuple[Number, Number, Number] | None = None
     turn: Annotated[Real, Field(ge=-360, le=360)] | None = None
     variable: Annotated[Whole, Field(ge=0, le=50)] | None = None

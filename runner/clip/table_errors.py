@@ -190,7 +190,7 @@ _EXPECTED = {
     "euler": "a list of angles in degrees",
     "quat": "four numbers [w, x, y, z]",
     "coordinates": "'auto', 'world' or 'joint'",
-    "ends": "'free', 'clamped' or 'periodic'",
+    "ends": "'free', 'clamped', 'clamped start', 'clamped end' or 'periodic'",
     "travel": "[x, y, z] in metres",
     "quadrature": "'gauss' or 'uniform'",
 }

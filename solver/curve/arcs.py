@@ -28,8 +28,8 @@ def straightened(figure: Figure, timeline: Timeline) -> Timeline:
     rows = np.array(timeline.rows)
     moved = np.setdiff1d(np.arange(fixed[0], fixed[-1]), fixed)
     rows[moved] = states[moved]
-    if timeline.ends == "free":
-        for end, (a, b) in enumerate(((0, 1), (-2, -1))):
+    for end, (a, b) in enumerate(((0, 1), (-2, -1))):
+        if timeline.free_slopes[end]:
             rows[end - 2] = (rows[:-2][b] - rows[:-2][a]) / (timeline.times[b] - timeline.times[a])
     return timeline.with_rows(rows)
 

@@ -111,6 +111,9 @@ class Frame:
         return bool(self.fixed.all())
 
 
+ENDS = ("free", "clamped", "clamped start", "clamped end", "periodic", "held")
+
+
 @dataclass(frozen=True, eq=False)
 class Timeline:
     """Frames in order of time, with the end conditions of their spline.
@@ -120,8 +123,9 @@ class Timeline:
         end_slope: y' at the first and the last frame [state/s], (2, N); the start of the search where the slopes are
             free. For periodic ends, the jumps of y' and y'' from the end to the start: zero except for entries that
             the seam turns and for quaternions that return as −q.
-        ends: "free": both end slopes are unknowns. "clamped": they are `end_slope`. "periodic": the last frame repeats
-            the first, its free roots moved and turned as in the two frames, and the curve is C² across the seam.
+        ends: "free": both end slopes are unknowns. "clamped": they are `end_slope`. "clamped start", "clamped end":
+            one of them is; the other is an unknown. "periodic": the last frame repeats the first, its free roots moved
+            and turned as in the two frames, and the curve is C² across the seam.
             "held": y, y' and y'' of both ends are fixed; the adjacent variable frames depend on the other rows.
     """
 
@@ -146,12 +150,17 @@ class Timeline:
         object.__setattr__(self, "end_slope", frozen(self.end_slope))
         if self.end_slope.shape != (2, self.width):
             raise TimelineError(f"end_slope has shape {self.end_slope.shape}, not (2, {self.width})")
-        if self.ends not in ("free", "clamped", "periodic", "held"):
-            raise TimelineError(f"ends = {self.ends!r}: not one of 'free', 'clamped', 'periodic', 'held'")
+        if self.ends not in ENDS:
+            raise TimelineError(f"ends = {self.ends!r}: not one of {', '.join(map(repr, ENDS))}")
         if self.ends == "held" and not (
             len(self.frames) > 3 and self.frames[1].is_variable and self.frames[-2].is_variable
         ):
             raise TimelineError("held ends need a variable frame next to each end")
+
+    @property
+    def free_slopes(self) -> tuple[bool, bool]:
+        """Whether the slopes at the start and at the end are unknowns."""
+        return self.ends in ("free", "clamped end"), self.ends in ("free", "clamped start")
 
     @property
     def width(self) -> int:

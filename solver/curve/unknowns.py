@@ -119,7 +119,7 @@ def _loose(figure: Figure, timeline: Timeline) -> Mask:
     np.logical_not(timeline.fixed, out=loose[:-2])
     for columns in figure.tables.quaternion_columns.T:
         loose[:-2, columns] = loose[:-2, columns].any(axis=1, keepdims=True)
-    loose[-2:] = timeline.ends == "free"
+    loose[-2:] = np.array(timeline.free_slopes)[:, None]
     if timeline.ends == "periodic":
         loose[-3] = False
     if timeline.ends == "held":
@@ -241,8 +241,8 @@ def raw_timeline(
     Args:
         figure: The figure.
         keys: Keyframes that hold *qpos* and the fixed mask, in order of time.
-        ends: "free", "clamped" or "periodic", see `Timeline`.
-        end_slope: The slopes of clamped ends, (2, N).
+        ends: "free", "clamped", "clamped start", "clamped end" or "periodic", see `Timeline`.
+        end_slope: The slopes of clamped ends, (2, N); the row of a free end is ignored.
         travel: Displacement of a loop's root over one period, (3,) [m]; None: x and y from the keyframes.
         turn: Rotation of a loop's root about the vertical over one period [rad]; None: from the keyframes.
 
@@ -294,8 +294,9 @@ def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, clam
     times = np.array([frame.time for frame in keys])
     if ends == "periodic":
         return Seam.between(figure, states[0], states[-1]).jumps(Spline(times, ends), states)
-    if ends != "clamped":
-        return natural_end_slopes(times, states)
+    natural = natural_end_slopes(times, states)
+    if not ends.startswith("clamped"):
+        return natural
     shape = None if clamped is None else np.shape(clamped)
     if clamped is None or shape != (2, figure.width):
         raise TimelineError(f"clamped ends need end_slope of shape (2, {figure.width}), not {shape}")
@@ -303,7 +304,9 @@ def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, clam
     rest = np.array(figure.model.qpos0)
     as_given = [figure.to_state(np.where(keys[i].known, keys[i].state, rest)) for i in (0, -1)]
     signs = [sameness(figure, a, b) for a, b in zip(as_given, states[[0, -1]], strict=True)]
-    return np.asarray(clamped, float) * signs
+    slopes = np.asarray(clamped, float) * signs
+    free = Timeline(tuple(keys), slopes, ends).free_slopes
+    return np.where(np.array(free)[:, None], natural, slopes)
 
 
 def bases(figure: Figure, states: Array, link: Link) -> Array:

@@ -157,7 +157,7 @@ class Recorded:
         Σ max(0, excess − 1)² (len(sets),), of splines through REACH + MARGIN keyframes on either side, with the signs
         of the recording; see `excess` for the definition. The sets have one length.
         """
-        if self.ends == "clamped":
+        if self.ends.startswith("clamped"):
             over = [self.excess(self.spline(self.frames(selection))) - 1 - FINE for selection in sets]
             return np.sum(np.maximum(over, 0) ** 2, axis=1)
         chosen, last = np.array(sets), len(self.times) - 1
@@ -215,7 +215,7 @@ class Recorded:
 
     def spline(self, keys: Sequence[Frame]) -> Timeline:
         """The raw spline through keyframes, with the recording's ends."""
-        slope = np.zeros((2, self.figure.width)) if self.ends == "clamped" else None
+        slope = np.zeros((2, self.figure.width)) if self.ends.startswith("clamped") else None
         travel, turn = (self.travel, self.turn) if self.ends == "periodic" else (None, None)
         return raw_timeline(self.figure, list(keys), self.ends, slope, travel, turn)
 

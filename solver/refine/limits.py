@@ -172,9 +172,8 @@ def _cardinal(timeline: Timeline, column: int, violation: _Violation) -> Array:
         rows = [row for row in rows if row[0] not in (0, count - 1)]
         if free[[0, -1]].any() and not timeline.fixed[[0, -1], column].any():
             rows.append([0, count - 1])
-    if timeline.ends == "free":
-        near = begin < times[0], end > times[-1]
-        rows += [[count + side] for side, is_near in enumerate(near) if is_near]
+    near = begin < times[0], end > times[-1]
+    rows += [[count + side] for side in (0, 1) if near[side] and timeline.free_slopes[side]]
     unit = np.zeros((count + 2, len(rows)))
     for k, row in enumerate(rows):
         unit[row, k] = 1.0

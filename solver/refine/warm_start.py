@@ -57,9 +57,9 @@ def warm_start(
     key_at = {key.time: key for key in before}
     qpos = figure.to_qpos(was)
     warm = [_warm(key, key_at.get(key.time), pose) for key, pose in zip(keys, qpos, strict=True)]
-    slope = None if raw.ends == "free" else raw.end_slope
-    start = raw_timeline(figure, warm, raw.ends, slope if raw.ends == "clamped" else None, travel, turn)
-    start = Timeline(start.frames, raw.end_slope, raw.ends) if raw.ends == "clamped" else start
+    is_clamped = raw.ends.startswith("clamped")
+    start = raw_timeline(figure, warm, raw.ends, raw.end_slope if is_clamped else None, travel, turn)
+    start = Timeline(start.frames, raw.end_slope, raw.ends) if is_clamped else start
     signs = _signs(figure, start.states, was)
     inner = np.sort(_stretched(found.times[~found.fixed.any(axis=1)], old_times, new_times))
     inner = _placed(times, inner)
@@ -67,8 +67,8 @@ def warm_start(
     frames = Frame.many(inner, states, np.zeros(states.shape, bool))
     posed = [replace(frame, posed=of.posed) for frame, of in zip(start.frames, raw.frames, strict=True)]
     slopes = np.array(start.end_slope)
-    if raw.ends == "free":
-        slopes = np.array(found.end_slope) * signs[[0, -1]]
+    free = np.array(raw.free_slopes)[:, None]
+    slopes = np.where(free, np.array(found.end_slope) * signs[[0, -1]], slopes)
     return Timeline(tuple(posed), slopes, raw.ends).inserted(frames)
 
 

@@ -153,7 +153,7 @@ def test_without_renormalisation_it_is_the_weighted_sum_of_integrals(figure, rng
     np.testing.assert_allclose(w @ objective.density(objective.samples(raw, t)), expected, rtol=1e-12)
 
 
-@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+@pytest.mark.parametrize("ends", ["free", "clamped", "clamped start", "clamped end", "periodic"])
 @pytest.mark.parametrize("kind", ["gauss", "uniform"])
 def test_the_gradient_of_a_whole_clip_with_partial_keyframes_has_taylor_slope_two(figure, rng, ends, kind):
     timeline = clip(figure, rng, ends)

@@ -28,7 +28,7 @@ def tiny_clip(rng: np.random.Generator, ends: str, coordinates: str, *, partial:
     keys = random_keys(figure, rng, masks)
     if ends == "periodic":
         keys[-1] = Frame.key(TIMES[-1], keys[0].state)
-    slope = rng.normal(size=(2, figure.width)) if ends == "clamped" else None
+    slope = rng.normal(size=(2, figure.width)) if ends.startswith("clamped") else None
     return raw_timeline(figure, keys, ends, slope)
 
 

@@ -48,5 +48,5 @@ def clip(figure: Figure, rng: np.random.Generator, ends: str = "free") -> Timeli
     keys = random_keys(figure, rng, {1: mask_without(figure, joint, "root x"), 2: mask_without(figure, "root turn")})
     if ends == "periodic":
         keys[-1] = Frame.key(TIMES[-1], keys[0].state)
-    slope = rng.normal(size=(2, figure.width)) if ends == "clamped" else None
+    slope = rng.normal(size=(2, figure.width)) if ends.startswith("clamped") else None
     return raw_timeline(figure, keys, ends, slope)

@@ -32,7 +32,7 @@ def test_a_clip_between_standing_poses_begins_and_ends_at_rest_and_says_so():
 
 def test_a_pose_that_repeats_its_neighbour_is_at_rest_in_the_air_too():
     assert clip(ALOFT, ALOFT, ALOFT).ends == "clamped"
-    assert clip(ALOFT + RAISED, ALOFT, ALOFT).ends == "free"
+    assert clip(ALOFT + RAISED, ALOFT, ALOFT).ends == "clamped end"
 
 
 @pytest.mark.parametrize("ends", ["free", "clamped"])
@@ -43,6 +43,28 @@ def test_the_text_decides(ends):
     assert (end_speeds(found).max() < 1e-9) == (ends == "clamped")
 
 
-@pytest.mark.parametrize("bodies", [(ALOFT, "", ""), ("", "", ALOFT), ("root.position = [-0.5, 0, 0.9]\n", RAISED, "")])
-def test_an_end_that_moves_or_is_in_the_air_is_free(bodies):
-    assert clip(*bodies).ends == "free"
+@pytest.mark.parametrize(
+    ("bodies", "ends"),
+    [
+        ((ALOFT, "", ""), "clamped end"),
+        (("", "", ALOFT), "clamped start"),
+        (("root.position = [-0.5, 0, 0.9]\n", RAISED, RAISED), "clamped end"),
+        ((ALOFT + RAISED, ALOFT, "root.position = [0, 0, 1.4]\n"), "free"),
+    ],
+)
+def test_an_end_that_moves_or_is_in_the_air_is_free(bodies, ends):
+    found = clip(*bodies)
+    assert found.ends == ends
+    at_rest = end_speeds(found) < 1e-9
+    assert at_rest.tolist() == [ends == "clamped start", ends == "clamped end"]
+    assert any("ends = 'free'" in note for note in found.notes) == at_rest.any()
+
+
+def test_the_text_may_set_one_end():
+    found = clip(ALOFT + RAISED, ALOFT, "root.position = [0, 0, 1.4]\n", f'{HEAD}[solve]\nends = "clamped start"\n')
+    assert (end_speeds(found) < 1e-9).tolist() == [True, False]
+
+
+def test_a_walk_that_begins_on_both_feet_travels_on():
+    """Both feet of this clip are planted at its first keyframe, and the body moves over them."""
+    assert load.load("walk_and_turn").ends == "free"
