@@ -117,8 +117,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         table.SolveTable,
         {
             "coordinates": "of the spline: quaternions of bodies in the world, or of joints",
-            "ends": "of the spline: free; at rest at both ends or at one, the default where the figure stands on all feet or "
-            "repeats the neighbouring keyframe; or a loop's",
+            "ends": "of the spline: free; at rest at both ends or at one, the default where the figure stands on all "
+            "feet or repeats the neighbouring keyframe; or a loop's",
             "travel": "m, displacement of a loop's root per period; default: that of the keyframes",
             "turn": "degrees, rotation of a loop's root per period; default: that of the keyframes",
             "variable": "initial number of variable frames between two keyframes",
