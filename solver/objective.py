@@ -1,7 +1,7 @@
 """The objective E(Y) = Σ_j α_j ∫ f_j dt (eq. 1), renormalised by the raw spline's integrals (eq. 7), and its gradient.
 
-Equation 7 read pointwise divides by zero at every keyframe; here each term is divided by its own integral over the raw
-spline, once, and the factors stay through all rounds of subdivision.
+A pointwise reading of equation 7 divides by zero at every keyframe. Here each term f_j is divided by its integral over
+the raw spline. The factors are computed once and do not change with subdivision.
 """
 
 from __future__ import annotations
@@ -23,19 +23,26 @@ from .penalty import Block, Dense, Penalty
 from .penalty.block import summed
 from .penalty.penalty import instants_of
 
-LONG, TENSION_POWER, MAX_TENSION = 0.25, 4.0, 8.0  # [s] between keyframes, beyond which tension rises, see `tension`
-SMALL_SHARE = 0.01  # of the clip: a violation of 1 cm over so much of it is the unit of a term that is nearly nought
-# share of the clip, times its mean there, least share: see _typical
+# see `tension`: LONG [s] time between keyframes from which tension rises; exponent of the rise; upper limit of tension
+LONG, TENSION_POWER, MAX_TENSION = 0.25, 4.0, 8.0
+SMALL_SHARE = 0.01  # [1] share of the clip's length in the smallest divisor of a term, see `renormalised`
+# [1] see `_typical`: percentile of segment means, cap in multiples of that percentile, smallest share of an integral
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
-HEAVY = 10.0  # relative to the cost of the raw spline: E above it is dominated by gross violations
-NODES = 4  # per span, of integrals by segments
-RUN = 400
-RUN_ENTRIES = 8000  # samples times columns at once, whose arrays stay in cache
+HEAVY = 10.0  # [1] multiple of the raw spline's cost; above this multiple, gross violations dominate E
+NODES = 4  # [1] number of quadrature nodes per span in `segment_integrals`
+RUN = 400  # [1] smallest number of samples in a run
+RUN_ENTRIES = 8000  # [1] samples times columns of a run, small enough for its arrays to fit in the processor's cache
 
 
 @dataclass(frozen=True)
 class Term:
-    """One soft constraint with its weight α_j, and the factor α_j / ∫ f_j,raw that multiplies f_j."""
+    """One soft constraint f_j of the objective.
+
+    Attributes:
+        penalty: The soft constraint.
+        weight: Its weight α_j [1].
+        factor: The multiplier of f_j in the objective: α_j, or α_j / ∫ f_j,raw after renormalisation.
+    """
 
     penalty: Penalty
     weight: float
@@ -48,10 +55,10 @@ class Objective:
 
     Attributes:
         figure: The figure.
-        terms: The soft constraints with their weights and factors.
+        terms: The soft constraints, with their weights and factors.
         quadrature: The quadrature rule of the integral.
-        heavy: The upper limit of E in relative tolerances, so that gross violations do not make the search inexact.
-        key_times: The times of the keyframes between which tension acts, (K,) [s]; None: it is 1 everywhere.
+        heavy: Upper limit of E in relative tolerances, so that gross violations do not loosen the tolerances.
+        key_times: Times of the keyframes, (K,) [s], from which tension is computed; None: the tension is 1 everywhere.
     """
 
     figure: Figure
@@ -68,7 +75,7 @@ class Objective:
         *,
         quadrature: Quadrature | None = None,
     ) -> Objective:
-        """Return the objective of penalties with their weights, not renormalised (eq. 1).
+        """Return the objective (eq. 1) of pairs of penalty and weight, without renormalisation.
 
         Raises:
             ValueError: A weight is negative or not finite.
@@ -80,15 +87,23 @@ class Objective:
         return cls(figure, terms, quadrature or Quadrature())
 
     def renormalised(self, raw: Path, initial_guess: Path | None = None) -> Objective:
-        """Eq. 7: every term divided by its integral over the raw path.
+        """Return the objective with every term divided by its integral over the raw path (eq. 7).
 
-        initial_guess  a path near the optimum, where one is known: a term that costs more on it than on the raw path,
-             and is no violation, is divided by its integral there
+        The divisor of a term is limited to an interval:
 
-        A term that is (nearly) zero there is divided by its value for a violation of 1 cm (1°) over 1 % of the clip;
-        and a violation by no more than that of 1 cm (1°) over the whole clip, for a raw path that is deep in the floor
-        must not make the floor soft. Nor must one jerk make all of the clip soft: segments that are violent beside the
-        others count as less, see `_typical`.
+        - Lower limit, for terms that are nearly zero on the raw path: the integral of the penalty's reference value
+          (1 cm or 1°) over 1 % of the clip.
+        - Upper limit of a violation: the integral of the reference value over the whole clip. A raw path deep in the
+          floor therefore does not make the floor soft.
+        - Upper limit of any other term: `raw_cap` of its normalization times the length of the clip.
+
+        Segments with exceptionally large costs contribute only in part, see `_typical`. Terms with `normalize_by` use
+        the divisor of another term.
+
+        Args:
+            raw: The raw spline.
+            initial_guess: A path near the optimum, if one is available. Terms other than violations are divided by the
+                larger of their integrals over the two paths.
         """
         integrals = self._typical(raw, self.integrals(raw))
         if initial_guess is not None:
@@ -115,12 +130,12 @@ class Objective:
 
     @property
     def raw_cost(self) -> float:
-        """The cost of motion on the raw spline: the sum of weights of the terms divided by their own integral there."""
+        """The cost of the raw spline [1]: the sum of the weights of the terms in `measured`."""
         return sum(term.weight for term in self.measured)
 
     @property
     def measured(self) -> tuple[Term, ...]:
-        """The terms that are divided by their own integrals over the raw spline."""
+        """The terms whose divisor is their own integral over the raw spline, without violations."""
         return tuple(
             t
             for t in self.terms
@@ -128,10 +143,10 @@ class Objective:
         )
 
     def _typical(self, raw: Path, integrals: Array) -> Array:
-        """Integrals (terms,) over the raw path with what its violent segments have too much taken off.
+        """Return the integrals of the terms over the raw path, with outlying segments capped, (terms,).
 
-        A term's mean over a segment counts up to four times what it stays below in four fifths of the time; but a
-        tenth of the integral is left at least.
+        Violations are not changed. For any other term, the mean over each segment between knots is capped at four times
+        the 80th percentile of all segment means, weighted by time. The result is at least a tenth of the integral.
         """
         times = np.asarray(raw.spline.times)
         costs = [i for i, term in enumerate(self.terms) if not term.penalty.normalization.is_violation]
@@ -149,11 +164,11 @@ class Objective:
         return typical
 
     def tension(self, t: Array) -> Array:
-        """Return how much keyframes around times t (S,) [s] are farther apart than those that specify motion, (S,).
+        """Return the tension at times t (S,) [s], (S,) [1].
 
-        It is 1 up to LONG, and rises from there with the fourth power of the time between the keyframes. Few keyframes
-        specify little about accelerations: their cost fades, so that a joint does not swing far out between them, see
-        `Normalization.by_tension`.
+        The tension is 1 where neighbouring keyframes are at most LONG apart. Beyond LONG, it rises with the fourth
+        power of the time between them, up to MAX_TENSION. Distant keyframes specify accelerations poorly, so
+        acceleration terms are weighted down and joints do not overshoot, see `Normalization.by_tension`.
         """
         if self.key_times is None:
             return np.ones(t.size)
@@ -162,13 +177,20 @@ class Objective:
         return ((gaps / LONG) ** TENSION_POWER).clip(1.0, MAX_TENSION)
 
     def factor(self, term: Term, t: Array) -> Array:
-        """Return what multiplies f_j of a term at times t (S,) [s], (S,)."""
+        """Return the multiplier of f_j of a term at times t (S,) [s], including tension, (S,)."""
         power = term.penalty.normalization.by_tension
         return term.factor * (self.tension(t) ** power if power else np.ones(t.size))
 
     def nodes(self, times: Array) -> tuple[Array, Array, Array]:
-        """For a spline with knots at `times`: sample times (S,) [s], rising, their weights in an integral (S,) and in
-        every term (terms, S): the instants of momentary terms are samples too, which count there and nowhere else."""
+        """Return the samples of a spline with knots at `times` [s].
+
+        Terms that are evaluated only at given instants add these instants to the samples. An instant has the weight 1
+        in these terms and 0 in all others.
+
+        Returns:
+            The sample times (S,) [s] in ascending order, their weights in an integral (S,) [s], and their weights in
+            every term (terms, S), which include tension.
+        """
         t, w = self.quadrature.nodes(times)
         instants_by_term = [instants_of(term.penalty) for term in self.terms]
         instants = np.unique(np.concatenate([*instants_by_term, np.zeros(0)]))
@@ -186,11 +208,13 @@ class Objective:
         return t, w, weights_by_term
 
     def integrals(self, path: Path, times: Array | None = None) -> Array:
-        """Return ∫ f_j dt of every term, Σ f_j of momentary ones, without weight or factor, (terms,).
+        """Return ∫ f_j dt of every term without weight or factor, (terms,).
+
+        For terms that are evaluated only at given instants, Σ f_j over the instants replaces the integral.
 
         Args:
             path: The path.
-            times: The edges of the spans to sum over [s]; None: the path's own frames.
+            times: The edges of the integration spans [s]; None: the knots of the path.
         """
         t, _, w = self.nodes(path.spline.times if times is None else times)
         out = np.zeros(len(self.terms))
@@ -204,11 +228,11 @@ class Objective:
         return Samples(self.figure, *path.motion(t), t=t)
 
     def value(self, path: Path, times: Array | None = None) -> float:
-        """Return E of a path, summed over the spans between `times` [s], or between its own frames."""
+        """Return E of a path, integrated over the spans between `times` [s]; None: between its knots."""
         return float(sum(term.factor * v for term, v in zip(self.terms, self.integrals(path, times), strict=True)))
 
     def density(self, samples: Samples) -> Array:
-        """Return Σ_j factor_j f_j at every sample, (S,)."""
+        """Return the integrand Σ_j factor_j f_j at every sample, (S,)."""
         values, first = np.zeros(samples.count), 0
         for part in samples.parts(run_of(self.figure)):
             for term in self.terms:
@@ -233,9 +257,9 @@ class Objective:
 
 
 def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
-    """Return every term's contribution to E between neighbouring times, (segments, terms).
+    """Return every term's contribution to E between neighbouring times [s], (segments, terms).
 
-    An instant at an edge belongs to the following segment, at the end to the last one.
+    An instant at an edge belongs to the following segment; an instant at the end of the path to the last segment.
     """
     knots = np.asarray(path.spline.times)
     knots = knots[(knots >= times[0]) & (knots <= times[-1])]
@@ -258,13 +282,19 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
 
 
 def run_of(figure: Figure) -> int:
-    """Return the number of samples evaluated at once, so few that their arrays fit in the cache."""
+    """Return the number of samples in a run, small enough for its arrays to fit in the processor's cache."""
     return max(RUN, RUN_ENTRIES // figure.width)
 
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """A run of evaluated samples with every term's residuals there; None for a term without residual blocks."""
+    """A run of evaluated samples.
+
+    Attributes:
+        piece: The sampling of the run.
+        samples: The figure's motion at the samples.
+        blocks: The residual blocks of every term; None for a term without them.
+    """
 
     piece: Piece
     samples: Samples
@@ -273,7 +303,13 @@ class Seen:
 
 @dataclass(frozen=True)
 class Evaluation:
-    """E at one x: its value, its gradient (n,), and the contributions of terms by name."""
+    """E at one x.
+
+    Attributes:
+        value: E.
+        gradient: dE/dx, (n,).
+        parts: The contribution of every term to E, by the name of its penalty.
+    """
 
     value: float
     gradient: Array
@@ -283,12 +319,16 @@ class Evaluation:
 class Discretised:
     """E(x) for one timeline, with the spline factorised and the samples and unknowns prepared once.
 
-    The samples are evaluated in runs (see `run_of`) whose arrays fit in the processor's cache, so that a sample of a
-    long clip costs no more than one of a short clip.
+    The samples are evaluated in runs, see `run_of`. The cost per sample therefore does not grow with the clip's length.
 
     Attributes:
-        weights: The weights of the samples in an integral, (S,).
-        instants: The momentary terms, each with the sampling of its own times.
+        objective: The objective E.
+        timeline: The timeline whose unknowns are x.
+        spline: The spline through the timeline.
+        unknowns: The map between x (n,) and the spline's rows.
+        weights: The weights of the samples in an integral, (S,) [s].
+        sampling: The sampling of the spline at all samples.
+        instants: The terms that are evaluated only at given instants, each with the sampling of these instants.
     """
 
     def __init__(self, objective: Objective, timeline: Timeline) -> None:
@@ -309,7 +349,7 @@ class Discretised:
         self._shares = [factors * weights_by_term[:, piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
-        """Return the path for unknowns x (n,)."""
+        """Return the path of unknowns x (n,)."""
         return Path(self.spline, self.unknowns.rows(x))
 
     def __call__(self, x: Array) -> Evaluation:
@@ -328,7 +368,7 @@ class Discretised:
         return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)
 
     def seen(self, x: Array) -> Sequence[Seen]:
-        """Return the evaluated samples at x (n,), from the last evaluation if it was at the same x."""
+        """Return the evaluated samples at x (n,), reusing those of the last evaluation if x is the same array."""
         if self._last is None or self._last[0] is not x:
             coefficients = self.sampling.coefficients(self.unknowns.rows(x))
             return [self._seen(coefficients, piece) for piece in self._pieces]
@@ -342,7 +382,7 @@ class Discretised:
 def _valued(
     term: Term, samples: Samples, blocks: Sequence[Block | Dense] | None, into: Cotangent, share: Array
 ) -> Array:
-    """Return f of a term at every sample, (S,), and add the gradient of Σ share f to `into`."""
+    """Return f of a term at every sample, (S,), and add the gradient of Σ share · f over the samples to `into`."""
     if blocks is None:
         return term.penalty.evaluate(samples, into, share)
     return summed(blocks, samples, into, share)

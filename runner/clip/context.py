@@ -1,4 +1,4 @@
-"""The inputs of soft constraints, from keyframes and tables: soles, contacts, holds, flights, a cycle."""
+"""The inputs of soft constraints, computed from keyframes and tables: soles, contacts, holds, flights, gait cycle."""
 
 from __future__ import annotations
 
@@ -42,10 +42,10 @@ from .posing.feet import sole_points
 from .posing.places import Places
 from .table import ContactTable, HoldTable
 
-FAR_APART = 0.4  # [s] between keyframes, in which a figure takes a step
-STEP = 0.2  # of the height of a figure: how far a foot moves in one
-TRAVELS = 0.5  # [m/s] horizontal speed of a root from one keyframe to the next: half of a walk's
-REPEATED = 1e-3  # [m] and of a quaternion's entries (0.1°): a keyframe that differs by less repeats its neighbour
+FAR_APART = 0.4  # [s] shortest time between keyframes that is long enough for a step
+STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
+TRAVELS = 0.5  # [m/s] horizontal speed of a travelling root between keyframes: half the speed of a walk
+REPEATED = 1e-3  # [m, 1] largest difference between equal keyframes; 1e-3 in a quaternion's entry is about 0.1°
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
 
@@ -53,12 +53,18 @@ KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 class Context:
     """The inputs of soft constraints.
 
-    where     how errors call the clip
-    points    of the soles, or the sites that the clip names for `collision`
-    bends     knees and elbows on ball joints, or those that the clip names for `limits`
-    contacts  that the clip gives;  holds, too;  placed, the points that it leaves to the search to place
-    support   what carries the figure when, for one that moves freely
-    gait_cycle  the cycle that the keyframes are parts of, if they are
+    Attributes:
+        figure: The figure.
+        keys: The keyframes.
+        surfaces: The surfaces of the scene.
+        where: The name of the clip in error messages.
+        points: The contact points: those of the soles, or the sites listed for `collision`.
+        bends: The knees and elbows on ball joints: all, or those listed for `limits`.
+        contacts: The contacts in the clip's [[contact]] tables.
+        holds: The grasps in the clip's tables.
+        placed: The points that the solver moves to target positions.
+        support: The support schedule (stances and flights) of a figure with a free joint; None for other figures.
+        gait_cycle: The gait cycle of the keyframes; None if they form none.
     """
 
     figure: Figure
@@ -84,7 +90,7 @@ class Context:
         tables: Sequence[ContactTable] = (),
         held: Sequence[HoldTable] = (),
     ) -> Context:
-        """What keyframes and tables specify, independent of the [[penalty]] tables."""
+        """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
         whole = [frame.state for frame in keys.frames if frame.fixed.all()]
         points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
         given_contacts = contacts(figure, keys, tables, where, points, surfaces)
@@ -105,8 +111,8 @@ class Context:
     def is_stationary_at_ends(self) -> tuple[bool, bool]:
         """Whether the figure is stationary at the first and at the last keyframe.
 
-        It is if the keyframe repeats its neighbour, or if all feet are planted and the root does not travel. Other ends
-        than free ones, and partial keyframes there, are not stationary.
+        An end is stationary if its keyframe equals the neighbouring keyframe, or if all feet are planted and the root
+        moves slower than TRAVELS. Both are False unless the clip has free ends. A partial keyframe is never stationary.
         """
         keys = self.keys
         if keys.ends != "free":
@@ -129,7 +135,7 @@ class Context:
 
     @property
     def lacking(self) -> list[str]:
-        """Notes on features that figures commonly have and this one lacks."""
+        """Notes on common features that the figure or its scene lacks."""
         lines: list[str] = []
         if not self.surfaces:
             lines.append("no static geom found: nothing to stay out of")
@@ -141,9 +147,10 @@ class Context:
 
     @property
     def lost_steps(self) -> list[str]:
-        """A note on neighbouring keyframes with steps between them that the motion will not have.
+        """A note on pairs of neighbouring keyframes that imply steps which the motion will lack.
 
-        Every foot moves along the ground from one to the other, outside flights, and the keyframes form no gait cycle.
+        In such a pair, both keyframes are complete and touch the ground, every foot has moved by more than a step, and
+        no flight is between them. There is no note if the keyframes form a gait cycle.
         """
         keys, support = self.keys, self.support
         if support is None or self.gait_cycle is not None or not self.points:
@@ -168,12 +175,12 @@ class Context:
 
     @property
     def is_free(self) -> bool:
-        """Whether the figure may move about on a ground."""
+        """Whether the figure has a free joint."""
         return bool(self.figure.tables.free_links.size)
 
     @cached_property
     def grasped(self) -> tuple[int, ...]:
-        """The links that hands hold."""
+        """The indices of the links of grasped objects."""
         return tuple(grasped_links(self.figure, self.holds))
 
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
@@ -182,32 +189,32 @@ class Context:
 
     @property
     def flies(self) -> bool:
-        """Whether there are flights: who runs has feet on the ground for a short while only, between keyframes."""
+        """Whether the support schedule contains flights, as in running, where stances are short."""
         return self.support is not None and bool(self.support.flights)
 
     @cached_property
     def stances(self) -> tuple[Stance, ...]:
-        """The stances inferred from keyframes, except for points that the clip's contacts already cover."""
+        """The stances inferred from keyframes, without those that overlap contacts of the clip."""
         inferred = stances(self.figure, self.keys, self.points, self.surfaces)
         return tuple(stance for stance in inferred if not self.contacts.overlaps(stance))
 
     @cached_property
     def held_joints(self) -> tuple[Range, ...]:
-        """The joints that neighbouring keyframes hold at one value and that the raw spline would swing."""
+        """Ranges that keep joints constant between equal keyframes, where the raw spline does not."""
         aloft = () if self.support is None else self.support.flights
         repeats = self.keys.ends == "periodic" or self.gait_cycle is not None
         return steady(self.figure, self.keys, repeats=repeats, aloft=aloft)
 
     @property
     def resting_objects(self) -> tuple[Stance, ...]:
-        """Position of carried objects before and after they are grasped."""
+        """The stances of grasped objects before and after the grasp."""
         return resting_objects(
             self.figure, self.keys, [link for link in self.grasped if self.figure.links[link].parent == 0]
         )
 
     @property
     def leans(self) -> tuple[Lean, ...]:
-        """The trunk's tilt in the poses before placing."""
+        """The tilt of every trunk in the keyframes."""
         roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.grasped]
         root = self.figure.root
         if root is not None and not root.is_free:
@@ -215,8 +222,15 @@ class Context:
         return leans(self.figure, self.keys, roots)
 
     def carried_when(self, intervals: Sequence[tuple[float, float]] | None, asked: bool) -> Support | None:
-        """The support schedule: the flights given in the clip, else those inferred from its keyframes; for the tree
-        of one free joint, whatever else moves freely."""
+        """Return the support schedule of the kinematic tree below one free joint; None without a free joint.
+
+        Args:
+            intervals: The flights given in the clip [s]; None: they are inferred from the keyframes.
+            asked: Whether the clip requests `flight`. Without surfaces, the whole clip is then one flight.
+
+        Raises:
+            UserError: A flight is not an interval of the clip.
+        """
         figure, keys = self.figure, self.keys
         if not figure.tables.free_links.size:
             return None
@@ -242,14 +256,20 @@ class Context:
         return Support.of(figure, root, carriers, aloft)
 
     def cycle(self, period: float | None, asked: bool) -> GaitCycle | None:
-        """The clip's cycle: with the given period, or inferred from keyframes, and then only if it is unambiguous."""
+        """Return the gait cycle of the keyframes; None if they form none.
+
+        Args:
+            period: The period [s] given in the clip; None: the period is inferred.
+            asked: Whether the clip requests a cycle. If not, a cycle is inferred only if it is unambiguous. If so and
+                no period is given, the likeliest cycle is used.
+        """
         gait = Gait(self.figure, self.keys, self.points, self.surfaces)
         if not asked:
             return gait.infer()
         return gait.likeliest() if period is None else gait.with_period(period)
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
-        """Points by name. Raises UserError for unknown names."""
+        """Return the points with these names. Raises UserError for unknown names."""
         places, result = Places(self.figure, self.points), list[Point]()
         for name in names:
             point = places.point(name)
@@ -259,7 +279,7 @@ class Context:
         return tuple(result)
 
     def limbs(self, names: Sequence[str]) -> tuple[Bend, ...]:
-        """Knees and elbows by the name of their joint. Raises UserError for unknown names."""
+        """Return the knees and elbows on joints with these names. Raises UserError for unknown names."""
         bends = {bend.name: bend for bend in self.bends}
         for name in names:
             if name not in bends:
@@ -268,7 +288,7 @@ class Context:
 
 
 def knees_and_elbows(figure: Figure) -> list[Bend]:
-    """Ball joints that are knees or elbows by their own name or their body's, of a figure that faces x."""
+    """Return the ball joints named as knees or elbows, or on bodies so named, of a figure that faces x."""
     bends, rest = [], _turned_at_rest(figure)
     for i, link in enumerate(figure.links[1:], start=1):
         names = f"{link.name} {figure.model.body(link.body).name}".lower()
@@ -283,7 +303,7 @@ def knees_and_elbows(figure: Figure) -> list[Bend]:
 
 
 def _turned_at_rest(figure: Figure) -> list[Array]:
-    """(4,) of every link, the world first: how it is turned in the world at rest."""
+    """Return the orientation of every link in the world in the rest pose, wxyz quaternions (4,), the world first."""
     rotations = [np.array([1.0, 0, 0, 0])]
     for link in figure.links[1:]:
         rotations.append(quat.product(rotations[link.parent], link.turn))
@@ -291,7 +311,7 @@ def _turned_at_rest(figure: Figure) -> list[Array]:
 
 
 def _principal(direction: Array) -> Array:
-    """The coordinate axis nearest to a direction: limbs hang along one at rest."""
+    """Return the coordinate axis nearest to a direction (3,). In the rest pose, limbs hang along such an axis."""
     axis = np.zeros(3)
     axis[np.argmax(np.abs(direction))] = np.sign(direction[np.argmax(np.abs(direction))])
     return axis
