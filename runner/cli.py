@@ -1,6 +1,6 @@
-"""The command `dynsplines`: its options, and the calls behind each command.
+"""The command `dynsplines`: its subcommands and their options.
 
-Modules are imported when they are used first. Annotations are objects, not text, which typer would evaluate slowly.
+Modules are imported on first use. Annotations are objects, because typer evaluates annotations in text slowly.
 """
 
 import json
@@ -22,7 +22,7 @@ from .system import exit_status
 
 
 class _Lazy:
-    """A module of this package, imported when it is used first."""
+    """A module of this package, imported on first use."""
 
     def __init__(self, name: str) -> None:
         self._name = name
@@ -91,7 +91,8 @@ class _Panels(TyperGroup):
 app = typer.Typer(
     cls=_Panels,
     help="Compute smooth motion of an articulated figure through sparse keyframes.\n\n"
-    "Begin with `dynsplines render run_and_step`. `dynsplines COMMAND --help` lists a command's options.",
+    "A clip is a file of keyframes; a motion (.npz) is its solution.\n\n"
+    "Start with `dynsplines render run_and_step`. `dynsplines COMMAND --help` lists a command's options.",
     add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
@@ -99,19 +100,19 @@ app = typer.Typer(
 
 
 def _flag(*words: str, **more: Any) -> Any:
-    """An option without a value: its names, the last word is its help."""
+    """Return an option without a value; the last of `words` is its help, the others are its names."""
     return typer.Option(*words[:-1], help=words[-1], **more)
 
 
 def _value(metavar: str, help: str, default: str | bool = True, *names: str, **more: Any) -> Any:
-    """An option; `default` is the text shown as default where the default is computed."""
+    """Return an option; `default` is the text that describes a computed default."""
     return typer.Option(*names, metavar=metavar, help=help, show_default=default, **more)
 
 
 def _number(
     metavar: str, help: str, least: float, most: float, default: str | bool = True, *names: str, kind: type = float
 ) -> Any:
-    """An option of a finite number from `least` to `most`: click's own ranges let nan through."""
+    """Return an option of a finite number from `least` to `most`; the ranges of click accept nan."""
     span = f"{least:g} to {most}" if most < math.inf else f"{least:g} or more" if least > -math.inf else ""
 
     def number(text: object) -> float:
@@ -135,7 +136,7 @@ def _output(default: str) -> Any:
 
 
 def _size(text: str) -> tuple[int, int]:
-    """Width and height [pixels] of "1280x720"."""
+    """Return width and height [pixels] from text such as "1280x720"."""
     sides = text.lower().split("x")
     if len(sides) != 2 or not all(side.isascii() and side.isdigit() and len(side) < 10 for side in sides):
         raise typer.BadParameter(f"{text}: give WIDTHxHEIGHT in pixels, such as 1280x720")
@@ -146,7 +147,7 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def _quantity(kind: str, help: str, *names: str) -> Any:
-    """An option of a length or a speed with its unit."""
+    """Return an option of a length or a speed with its unit."""
     return _value(kind.upper(), help, "none", *names, parser=lambda text: getattr(quantity, kind)(text, names[0]))
 
 
@@ -161,10 +162,12 @@ def _prepare(context: typer.Context, allow: bool) -> bool:
     return allow
 
 
-Anything = "Name of a shipped clip, a .toml or .xml file, or a motion"
+Anything = "Name of a shipped clip, or a file: clip (.toml), model (.xml) or motion"
 Source = Annotated[str, typer.Argument(metavar="CLIP|MOTION.npz", help=Anything)]
 Clip = Annotated[str, typer.Argument(metavar="CLIP", help="Name of a shipped clip, or a .toml or .xml file")]
-Recording = Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion, or a file that `import` reads")]
+Recording = Annotated[
+    Path, typer.Argument(metavar="RECORDING", help="Motion, or a recording in a format that `import` reads")
+]
 Overwrite = Annotated[bool, _flag("--overwrite", "Overwrite an existing output file")]
 Strict = Annotated[bool, _flag("--strict", "Exit with code 3 if the motion has violations")]
 NoCache = Annotated[bool, _flag("--no-cache", "--fresh", "Solve again instead of using the cached solution")]
@@ -173,23 +176,27 @@ AsJson = Annotated[bool, _flag("--json", "Print JSON")]
 SkipRest = Annotated[bool, _flag("--skip-rest", "Remove a T-pose before the motion")]
 Repeat = Annotated[int | None, _number("N", "Repeat a loop N times without a seam", 1, math.inf, "once", kind=int)]
 Rate = Annotated[float | None, _number("HZ", "Samples per second", 0.01, 100_000, "the clip's, or 30")]
-Figure = Annotated[str | None, _value("MODEL", "Figure of the recording: shipped name or MJCF file", "the file's")]
-Format = Annotated[str | None, _value("FORMAT", "Format of the recording", "by the file's ending", "--from")]
+Figure = Annotated[
+    str | None, _value("MODEL", "Figure of the recording: name of a shipped figure, or MJCF file", "the file's")
+]
+Format = Annotated[str | None, _value("FORMAT", "Format of the recording", "by the file's extension", "--from")]
 Fps = Annotated[float | None, _number("HZ", "Frames per second of the recording", 0.01, 1000, "the file's")]
-Scale = Annotated[float | None, _number("METRES", "Unit of length of the file, 0.01 for cm", 1e-6, 10**6, "inferred")]
+Scale = Annotated[float | None, _number("METRES", "Length unit of the file, e.g. 0.01 for cm", 1e-6, 10**6, "inferred")]
 Scene = Annotated[Path | None, _value("FILE", "TOML file with the [scene] of the recording", "a flat floor")]
 Within = Annotated[
     float | None,
-    _quantity("length", "Maximum displacement of limbs, such as 3cm", "--max-displacement", "--within"),
+    _quantity(
+        "length", "Largest distance limbs may move from the recording, e.g. 3cm", "--max-displacement", "--within"
+    ),
 ]
-Speed = Annotated[float | None, _quantity("speed", "Maximum joint speed, as 20rad/s or 1200deg/s", "--speed-limit")]
+Speed = Annotated[float | None, _quantity("speed", "Largest joint speed, e.g. 20rad/s or 1200deg/s", "--speed-limit")]
 Contacts = Annotated[Path | None, _value("FILE", "TOML file with [[contact]] tables", "inferred")]
-WriteMap = Annotated[bool, _flag("--write-map", "Write the inferred bone map to the file of --map")]
-Model = Annotated[str | None, _value("MODEL", "Figure of --keys: shipped name or MJCF file", "the clip's")]
+WriteMap = Annotated[bool, _flag("--write-map", "Write the inferred bone map to the file given by --map")]
+Model = Annotated[str | None, _value("MODEL", "Figure of --keys: name of a shipped figure, or MJCF file", "the clip's")]
 Keys = Annotated[str | None, _value("FILE", ".npz with time (K,) and qpos (K, nq) of --model", "the clip's")]
 Edited = Annotated[Path | None, _output("SOURCE_EDIT.npz, or .toml of a clip")]
 OverSource = Annotated[bool, _flag("--overwrite", "Allow -o to overwrite the input file")]
-Map = Annotated[Path | None, _value("FILE", "Bone map (TOML), or a shipped one: g1, human", "inferred", "--map")]
+Map = Annotated[Path | None, _value("FILE", "Bone map: TOML file, or the shipped g1 or human", "inferred", "--map")]
 
 
 def main() -> None:
@@ -198,7 +205,7 @@ def main() -> None:
 
 
 def run(command: Callable[[], int | None]) -> NoReturn:
-    """Run an app of typer, and end with its exit code or one line on its error."""
+    """Run a typer app and exit with its code; print a one-line message for an error."""
 
     def translated() -> int | None:
         try:
@@ -242,7 +249,7 @@ def new_clip(
     allow_outside: Outside = False,
 ) -> None:
     """Write a commented starting clip for a model.
-    It has the model's keyframes, or a pose and a movement. Comments list the joints, sites and options."""
+    It contains the model's keyframes; without any, a pose and a movement. Comments list joints, sites and options."""
     target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
     notes: list[str] = []
     text = starter.starter(model, target, notes.append)
@@ -267,7 +274,7 @@ def solve(
     allow_outside: Outside = False,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz).
-    Violations are printed last, worst first. Ctrl-C stops the search and saves the best motion so far."""
+    Violations are printed last, worst first. Ctrl-C stops solving and saves the best motion so far."""
     target = _target(output, f"{_name(source, model, keys)}.npz", "motion")
     with terminal.Progress() as progress:
         clip = inputs.load(source, model=model, keys=keys, fps=fps)
@@ -288,16 +295,19 @@ def render(
     source: Source = "",
     output: Annotated[Path | None, _output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
     only: Annotated[
-        Only | None, _value("before|after|keys", "Render one side, or the keyframes unsolved", "both")
+        Only | None,
+        _value("before|after|keys", "Render only the motion before or after solving, or the keyframes", "both"),
     ] = None,
-    ghosts: Annotated[bool, _flag("--ghosts", "Draw all frames into one picture, keyframes darkest")] = False,
-    size: Annotated[Any, _value("WIDTHxHEIGHT", "Size in pixels", parser=_size)] = "1280x720",
+    ghosts: Annotated[bool, _flag("--ghosts", "Draw all frames in one picture, with keyframes darkest")] = False,
+    size: Annotated[Any, _value("WIDTHxHEIGHT", "Width and height in pixels", parser=_size)] = "1280x720",
     fps: Annotated[float | None, _number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
-    camera: Annotated[str, _value("NAME", "side, left, front, three_quarter, back, or the model's")] = "side",
+    camera: Annotated[
+        str, _value("NAME", "Camera: side, left, front, three_quarter, back, or a camera of the model")
+    ] = "side",
     slow: Annotated[float, _number("FACTOR", "Slow-motion factor", 0.01, 1000)] = 1.0,
     at: Annotated[float | None, _seconds("Render a single frame at this time", "all")] = None,
     workers: Annotated[
-        int | None, _number("N", "Render processes", 1, 60, "1; without OpenGL one per core", kind=int)
+        int | None, _number("N", "Number of rendering processes", 1, 60, "1; without OpenGL one per core", kind=int)
     ] = None,
     repeat: Repeat = None,
     strict: Strict = False,
@@ -307,7 +317,7 @@ def render(
     allow_outside: Outside = False,
 ) -> None:
     """Render a clip or a motion as a video or a picture.
-    The ending of -o selects .mp4, .webm, .gif, or .png for a contact sheet. A clip is solved first."""
+    The extension of -o selects .mp4, .webm or .gif, or .png for a contact sheet. A clip is solved first."""
     target = output or Path(f"{_name(source, model, keys)}.{'png' if ghosts or at is not None else 'mp4'}")
     width, height = size
     film.check_target(target, width, height)
@@ -334,7 +344,9 @@ def studio(
     source: Annotated[str, typer.Argument(metavar="CLIP|MOTION|RECORDING|MODEL.xml", help=Anything)] = "run_and_step",
     figure: Figure = None,
     port: Annotated[int, _number("PORT", "TCP port, 0 for a free one", 0, 65535, kind=int)] = 0,
-    host: Annotated[str, _value("ADDRESS", "Address to listen on; others need --allow-remote")] = "127.0.0.1",
+    host: Annotated[
+        str, _value("ADDRESS", "Address to listen on; --allow-remote permits non-local addresses")
+    ] = "127.0.0.1",
     browser: Annotated[bool, _flag("--browser/--no-browser", "Open the page in a browser")] = True,
     allow_remote: Annotated[bool, _flag("--allow-remote", "Let other machines edit the clip and write files")] = False,
     allow_outside: Outside = False,
@@ -351,8 +363,8 @@ def studio(
 
 
 @app.command(rich_help_panel="Create")
-def clips(show: Annotated[str | None, _value("NAME", "Print the text of one, to be edited", "none")] = None) -> None:
-    """List the shipped clips, or print one."""
+def clips(show: Annotated[str | None, _value("NAME", "Print the text of this clip", "none")] = None) -> None:
+    """List the shipped clips, or print the text of one."""
     if show is None:
         print(*(f"{name:16} {line}" for name, line in models.clips().items()), sep="\n")
     elif show in models.clips():
@@ -370,7 +382,7 @@ def list_models() -> None:
 @app.command("penalties", rich_help_panel="Create")
 def list_penalties(as_json: AsJson = False) -> None:
     """List the soft constraints, their weights and options.
-    They are the [[penalty]] tables of a clip, with default weights and the units of options."""
+    A clip configures them in [[penalty]] tables. Weights are the defaults; options are listed with their units."""
     if as_json:
         print(json.dumps([kind.described() for kind in kinds.KINDS.values()], indent=2))
         return
@@ -400,7 +412,7 @@ def mirror(
 def retime(
     source: Source,
     output: Edited = None,
-    speed: Annotated[float | None, _number("FACTOR", "Speed factor, such as 1.5", -math.inf, math.inf, "none")] = None,
+    speed: Annotated[float | None, _number("FACTOR", "Speed factor, e.g. 1.5", -math.inf, math.inf, "none")] = None,
     duration: Annotated[float | None, _seconds("New duration", "none")] = None,
     overwrite: OverSource = False,
     fresh: NoCache = False,
@@ -420,7 +432,7 @@ def trim(
     fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Cut a motion to a time interval, unchanged inside it."""
+    """Keep only a time interval of a motion, without altering it."""
     _edit(files.trimmed(first, last), output, overwrite, fresh, source)
 
 
@@ -435,7 +447,7 @@ def join(
     allow_outside: Outside = False,
 ) -> None:
     """Append one motion to another, with a transition.
-    The second motion is moved to the end of the first."""
+    The second motion is translated and rotated to continue from the end of the first."""
     _edit(files.joined(transition), output, overwrite, fresh, first, second)
 
 
@@ -443,10 +455,12 @@ def join(
 def thin(
     source: Annotated[str, typer.Argument(metavar="MOTION", help="Motion (.npz), recording, or clip")],
     output: Annotated[Path | None, _output("SOURCE_thin.toml")] = None,
-    max_error: Annotated[str, _value("LENGTH", "Maximum displacement of any body or site")] = "2cm",
-    max_angle: Annotated[float, _number("DEGREES", "Maximum rotation of any body", 0, 180)] = 5.0,
-    solve: Annotated[bool, _flag("--solve", "Apply the bound to the solved motion, not to the spline")] = False,
-    exact: Annotated[bool, _flag("--exact", "Write settings that keep the spline, without a search")] = False,
+    max_error: Annotated[str, _value("LENGTH", "Largest position error of any body or site")] = "2cm",
+    max_angle: Annotated[float, _number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
+    solve: Annotated[
+        bool, _flag("--solve", "Bound the error of the solved motion instead of the spline through the keyframes")
+    ] = False,
+    exact: Annotated[bool, _flag("--exact", "Write a clip whose solution is the spline through its keyframes")] = False,
     skip_rest: SkipRest = False,
     figure: Figure = None,
     kind: Format = None,
@@ -455,8 +469,8 @@ def thin(
     fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Reduce a motion to the fewest keyframes within a bound.
-    The ending of -o selects a clip (.toml) or a motion (.npz)."""
+    """Reduce a motion to few keyframes within an error bound.
+    The extension of -o selects a clip (.toml) or a motion (.npz)."""
     recording = thin_files.ToThin(source, figure, kind, fps, fresh, skip_rest)
     bound = thin_files.bound(max_error, max_angle)
     with terminal.Progress() as progress:
@@ -473,8 +487,8 @@ def report(
     keys: Keys = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Measure a motion before and after the search.
-    Penetration, joint ranges, skate, torques, and how much a longer search could gain, at 1 kHz."""
+    """Measure a motion before and after solving.
+    Measures penetration, joint ranges, foot skate, torques and distance from the optimum, sampled at 1 kHz."""
     from rich.console import Console
 
     measured = _measured(source, model, keys, fresh).report
@@ -496,8 +510,9 @@ def plot(
     keys: Keys = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Plot charts of a motion and of its search.
-    Foot height, unit magnitude, Euler-Lagrange deviation and penalties per evaluation, as .png, .svg or .pdf."""
+    """Plot charts of a motion and of its optimization.
+    Charts: foot height, unit magnitude, Euler-Lagrange deviation, and penalties per evaluation.
+    The extension of -o selects .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
     outputs.check_target(target)
@@ -510,19 +525,19 @@ def plot(
 @app.command(rich_help_panel="Exchange")
 def export(
     source: Source,
-    to: Annotated[str | None, _value("FORMAT", "Format, see `dynsplines formats`", "by the ending of -o")] = None,
-    output: Annotated[Path | None, _output("SOURCE with the format's ending")] = None,
+    to: Annotated[str | None, _value("FORMAT", "Format, see `dynsplines formats`", "by the extension of -o")] = None,
+    output: Annotated[Path | None, _output("SOURCE with the format's extension")] = None,
     fps: Rate = None,
     columns: Annotated[
-        str, _value("COLUMNS", "Columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
+        str, _value("COLUMNS", "Extra columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
     ] = "",
-    simulate: Annotated[bool, _flag("--simulate", "For mjcf: write a scene for simulation with actuators")] = False,
+    simulate: Annotated[bool, _flag("--simulate", "With mjcf: write a scene with actuators, for simulation")] = False,
     repeat: Repeat = None,
     overwrite: Overwrite = False,
     fresh: NoCache = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Export a motion to the format of another program."""
+    """Export a motion to a format that other programs read."""
     form, options = formats.chosen(to, output), trajectory.ExportOptions(simulate, quantities.named(columns))
     formats.check_options(form, options)
     target = output or formats.target_of(formats.stem(Path(source)), form, options)
@@ -538,7 +553,9 @@ def export(
 
 @app.command("import", rich_help_panel="Exchange")
 def import_motion(
-    source: Annotated[Path, typer.Argument(metavar="FILE", help="Recorded motion of another program")],
+    source: Annotated[
+        Path, typer.Argument(metavar="FILE", help="Recorded motion, in a format of `dynsplines formats`")
+    ],
     figure: Figure = None,
     kind: Format = None,
     fps: Fps = None,
@@ -550,7 +567,7 @@ def import_motion(
     allow_outside: Outside = False,
 ) -> None:
     """Import a recorded motion and report its violations.
-    Every sample becomes a keyframe; there is no search."""
+    Every sample becomes a keyframe. The motion is not solved."""
     target = _target(output, f"{formats.stem(source)}.npz", "motion")
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is the input file; give another -o")
@@ -575,7 +592,7 @@ def list_formats() -> None:
 @app.command(rich_help_panel="Recordings")
 def clean(
     source: Recording,
-    output: Annotated[Path | None, _output("RECORDING.clean, with its ending")] = None,
+    output: Annotated[Path | None, _output("RECORDING.clean with the extension of RECORDING")] = None,
     figure: Figure = None,
     map_file: Map = None,
     write_map: WriteMap = False,
@@ -590,7 +607,7 @@ def clean(
     allow_outside: Outside = False,
 ) -> None:
     """Make a recording physically plausible.
-    Feet keep their stances, and nothing sinks, jumps or floats. The motion stays close to the recording."""
+    Removes foot skate, penetration, floating and jumps, and stays close to the recording."""
     place = _map(map_file, write_map)
     recording = clean_command.Source(
         source, figure, kind, fps, scale, scene, contacts, place, write_map, False, speed_limit
@@ -600,8 +617,8 @@ def clean(
 
 @app.command(rich_help_panel="Recordings")
 def retarget(
-    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion of a skeleton, such as BVH")],
-    to: Annotated[str, _value("MODEL", "Figure or robot, shipped or MJCF")],
+    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion of a skeleton, e.g. a BVH file")],
+    to: Annotated[str, _value("MODEL", "Target figure: name of a shipped figure, or MJCF file")],
     output: Annotated[Path | None, _output("RECORDING.MODEL.npz")] = None,
     map_file: Map = None,
     write_map: WriteMap = False,
@@ -625,16 +642,22 @@ def retarget(
 
 @app.command(rich_help_panel="Batch")
 def batch(
-    clips: Annotated[list[str] | None, typer.Argument(help="Clips, folders, patterns, or recordings")] = None,
+    clips: Annotated[list[str] | None, typer.Argument(help="Clips, recordings, folders or glob patterns")] = None,
     output: Annotated[Path, _value("DIR", "Folder for results and manifest", True, "-o", "--output")] = Path("batch"),
     listed: Annotated[str | None, _value("FILE", "More clips, one per line; - is stdin", "none", "--list")] = None,
-    workers: Annotated[int | None, _number("N", "Processes on this machine", 1, 1000, "one per core", kind=int)] = None,
-    scheduler: Annotated[str | None, _value("tcp://HOST:PORT", "Dask cluster to use instead", "none")] = None,
+    workers: Annotated[
+        int | None, _number("N", "Number of processes on this machine", 1, 1000, "one per core", kind=int)
+    ] = None,
+    scheduler: Annotated[str | None, _value("tcp://HOST:PORT", "Address of a Dask cluster to run on", "none")] = None,
     to: Annotated[str, _value("FORMAT", "npz, or one of `dynsplines formats`")] = "npz",
     fps: Rate = None,
-    limit_time: Annotated[float, _number("SECONDS", "Maximum time of a clip", 0.1, 10**6)] = 3600.0,
-    limit_memory: Annotated[float | None, _number("MB", "Maximum memory of a clip", 256, 10**7, "its share")] = None,
-    measure: Annotated[bool, _flag("--report/--no-report", "Measure motions at 1 kHz; slower than solving")] = False,
+    limit_time: Annotated[float, _number("SECONDS", "Time limit for solving each clip", 0.1, 10**6)] = 3600.0,
+    limit_memory: Annotated[
+        float | None, _number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share")
+    ] = None,
+    measure: Annotated[
+        bool, _flag("--report/--no-report", "Measure every motion at 1 kHz, which takes longer than solving")
+    ] = False,
     retry_failed: Annotated[bool, _flag("--retry-failed", "Retry clips that failed in an earlier run")] = False,
     strict: Strict = False,
     clean_all: Annotated[bool, _flag("--clean", "Clean recordings, see `dynsplines clean`")] = False,
@@ -667,7 +690,7 @@ def batch(
 
 
 def _name(source: str, model: str | None, keys: str | None) -> str:
-    """Return the stem of the output's name; raises UserError without a source."""
+    """Return the stem of the output's file name; raises UserError without a source."""
     if not source and keys is None and model is None:
         raise UserError("name a clip (see `dynsplines clips`), a file, or --model with --keys")
     return Path(source if keys is None else keys).stem or "motion"
@@ -681,7 +704,7 @@ def _measured(source: str, model: str | None, keys: str | None, fresh: bool) -> 
 
 
 def _edit(edit: "files.Edit", output: Path | None, overwrite: bool, fresh: bool, *edited: str) -> None:
-    """Apply an edit to files, and print what is written."""
+    """Apply an edit to files, and print the name of the written file."""
     with terminal.Progress() as progress:
         target, violations = files.run(list(edited), edit, output, overwrite=overwrite, fresh=fresh, progress=progress)
         _conclude(progress, target, violations, target)
@@ -700,7 +723,7 @@ def _clean(recording: "clean_command.Source", target: Path | None, within: float
 
 
 def _target(output: Path | None, name: str, kind: str, overwrite: bool = True) -> Path:
-    """Return the file to write, with the ending of `name`; raises UserError if it cannot be written."""
+    """Return the file to write, with the extension of `name`; raises UserError if it cannot be written."""
     target = output or Path(name)
     if target.suffix != Path(name).suffix:
         raise UserError(f"{target}: a {kind} file's name ends in {Path(name).suffix}")
@@ -710,7 +733,7 @@ def _target(output: Path | None, name: str, kind: str, overwrite: bool = True) -
 
 
 def _renderer() -> "graphics.Graphics":
-    """Return the renderer to use; modules without mujoco are imported while another process tries it."""
+    """Return the renderer to use; while a process tries it, import modules that do not load MuJoCo."""
     from concurrent.futures import ThreadPoolExecutor
 
     with ThreadPoolExecutor(1) as aside:
@@ -721,7 +744,7 @@ def _renderer() -> "graphics.Graphics":
 
 
 def _conclude(progress: Any, target: Path, violations: "Sequence[violation.Violation]", file: object) -> None:
-    """Print what was written, and its violations; `file` is what `dynsplines report` takes for all of them."""
+    """Print the name of the written file and its violations; `file` is the argument of the suggested `report`."""
     for line in (f"wrote {target}", *violation.lines(violations, file)):
         progress.say(line)
 
