@@ -1,9 +1,9 @@
-"""Posing: where sites are to be and how bodies are to be turned becomes a whole pose of the joints that are free.
+"""Inverse kinematics: poses that meet target positions of points and target rotations of bodies.
 
-Damped least squares (K. Levenberg 1944; D. W. Marquardt 1963) in the tangent space of MuJoCo's configurations: the
-pose nearest to a given one that meets its goals, within the joints' ranges, knees and elbows bent the right way. Goals
-and bounds have multipliers (M. R. Hestenes 1969; R. T. Rockafellar 1973), so that they are met exactly at weights that
-leave the search its way.
+The pose nearest to a given pose is computed by damped least squares (K. Levenberg 1944; D. W. Marquardt 1963) in the
+tangent space of MuJoCo's configurations. Joints stay within their ranges, and knees and elbows bend the right way.
+Goals and bounds have multipliers (M. R. Hestenes 1969; R. T. Rockafellar 1973). They are therefore met exactly at
+weights that keep the least-squares problem well conditioned.
 """
 
 from __future__ import annotations
@@ -24,33 +24,40 @@ from .figure.figure import Figure, JointKind
 from .penalty.joints.bend import ALONG, FLAT, BendLimits, bent
 from .surface.points import Point
 
-MET, EXACT = 1e-6, 1e-9  # [m, rad] a goal that is missed by no more is met; what is aimed at
-COARSE, FIRM, FIRMEST = 30.0, 1e2, 1e5  # weight of the goals beside one radian of a joint, at first, then, at most
-FIRMER = 30.0  # weight of ranges and bends relative to that of the goals
-TRUNK = 6.0  # a radian of a joint of the trunk, where limbs branch off, in radians of a limb's joint
-PER_METRE = 5.0  # a metre of the root or a slide, in the same
-STRAIGHT = 3.0  # a radian of knees and elbows sideways and twisted, in the same
-BENT = np.radians([15, 50, 90])  # how far knees and elbows are bent to begin with: a straight limb cannot shorten
-ONE_SIDED = 0.25  # share of its range from an end within which a hinge that rests there is a knee: it bends one way
-INSIDE = 1e-5  # [rad, m] how far inside its range a joint stays
-STARTS, SPREAD = 12, 0.4  # poses to begin with at most, and how far scattered ones without a range are away [rad]
-ALIKE = 2e-3  # share by which the costs of two rough poses differ that are one
-HOPELESS = 0.05  # [m, rad] by which a rough pose misses its goals where none that meets them is near
-ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
+# [m, rad] largest residual norm of a goal that counts as met; residual at which the search ends
+MET, EXACT = 1e-6, 1e-9
+# [rad/m, 1] weights of goals, relative to 1 rad of a limb joint: rough search, first round, upper limit
+COARSE, FIRM, FIRMEST = 30.0, 1e2, 1e5
+FIRMER = 30.0  # [1] weight of ranges and bend bounds, relative to the weight of goals
+TRUNK = 6.0  # [1] weight of a trunk joint (a joint with several child links), relative to a limb joint
+PER_METRE = 5.0  # [rad/m] weight of translations of the root and of slides, relative to rotations of a limb joint
+STRAIGHT = 3.0  # [1] weight of sideways and twist angles of knees and elbows, relative to rotations of a limb joint
+# [rad] smallest flexions of knees and elbows in starting poses; straight limbs have a singular Jacobian
+BENT = np.radians([15, 50, 90])
+ONE_SIDED = 0.25  # [1] a hinge bends one way if its rest value is within this share of its range from an end
+INSIDE = 1e-5  # [rad, m] margin of joints from the ends of their ranges
+STARTS, SPREAD = 12, 0.4  # [1] largest number of starting poses; [rad] standard deviation of random rotations in them
+ALIKE = 2e-3  # [1] rough poses whose costs differ by no more than this share are taken to be the same
+HOPELESS = 0.05  # [m, rad] largest residual of a rough pose that is refined further
+# [1] largest number of multiplier updates; ratio of successive residuals that counts as no progress
+ROUNDS, STALLED = 20, 0.7
+# [1] largest number of steps of a descent; initial, smallest and largest damping
 STEPS, FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e-12, 1e8
-BOLDER, MORE_CAREFUL = 5, 8  # times less damping after a step that leads down, and times more after another
-ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
-SMALLEST_STEP = 1e-11
-MOST_REMEMBERED = 1000  # poses of a figure
-SQUARED = 3e3  # weight up to which normal equations are exact enough
-UPRIGHT, UNSEEN = 1e-12, 1e-12  # sine of a tilt that has no direction; square of a row that no joint has a part in
-NARROW = 1e-9  # [rad, m] a range or a turn that is none
+# [1] divisor of damping after a step that reduces the cost; multiplier of damping after any other step
+BOLDER, MORE_CAREFUL = 5, 8
+ROUGHLY, SETTLED = 1e-3, 1e-9  # [1] relative decrease of the cost at which a descent ends: rough search, exact search
+SMALLEST_STEP = 1e-11  # [rad, m] norm of a step at which a descent ends
+MOST_REMEMBERED = 1000  # [1] largest number of cached poses of a figure
+SQUARED = 3e3  # [1] largest weight for which normal equations are accurate enough
+# [1] smallest sine of a tilt with a defined direction; smallest squared norm of a Jacobian column in damping
+UPRIGHT, UNSEEN = 1e-12, 1e-12
+NARROW = 1e-9  # [rad, m] smallest range or rotation angle in a division
 
-Part = tuple[Array, Array]  # values (k,) and their derivatives (k, n)
+Part = tuple[Array, Array]  # residuals (k,) and their Jacobian (k, n)
 
 
 class Goal(Protocol):
-    """What is to hold of a pose."""
+    """A target for a pose."""
 
     @property
     def name(self) -> str:
@@ -58,22 +65,28 @@ class Goal(Protocol):
         ...
 
     def body(self, model: mujoco.MjModel) -> int:
-        """MuJoCo's id of the body that it is about."""
+        """Return MuJoCo's id of the body that the goal applies to."""
         ...
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        """(k,) what is missing [m or rad]."""
+        """Return the residual, current minus requested value, (k,) [m or rad]."""
         ...
 
     def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        """(k, nv) how that changes with the joints."""
+        """Return the Jacobian of the residual with respect to the degrees of freedom, (k, nv)."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class PointGoal:
-    """A point fixed on a body, offset (3,) [m] in its axes, at a place in the world: position (3,) [m], NaN along the
-    axes that are free."""
+    """A target position for a point of a body.
+
+    Attributes:
+        name: The name of the point.
+        index: MuJoCo's id of the body.
+        offset: The position of the point in the body's frame, (3,) [m].
+        position: The target in the world, (3,) [m]; NaN along unconstrained axes.
+    """
 
     name: str
     index: int
@@ -82,7 +95,7 @@ class PointGoal:
 
     @classmethod
     def of(cls, figure: Figure, point: Point, position: Array | None = None) -> PointGoal:
-        """A sole point or another, at a place."""
+        """Return the goal that a point of the figure is at a position (3,) [m]; None: at the origin."""
         body = figure.links[point.link].body
         offset = quat.rotated(quat.inverse(figure.body_turn[body]), point.position - figure.body_offset[body])
         return cls(point.name, body, offset, np.zeros(3) if position is None else np.array(position, float))
@@ -91,7 +104,7 @@ class PointGoal:
         return self.index
 
     def place(self, data: mujoco.MjData) -> Array:
-        """(3,) [m] where the point is."""
+        """Return the current position of the point in the world, (3,) [m]."""
         return data.xpos[self.index] + data.xmat[self.index].reshape(3, 3) @ self.offset
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
@@ -109,9 +122,12 @@ class PointGoal:
 
 @dataclass(frozen=True, eq=False)
 class BodyGoal:
-    """The requested rotation of a body: in the world (4,) wxyz, or None for upright as at rest, the heading free.
+    """A target rotation for a body.
 
-    index  MuJoCo's id of the body; None for the one of that name
+    Attributes:
+        name: The name of the body.
+        rotation: The target in the world, a wxyz quaternion (4,); None: upright as in the rest pose, with any heading.
+        index: MuJoCo's id of the body; None: the body is identified by its name.
     """
 
     name: str
@@ -140,7 +156,15 @@ class BodyGoal:
 
 @dataclass(frozen=True, eq=False)
 class HoldGoal:
-    """A point of one body where another one is held: offsets (3,) [m] in the axes of both."""
+    """A target that makes a point of one body coincide with a point of another.
+
+    Attributes:
+        name: The name of the grasping point.
+        index: MuJoCo's id of the grasping body.
+        offset: The grasping point in the frame of its body, (3,) [m].
+        held: MuJoCo's id of the grasped body.
+        spot: The grasped point in the frame of its body, (3,) [m].
+    """
 
     name: str
     index: int
@@ -150,7 +174,7 @@ class HoldGoal:
 
     @classmethod
     def of(cls, figure: Figure, point: Point, link: int, spot: Array) -> HoldGoal:
-        """A point that is to be at a spot (3,) [m] of a link, in its axes."""
+        """Return the goal that a point coincides with a position (3,) [m] in the frame of a link."""
         hand, grip = PointGoal.of(figure, point), PointGoal.of(figure, Point(point.name, link, spot))
         return cls(point.name, hand.index, hand.offset, grip.index, grip.offset)
 
@@ -176,12 +200,13 @@ class HoldGoal:
 
 @dataclass(frozen=True, eq=False)
 class Posed:
-    """A pose and how far it misses each goal.
+    """A pose and the residuals of its goals.
 
-    qpos     (nq,) of the whole figure
-    fixed    (nq,) the entries that the goals depend on: of the joints from the root to them
-    missed   (n,) [m or rad], of every goal
-    starts   how many poses were begun with where none led to it
+    Attributes:
+        qpos: The pose of the whole figure, (nq,).
+        fixed: The mask of the entries that the goals depend on, (nq,): the joints from the root to their bodies.
+        missed: The residual norm of every goal, (n,) [m or rad].
+        starts: The number of starting poses tried if no pose met the goals; otherwise 0.
     """
 
     qpos: Array
@@ -195,7 +220,7 @@ class Posed:
 
     @property
     def worst(self) -> float:
-        """[m or rad] by how much the goal is missed that is missed most."""
+        """The largest residual norm [m or rad]."""
         return float(self.missed.max(initial=0.0))
 
 
@@ -208,12 +233,18 @@ def posed(
     starts: int = STARTS,
     beyond: float = 0.0,
 ) -> Posed:
-    """The pose nearest to qpos (nq,) that meets the goals, by the entries `free` (nq,) alone; else the one that
-    misses them least. What meets them already stays as it is.
+    """Return the pose nearest to qpos that meets the goals; if none does, the pose with the smallest residual.
 
-    bends   knees and elbows on ball joints, and how far they may go
-    starts  how many poses to begin with, at most
-    beyond  [rad] how far hinges and ball joints may be beyond their ranges
+    A pose that already meets the goals is returned unchanged.
+
+    Args:
+        figure: The figure.
+        qpos: The initial pose, (nq,).
+        free: The mask of the entries of qpos that may change, (nq,).
+        goals: The goals.
+        bends: The knees and elbows on ball joints, with their bounds.
+        starts: The largest number of starting poses.
+        beyond: The permitted excess of hinges and ball joints over their ranges [rad].
     """
     free, there = np.asarray(free, bool), np.array(qpos, float)
     fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
@@ -236,9 +267,10 @@ def _known(
     beyond: float,
     starts: int,
 ) -> Posed:
-    """The pose for goals that depend on one another, found or remembered; what they do not depend on is at rest.
+    """Return the pose for goals that share free joints, from the cache if possible.
 
-    So it depends on nothing but its arguments: editing a clip repeats most of its poses.
+    Joints that the goals do not depend on are set to the rest pose, so that they do not change the cache key. Editing a
+    clip repeats most of its poses.
     """
     goal_key = reached(figure, goals)
     home, free = np.where(goal_key, home, figure.model.qpos0), free & goal_key
@@ -248,7 +280,7 @@ def _known(
 
 
 def _posed(search: PoseSearch, starts: int) -> Posed:
-    """The pose for goals that depend on one another."""
+    """Return the pose for goals that share free joints."""
     best = search.result(search.home)
     if best.is_met or not search.dofs.size:
         return best
@@ -256,7 +288,7 @@ def _posed(search: PoseSearch, starts: int) -> Posed:
     poses: list[Posed] = []
     last = 0.0
     for rough, cost in sorted(near, key=lambda pair: pair[1]):
-        if cost > (1 + ALIKE) * last:  # else it leads where the one before did
+        if cost > (1 + ALIKE) * last:  # otherwise the same as the previous rough pose
             poses.append(search.followed(rough))
             if poses[-1].is_met:
                 return poses[-1]
@@ -270,7 +302,14 @@ def _posed(search: PoseSearch, starts: int) -> Posed:
 
 
 def in_winding(figure: Figure, qpos: Array, near: Array, which: Mask) -> Array:
-    """qpos (nq,) with hinges without a range, of the entries `which` (nq,), in the turn nearest to a pose (nq,)."""
+    """Return qpos (nq,) with unlimited hinges shifted by multiples of 2π to be nearest to another pose.
+
+    Args:
+        figure: The figure.
+        qpos: The pose, (nq,).
+        near: The other pose, (nq,).
+        which: The mask of the entries that may be shifted, (nq,).
+    """
     out, limited = np.array(qpos), figure.model.jnt_limited
     columns = [link.qpos for link in figure.links[1:] if link.kind is JointKind.HINGE and not limited[link.joint]]
     unlimited = np.array([column for column in columns if which[column]], np.intp)
@@ -279,7 +318,7 @@ def in_winding(figure: Figure, qpos: Array, near: Array, which: Mask) -> Array:
 
 
 def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]:
-    """The goals in groups that no free joint has a part in two of, by index."""
+    """Return the indices of goals in groups; goals that share free joints are in the same group."""
     groups: list[tuple[set[int], list[int]]] = []
     for number, goal in enumerate(goals):
         links = {i for i in moved_by(figure, goal) if free[entries(figure, i)].any()}
@@ -291,7 +330,7 @@ def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]
 
 
 def chain(figure: Figure, body: int) -> list[int]:
-    """The links from a body's own up to the root's."""
+    """Return the links from the link of a body up to the root."""
     links, link = [], int(figure.body_link[body])
     while link:
         links.append(link)
@@ -300,13 +339,13 @@ def chain(figure: Figure, body: int) -> list[int]:
 
 
 def moved_by(figure: Figure, goal: Goal) -> set[int]:
-    """The links whose joints a goal depends on."""
+    """Return the links whose joints a goal depends on."""
     links = set(chain(figure, goal.body(figure.model)))
     return links | set(chain(figure, goal.held)) if isinstance(goal, HoldGoal) else links
 
 
 def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
-    """(nq,) the entries that goals depend on: of the joints from the root to them."""
+    """Return the mask of the entries of qpos that goals depend on, (nq,): the joints from the root to their bodies."""
     mask = np.zeros(figure.width, bool)
     for link in {link for goal in goals for link in moved_by(figure, goal)}:
         mask[entries(figure, link)] = True
@@ -314,21 +353,21 @@ def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
 
 
 def limb(figure: Figure, body: int) -> list[int]:
-    """The links from a body's own towards the root, up to where another limb branches off."""
+    """Return the links from the link of a body towards the root, up to the first link with several children."""
     links = chain(figure, body)
     forks = [i for i, link in enumerate(links) if i > 0 and figure.tables.children[link] > 1]
     return links[: forks[0]] if forks else links
 
 
 def entries(figure: Figure, link: int) -> slice:
-    """The columns of qpos that belong to a link's joint."""
+    """Return the columns of qpos of a link's joint."""
     size = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
     joint = figure.links[link]
     return slice(joint.qpos, joint.qpos + size[joint.kind])
 
 
 def _at_rest(model: mujoco.MjModel, body: int) -> Array:
-    """(4,) a body's orientation in the world at rest."""
+    """Return the orientation of a body in the world in the rest pose, a wxyz quaternion (4,)."""
     turn = np.array([1.0, 0, 0, 0])
     while body:
         turn = quat.product(model.body_quat[body], turn)
@@ -337,9 +376,16 @@ def _at_rest(model: mujoco.MjModel, body: int) -> Array:
 
 
 class PoseSearch:
-    """Least squares over the free degrees of freedom that the goals depend on.
+    """Least squares over the n free degrees of freedom that the goals depend on.
 
-    range_shares  by link, the share of its range that a joint may use
+    Args:
+        figure: The figure.
+        home: The pose from which distances are measured, (nq,).
+        free: The mask of the entries of qpos that may change, (nq,).
+        goals: The goals.
+        bends: The knees and elbows on ball joints, with their bounds.
+        beyond: The permitted excess of hinges and ball joints over their ranges [rad].
+        range_shares: The permitted share of a joint's range, by the index of its link.
     """
 
     def __init__(
@@ -367,27 +413,30 @@ class PoseSearch:
         self.bends = None if bends is None else _Bends.of(figure, bends, free)
 
     def _freedoms(self, links: list[int], free: Mask) -> tuple[Index, Array]:
-        """The free columns of qvel (n,), and what each weighs in the distance from home (n,)."""
+        """Return the free columns of qvel (n,), and their weights in the distance from home (n,)."""
         dofs, weights = [], []
         for i in links:
             link = self.figure.links[i]
             turn = TRUNK if self.figure.tables.children[i] > 1 else 1.0
             size = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}[link.kind]
             shift = {JointKind.FREE: 3, JointKind.SLIDE: 1}.get(link.kind, 0)
-            for k in range(size):  # a dof of a position has an entry of its own, those of a turn have one for all
+            for k in range(size):  # rotations share one entry of the mask
                 if free[link.qpos + min(k, shift)]:
                     dofs.append(link.dof + k)
                     weights.append(PER_METRE if k < shift else turn)
         return np.array(dofs, np.intp), np.array(weights)
 
     def bent_starts(self) -> list[Array]:
-        """Poses to begin with: home with knees and elbows bent by so much at least; home itself if it has none."""
+        """Return the starting poses: home clipped, with knees and elbows bent by each angle of BENT."""
         starts = [self.begun(self.home, angle) for angle in BENT]
         return starts[:1] if np.array_equal(starts[0], starts[-1]) else starts
 
     def starts_around(self, count: int) -> Iterator[Array]:
-        """Others, as many: the pose at rest, for a limb that home has turned far round, and the middle of the ranges,
-        knees and elbows bent a little; then scattered ones."""
+        """Return `count` further starting poses.
+
+        The first is the rest pose of the joints, the second the middle of their ranges, both with knees and elbows
+        bent. All others are random.
+        """
         rest, middle, rng = np.array(self.home), np.array(self.home), np.random.default_rng(0)
         for i in self.joints:
             rest[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
@@ -400,11 +449,11 @@ class PoseSearch:
             yield start if self.bends is None else self.bends.begun(start, rng.uniform(BENT[0], BENT[-1]))
 
     def clipped(self, qpos: Array) -> Array:
-        """qpos inside the ranges of hinges and slides."""
+        """Return qpos (nq,) with hinges and slides clipped to their ranges."""
         return self.ranges.begun(qpos, -np.inf)
 
     def begun(self, qpos: Array, least: float) -> Array:
-        """qpos inside the ranges of hinges and slides, every knee and elbow bent the right way by so much at least."""
+        """Return qpos (nq,) clipped to the ranges, with every knee and elbow bent by at least `least` [rad]."""
         start = self.ranges.begun(qpos, least)
         return start if self.bends is None else self.bends.begun(start, least)
 
@@ -414,11 +463,11 @@ class PoseSearch:
         return Posed(qpos, self.fixed, np.array(missed, float))
 
     def roughly(self, qpos: Array) -> tuple[Array, float]:
-        """A pose that nearly meets goals that weigh little, and what it costs."""
+        """Return a pose that meets the goals approximately, at a small weight of the goals, and its cost."""
         return self._levenberg(qpos, COARSE, None, ROUGHLY)
 
     def around(self, qpos: Array) -> Array:
-        """A pose near a start, wherever home is, that nearly meets the goals."""
+        """Return a pose near qpos, instead of near home, that meets the goals approximately."""
         home, self.home = self.home, qpos
         try:
             return self._levenberg(qpos, COARSE, None, ROUGHLY)[0]
@@ -426,12 +475,12 @@ class PoseSearch:
             self.home = home
 
     def followed(self, qpos: Array) -> Posed:
-        """The nearest minimum from a rough pose, or that pose itself if it is so far off that none near it will do."""
+        """Return the minimum nearest to a pose; the pose itself if its residual exceeds HOPELESS."""
         rough = self.result(qpos)
         return self.exactly(qpos) if rough.worst <= HOPELESS else rough
 
     def exactly(self, qpos: Array) -> Posed:
-        """The nearest minimum from a pose: with multipliers until the goals are met."""
+        """Return the minimum nearest to a pose, with multipliers updated until the goals are met."""
         weight, last, shifts = FIRM, np.inf, None
         for _ in range(ROUNDS):
             qpos, _ = self._levenberg(qpos, weight, shifts, SETTLED)
@@ -442,7 +491,7 @@ class PoseSearch:
             worst = max(np.abs(off).max(initial=0), over.max(initial=0))
             if worst <= EXACT:
                 break
-            if worst > STALLED * last:  # a nearly straight limb buckles under enough weight only
+            if worst > STALLED * last:  # a nearly straight limb bends only at a large weight
                 if weight >= FIRMEST or worst > HOPELESS:
                     break
                 weight *= 10
@@ -453,7 +502,7 @@ class PoseSearch:
     def _levenberg(
         self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None, settled: float, steps: int = STEPS
     ) -> tuple[Array, float]:
-        """Least squares from a pose, the goals and bounds shifted by their multipliers; and what is left."""
+        """Return the least-squares pose and its cost; `shifts` are added to the residuals of goals and bounds."""
         damping = FIRST_DAMPING
         residuals, rows = self._weighed(qpos, weight, shifts)
         cost = float(residuals @ residuals)
@@ -480,14 +529,14 @@ class PoseSearch:
         mujoco.mj_comPos(self.model, self.data)
 
     def moved(self, qpos: Array, step: Array) -> Array:
-        """qpos with its free degrees of freedom moved by a step (n,); the rest stays to the bit."""
+        """Return qpos (nq,) moved by a step (n,) of the free degrees of freedom; all other entries are unchanged."""
         velocity, there = np.zeros(self.model.nv), np.array(qpos)
         velocity[self.dofs] = step
         mujoco.mj_integratePos(self.model, there, velocity, 1.0)
         return there
 
     def _weighed(self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None) -> Part:
-        """All residuals (r,) of least squares and their derivatives by the free degrees of freedom (r, n)."""
+        """Return all weighted residuals (r,) and their Jacobian (r, n) with respect to the free degrees of freedom."""
         near, (off, by_off), (over, by_over) = self.linearised(qpos)
         if shifts is not None:
             off, over = off + shifts[0], over + shifts[1]
@@ -499,11 +548,16 @@ class PoseSearch:
 
     @cached_property
     def _by_near(self) -> Array:
-        """(n, n) how the weighed distance from home changes with a step."""
+        """The Jacobian of the weighted distance from home, (n, n)."""
         return np.diag(self.weights)
 
     def linearised(self, qpos: Array) -> tuple[Part, Part, Part]:
-        """How far a pose is from home, from the goals, and over its bounds (below zero: within), with derivatives."""
+        """Return three residuals of a pose (nq,), each with its Jacobian.
+
+        Returns:
+            The weighted distance from home, including sideways and twist angles of knees and elbows; the residuals of
+            the goals; and the excess over bounds, which is negative within them.
+        """
         self._place(qpos)
         from_home = np.zeros(self.model.nv)
         mujoco.mj_differentiatePos(self.model, from_home, 1.0, self.home, qpos)
@@ -520,9 +574,13 @@ class PoseSearch:
 
 
 def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> Array:
-    """(n,) what minimises |residuals + rows · step|² + damping Σ size² step², every unknown in its own size.
+    """Return the step (n,) that minimises |residuals + rows · step|² + damping Σ size² step².
 
-    is_exact  by orthogonal rather than normal equations, for weights that are far apart
+    Args:
+        residuals: The residuals, (r,).
+        rows: Their Jacobian, (r, n).
+        damping: The damping, relative to the squared size of every unknown, which is the norm of its Jacobian column.
+        is_exact: Whether an orthogonal factorisation replaces the normal equations, for weights of very different size.
     """
     squares = damping * np.maximum(np.einsum("rn,rn->n", rows, rows), UNSEEN)
     if not is_exact:
@@ -537,24 +595,28 @@ def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> A
 
 
 def _crossed(a: Array, b: Array) -> Array:
-    """a × b, (..., 3)."""
+    """Return a × b, (..., 3)."""
     return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
 
 
 def joined(parts: Sequence[Part]) -> Part:
-    """Several values and their derivatives, one after the other."""
+    """Return the concatenated residuals and Jacobians of several parts."""
     return np.concatenate([values for values, _ in parts]), np.concatenate([rows for _, rows in parts])
 
 
 @dataclass(frozen=True, eq=False)
 class _Ranges:
-    """The free joints that have a range.
+    """The ranges of free joints.
 
-    balls, turns    columns of the quaternions of ball joints (b, 4), and where their dofs stand among the unknowns
-                    (b, 3); most (b,) [rad] how far they may turn
-    simple, places  the same of hinges and slides, (s,) each; limits (s, 2) [rad, m]; ways (s,) ±1 where one rests
-                    near an end of its range, so that it bends one way, or 0
-    count           how many unknowns there are
+    Attributes:
+        balls: The columns of ball joints in qpos, (b, 4).
+        turns: The indices of their degrees of freedom among the unknowns, (b, 3).
+        most: Their largest rotation angles, (b,) [rad].
+        simple: The columns of hinges and slides in qpos, (s,).
+        places: The indices of their degrees of freedom among the unknowns, (s,).
+        limits: Their lower and upper limits, (s, 2) [rad or m].
+        ways: The signs of the bending direction of hinges that bend one way, otherwise 0, (s,).
+        count: The number of unknowns, n.
     """
 
     balls: Index
@@ -590,8 +652,13 @@ class _Ranges:
         )
 
     def narrowed(self, shares: Mapping[int, float], home: Array) -> _Ranges:
-        """The same with joints, by the first of their columns, kept to a share of their ranges about the middle, balls
-        about their rest; as far as they are beyond at home (nq,)."""
+        """Return narrower ranges, which still contain the values at home (nq,).
+
+        Args:
+            shares: The permitted share of a range, by the first column of the joint in qpos. Ranges of hinges and
+                slides are narrowed towards their middle, those of ball joints towards the rest pose.
+            home: The pose, (nq,).
+        """
         shares_kept = np.array([shares.get(int(columns[0]), 1.0) for columns in self.balls])
         there = np.linalg.norm(quat.rotation_vector(home[self.balls]), axis=-1)
         most = np.minimum(self.most, np.maximum(shares_kept * self.most, there))
@@ -603,7 +670,7 @@ class _Ranges:
         return replace(self, most=most, limits=np.where(spare[:, None] > 0, narrow, self.limits))
 
     def begun(self, qpos: Array, least: float) -> Array:
-        """qpos with its hinges and slides inside their ranges, and those that bend one way bent by so much at least."""
+        """Return qpos (nq,) clipped to the ranges, with one-way hinges bent by at least `least` [rad]."""
         out = np.array(qpos)
         low, high = self.limits.T
         at = out[self.simple]
@@ -613,7 +680,7 @@ class _Ranges:
         return out
 
     def linearised(self, qpos: Array) -> Part:
-        """How far joints are over the ends of their ranges (k,) [rad, m], and the derivatives (k, n)."""
+        """Return the signed excess of joints over the ends of their ranges (k,) [rad or m], and its Jacobian (k, n)."""
         balls, simple = len(self.balls), self.simple.size
         over, rows = np.empty(balls + 2 * simple), np.zeros((balls + 2 * simple, self.count))
         if balls:
@@ -629,7 +696,14 @@ class _Ranges:
 
 @dataclass(frozen=True, eq=False)
 class _Bends:
-    """The knees and elbows among the free joints: columns of their quaternions (n, 4) and dofs (n, 3)."""
+    """The knees and elbows among the free joints.
+
+    Attributes:
+        figure: The figure.
+        limits: The k joints with their bounds.
+        columns: The columns of their quaternions in qpos, (k, 4).
+        dofs: Their degrees of freedom, (k, 3).
+    """
 
     figure: Figure
     limits: BendLimits
@@ -647,7 +721,7 @@ class _Bends:
         return cls(figure, limits, columns, np.array([link.dof for link in links])[:, None] + np.arange(3))
 
     def begun(self, qpos: Array, least: float) -> Array:
-        """qpos with every joint bent the right way by so much at least."""
+        """Return qpos (nq,) with a flexion of every joint of at least `least` [rad]."""
         out = np.array(qpos)
         flexion = self._angles(qpos[self.columns])[0]
         for joint, columns, angle in zip(self.limits.joints, self.columns, flexion, strict=True):
@@ -660,8 +734,12 @@ class _Bends:
 
     @cached_property
     def _axes(self) -> tuple[Array, Array]:
-        """In the joints' own axes: those of the parent, forward, along the limb and lateral (n, 3, 3), and of the child
-        its long axis and its lateral one (2, n, 3)."""
+        """The axes of parent and child in the frames of the joints.
+
+        Returns:
+            The forward, long and lateral axes of the parents (k, 3, 3); the long and lateral axes of the children
+            (2, k, 3).
+        """
         joints = self.limits.joints
         lateral, down = (np.array([getattr(joint, name) for joint in joints]) for name in ("lateral", "long_axis"))
         back = quat.inverse(np.array([self.figure.links[joint.link].turn for joint in joints]))
@@ -669,11 +747,11 @@ class _Bends:
         return np.stack([forward, down, lateral], axis=1), np.array([down, lateral])
 
     def linearised(self, qpos: Array, nv: int) -> tuple[Part, Part]:
-        """How far the joints are sideways and twisted (2 n,), how far over their bounds (5 n,), with rows (..., nv)."""
+        """Return the weighted sideways and twist angles (2 k,) and the excess over bounds (5 k,), with Jacobians."""
         parent, child = self._axes
-        turned = np.einsum("nij,nbi->bnj", quat.matrices(qpos[self.columns]), parent)  # the parent's axes in the child
+        turned = np.einsum("nij,nbi->bnj", quat.matrices(qpos[self.columns]), parent)  # in the child's frame
         (x, z, y), (a, b, q) = np.einsum("bnj,cnj->cbn", turned, child)
-        # how these six change with turns about the child's axes, (6, n, 3): dx, dz, dy, da, db, dq
+        # derivatives with respect to rotations about the child's axes, (6, k, 3): dx, dz, dy, da, db, dq
         slopes = _crossed(child[:, None], turned).reshape(6, x.size, 3)
         planar = np.maximum(np.hypot(x, z), ALONG)
         p = (x * b - z * a) / planar
