@@ -98,7 +98,7 @@ class Objective:
         - Upper limit of any other term: `raw_cap` of its normalization times the length of the clip.
 
         Segments with exceptionally large costs contribute only in part, see `_typical`. Terms with `normalize_by` use
-        the divisor of another term.
+        the divisor of another term, times their reference value.
 
         Args:
             raw: The raw spline.

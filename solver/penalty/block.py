@@ -1,9 +1,9 @@
-"""Residual blocks: what soft constraints are made of. Value, gradient and curvature of all follow here, once.
+"""Residual blocks of soft constraints, with value, gradient and curvature.
 
-    f = Σ weight r², or Σ weight max(0, r)² of residuals that count on one side only
+    f = Σ weight r², or Σ weight max(0, r)² for one-sided residuals
 
-A residual r states its derivative: by wrenches if it depends on links (see `figure.wrenches`); by single entries of y,
-y' or y''; or by rows that it computes itself.
+The derivative of a residual r has one of three forms: wrenches, if r depends on links (see `figure.wrenches`); single
+entries of y, y' or y''; or a function for the product with a vector (`Dense`).
 """
 
 from __future__ import annotations
@@ -21,19 +21,20 @@ from ..figure.wrenches import Wrenches
 from .curvature import Curvature
 from .one_sided import OneSidedResiduals, Rows
 
-FREEDOMS = 6  # of a link's motion
-MANY = 2  # times as many residuals of a link as freedoms, and their rows are kept as combinations of those
+FREEDOMS = 6  # [1] degrees of freedom of a link's motion
+# [1] smallest ratio of residuals to degrees of freedom of links at which rows are stored as linear combinations
+MANY = 2
 
 
 @dataclass(frozen=True, eq=False)
 class Entries:
-    """Derivatives of P residuals that depend on one entry of y, y' or y'' each.
+    """Derivatives of P residuals, each with respect to a single entry of y, y' or y''.
 
     Attributes:
-        at: Samples (P,).
+        at: Indices of the samples, (P,).
         order: 0, 1 or 2, for an entry of y, y' or y''.
-        column: Columns (P,) of the entries.
-        slope: Derivatives (P,) by these entries.
+        column: Columns of the entries, (P,).
+        slope: Derivatives with respect to the entries, (P,).
     """
 
     at: Index
@@ -42,12 +43,12 @@ class Entries:
     slope: Array | float = 1.0
 
     def select(self, some: Index) -> Entries:
-        """Some of them."""
+        """Return the derivatives of the residuals with these indices."""
         slope = self.slope if isinstance(self.slope, float) else self.slope[some]
         return replace(self, at=self.at[some], column=self.column[some], slope=slope)
 
     def scaled(self, factor: Array) -> Entries:
-        """Each times a factor (P,)."""
+        """Return the derivatives times a factor per residual (P,)."""
         return replace(self, slope=self.slope * factor)
 
     @property
@@ -56,13 +57,13 @@ class Entries:
         return self.order + 1
 
     def rows(self, samples: Samples) -> Array:
-        """(P, order + 1, N) gradients."""
+        """Return the gradients, (P, order + 1, N)."""
         out = np.zeros((self.at.size, self.order + 1, samples.y.shape[1]))
         out[np.arange(self.at.size), self.order, self.column] = self.slope
         return out
 
     def pull_back(self, into: Cotangent, bar: Array) -> None:
-        """Adds the gradient of Σ bar r, bar (P,)."""
+        """Add the gradient of Σ bar r to `into`, bar (P,)."""
         buffer = into.buffer(OF_THE_STATE[self.order][0])
         flat = self.at * buffer.shape[1] + self.column
         buffer += np.bincount(flat, bar * self.slope, buffer.size).reshape(buffer.shape)
@@ -76,12 +77,12 @@ class Block:
     """P residuals with their derivatives.
 
     Attributes:
-        at: Samples (P,) of the residuals.
-        value: Values (P,).
-        changes: Derivatives, which are added up: each has a wrench or an entry for every residual, in the same order.
-        weight: Weights (P,) of the squares.
+        at: Indices of the residuals' samples, (P,).
+        value: Residuals, (P,).
+        changes: Summands of the derivative; each contains a wrench or an entry for every residual, in order.
+        weight: Weights of the squared residuals, (P,).
         one_sided: Whether only positive residuals count.
-        of: Residuals (Q,) that Q wrenches belong to, if a residual has several wrenches.
+        of: Index of the residual of each of Q wrenches, (Q,), if residuals have several wrenches; otherwise None.
     """
 
     at: Index
@@ -93,7 +94,7 @@ class Block:
 
     @classmethod
     def joined(cls, parts: Sequence[Block]) -> Block:
-        """One-sided residuals by wrenches, one wrench each, concatenated; empty without parts."""
+        """Return the concatenated blocks of one-sided residuals with one wrench each; an empty block without parts."""
         none = np.zeros(0, np.intp)
         if not parts:
             return cls(none, np.zeros(0), (Wrenches(none, none, np.zeros((3, 0))),), one_sided=True)
@@ -103,15 +104,15 @@ class Block:
 
     @cached_property
     def counted(self) -> Array:
-        """(P,) the residuals, zero where they do not count."""
+        """The residuals, (P,), zero for inactive one-sided ones."""
         return np.maximum(self.value, 0) if self.one_sided else self.value
 
     def values(self, count: int) -> Array:
-        """f at every sample, (S,)."""
+        """Return f at every sample, (S,)."""
         return np.bincount(self.at, self.weight * self.counted * self.counted, count).astype(float)
 
     def pull_back(self, into: Cotangent, scale: Array) -> None:
-        """Adds the gradient of Σ_s scale_s f(s), scale (S,)."""
+        """Add the gradient of Σ_s scale_s f(s) to `into`, scale (S,)."""
         bar = 2 * scale[self.at] * self.weight * self.counted
         bar = bar if self.of is None else bar[self.of]
         nonzero = np.flatnonzero(bar)
@@ -125,7 +126,7 @@ class Block:
                 part.pull_back(into, bar[nonzero])
 
     def add_to(self, curvature: Curvature, scale: Array) -> None:
-        """Adds the Gauss-Newton matrices of Σ_s scale_s f(s), those of one-sided residuals left out."""
+        """Add the Gauss-Newton matrices of Σ_s scale_s f(s) to `curvature`, without one-sided residuals."""
         if self.one_sided or not self.at.size:
             return
         factor = scale[self.at] * self.weight
@@ -139,7 +140,7 @@ class Block:
         curvature.add_rows(at, factor, rows, tuple(range(rows.shape[1])))
 
     def rows(self, samples: Samples) -> Array:
-        """(P, 1 to 3, N): the residuals' gradients with respect to y, and to y' and y'' if they matter."""
+        """Return the gradients with respect to y, y', ... up to the highest order used, (P, 1 to 3, N)."""
         total = np.zeros((self.at.size, max(change.orders for change in self.changes), samples.y.shape[1]))
         for change in self.changes:
             rows = change.rows(samples)
@@ -150,7 +151,7 @@ class Block:
         return total
 
     def one_sided_residuals(self, samples: Samples) -> OneSidedResiduals:
-        """The residuals in the form of a model of E, with unit weights: rows by y only."""
+        """Return the residuals scaled to unit weights, with gradients with respect to y only, for a model of E."""
         root = np.sqrt(self.weight)
         block = self if np.all(root == 1) else replace(self, value=root * self.value, changes=self._scaled(root))
         return OneSidedResiduals(block.at, block.value, (block._side_rows(samples),))
@@ -160,7 +161,7 @@ class Block:
         return tuple(change.scaled(factor) for change in self.changes)
 
     def _side_rows(self, samples: Samples) -> Rows:
-        """The gradients by y, as combinations of the links' own where many residuals are of the same links."""
+        """Return the gradients with respect to y, as combinations of link Jacobians if many residuals share links."""
         motions = self._motions()
         if motions is None:
             return Rows.plain(self.at, self.rows(samples)[:, 0])
@@ -174,8 +175,12 @@ class Block:
         return Rows(of, np.concatenate(shares, axis=1), self.at[first], np.concatenate(bases, axis=1))
 
     def _motions(self) -> tuple[Index, Index] | None:
-        """Of residuals of the same links and sample the first (M,), and which every one is alike (P,); None if they are
-        too few."""
+        """Group the residuals by their sample and links.
+
+        Returns:
+            The index of the first residual of each group (M,) and the group of each residual (P,); None if the groups
+            are too small to save computation.
+        """
         kinds = [change for change in self.changes if isinstance(change, Wrenches)]
         if len(kinds) < len(self.changes) or self.of is not None or self.at.size <= MANY * FREEDOMS:
             return None
@@ -189,14 +194,14 @@ class Block:
 
 @dataclass(frozen=True, eq=False)
 class Dense:
-    """R residuals at each of S samples, with their own pull-back of gradients. f is the sum of their squares.
+    """R residuals at each of S samples, whose gradients are given by a function. f is the sum of their squares.
 
     Attributes:
-        value: Values (R, S).
+        value: Residuals, (R, S).
         pulled_back: pulled_back(cotangent, bar) adds the gradient of Σ bar r to the cotangent, bar (R, S).
-        curved: curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,). Without it they
-            are computed by a sweep of the kinematics for every residual.
-        more: Addition (S,) to f beside the squares, whose gradient `pulled_back` includes.
+        curved: curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,). If
+            None, they are computed by an adjoint sweep of the kinematics for every residual.
+        more: Summand of f in addition to the squares, (S,); `pulled_back` includes its gradient.
     """
 
     value: Array
@@ -205,18 +210,18 @@ class Dense:
     more: Array | float = 0.0
 
     def values(self, count: int) -> Array:
-        """f at every sample, (S,)."""
+        """Return f at every sample, (S,)."""
         return np.einsum("rs,rs->s", self.value, self.value) + self.more
 
     def pull_back(self, into: Cotangent, scale: Array) -> None:
-        """Adds the gradient of Σ_s scale_s f(s)."""
+        """Add the gradient of Σ_s scale_s f(s) to `into`."""
         self.pulled_back(into, 2 * scale * self.value)
 
 
 def summed(
     blocks: Iterable[Block | Dense], samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0
 ) -> Array:
-    """f at every sample, (S,); with `into`, also adds the gradient of Σ_s scale_s f(s) to it."""
+    """Return f at every sample, (S,). If `into` is given, add the gradient of Σ_s scale_s f(s) to `into`."""
     values, scale = np.zeros(samples.count), scale + np.zeros(samples.count)
     for block in blocks:
         values += block.values(samples.count)
@@ -228,8 +233,15 @@ def summed(
 def every(
     samples: Samples, columns: Index, order: int, value: Array | None = None, weight: Array | float = 1.0
 ) -> Block:
-    """Entries of y, y' or y'' in some columns (C,) at every sample, or value (S, C) that grows as they do; weights
-    (S, C)."""
+    """Return residuals of single entries of y, y' or y'' at every sample.
+
+    Args:
+        samples: S samples of the motion.
+        columns: The columns of the entries, (C,).
+        order: 0, 1 or 2, for entries of y, y' or y''.
+        value: The residuals (S, C), with a derivative of 1 with respect to the entries; None: the entries.
+        weight: The weights of the squared residuals, (S, C).
+    """
     value = (samples.y, samples.y_d, samples.y_dd)[order][:, columns] if value is None else value
     at = np.repeat(np.arange(samples.count), columns.size)
     weight = weight if isinstance(weight, float) else np.ravel(weight)
@@ -237,7 +249,7 @@ def every(
 
 
 def _unit_rows(samples: Samples, at: Index, link: Index) -> Array:
-    """(M, 6, N): how links' origins move along the world's axes, and how links turn about them."""
+    """Return the Jacobians of links, (M, 6, N): translation of the origin and rotation, in world axes."""
     count = at.size
     units = np.zeros((2, 3, FREEDOMS, count))
     for k in range(3):
@@ -248,5 +260,5 @@ def _unit_rows(samples: Samples, at: Index, link: Index) -> Array:
 
 
 def _rising(at: Index) -> Index | None:
-    """The order in which samples rise, None if they do."""
+    """Return the permutation that sorts the samples in ascending order; None if they are sorted."""
     return np.argsort(at, kind="stable") if np.any(at[1:] < at[:-1]) else None

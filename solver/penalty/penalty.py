@@ -1,7 +1,7 @@
 """The interface of soft constraints: functions f_j ≥ 0 of samples (y, y', y'') with exact gradients (eq. 1).
 
-A penalty does not depend on unknowns, knots, masks or weights, so the same object serves the optimiser and the
-Euler-Lagrange residual. A new soft constraint is one class here, one Taylor test, one row in the runner's table.
+A penalty does not depend on unknowns, knots, masks or weights, so the optimiser and the Euler-Lagrange residual use the
+same object. A new soft constraint needs one subclass, one Taylor test, and one row in the runner's table of penalties.
 """
 
 from __future__ import annotations
@@ -25,18 +25,20 @@ from .one_sided import OneSidedResiduals
 
 @dataclass(frozen=True)
 class Normalization:
-    """The normalization of a soft constraint, also where it (nearly) vanishes on the raw spline.
+    """The normalization of a soft constraint, see `Objective.renormalised`.
 
     Attributes:
-        reference: f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing at keyframes 1 s apart.
-        is_violation: Whether f_j is zero wherever the constraint holds, like a depth, and not a cost of all motion.
-        time_power: f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations.
-        normalize_by: The name of a term whose integral divides this one too, if it is present. `reference` of this term
-            then weighs as much as one of the other.
-        raw_cap: Upper limit of the mean of f_j over the raw spline in the normalization.
-        is_sharp: Whether f_j begins, ends or peaks abruptly in time, so that the few samples that suffice for the
-            curvature of other terms would miss it. Its curvature consists of rows only.
-        by_tension: The power of `Objective.tension` by which f_j counts more between keyframes that are far apart.
+        reference: The value of f_j for a violation of 1 cm or 1°. For accelerations: the value for 8 rad (2 m) per
+            squared key spacing, with keyframes 1 s apart.
+        is_violation: Whether f_j is zero wherever the constraint holds, e.g. a depth. Otherwise all motion has a cost.
+        time_power: The exponent p with which f_j falls to f_j / λ^p in a clip slowed by a factor λ; 4 for squared
+            accelerations.
+        normalize_by: The name of a term whose divisor this term uses, if the objective contains that term. A value of
+            `reference` of this term then costs as much as a value of 1 of the other term, at equal weights.
+        raw_cap: The upper limit of the mean of f_j over the raw spline in the normalization.
+        is_sharp: Whether f_j changes abruptly in time. The curvature then uses all samples instead of a few, and
+            consists of rows only.
+        by_tension: The exponent of `Objective.tension` in the weight of f_j.
     """
 
     reference: float
@@ -51,8 +53,8 @@ class Normalization:
 class Role(Enum):
     """The purpose of a soft constraint.
 
-    After a poor local minimum the search restarts without the roles that trap limbs: first contacts with their
-    physics, then limits.
+    After a poor local minimum, the solver restarts without the roles that trap limbs: first without contacts and
+    physics, then without limits.
     """
 
     SMOOTHNESS = "what all motion costs"
@@ -67,7 +69,7 @@ class Role(Enum):
 class Penalty(ABC):
     """A soft constraint f_j. Subclasses define `name`, `role`, `normalization` and `residuals`.
 
-    Value, gradient and the curvature of the search follow from the residuals.
+    Value, gradient and curvature are computed from the residuals.
     """
 
     @property
@@ -83,15 +85,15 @@ class Penalty(ABC):
     @property
     @abstractmethod
     def normalization(self) -> Normalization:
-        """The scale of the constraint."""
+        """The normalization of the constraint."""
 
     @property
     def obstructs(self) -> bool:
-        """Whether it is an obstacle other than floors and steps, so that another route round it may exist."""
+        """Whether the constraint is an obstacle other than floors and steps, which other routes may avoid."""
         return False
 
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
-        """Return the residuals whose sum of squares is f_j; of one-sided residuals the active ones.
+        """Return the residuals whose sum of squares is f_j. Inactive one-sided residuals may be omitted.
 
         A penalty that is not a sum of squares overrides `evaluate` instead; its curvature uses finite differences of
         the gradient.
@@ -108,28 +110,34 @@ class Penalty(ABC):
         )
 
     def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
-        """Return the residuals for a model of E, including one-sided ones that may become active in a step."""
+        """Return the residuals for a model of E, including one-sided residuals that may become active in a step."""
         return self.residuals(samples)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        """Return f_j at every sample, (S,); with `into`, also add the gradient of Σ_s scale_s f_j(s) to it."""
+        """Return f_j at every sample, (S,). If `into` is given, add the gradient of Σ_s scale_s f_j(s) to `into`."""
         return summed(self.residuals(samples), samples, into, scale)
 
     def blocks(self, samples: Samples) -> tuple[Block | Dense, ...] | None:
-        """The residuals, to be used for value, gradient and curvature; None of a penalty with an `evaluate` of its own,
-        which is no sum of squares."""
+        """Return the residuals, from which value, gradient and curvature are computed.
+
+        None for a penalty that overrides `evaluate`, because it is not a sum of squares.
+        """
         return tuple(self.residuals(samples)) if type(self).evaluate is Penalty.evaluate else None
 
     def model_blocks(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
-        """`nearby`, with what is known of `residuals` at these samples."""
+        """Return `nearby`, or `known` if both methods return the same residuals."""
         return known if known is not None and type(self).nearby is Penalty.nearby else self.nearby(samples)
 
     def curvature(
         self, samples: Samples, into: Curvature, scale: Array, known: Sequence[Block | Dense] | None = None
     ) -> None:
-        """Add the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, without those that are one-sided.
+        """Add the Gauss-Newton matrices of Σ_s scale_s f_j(s) to `into`, without one-sided residuals.
 
-        known  what `blocks` gave at the same samples
+        Args:
+            samples: S samples of the motion.
+            into: The matrices to which those of f_j are added.
+            scale: The weights of the samples, (S,).
+            known: The result of `blocks` at the same samples; None: the residuals are computed.
         """
         if type(self).residuals is Penalty.residuals:
             add_differences(self.evaluate, samples, into, scale)
@@ -143,7 +151,7 @@ class Penalty(ABC):
                 self._add_by_sweeps(k, len(block.value), samples, into, scale)
 
     def _add_by_sweeps(self, k: int, residuals: int, samples: Samples, into: Curvature, scale: Array) -> None:
-        """The curvature of block k, which has so many residuals at every sample, by a sweep of the kinematics each."""
+        """Add the curvature of block k with an adjoint sweep of the kinematics for each residual of a sample."""
         at, which = np.repeat(np.arange(samples.count), residuals), np.tile(np.arange(residuals), samples.count)
 
         def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
@@ -158,7 +166,7 @@ class Penalty(ABC):
     def one_sided_residuals(
         self, samples: Samples, known: Sequence[Block | Dense] | None = None
     ) -> OneSidedResiduals | None:
-        """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has none ever."""
+        """Return the residuals d of the terms max(0, d)² in f_j, active or near activation; None if there are none."""
         if type(self).residuals is Penalty.residuals:
             return None
         blocks = [block for block in self.model_blocks(samples, known) if isinstance(block, Block) and block.one_sided]
@@ -166,42 +174,42 @@ class Penalty(ABC):
 
 
 class Momentary(Penalty):
-    """A soft constraint of instants: E holds the sum of f_j over `instants`, not an integral.
+    """A soft constraint evaluated only at given instants: E contains Σ f_j over `instants` instead of an integral.
 
-    f_j is zero at all other times, depends on y alone, and its curvature has rows and nothing else.
+    f_j is zero at all other times and depends on y only. Its curvature consists of rows only.
     """
 
     @property
     @abstractmethod
     def times(self) -> Array:
-        """(n,) [s] of all sampled times, one after the other, possibly with duplicates."""
+        """The time of every constrained item, (n,) [s], possibly with duplicates."""
 
     @property
     def instants(self) -> Array:
-        """(I,) [s], rising."""
+        """The distinct times in ascending order, (I,) [s]."""
         return np.unique(self.times)
 
     def pairs(self, samples: Samples) -> tuple[Index, Index]:
-        """The pairs of something that it looks at and a sample at its time, (p,) each, samples rising."""
+        """Return the pairs of a constrained item and a sample at its time: two index arrays (p,), samples ascending."""
         near = np.flatnonzero(np.isin(samples.t, self.instants))
         at, which = np.nonzero(samples.t[near, None] == self.times)
         return which, near[at]
 
 
 class Guide(Penalty):
-    """A soft constraint that provides an initial path, where the spline through the keyframes is a poor one."""
+    """A soft constraint that provides an initial path, for clips whose raw spline is a poor initial guess."""
 
     @property
     def expected(self) -> Path | None:
-        """The path that the whole motion should be close to; None without one."""
+        """The path that the whole motion should be close to; None if there is none."""
         return None
 
     @abstractmethod
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
-        """Return the timeline with its variable frames on that path, and more of them, up to `most` in all."""
+        """Return the timeline with its variable frames on the initial path, extended to at most `most` frames."""
         ...
 
 
 def instants_of(penalty: Penalty) -> Array:
-    """Return the instants (I,) [s] of a momentary soft constraint; empty for others."""
+    """Return the instants (I,) [s] of a `Momentary` constraint; an empty array for all others."""
     return penalty.instants if isinstance(penalty, Momentary) else np.zeros(0)
