@@ -24,11 +24,11 @@ from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 from .flight import within
 
-TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
+TOUCHING = 0.05  # [m] largest height of the lowest point in a keyframe that touches the ground
 AWAY = 0.25  # of the way to a keyframe in the air, how far one stays low that is on the ground
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 TINY = 1e-300  # [m] a residual that is zero
-REACH, BLEND = 0.05, 0.01  # [m] by default
+REACH, BLEND = 0.05, 0.01  # [m] defaults of `reach` and `blend`
 CLOSE, FIRM = 0.002, 10.0  # [m] the blend of a body that nothing else holds to a height, and how much firmer it is held
 Interval = tuple[float, float]
 

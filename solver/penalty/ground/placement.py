@@ -1,6 +1,6 @@
-"""Placements: a point is to be at a place in the world at one time, as far as the rest of the motion lets it.
+"""Placements: soft target positions of points at single times.
 
-Keyframes by position that are left to the search; beyond the paper, whose keyframes are joint angles.
+They represent keyframes given by positions that the solver has to reach. The paper has keyframes of joint angles only.
 """
 
 from __future__ import annotations
@@ -22,7 +22,13 @@ from ..penalty import Momentary, Normalization, Role
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """One point that is to be at a target (3,) [m] at a time [s]; NaN along the axes that are free."""
+    """A target position for a point at one time.
+
+    Attributes:
+        point: The point.
+        time: The time [s].
+        target: The target in the world, (3,) [m]; NaN along unconstrained axes.
+    """
 
     point: Point
     time: float
@@ -31,7 +37,7 @@ class Placed:
 
 @dataclass(frozen=True)
 class Placement(Momentary):
-    """Σ over placed points of the squared distance [m²] from the target, along the axes that it gives."""
+    """Σ over placed points of the squared distance [m²] from the target along its constrained axes."""
 
     placed: tuple[Placed, ...]
 
@@ -44,7 +50,7 @@ class Placement(Momentary):
         return self._times
 
     def away(self, samples: Samples) -> tuple[Index, Array]:
-        """Which points (p,) have their time among the samples, and the ways from their targets (3, p) [m]."""
+        """Return the points with a sample at their time (p,), and their offsets from the targets (3, p) [m]."""
         which, at = self.pairs(samples)
         return which, self._seen(samples, which, at)[2]
 
@@ -58,7 +64,12 @@ class Placement(Momentary):
         yield Block(at, away[axis, pair], (of_point(at, link, arm, np.eye(3)[:, axis]),))
 
     def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
-        """link · S + sample (p,), the points' arms and their ways from the targets (3, p), zero along free axes."""
+        """Return the state of p pairs of a placed point and a sample.
+
+        Returns:
+            The flat indices link · S + sample (p,); the vectors from the links' origins to the points (3, p) [m]; and
+            the offsets from the targets (3, p) [m], zero along unconstrained axes.
+        """
         links, positions, targets, specified = self._arrays
         flat = links[which] * samples.count + at
         x, rotation = samples.links.poses(flat)
@@ -67,12 +78,12 @@ class Placement(Momentary):
 
     @cached_property
     def _times(self) -> Array:
-        """(n,) [s]"""
+        """The times of the targets, (n,) [s]."""
         return np.array([p.time for p in self.placed])
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array, Array]:
-        """Links (n,), positions on them, targets, and 1 where an axis is given, (3, n) each."""
+        """The links (n,), the points in their frames, the targets, and the masks of constrained axes, (3, n) each."""
         targets = np.array([p.target for p in self.placed], float).reshape(-1, 3).T
         specified = ~np.isnan(targets)
         positions = np.array([p.point.position for p in self.placed]).reshape(-1, 3).T

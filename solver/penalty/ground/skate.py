@@ -1,6 +1,6 @@
-"""Feet that stay: a point of the sole near a surface is slow, the slower the nearer.
+"""Foot skate: the closer a sole point is to a surface, the more its velocity costs.
 
-The paper leaves skidding to future work (§6). No times of contact are needed: the height decides.
+The paper leaves skidding to future work (§6). Contact times are not needed, because the weight depends on the height.
 """
 
 from __future__ import annotations
@@ -23,26 +23,34 @@ from ...surface.points import Point, arrays_of, placed, places_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-NEGLIGIBLE, TINY = 0.03, 1e-8  # of the weight's root: higher up a point is free in a model of E, and in E
-STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point is in the air in between
-SHORTLY = 0.25  # [s] between them, up to which it cannot stand on the way as well
-LONG = 0.45  # [s] between two keyframes, from which on they say little about the feet in between
-WORTH = 1e-3  # [m² rad⁻² s²]: 3 cm/s of a point on the ground count like half a radian per s²
-REACH = 0.04  # [m] by default
+NEGLIGIBLE, TINY = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
+STRIDDEN = 0.08  # [m] smallest displacement between neighbouring keyframes that implies a swing in the air
+SHORTLY = 0.25  # [s] longest time between them that leaves no time for a stance as well
+LONG = 0.45  # [s] time between keyframes beyond which they specify the feet between them poorly
+WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the ground cost as much as half a radian per s²
+REACH = 0.04  # [m] default of `Skate.reach`
 
 
 @dataclass(frozen=True, eq=False)
 class Bound:
-    """How much points are bound from keyframe to keyframe: key times (K,) [s], shares of the weight (n, K − 1)."""
+    """The weights of n points between keyframes.
+
+    Attributes:
+        times: The times of the keyframes, (K,) [s].
+        shares: The weight of every point in every segment, from 0 to 1, (n, K − 1).
+    """
 
     times: Array
     shares: Array
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], *, swings: bool = True) -> Bound:
-        """Less in a long segment, by the square of its length: a foot may take steps there. Not at
-        all, if it may be that a foot `swings`, where two keyframes up to 0.25 s apart put a point more than 8 cm apart:
-        one that comes so far so fast passes low, and is not to be braked."""
+        """Return the weights of points between keyframes.
+
+        In long segments, the weight falls with the square of the length, because feet may take steps between the
+        keyframes. If `swings` is set, the weight is zero where a point moves by more than 8 cm between keyframes at
+        most 0.25 s apart: a foot that swings so fast passes low over the ground and must not be braked.
+        """
         spans = np.diff(keys.times)
         shares = np.tile(np.minimum(1.0, (LONG / spans) ** 2), (len(points), 1))
         if swings:
@@ -54,7 +62,7 @@ class Bound:
         return cls(keys.times, shares)
 
     def at(self, t: Array) -> Array:
-        """(n, S) at times t (S,) [s]."""
+        """Return the weights of the points at times t (S,) [s], (n, S)."""
         span = np.searchsorted(self.times, t, side="right") - 1
         return self.shares[:, np.clip(span, 0, self.times.size - 2)]
 
@@ -63,11 +71,14 @@ class Bound:
 class Skate(Penalty):
     """Σ over points of exp(−(h/reach)²) |v|² [m²/s²]: v the point's velocity, h ≥ 0 its height over the surface below.
 
-    Counts beside the angular accelerations, not by what the raw spline happens to skate: so the clock of the clip and
-    the distance of its keyframes do not matter.
+    The term is normalized by the angular accelerations instead of the raw spline's skate. The result therefore depends
+    neither on the duration of the clip nor on the spacing of its keyframes.
 
-    reach   [m] the height at which a point is 1/e as bound as on the surface
-    bound   how much which points are bound when, however low; None: all are, always
+    Attributes:
+        points: The points of the soles.
+        surfaces: The surfaces of the scene.
+        reach: The height at which the weight of a point is 1/e of the weight on the surface [m].
+        bound: The weights of points over time, in addition to those by height; None: 1.
     """
 
     points: tuple[Point, ...]
@@ -81,20 +92,20 @@ class Skate(Penalty):
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
-        """Links (n,), positions (3, n) and radii (n,) of the points."""
+        """The links (n,) of the points, their positions (3, n) [m] and radii (n,) [m]."""
         return arrays_of(self.points)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         return self._slides(samples, TINY)
 
     def nearby(self, samples: Samples) -> Iterator[Block]:
-        """With the weight held: squares of what it changes by would keep down a foot that costs less higher up."""
+        """Return the residuals with constant weights. The derivative of a weight would keep feet from rising."""
         for block in self._slides(samples, NEGLIGIBLE):
             velocity, _ = block.changes
             yield replace(block, changes=(velocity,))
 
     def _slides(self, samples: Samples, least: float) -> Iterator[Block]:
-        """√weight · v where √weight is more than `least`; it changes with v and, by the weight, with the height."""
+        """Yield √weight · v for points with √weight above `least`, with derivatives through v and the weight."""
         if not self.points or not self.surfaces:
             return
         links, positions, radius = self._arrays
@@ -114,6 +125,6 @@ class Skate(Penalty):
         yield Block(at, value, changes)
 
     def _weight(self, height: Array, t: Array) -> Array:
-        """(n, S) how much points at heights (n, S) over the ground are bound."""
+        """Return the weights (n, S) of points at heights (n, S) [m] over the ground."""
         near = np.exp(-((height / self.reach) ** 2))
         return near if self.bound is None else near * self.bound.at(t)

@@ -1,6 +1,6 @@
-"""Stances: a point of the sole that two neighbouring keyframes put on the same spot stays there in between.
+"""Stances: a sole point with the same position in two neighbouring keyframes keeps it between them.
 
-The keyframes are the only input. This goes beyond the paper, which leaves skidding to future work (§6).
+Stances are inferred from keyframes only. The paper leaves skidding to future work (§6).
 """
 
 from __future__ import annotations
@@ -22,18 +22,24 @@ from ...surface.points import Point, placed, places_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-NEAR_SURFACE = 0.012  # [m] by which a sole that stands may be off its surface in a keyframe
-SAME_SPOT = 0.05  # [m] that keyframes may put a standing point apart
-SAME_PLACE = 0.001  # [m] that keyframes may put an object apart that lies: it has no reason to drift
-ARM = 0.2  # [m] from an object's origin to the points that fix its pose: half the size of what a person carries
-HELD = 10.0  # factor of the weight of a stance of a posed keyframe, which holds no point exactly
+NEAR_SURFACE = 0.012  # [m] largest distance of a planted sole from its surface in a keyframe
+SAME_SPOT = 0.05  # [m] largest distance between the positions of a planted point in neighbouring keyframes
+SAME_PLACE = 0.001  # [m] largest distance between the positions of a stationary object in neighbouring keyframes
+ARM = 0.2  # [m] distance of the points that fix an object's pose from its origin: half the size of a portable object
+HELD = 10.0  # [1] weight of stances of posed keyframes, which meet positions only approximately
 
 
 @dataclass(frozen=True)
 class Stance:
-    """One point at rest: from its spot (3,) [m] at time `first` [s] to `landed` at `last`, the same but for drift.
+    """A planted point in a time interval, with a linear drift.
 
-    weight  of this stance among the others
+    Attributes:
+        point: The point.
+        first: The start of the interval [s].
+        last: The end of the interval [s].
+        spot: The position at the start, (3,) [m].
+        landed: The position at the end, (3,) [m], which differs from `spot` by the drift.
+        weight: The weight relative to other stances [1].
     """
 
     point: Point
@@ -44,14 +50,14 @@ class Stance:
     weight: float = 1.0
 
     def place(self, t: Array) -> Array:
-        """Where the point should be at times t (S,): (3, S)."""
+        """Return the target position of the point at times t (S,) [s], (3, S) [m]."""
         share = (t - self.first) / (self.last - self.first)
         return self.spot[:, None] + (self.landed - self.spot)[:, None] * share
 
 
 @dataclass(frozen=True)
 class StancePenalty(Penalty):
-    """Σ over stances of their weight times the squared distance [m²] of the point from its spot, while they last."""
+    """Σ over stances of weight times squared distance [m²] of the point from its target, during the stance."""
 
     stances: tuple[Stance, ...]
 
@@ -72,7 +78,7 @@ class StancePenalty(Penalty):
         yield Block(at, away.ravel(), (of_point(at, link, np.tile(arm, 3), axes),), np.tile(self._weights[stance], 3))
 
     def _during(self, t: Array) -> tuple[Index, Index]:
-        """The pairs of a stance and a sample at times t (S,) that it holds for, (p,) each."""
+        """Return the pairs of a stance and a sample within it: two index arrays (p,), for sample times t (S,) [s]."""
         first, last = self._times
         order = np.argsort(t, kind="stable")
         rising = t[order]
@@ -84,17 +90,17 @@ class StancePenalty(Penalty):
 
     @cached_property
     def _times(self) -> tuple[Array, Array]:
-        """When the stances begin and end, (n,) each."""
+        """The start and end times of the stances, (n,) [s] each."""
         return np.array([s.first for s in self.stances]), np.array([s.last for s in self.stances])
 
     @cached_property
     def _weights(self) -> Array:
-        """(n,)"""
+        """The weights of the stances, (n,)."""
         return np.array([s.weight for s in self.stances])
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array, Array]:
-        """Links (n,), the points' positions on them, their spots and drifts per second, (3, n) each."""
+        """The links (n,), the points in their frames [m], the initial targets [m] and the drifts [m/s], (3, n) each."""
         links = np.array([s.point.link for s in self.stances], np.intp)
         drifts = [(s.landed - s.spot) / (s.last - s.first) for s in self.stances]
         positions, spots = [s.point.position for s in self.stances], [s.spot for s in self.stances]
@@ -102,8 +108,11 @@ class StancePenalty(Penalty):
 
 
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
-    """The stances that a timeline of keyframes implies: a point within 12 mm of a surface in two neighbouring ones,
-    on spots less than 5 cm apart, and both keyframes set every joint from the root to the point."""
+    """Return the stances inferred from keyframes.
+
+    In both of two neighbouring keyframes, the point is within 12 mm of a surface and every joint from the root to the
+    point is set. The two positions are less than 5 cm apart.
+    """
     if not points or not surfaces:
         return ()
     states = keys.states
@@ -126,9 +135,9 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
 
 
 def resting_objects(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
-    """Return stances of objects that two neighbouring keyframes put in the same pose: three points of each.
+    """Return the stances of objects with equal poses in two neighbouring keyframes, three points per object.
 
-    An object is a link with a kinematic tree of its own.
+    An object is a link with a separate kinematic tree.
     """
     points = [Point(figure.links[link].name, link, ARM * axis) for link in links for axis in np.eye(3)]
     if not points:
