@@ -179,7 +179,7 @@ def test_what_is_deep_in_the_ground_when_soles_are_on_it_is_searched_softly_firs
     qpos = take.qpos.copy()
     qpos[:, 2] -= lower
     asked = []
-    monkeypatch.setattr(cleaning, "on_the_ground", lambda recorded, *told: recorded)  # it would be lifted: as it is
+    monkeypatch.setattr(cleaning, "move_to_ground", lambda recorded, *told: recorded)  # it would be lifted: as it is
     monkeypatch.setattr(cleaning, "align_to_ground", lambda recorded, *told: recorded)
     monkeypatch.setattr(cleaning, "_eased", lambda asks, near, shares, tell: asked.append(shares) or asks)
     monkeypatch.setattr(cleaning, "inbetween", lambda problem, **told: asked.append("whole") or None)

@@ -200,7 +200,7 @@ def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
     Console(file=out, width=160).print(tables(json.loads(json.dumps(data))))
     shown = out.getvalue()
     assert "recording" in shown and "before" not in shown.split("centre of mass")[0] and "left to gain" not in shown
-    told = [line for line in shown.splitlines() if line.startswith("problem:")]
+    told = [line for line in shown.splitlines() if line.startswith("violation:")]
     assert len(told) < 5
     assert any(line.rstrip().endswith("times more") for line in told)
 
