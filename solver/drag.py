@@ -30,18 +30,22 @@ NEAR_FLOOR = 0.05  # [m] height below which a body's clearance is linearized
 RESTART_MISS, RESTART_COST = 0.005, 0.9  # [m] that triggers restarts; relative cost below which one is accepted
 RESTART_BENDS = np.radians([12, 30, 70])  # flexion of knees and elbows: of all, then of the dragged limb
 STIFFNESS = 0.1, 1.0, 1.0, 1.0, 1.0  # factors of the constraints' weights in successive descents, as many as needed
-FIXED_MISS = 3e-4  # [m] by which fixed goals may be missed
+FIXED_MISS = 3e-4  # [m] largest residual of fixed goals
 STEPS, MAX_STEP = 8, 0.5  # per descent; [rad, m] of any degree of freedom
-DAMPING, MAX_DAMPING, DECREASE, INCREASE = 0.1, 1e8, 5, 6  # relative to the joints' weights; factors
+DAMPING, MAX_DAMPING, DECREASE, INCREASE = 0.1, 1e8, 5, 6  # [1] relative to the squared joint weights; factors
 POOR_GAIN, MIN_GAIN, MIN_STEP = 0.7, 1e-4, 1e-5  # gain ratio that triggers a correction; relative; [rad, m]
 ACTIVE_SETS = 4  # solves per step until the active one-sided residuals no longer change
 
 
 @dataclass(frozen=True, eq=False)
 class FixedPoints:
-    """Goal: points of one body, offsets (n, 3) [m] in its axes, at positions (n, 3) [m]; NaN for free axes.
+    """Goal: target positions for n points of one body.
 
-    index  MuJoCo's id of the body
+    Attributes:
+        name: The name of the goal.
+        index: MuJoCo's id of the body.
+        offsets: The points in the frame of the body, (n, 3) [m].
+        positions: The targets in the world, (n, 3) [m]; NaN along unconstrained axes.
     """
 
     name: str
@@ -70,11 +74,12 @@ class FixedPoints:
 
 @dataclass(frozen=True, eq=False)
 class SupportPolygon:
-    """Limit: the centre of mass of a tree stays above a convex polygon, normals · c <= distances.
+    """Limit: the centre of mass c of a tree stays above a convex polygon, normals · c <= distances.
 
-    root       MuJoCo's id of the tree's root body
-    normals    (k, 2) outward unit normals of the edges
-    distances  (k,) [m]
+    Attributes:
+        root: MuJoCo's id of the tree's root body.
+        normals: The outward unit normals of the edges, (k, 2).
+        distances: The distances of the edges from the origin, (k,) [m].
     """
 
     root: int
@@ -106,9 +111,13 @@ class SupportPolygon:
 class FloorClearance:
     """Limit: the lowest sphere of every body stays above a plane.
 
-    bodies, offsets, radii  MuJoCo's ids (n,), sorted, offsets (n, 3) [m] and radii (n,) [m] of spheres
-    allowed                 (n,) [m] permitted depth
-    normal, level           unit normal (3,) of the plane and its distance [m] from the origin
+    Attributes:
+        bodies: MuJoCo's id of the body of each sphere, sorted, (n,).
+        offsets: The centres of the spheres in the frames of the bodies, (n, 3) [m].
+        radii: The radii of the spheres, (n,) [m].
+        allowed: The permitted depths of the spheres, (n,) [m].
+        normal: The unit normal of the plane, (3,).
+        level: The distance of the plane from the origin [m].
     """
 
     bodies: Index
@@ -151,9 +160,10 @@ class FloorClearance:
 class Constraints:
     """Constraints of a drag, by descending priority.
 
-    fixed      goals that are met
-    limits     one-sided
-    preferred  goals with weights [1/rad or 1/m]
+    Attributes:
+        fixed: The goals that must be met.
+        limits: The one-sided constraints.
+        preferred: Pairs of a weight [1/rad or 1/m] and a goal that is met approximately.
     """
 
     fixed: tuple[Goal, ...] = ()

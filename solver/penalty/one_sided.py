@@ -1,6 +1,6 @@
-"""Residuals that count on one side only, like depths: each adds max(0, value + row · δy)² when the state moves by δy.
+"""One-sided residuals, e.g. depths: each adds max(0, value + row · δy)² to a model of E for a step δy of the state.
 
-Many points of a link move as it moves: their rows are combinations of the few rows of its motion, and are kept so.
+The gradients of many points of one link are stored as linear combinations of the rows of the link's Jacobian.
 """
 
 from __future__ import annotations
@@ -12,17 +12,20 @@ import numpy as np
 
 from ..array import Array, Index
 
-ENTRIES_AT_ONCE = 500_000  # of copies, 4 MB
-FAINT = 1e-13  # of a matrix's trace, so that Cholesky's factor exists
-TINY = 1e-300  # in place of zero
+ENTRIES_AT_ONCE = 500_000  # [1] largest number of array entries that are copied at once, 4 MB
+FAINT = 1e-13  # [1] share of a matrix's trace added to its diagonal, so that its Cholesky factor exists
+TINY = 1e-300  # [1] summand that makes zero matrices positive definite
 
 
 @dataclass(frozen=True, eq=False)
 class Rows:
     """Gradients of P residuals with respect to y: row p is shares_p · basis_r, r = of_p.
 
-    of, shares      (P,), (P, k)
-    at, basis       (R,) samples and (R, k, N)
+    Attributes:
+        of: The index of the basis of each residual, (P,).
+        shares: The coefficients of the linear combinations, (P, k).
+        at: The sample of each basis, (R,).
+        basis: The basis vectors, (R, k, N).
     """
 
     of: Index
@@ -32,22 +35,22 @@ class Rows:
 
     @classmethod
     def plain(cls, at: Index, rows: Array) -> Rows:
-        """Rows (P, N) at samples (P,), none of which is a combination of others."""
+        """Return gradients (P, N) at samples (P,), each stored with a separate basis."""
         return cls(np.arange(at.size), np.ones((at.size, 1)), at, rows[:, None])
 
     @property
     def is_plain(self) -> bool:
-        """Whether every row is one of the basis, in its order."""
+        """Whether every gradient is stored with a separate basis of one vector."""
         return self.shares.shape[1] == 1
 
     def select(self, some: Index) -> Array:
-        """(A, N) some rows."""
+        """Return the gradients with given indices (A,), (A, N)."""
         if self.is_plain:
             return self.basis[some, 0]
         return np.einsum("ak,akn->an", self.shares[some], self.basis[self.of[some]])
 
     def moved(self, change: Array) -> Array:
-        """(P,): how the residuals change if y does by (S, N)."""
+        """Return the changes (P,) of the residuals for a change (S, N) of y."""
         changes = np.empty(self.basis.shape[:2])
         few = max(1, ENTRIES_AT_ONCE // self.basis.shape[2])
         for first in range(0, len(changes), few):
@@ -56,7 +59,7 @@ class Rows:
         return changes[:, 0] if self.is_plain else np.einsum("pk,pk->p", self.shares, changes[self.of])
 
     def pulled_back(self, forces: Array, count: int) -> Array:
-        """(S, N): the gradient of forces · residuals, forces (P,)."""
+        """Return the gradient of forces · residuals, (S, N), for forces (P,)."""
         out = np.zeros((count, self.basis.shape[2]))
         nonzero = np.flatnonzero(forces)
         if not nonzero.size:
@@ -100,11 +103,12 @@ class Rows:
 
 @dataclass(frozen=True, eq=False)
 class OneSidedResiduals:
-    """Such residuals.
+    """One-sided residuals.
 
-    at        (P,) sample of each
-    value     (P,) how far it is over its bound, negative below
-    gradients of the residuals, one after the other in parts
+    Attributes:
+        at: The sample of each residual, (P,).
+        value: The signed excess over the bound, negative within it, (P,).
+        gradients: The gradients of consecutive groups of residuals.
     """
 
     at: Index
@@ -113,28 +117,28 @@ class OneSidedResiduals:
 
     @classmethod
     def plain(cls, at: Index, value: Array, rows: Array) -> OneSidedResiduals:
-        """With rows (P, N), none of which is a combination of others."""
+        """Return residuals with gradients (P, N), each stored with a separate basis."""
         return cls(at, value, (Rows.plain(at, rows),))
 
     @classmethod
     def none(cls) -> OneSidedResiduals:
-        """None at present."""
+        """Return an empty set of residuals."""
         return cls(np.zeros(0, np.intp), np.zeros(0), ())
 
     @classmethod
     def joined(cls, parts: Sequence[OneSidedResiduals]) -> OneSidedResiduals:
-        """One after the other."""
+        """Return the concatenated residuals of several sets."""
         at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
         return cls(at, value, tuple(rows for part in parts for rows in part.gradients))
 
     def shifted(self, first: int) -> OneSidedResiduals:
-        """The same for samples that are counted from an earlier one."""
+        """Return the residuals with sample indices increased by `first`."""
         gradients = tuple(replace(rows, at=rows.at + first) for rows in self.gradients)
         return OneSidedResiduals(self.at + first, self.value, gradients)
 
     @property
     def rows(self) -> Array:
-        """(P, N): all gradients."""
+        """All gradients, (P, N)."""
         return self.select(np.arange(self.at.size))
 
     def parts(self) -> Iterator[tuple[slice, Rows]]:

@@ -25,7 +25,7 @@ from ..penalty import Normalization, Penalty, Role
 from .flight import within
 
 TOUCHING = 0.05  # [m] largest height of the lowest point in a keyframe that touches the ground
-AWAY = 0.25  # of the way to a keyframe in the air, how far one stays low that is on the ground
+AWAY = 0.25  # [1] share of the segment to a keyframe in the air during which a grounded body stays low
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 TINY = 1e-300  # [m] a residual that is zero
 REACH, BLEND = 0.05, 0.01  # [m] defaults of `reach` and `blend`
@@ -35,15 +35,18 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True)
 class HoverPenalty(Penalty):
-    """reach² (1 − exp(−(m/reach)²)) [m²] in some intervals [s], m ≥ 0 the height of the lowest of the points; in those
-    that are `firm`, 10 m².
+    """reach² (1 − exp(−(m/reach)²)) [m²] in given intervals, and 10 m² in `firm` intervals.
 
-    The lowest is a smooth one: m = −blend log Σ exp(−h/blend) over the points' heights h, lower by blend log n for n
-    points of one height.
+    m ≥ 0 is a smooth minimum of the heights h of the points: m = −blend log Σ exp(−h/blend). For n points of the same
+    height, it is lower than the exact minimum by blend log n.
 
-    reach  [m] the height from which on a body is in the air
-    blend  [m]
-    firm   (first, last) [s] of the intervals in which it is never to be
+    Attributes:
+        points: The points of the body.
+        surfaces: The surfaces of the scene.
+        intervals: The intervals (first, last) [s] in which the body stays near the ground.
+        reach: The height from which the body counts as being in the air [m].
+        blend: The smoothing length of the minimum [m].
+        firm: The intervals (first, last) [s] in which the body must not leave the ground.
     """
 
     points: tuple[Point, ...]
