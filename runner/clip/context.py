@@ -214,7 +214,7 @@ class Context:
 
     @property
     def leans(self) -> tuple[Lean, ...]:
-        """The tilt of every trunk in the keyframes."""
+        """The tilt of every root that is not grasped, in the keyframes posed with a free rotation."""
         roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.grasped]
         root = self.figure.root
         if root is not None and not root.is_free:

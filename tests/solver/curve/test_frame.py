@@ -74,7 +74,7 @@ def test_an_end_slope_of_the_wrong_shape_is_refused():
 
 
 def test_unknown_ends_are_refused_and_the_known_ones_named():
-    with pytest.raises(TimelineError, match="'loop': not one of 'free', 'clamped', 'periodic'"):
+    with pytest.raises(TimelineError, match="'loop': not one of 'free', 'clamped', 'clamped start'"):
         Timeline(three_frames(), SLOPE, "loop")
 
 

@@ -160,7 +160,7 @@ def test_clamped_ends_without_slopes_and_unknown_ends_are_refused(figure, rng):
         raw_timeline(figure, keys, "clamped")
     with pytest.raises(TimelineError, match="clamped ends need end_slope of shape"):
         raw_timeline(figure, keys, "clamped", np.zeros(3))
-    with pytest.raises(TimelineError, match="not one of 'free', 'clamped', 'periodic'"):
+    with pytest.raises(TimelineError, match="not one of 'free', 'clamped', 'clamped start', 'clamped end', 'periodic'"):
         raw_timeline(figure, keys, "looped")
 
 
