@@ -178,8 +178,12 @@ class Objective:
 
     def factor(self, term: Term, t: Array) -> Array:
         """Return the multiplier of f_j of a term at times t (S,) [s], including tension, (S,)."""
+        return term.factor * self._tension_share(term, t)
+
+    def _tension_share(self, term: Term, t: Array) -> Array:
+        """Return the power of tension that multiplies f_j of a term at times t (S,) [s], (S,)."""
         power = term.penalty.normalization.by_tension
-        return term.factor * (self.tension(t) ** power if power else np.ones(t.size))
+        return self.tension(t) ** power if power else np.ones(t.size)
 
     def nodes(self, times: Array) -> tuple[Array, Array, Array]:
         """Return the samples of a spline with knots at `times` [s].
@@ -199,9 +203,9 @@ class Objective:
         order = np.argsort(t, kind="stable")
         is_instant = np.append(np.zeros(w.size - instants.size, bool), np.ones(instants.size, bool))[order]
         t, w = t[order], w[order]
-        tension = self.tension(t)
-        powers = [term.penalty.normalization.by_tension for term in self.terms]
-        weights_by_term = np.array([w * tension**power for power in powers]).reshape(len(self.terms), w.size)
+        weights_by_term = np.tile(w, (len(self.terms), 1))
+        for row, term in zip(weights_by_term, self.terms, strict=True):
+            row *= self._tension_share(term, t)
         for k, term_instants in enumerate(instants_by_term):
             if term_instants.size:
                 weights_by_term[k] = np.isin(t, term_instants) & is_instant

@@ -97,7 +97,7 @@ def import_recording(
 ) -> Saved:
     """The motion in a file of another program, as the spline through all its samples.
 
-    The arguments are those of `taken`.
+    The arguments are those of `read_recording`.
 
     Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
