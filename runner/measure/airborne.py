@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.kinematics import Samples
@@ -20,6 +20,7 @@ from ..motion import samples_at
 from .bounds import BOUNDS
 from .checks import Row, row_of
 from .measurement import Measurement, feet_of
+from .swings import runs
 
 RATE = 60.0  # [1/s]
 BRIEF = 0.1  # [s] that a figure may be above the ground as before a landing
@@ -76,10 +77,15 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     if root not in figure.tables.free_links:
         return
     carried = RootWrench(samples, root).force[2] / max(weight(figure, root), 1e-9)
-    for run in _runs(height > BOUNDS["float"].most):
+    for start, end in runs(height > BOUNDS["float"].most):
+        run = np.arange(start, end)
         t = samples.t[run]
         explained = any(first < t[-1] and t[0] < last for first, last in (*flights, *contacts))
-        if explained or np.ptp(t) < BRIEF or np.trapezoid(carried[run], t) < CARRIED * np.ptp(t):
+        if (
+            explained
+            or np.ptp(t) < BRIEF
+            or np.diff(t) @ (carried[run][1:] + carried[run][:-1]) / 2 < CARRIED * np.ptp(t)
+        ):
             continue
         keys = np.flatnonzero(np.isin(motion.key_at, at[run]))
         top = run[height[run].argmax()]
@@ -101,7 +107,8 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
     height, feet = _heights(context.surfaces, context.points, samples), feet_of(figure, context.points)[links]
     for foot in np.unique(feet):
         slowest = np.where((height[feet == foot] < NEAR).all(axis=0), speed[feet == foot].min(axis=0), 0.0)
-        for run in _runs(slowest > BOUNDS["slide"].most):
+        for start, end in runs(slowest > BOUNDS["slide"].most):
+            run = np.arange(start, end)
             seconds = float(np.ptp(samples.t[run]))
             if seconds >= STEP:
                 top, name = run[slowest[run].argmax()], figure.model.body(figure.links[foot].body).name
@@ -114,9 +121,3 @@ def _velocities(samples: Samples, links: Index, positions: Array) -> Array:
     motion = samples.links
     _, offset = motion.points(links, positions)
     return motion.x_d[:, links] + cross(motion.omega[:, links], offset)
-
-
-def _runs(mask: Mask) -> list[Index]:
-    """The indices of every run of samples for which a mask holds."""
-    true = np.flatnonzero(mask)
-    return [run for run in np.split(true, np.flatnonzero(np.diff(true) > 1) + 1) if run.size]
