@@ -14,7 +14,7 @@ Answer = TypeVar("Answer")
 
 
 class Cache(Generic[Answer]):
-    """The last results, up to a maximum number. They are shared: callers must not change them."""
+    """A cache of the last results, up to a maximum number. The results are shared, so callers must not change them."""
 
     def __init__(self, most: int) -> None:
         self._most = most
@@ -25,7 +25,7 @@ class Cache(Generic[Answer]):
         return len(self._answers)
 
     def get(self, key: Hashable, compute: Callable[[], Answer]) -> Answer:
-        """The answer to what is asked, found if it is not known; an exception is no answer."""
+        """Return the cached result of a key; compute and cache it first if it is missing. Exceptions are not cached."""
         with self._lock:
             if key in self._answers:
                 self._answers.move_to_end(key)
@@ -39,8 +39,10 @@ class Cache(Generic[Answer]):
 
 
 def cache_key(value: Any) -> Hashable:
-    """What two values have in common if they are the same to the bit: arrays, dataclasses and sequences by what is in
-    them, all else by itself."""
+    """Return a key that is equal for values with identical contents.
+
+    Arrays, dataclasses and sequences are compared by their contents, other values by their own equality.
+    """
     if isinstance(value, np.ndarray):
         return value.dtype.str, value.shape, value.tobytes()
     if isinstance(value, list | tuple):

@@ -1,6 +1,6 @@
-"""The compiled kernel, `kernel.c`, if it is built: the same results as NumPy's, faster.
+"""The compiled kernel `kernel.c`. Its results are those of the NumPy code, and it is faster.
 
-It is built when the package is installed, if there is a C compiler, and left out without one.
+Installation builds it if there is a C compiler. Without it, `kernel` is None and NumPy is used.
 """
 
 from __future__ import annotations
@@ -26,7 +26,13 @@ kernel = _loaded()
 
 
 def call(name: str, out: Array, *arguments: object) -> None:
-    """Calls a function of the kernel, which adds to or sets `out`; numbers, arrays and None for arrays left out."""
+    """Call a function of the kernel, which adds to `out` or sets it.
+
+    Args:
+        name: The function.
+        out: The output array.
+        arguments: Numbers, arrays, and None for omitted arrays.
+    """
     assert kernel is not None, "callers ask first"
     every = (np.ascontiguousarray(one) if isinstance(one, np.ndarray) else one for one in arguments)
     getattr(kernel, name)(out, *every)

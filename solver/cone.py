@@ -1,11 +1,12 @@
-"""The part of vectors that a cone cannot supply, for many vectors and cones at once: non-negative least squares.
+"""The part of vectors outside cones of edges, by non-negative least squares for many vectors and cones at once.
 
     E(w, G) = min over λ ≥ 0 of |w − G λ|² + ε |λ|²
 
-With r = w − G λ the conditions are λ = max(0, Gᵀ r) / ε, so r minimises the convex, piecewise quadratic
-½ |r|² + |max(0, Gᵀ r)|² / 2ε − w · r: Newton steps, shortened where they go too far, end there after a few, as in the
-model of a step of the search. Its dimension is that of w, however many edges the cones have. By the envelope theorem
-dE = 2 r · (dw − dG λ); and its second derivatives, edges that pull nothing left out, are twice those of a projection.
+With r = w − G λ, the optimality conditions are λ = max(0, Gᵀ r) / ε. Hence r minimises the convex, piecewise quadratic
+function ½ |r|² + |max(0, Gᵀ r)|² / 2ε − w · r. Its dimension is that of w, whatever the number of edges. Newton steps
+on the active set, shortened where they overshoot, reach the minimum after a few iterations.
+
+By the envelope theorem, dE = 2 r · (dw − dG λ). `projection` gives the second derivatives for a constant active set.
 """
 
 from __future__ import annotations
@@ -16,15 +17,21 @@ import numpy as np
 
 from .array import Array, Mask
 
-MOST_STEPS = 60  # of the active set
-SETTLED = 1e-14  # promised decrease beside |w|² at which a step is the last one
-FAR = 0.5  # of the slope at a step's start, with the other sign, at its end: too far
-SECANTS = 8  # steps after which one that goes too far is shortened by the exact line search
-TINY = 1e-300  # a slope that does not rise
+MOST_STEPS = 60  # maximum number of Newton steps
+SETTLED = 1e-14  # [1] predicted decrease relative to |w|², at which a step is the last
+FAR = 0.5  # [1] positive slope at a step's end, relative to the negative one at its start, above which it overshoots
+SECANTS = 8  # steps after which overshooting steps are shortened by exact line search instead of by the secant rule
+TINY = 1e-300  # smallest divisor, against division by zero
 
 
 class Unsupplied(NamedTuple):
-    """The unsupplied part of w (n, S): residual r (n, S), the edges' shares λ (K, S) and value E (S,)."""
+    """The part of vectors w (n, S) outside their cones.
+
+    Attributes:
+        rest: The residual r = w − G λ, (n, S).
+        shares: The multipliers λ of the edges, (K, S).
+        value: E, (S,).
+    """
 
     rest: Array
     shares: Array
@@ -32,7 +39,13 @@ class Unsupplied(NamedTuple):
 
 
 def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
-    """E for vectors w (n, S) and cones of K edges (n, K, S), some of which may be zero; softness ε."""
+    """Return the part of vectors outside their cones.
+
+    Args:
+        w: The vectors, (n, S).
+        edges: The edges of the cones G, (n, K, S). Edges may be zero.
+        softness: The regularisation ε.
+    """
     w, edges = np.ascontiguousarray(w.T), np.ascontiguousarray(edges.transpose(2, 1, 0))
     rest, pull = w.copy(), np.matmul(edges, w[:, :, None])[:, :, 0]
     todo = np.flatnonzero((pull > 0).any(axis=1))
@@ -48,7 +61,7 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
         there = p + change
         pulling = there > 0
         promised = -np.einsum("sn,sn->s", slope, step)
-        # where the same edges go on pulling, the step ends at the least value
+        # with an unchanged active set, the step ends at the minimum
         done = (pulling == pulls).all(axis=1) | (promised <= SETTLED * size)
         rise = _rise(w_left, r, step, there, change, softness)
         far = np.flatnonzero(~done & (rise > FAR * promised))
@@ -68,7 +81,13 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
 
 
 def projection(left: Unsupplied, edges: Array, softness: float) -> Array:
-    """½ ∂²E/∂w², (S, n, n), of what is left of vectors when cones of edges (n, K, S) supply what they can."""
+    """Return ½ ∂²E/∂w² for a constant active set, (S, n, n).
+
+    Args:
+        left: The result of `unsupplied`.
+        edges: The edges of the cones, (n, K, S).
+        softness: The regularisation ε.
+    """
     edges = np.ascontiguousarray(edges.transpose(2, 1, 0))
     return np.asarray(np.linalg.inv(np.eye(edges.shape[2]) + _squares(edges, left.shares.T > 0) / softness), float)
 
@@ -79,16 +98,16 @@ def _squares(edges: Array, active: Mask) -> Array:
 
 
 def _rise(w: Array, rest: Array, step: Array, there: Array, change: Array, softness: float) -> Array:
-    """(S,) the derivative along a step from rests r (S, n) at its end, where the edges' Gᵀ r are `there`."""
+    """Return the slope (S,) of the convex function at the end of a step from r (S, n); `there` is Gᵀ r at that end."""
     pulled = np.einsum("sk,sk->s", np.maximum(there, 0), change)
     return np.einsum("sn,sn->s", rest + step - w, step) + pulled / softness
 
 
 def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness: float) -> Array:
-    """(S,) how far along the step the convex function is least: its derivative is piecewise linear and rises.
+    """Return the share of the step at which the convex function is smallest, (S,).
 
-    It begins at slope · step; its own slope grows by change²/ε where an edge begins to pull, and
-    shrinks where one ends.
+    The slope along the step is piecewise linear and increasing. It starts at slope · step, and its own rate grows by
+    change²/ε where an edge becomes active and falls by as much where one becomes inactive.
     """
     straight = np.einsum("sn,sn->s", step, step)
     here = np.einsum("sn,sn->s", slope, step)
@@ -99,7 +118,7 @@ def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness
     order = np.argsort(np.where(ahead, turns, np.inf), axis=1)
     count = np.arange(len(order))[:, None]
     turns = np.where(ahead, turns, 0.0)[count, order]
-    turns = np.maximum.accumulate(turns, axis=1)  # those that never come, as the last that does
+    turns = np.maximum.accumulate(turns, axis=1)  # edges without a turn repeat the last turn
     jumps = np.where(ahead, np.sign(change) * squares, 0.0)[count, order]
     pulls = (pull > 0) | ((pull == 0) & (change > 0))
     first = straight + np.einsum("sk,sk->s", squares, pulls)

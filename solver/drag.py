@@ -1,7 +1,7 @@
 """Pose of a standing figure that is dragged by one point, by damped least squares from the previous pose.
 
-The soles yield last, then joint ranges, floor and balance, then the dragged point. Its force is bounded, so an
-unreachable target moves neither the soles nor the centre of mass beyond the support polygon.
+The priorities are, from the highest: soles, joint ranges with floor and balance, dragged point. The dragging force is
+bounded, so an unreachable target moves neither the soles nor the centre of mass beyond the support polygon.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ STIFFNESS = 0.1, 1.0, 1.0, 1.0, 1.0  # factors of the constraints' weights in su
 FIXED_MISS = 3e-4  # [m] largest residual of fixed goals
 STEPS, MAX_STEP = 8, 0.5  # per descent; [rad, m] of any degree of freedom
 DAMPING, MAX_DAMPING, DECREASE, INCREASE = 0.1, 1e8, 5, 6  # [1] relative to the squared joint weights; factors
-POOR_GAIN, MIN_GAIN, MIN_STEP = 0.7, 1e-4, 1e-5  # gain ratio that triggers a correction; relative; [rad, m]
+POOR_GAIN, MIN_GAIN, MIN_STEP = 0.7, 1e-4, 1e-5  # gain ratio for a correction; limits of convergence [1], [rad, m]
 ACTIVE_SETS = 4  # solves per step until the active one-sided residuals no longer change
 
 
@@ -183,15 +183,20 @@ def dragged(
     limb: Mask | None = None,
     range_shares: Mapping[int, float] | None = None,
 ) -> Posed:
-    """Return the pose nearest to `home` (nq,) that meets the target, or approaches it, from the pose `begin` (nq,).
+    """Return the pose nearest to `home` that meets the target or approaches it.
 
     A straight limb has no gradient that bends it, and a hand that passes its shoulder can get stuck. If the target is
-    missed, the descent is repeated with bent knees and elbows.
+    missed, the descent is therefore repeated with bent knees and elbows.
 
     Args:
-        free: (nq,) entries that may change.
+        figure: The figure.
+        home: The preferred pose, (nq,).
+        free: Entries that may change, (nq,).
+        target: The target of the dragged point.
+        constraints: The constraints.
         bends: Limits of knees and elbows on ball joints.
-        limb: (nq,) entries of the dragged limb, for restarts that bend it more.
+        begin: The previous pose, from which the descent starts, (nq,).
+        limb: Entries of the dragged limb, for restarts that bend it more, (nq,).
         range_shares: By link, the share of its range that a joint may use.
     """
     goals = (target, *constraints.fixed)
@@ -292,9 +297,14 @@ class _Drag:
 
 @dataclass(frozen=True, eq=False)
 class _Linearization:
-    """Weighted residuals (r,) at a pose (nq,) and their Jacobian (r, n); one-sided from index `two_sided` on.
+    """Weighted residuals at a pose and their Jacobian.
 
-    constant  part of the cost that the squares omit: of the target's Huber loss
+    Attributes:
+        qpos: The pose, (nq,).
+        values: The residuals, (r,).
+        rows: The Jacobian, (r, n).
+        two_sided: The number of two-sided residuals, which are first; the others are one-sided.
+        constant: The part of the cost, from the target's Huber loss, that the squares omit.
     """
 
     qpos: Array

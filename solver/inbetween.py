@@ -1,10 +1,10 @@
 """In-betweening: motion from keyframes and soft constraints, by the five steps of the paper's figure 5.
 
-1  keyframes, whole or partial, and penalties           Problem.raw, Problem.objective
-2  variable frames between them                         Settings.beginning
-3  a C² spline through all frames                       spline.Spline
-4  move the variable frames to lower E                  descent.Descent
-5  split where the path is badly approximated           subdivision.CRITERIA; back to 3
+1. Keyframes and penalties: `Problem.raw`, `Problem.objective`
+2. Variable frames between the keyframes: `Settings.beginning`
+3. A C² spline through all frames: `curve.spline`
+4. Descent, which moves the variable frames to lower E: `search.descent`
+5. Subdivision where the path is badly approximated: `refine.subdivision`; continue with step 3
 """
 
 from __future__ import annotations
@@ -35,23 +35,27 @@ from .search.restart_criteria import cost_increased, is_poor_minimum, is_pose_ou
 from .search.selection import select_best
 from .solution import Improvement, Solution
 
-NEGLIGIBLE = 1e-3  # of E at the start: what is left of it counts as so much at least where thresholds are shares
-ROUGH = 1e-2  # relative progress at which a round ends that another may follow
-SHARE_OF_PROMISE = 0.1  # of what more frames promise: a round ends where its next step promises less
-MOST_FRAMES = 12  # variable ones in a segment between keyframes, in the end
+NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at least this much
+ROUGH = 1e-2  # [1] tolerance of all rounds except the last, relative to E
+SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of new frames, below which a round ends
+MOST_FRAMES = 12  # default limit of variable frames, on average per segment between keyframes
 OF_CONTACTS, OF_LIMBS = frozenset({Role.CONTACT, Role.PHYSICS}), frozenset({Role.LIMIT})
-CLEARLY = 0.5  # of the first E: what is lower than that is better than the raw path, however exactly E is summed
-ALIKE = 1.1  # times the lower E of two searches: what is no higher lies in the same valley
+CLEARLY = 0.5  # [1] share of the first E, below which a path is better than the raw one at any accuracy of quadrature
+ALIKE = 1.1  # [1] ratio of the E of two searches, up to which their minima count as the same
 
 
 def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | None = None) -> Solution:
     """Return smooth motion through keyframes that minimises soft constraints.
 
-    The keyframes are met exactly whenever the search is stopped.
+    The path meets the keyframes exactly, even if the search is interrupted.
 
     Args:
         problem: The keyframes, soft constraints and settings.
-        improved: Called with every evaluation that lowers E; raise `StopSearch` in it to stop and keep the best path.
+        improved: Called with every evaluation that lowers E. It may raise `StopSearch` to end the search with the best
+            path.
+
+    Returns:
+        The best path and the trace of the search.
 
     Raises:
         TimelineError: The keyframes are invalid.
@@ -67,15 +71,21 @@ def continue_from(
     between: Sequence[tuple[float, float]] = (),
     improved: Callable[[Improvement], None] | None = None,
 ) -> Solution:
-    """Continue from a warm start, such as the solution before a keyframe was moved; otherwise like `inbetween`.
+    """Continue from a warm start, such as the solution before a keyframe was moved.
 
-    The search ends in the nearest minimum, without the restarts of `inbetween` after a poor local minimum.
+    The search ends in the nearest minimum. Unlike `inbetween`, it does not restart after a poor local minimum.
 
     Args:
         problem: The keyframes, soft constraints and settings.
         begin: A timeline through the keyframes with variable frames, see `refine.warm_start`.
-        between: The edited intervals [s]; if specified, only segments near them are searched.
+        between: The edited intervals [s]. If specified, only segments near them are searched.
         improved: See `inbetween`.
+
+    Returns:
+        The best path and the trace of the search.
+
+    Raises:
+        TimelineError: The keyframes are invalid.
     """
     raw = problem.raw
     return _found(problem, raw, begin, improved, lambda loop: loop.on_from(raw, begin, between))
@@ -88,7 +98,7 @@ def _found(
     improved: Callable[[Improvement], None] | None,
     search: Callable[[_Loop], Timeline],
 ) -> Solution:
-    """Return the result of a search; if interrupted, the best path so far, or its start before any evaluation."""
+    """Return the result of a search. If interrupted, it is the best path so far, or `begin` before any evaluation."""
     with one_thread():
         loop = _Loop(problem.objective, problem.settings, improved)
         hard = hard_ranges(problem.penalties)
@@ -96,7 +106,7 @@ def _found(
             timeline = search(loop)
             moved = limited(problem.figure, timeline, hard)
             if moved is not timeline and loop.is_whole and loop.stop is not Stop.INTERRUPTED:
-                timeline = loop.descend(moved, problem.settings.tolerance)  # so that other joints make up for it
+                timeline = loop.descend(moved, problem.settings.tolerance)  # other joints adapt to the moved ones
         except KeyboardInterrupt:
             timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.INTERRUPTED
         timeline = limited(problem.figure, timeline, hard)
@@ -104,20 +114,30 @@ def _found(
 
 
 def hard_ranges(penalties: Sequence[tuple[Penalty, float]]) -> tuple[Range, ...]:
-    """The joint ranges that a path must keep at all times."""
+    """Return the joint ranges that a path must satisfy at all times."""
     return tuple(joint for penalty, _ in penalties if isinstance(penalty, JointRange) for joint in penalty.hard)
 
 
 @dataclass(frozen=True, eq=False)
 class _End:
-    """The end of a round: its timeline, and the reason for stopping."""
+    """The result of one round: its timeline and the reason for stopping."""
 
     timeline: Timeline
     stop: Stop
 
 
 class _Loop:
-    """Rounds of descent and subdivision, with the best timeline kept."""
+    """Rounds of descent and subdivision, on the whole clip or on a part of it.
+
+    Attributes:
+        trace: (evaluation, round, E, parts) of every evaluation that lowered E.
+        best: Builds the best timeline so far; None before any evaluation.
+        since: The interval in which segments may be split begins here [s].
+        until: The end of this interval [s].
+        elsewhere: The contribution of segments outside the searched part to the terms of E, (terms,).
+        whole: Inserts the searched part into the whole clip.
+        last: The terms of E at the last evaluation, by name.
+    """
 
     def __init__(self, objective: Objective, settings: Settings, improved: Callable | None) -> None:
         self.objective, self.settings, self.improved = objective, settings, improved
@@ -133,20 +153,20 @@ class _Loop:
 
     @property
     def is_whole(self) -> bool:
-        """Whether all of the path is searched at once."""
+        """Whether the whole clip is searched at once."""
         return not np.isfinite([self.since, self.until]).any()
 
     def fresh(self) -> Optimiser:
-        """An optimiser that has learnt nothing yet."""
+        """Return an optimiser in its initial state."""
         return optimiser_of(self.settings.optimiser, self.objective.figure.width, self.settings.tolerance)
 
     def better_than(self, raw: Timeline, found: Timeline) -> Timeline:
-        """Return the timeline found, or the raw one if that is better; not compared where E has fallen far."""
+        """Return the better of two timelines, or `found` without a comparison if E has clearly decreased."""
         is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
         return found if is_clear else select_best(self.objective, [found, raw])
 
     def over(self, raw: Timeline) -> Timeline:
-        """The best timeline found through the keyframes of a raw one, long clips window by window."""
+        """Return the best timeline through the keyframes of a raw one. Long clips are solved in windows."""
         settings = self.settings
         in_windows = settings.quadrature.kind == "gauss" and is_long(raw)
         first = split(raw, settings.beginning(raw.times, in_windows=in_windows))
@@ -161,7 +181,7 @@ class _Loop:
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 
     def on_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
-        """The nearest minimum from a timeline, in all of it or in what edits reach."""
+        """Return the nearest minimum from a timeline, over the whole clip or only near the edited intervals."""
         segments, budget = len(raw.frames) - 1, self.settings.frames
         if not between and is_long(raw):
             between = [(float(raw.times[0]), float(raw.times[-1]))]
@@ -187,9 +207,14 @@ class _Loop:
     def _on_from_cut(
         self, cut: EditWindow, begin: Timeline, raw: Timeline, budget: int | None, parts: Array | None
     ) -> Timeline:
-        """The whole timeline with a part of it at its nearest minimum.
+        """Return the whole timeline with one part at its nearest minimum.
 
-        parts  (segments, terms) of E where edits began, if there are several
+        Args:
+            cut: The part.
+            begin: The whole timeline.
+            raw: The timeline of the raw spline.
+            budget: The limit of variable frames in the whole clip.
+            parts: The terms of E before the edits, (segments, terms); None if there is only one edit.
         """
         self.since, self.until = cut.first, cut.last
         self.whole = cut.around(begin)
@@ -198,12 +223,13 @@ class _Loop:
         return self.whole(self.run(cut.part, cut.segments, limit)[-1].timeline)
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
-        """The best timeline found from where one begins, and if that is a poor local minimum from the straight path
-        between keyframes; in the opposite order where the beginning itself is a pose outlier.
+        """Return the best timeline of several searches, each started only if the minimum before it is poor.
 
-        If both are poor local minima, or lie in different valleys, further starts are their minima without the terms
-        that trap limbs: first contacts of feet and hands, then bends. A good but costly minimum is searched once more,
-        from its minimum without bends. With one evaluation the initial path is evaluated and not searched.
+        The first search starts from `timeline`, the second from the straight path between keyframes. The order is
+        reversed if `timeline` is a pose outlier. If both minima are poor, or differ, two more starts follow. They are
+        minima without the terms that trap limbs: first without contacts of feet and hands, then without joint bends. A
+        good minimum whose cost increased is followed by the last of these starts only. With one evaluation, only the
+        initial path is evaluated.
         """
         ends: list[_End] = []
         values: list[float] = []
@@ -225,7 +251,7 @@ class _Loop:
         return selected
 
     def _starts(self, timeline: Timeline) -> list[Callable[[], Timeline]]:
-        """The initial guesses of searches, in order: two, and two more."""
+        """Return the functions that compute the initial guesses, in their order."""
         figure = self.objective.figure
         starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
         if self.settings.max_evaluations == 1:
@@ -239,16 +265,17 @@ class _Loop:
         ]
 
     def _is_settled(self, timeline: Timeline, values: Sequence[float]) -> bool:
-        """Whether the last search, of those that ended at these E, makes further ones unnecessary."""
+        """Return whether the last search makes further ones unnecessary; `values` are the final E of all searches."""
         if not is_poor_minimum(self.objective, timeline, self.last):
             return True
         same_valley = max(values) <= ALIKE * min(values)
         return len(values) == 2 and same_valley and not violation_dominates(self.objective, self.last)
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[_End]:
-        """Rounds until no segment deserves another frame, or their budget is spent; how each of them ended.
+        """Return the results of rounds, until no segment needs a frame or the budget of frames is spent.
 
-        A round that another may follow ends when the next step promises little beside what more frames do.
+        A round that another may follow ends early, once its next step is predicted to gain little compared with new
+        frames.
         """
         ends: list[_End] = []
         tolerance = self.settings.tolerance
@@ -278,7 +305,7 @@ class _Loop:
         return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
 
     def run_windows(self, raw: Timeline, first: Timeline) -> Timeline:
-        """The rounds of every window of a long clip, one window after the other."""
+        """Return the whole clip after solving its windows in order."""
         segments = len(raw.frames) - 1
         assembly = Assembly(self.objective, raw, first)
         for window in windows(segments):
@@ -302,7 +329,7 @@ class _Loop:
         def report(count: int, evaluation: Evaluation, x: Array) -> None:
             self.evaluations, self.last = before + count, evaluation.parts
             value = elsewhere + evaluation.value
-            # a new round sums E over other samples: its first evaluations need not lie below the last round's
+            # a new round sums E over other samples, so its first values may exceed those of the last round
             if self.trace and value >= self.trace[-1][2]:
                 return
             self.best = partial(_built, self.whole, timeline, descent, x)
@@ -332,7 +359,7 @@ class _Loop:
             threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         middles = midpoints(timeline)
-        inside = (middles > self.since) & (middles < self.until)  # what a window holds is not split
+        inside = (middles > self.since) & (middles < self.until)  # fixed segments of a window are not split
         scores = np.where(inside, scores, -np.inf)
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]
@@ -341,5 +368,5 @@ class _Loop:
 
 
 def _built(whole: Callable[[Timeline], Timeline], timeline: Timeline, descent: Descent, x: Array) -> Timeline:
-    """The whole clip with a descent on one of its timelines at x."""
+    """Return the whole clip with the searched part at the unknowns x (n,)."""
     return whole(timeline.with_rows(descent.problem.unknowns.rows(x)))

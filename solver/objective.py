@@ -1,7 +1,7 @@
-"""The objective E(Y) = Σ_j α_j ∫ f_j dt (eq. 1), renormalised by the raw spline's integrals (eq. 7), and its gradient.
+"""The objective E(Y) = Σ_j α_j ∫ f_j dt (eq. 1), its renormalisation (eq. 7), and its gradient.
 
-A pointwise reading of equation 7 divides by zero at every keyframe. Here each term f_j is divided by its integral over
-the raw spline. The factors are computed once and do not change with subdivision.
+Taken at single times, equation 7 divides by zero at every keyframe. Here each term f_j is divided by its integral over
+the raw spline instead. These divisors are computed once and do not change with subdivision.
 """
 
 from __future__ import annotations
@@ -57,8 +57,9 @@ class Objective:
         figure: The figure.
         terms: The soft constraints, with their weights and factors.
         quadrature: The quadrature rule of the integral.
-        heavy: Upper limit of E in relative tolerances, so that gross violations do not loosen the tolerances.
-        key_times: Times of the keyframes, (K,) [s], from which tension is computed; None: the tension is 1 everywhere.
+        heavy: Upper limit of E where tolerances are relative to E, so that gross violations do not loosen them.
+        key_times: Times of the keyframes, (K,) [s], from which tension is computed. If None, the tension is 1
+            everywhere.
     """
 
     figure: Figure
@@ -135,7 +136,7 @@ class Objective:
 
     @property
     def measured(self) -> tuple[Term, ...]:
-        """The terms whose divisor is their own integral over the raw spline, without violations."""
+        """The terms divided by their integral over the raw spline, without violations."""
         return tuple(
             t
             for t in self.terms
@@ -292,7 +293,7 @@ def run_of(figure: Figure) -> int:
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """A run of evaluated samples.
+    """The evaluated samples of one run.
 
     Attributes:
         piece: The sampling of the run.

@@ -1,4 +1,4 @@
-"""One thread of linear algebra: on matrices as small as a band's blocks, several only wait for each other."""
+"""One thread of linear algebra, because on matrices as small as a band's blocks several threads mostly wait."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from threadpoolctl import ThreadpoolController
 
 @contextmanager
 def one_thread() -> Iterator[None]:
-    """Run this block with one thread of BLAS, then restore the number; without effect if it is one already."""
+    """Run a block with one thread of BLAS, then restore the number of threads."""
     libraries = _libraries()
     if all(library.num_threads == 1 for library in libraries.lib_controllers):
         yield
@@ -22,5 +22,5 @@ def one_thread() -> Iterator[None]:
 
 @cache
 def _libraries() -> ThreadpoolController:
-    """The BLAS that NumPy and SciPy have loaded; searched once, which takes as long as a small solve."""
+    """Return the BLAS libraries of NumPy and SciPy, cached because the search takes as long as a small solve."""
     return ThreadpoolController().select(user_api="blas")

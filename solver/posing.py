@@ -699,7 +699,6 @@ class _Bends:
     """The knees and elbows among the free joints.
 
     Attributes:
-        figure: The figure.
         limits: The k joints with their bounds.
         columns: The columns of their quaternions in qpos, (k, 4).
         dofs: Their degrees of freedom, (k, 3).

@@ -21,10 +21,10 @@ from .refine.subdivision import CRITERIA
 from .search.minimum import Optimiser
 from .search.refinement import LBFGS
 
-FEW, MORE = 2, 3  # initial variable frames per segment: of a clip solved at once, and of one solved in windows
-TINY = 0.05  # of the spacing of adjacent frames: a shorter segment gets none, since with some E is hard to lower
-SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow adjacent segments
-# defaults: share of the mean E from which a segment is split; evaluations in a round, relative progress in it
+FEW, MORE = 2, 3  # initial variable frames per segment of a clip that is solved at once, or in windows
+TINY = 0.05  # [1] length of a segment relative to the frame spacing beside it, below which it gets no variable frame
+SPACING = 0.3  # [s] maximum initial spacing of frames
+# defaults of `threshold`, `max_evaluations` and `tolerance`
 THRESHOLD, MOST_EVALUATIONS, TOLERANCE = 1e-3, 250, 1e-5
 
 
@@ -32,18 +32,23 @@ THRESHOLD, MOST_EVALUATIONS, TOLERANCE = 1e-3, 250, 1e-5
 class Settings:
     """Settings of the search.
 
-    variable         variable frames in every segment between keyframes to begin with; None: 2, and 3 in a clip so long
-                     that it is solved window by window, where more rounds would take too long
-    frames           limit of subdivision: the total number of variable frames; None: twelve a segment between keyframes
-    criterion        which segments are split: "weak", "residual", "objective", "resolution"
-    threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
-                     the other criteria have units of their own
-    batch            share of the segments that are split in one round, at most
-    optimiser        NLopt's algorithm for the last stage, by name; "none": Gauss-Newton steps alone; or a function for
-                     all of the search
-    max_evaluations  budget of evaluations in each round
-    tolerance        relative progress at which the last round ends
-    renormalise      divide each term by its integral over the raw spline (eq. 7)
+    Attributes:
+        variable: Initial variable frames in every segment between keyframes. None: 2, or 3 if the clip is solved in
+            windows, where further rounds would take too long.
+        frames: The maximum number of variable frames. None: 12 per segment between keyframes.
+        criterion: The criterion of subdivision: "weak", "residual", "objective" or "resolution".
+        threshold: A segment is split if its criterion exceeds this value. For "weak", the unit is the mean of E per
+            segment between keyframes; the other criteria have their own units.
+        batch: The maximum share of the segments that are split in one round.
+        optimiser: The NLopt algorithm of the last stage, by name; "none": Gauss-Newton steps alone. An `Optimiser`
+            replaces the whole search.
+        max_evaluations: The evaluation budget of each round.
+        tolerance: Relative progress at which the last round ends.
+        renormalise: Whether each term is divided by its integral over the raw spline (eq. 7).
+        quadrature: The quadrature rule of E.
+
+    Raises:
+        ValueError: A setting is invalid.
     """
 
     variable: int | None = None
@@ -66,8 +71,14 @@ class Settings:
             raise ValueError("settings: max_evaluations, tolerance and batch must be positive, threshold not negative")
 
     def beginning(self, times: Array, *, in_windows: bool) -> Array:
-        """(V,) [s] of the variable frames to begin with between keyframes at times (K,) [s]: so many in every segment,
-        more in long ones and none in one that is tiny next to its neighbours, unless `variable` sets the number."""
+        """Return the times of the initial variable frames, (V,) [s].
+
+        Unless `variable` is set, long segments get more frames, and tiny segments none: E is hard to lower with them.
+
+        Args:
+            times: The times of the keyframes, (K,) [s].
+            in_windows: Whether the clip is solved in windows.
+        """
         spans = np.diff(times)
         count = np.full(spans.size, self.in_each(spans.size, in_windows=in_windows))
         if self.variable is None:
@@ -81,7 +92,7 @@ class Settings:
         )
 
     def in_each(self, segments: int, *, in_windows: bool) -> int:
-        """Variable frames to begin with in every one of so many segments between keyframes."""
+        """Return the initial number of variable frames in each of `segments` segments between keyframes."""
         if self.variable is not None:
             return self.variable
         if not in_windows:
@@ -91,14 +102,18 @@ class Settings:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """Keyframes of a figure, to be in-betweened by a path that keeps soft constraints small.
+    """Keyframes of a figure, and the soft constraints on the motion between them.
 
-    keys       keyframes holding *qpos* (nq,) and the mask of what is fixed, at least two, in order of time
-    penalties  soft constraints with their weights α
-    ends       "free", "clamped", "clamped start", "clamped end" (with end_slope (2, N), in the figure's coordinates) or
-               "periodic"
-    travel     (3,) [m] displacement of a loop's root per period; None: that of the keyframes in x and y
-    turn       [rad] by how much the root of a loop is turned by then; None: as in the keyframes
+    Attributes:
+        figure: The figure.
+        keys: At least two keyframes in order of time. Their states are configurations qpos (nq,), with masks of the
+            fixed entries.
+        penalties: The soft constraints f with their weights α.
+        settings: The settings of the search.
+        ends: The end conditions: "free", "clamped", "clamped start", "clamped end" or "periodic".
+        end_slope: The velocities at clamped ends, (2, N), in the figure's coordinates.
+        travel: The displacement of a loop's root per period, (3,) [m]; None: that of the keyframes in x and y.
+        turn: The rotation of a loop's root per period [rad]; None: that of the keyframes.
     """
 
     figure: Figure
@@ -112,7 +127,7 @@ class Problem:
 
     @cached_property
     def raw(self) -> Timeline:
-        """The timeline of the spline through the keyframes alone. Raises TimelineError for frames that make no clip."""
+        """The timeline of the spline through the keyframes alone. Raises TimelineError if the keyframes are invalid."""
         return raw_timeline(self.figure, list(self.keys), self.ends, self.end_slope, self.travel, self.turn)
 
     @cached_property
@@ -122,14 +137,14 @@ class Problem:
 
     @cached_property
     def objective(self) -> Objective:
-        """E as the search minimises it with these settings (eq. 7)."""
+        """E as these settings define it, renormalised by default (eq. 7)."""
         return renormalised(self.plain_objective, self.raw) if self.settings.renormalise else self.plain_objective
 
 
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
-    """Return E with every term divided by its integral over the raw path, or over the initial path of a term.
+    """Return E with every term divided by its integral over the raw path (eq. 7), see `Objective.renormalised`.
 
-    With the soft constraint of posture, tension acts between the keyframes.
+    If a term provides an initial guess, that path limits the divisors too. If posture is penalised, tension is used.
     """
     guide = guide_of(objective)
     out = objective.renormalised(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
@@ -139,7 +154,7 @@ def renormalised(objective: Objective, raw: Timeline) -> Objective:
 
 @dataclass(frozen=True)
 class Guides:
-    """Several soft constraints that provide an initial path, applied in sequence."""
+    """Several soft constraints that provide an initial guess, applied in sequence."""
 
     parts: tuple[Guide, ...]
 
@@ -151,7 +166,7 @@ class Guides:
 
 
 def guide_of(objective: Objective) -> Guide | Guides | None:
-    """Return the soft constraints that provide an initial path, limits last; None without any."""
+    """Return the soft constraints that provide an initial guess, limits last; None if there are none."""
     guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
     guides.sort(key=lambda guide: guide.role is Role.LIMIT)
     return Guides(tuple(guides)) if len(guides) > 1 else next(iter(guides), None)

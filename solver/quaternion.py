@@ -1,7 +1,7 @@
-"""Quaternion algebra on arrays (..., 4): wxyz, any length > 0, nothing normalised behind the caller's back.
+"""Quaternion algebra on arrays (..., 4): wxyz, of any length > 0, without implicit normalisation.
 
-Formulas: W. R. Hamilton's product; logarithm and exponential as in J. Solà, "Quaternion kinematics for the error-state
-Kalman filter" (2017), §2; derivatives of the inverse are eqs. 14-17 of the paper.
+The logarithm and exponential are as in J. Solà, "Quaternion kinematics for the error-state Kalman filter" (2017), §2.
+The derivatives of the inverse are eqs. 14-17 of the paper.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike
 
 from .array import Array
 
-# Hamilton's table: the pairs p_i q_j, row 4 i + j, that make up each component of p ⊗ q
+# Hamilton's table: the coefficient of p_i q_j, in row 4 i + j, in each component of p ⊗ q
 _PRODUCT = np.zeros((16, 4))
 _PRODUCT[[0, 1, 4, 2, 8, 3, 12, 11, 13, 6], [0, 1, 1, 2, 2, 3, 3, 1, 2, 3]] = 1
 _PRODUCT[[5, 10, 15, 14, 7, 9], [0, 0, 0, 1, 2, 3]] = -1
-TINY = 1e-9  # vector part of a unit quaternion whose sine is as good as itself
+TINY = 1e-9  # [1] length of a unit quaternion's vector part below which its angle is twice this length
 
 
 def product(p: ArrayLike, q: ArrayLike) -> Array:
@@ -50,12 +50,12 @@ def rotated(q: ArrayLike, v: ArrayLike) -> Array:
     """Return v (..., 3) rotated by q (..., 4) of any length: the vector part of q ⊗ v ⊗ q⁻¹."""
     q, v = np.asarray(q, float), np.asarray(v, float)
     if q.ndim == v.ndim == 1 and q @ q > 0:
-        return np.array(_turned(*q.tolist(), *v.tolist()))  # numbers are quicker than arrays of one
+        return np.array(_turned(*q.tolist(), *v.tolist()))  # for a single vector, numbers are faster than arrays
     return np.stack(_turned(*(q[..., i] for i in range(4)), *(v[..., i] for i in range(3))), axis=-1)
 
 
 def _turned(w: Any, x: Any, y: Any, z: Any, a: Any, b: Any, c: Any) -> tuple[Any, Any, Any]:
-    """v + w t + u × t with t = 2 u × v / |q|², component by component, q = (w, u)."""
+    """Return v + w t + u × t with t = 2 u × v / |q|², component by component, for q = (w, u)."""
     twice = 2 / (w * w + x * x + y * y + z * z)
     i, j, k = twice * (y * c - z * b), twice * (z * a - x * c), twice * (x * b - y * a)
     return a + w * i + y * k - z * j, b + w * j + z * i - x * k, c + w * k + x * j - y * i
@@ -119,7 +119,7 @@ def inverse_derivatives(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> tuple[
 
 
 def angular_acceleration(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> Array:
-    """ω' = 2 vec(q'' q⁻¹ + q' (q⁻¹)') [rad/s²], world axes (eq. 20); (..., 3), exact for any |q|."""
+    """Return ω' = 2 vec(q'' q⁻¹ + q' (q⁻¹)') [rad/s²], world axes, (..., 3); exact for any |q| (eq. 20)."""
     inverse_d, _ = inverse_derivatives(q, q_d, q_dd)
     return 2 * (product(q_dd, inverse(q)) + product(q_d, inverse_d))[..., 1:]
 

@@ -16,7 +16,7 @@ from .figure.figure import Figure
 from .objective import Objective
 from .search.minimum import Stop
 
-AT_AN_END = 1e-9  # [s] tolerance of times beyond the first and the last keyframe, for rounding
+AT_AN_END = 1e-9  # [s] rounding tolerance of times before the first or after the last keyframe
 
 
 @dataclass(frozen=True)

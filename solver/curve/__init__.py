@@ -1,14 +1,14 @@
 """Curves: frames in time, the C² spline through them, and its unknowns.
 
-frame       the state of a figure at one time with a mask of fixed entries; timelines of frames
-spline      the C² cubic B-spline through a timeline's frames, eqs. 2-6
+frame       the state of a figure at one time, with a mask of fixed entries; timelines of frames
+spline      the C² cubic B-spline through a timeline's frames (eqs. 2-6)
 quadrature  sample times and weights of the integral E (eq. 1)
 banded      banded matrices, by LAPACK
 seam        the seam of a loop: the map from its first frame to its last
-loop_keys   the keyframes of a loop made to agree at its seam: travel and heading
+loop_keys   the keyframes of a loop, made consistent at its seam: travel and heading
 winding     the direction in which a joint turns between keyframes: the signs of quaternions
-arcs        the straight path between keyframes: each joint by one arc at constant speed (SLERP)
-symmetry    pairs of links on opposite sides of a figure, at rest
-mirror      left and right exchanged: motion reflected in the x-z plane, as a linear map of states
-unknowns    the decision vector x of a timeline, and the affine map from it to the spline's rows
+arcs        the straight path between keyframes: each joint on one arc at constant speed (SLERP)
+symmetry    pairs of links on opposite sides of a figure at rest
+mirror      motion reflected in the x-z plane, as a linear map of states
+unknowns    the decision vector x of a timeline, and the affine map from x to the spline's rows
 """

@@ -52,7 +52,6 @@ class Tridiagonal:
 
     @property
     def size(self) -> int:
-        """The number of entries of the factor."""
         return sum(part.size for part in self.factor)
 
     def solved(self, right: Array, *, transposed: bool = False) -> Array:

@@ -1,6 +1,7 @@
-"""Frame: the state of a figure at one time, with the entries that are fixed. Timeline: frames in order of time.
+"""Frames and timelines.
 
-A keyframe has every entry fixed, a partial keyframe some, a variable frame none (§2 of the paper). One type serves all.
+A frame is the state of a figure at one time, with a mask of its fixed entries. A keyframe has every entry fixed, a
+partial keyframe some, and a variable frame none (§2 of the paper). A timeline is a sequence of frames in order of time.
 """
 
 from __future__ import annotations
@@ -119,14 +120,14 @@ class Timeline:
     """Frames in order of time, with the end conditions of their spline.
 
     Attributes:
-        frames: At least two, at rising times.
-        end_slope: y' at the first and the last frame [state/s], (2, N); the start of the search where the slopes are
-            free. For periodic ends, the jumps of y' and y'' from the end to the start: zero except for entries that
-            the seam turns and for quaternions that return as −q.
-        ends: "free": both end slopes are unknowns. "clamped": they are `end_slope`. "clamped start", "clamped end":
-            one of them is; the other is an unknown. "periodic": the last frame repeats the first, its free roots moved
-            and turned as in the two frames, and the curve is C² across the seam.
-            "held": y, y' and y'' of both ends are fixed; the adjacent variable frames depend on the other rows.
+        frames: At least two frames at rising times.
+        end_slope: y' at the first and the last frame [state/s], (2, N). Free slopes start the search from these values.
+            Periodic ends store the jumps of y' and y'' from the end to the start instead. The jumps are zero except for
+            entries that the seam turns and quaternions that return as −q.
+        ends: "free": both end slopes are unknowns. "clamped": they are `end_slope`. "clamped start", "clamped end": one
+            is `end_slope`, the other an unknown. "periodic": the last frame repeats the first, with its free roots
+            moved and turned as in the two frames, and the curve is C² across the seam. "held": y, y' and y'' of both
+            ends are fixed; the adjacent variable frames depend on the other rows.
     """
 
     frames: tuple[Frame, ...]
@@ -213,5 +214,5 @@ class Timeline:
         return moved
 
     def inserted(self, variable: Iterable[Frame]) -> Timeline:
-        """Return the timeline with more frames, at times without one."""
+        """Return the timeline with more frames, at times that have none."""
         return Timeline(tuple(sorted((*self.frames, *variable), key=lambda f: f.time)), self.end_slope, self.ends)

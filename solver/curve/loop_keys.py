@@ -1,4 +1,4 @@
-"""The keyframes of a loop, closed: the last is the first, moved by the travel and turned by the heading.
+"""The keyframes of a loop, made consistent: the last is the first, moved by the travel and turned by the heading.
 
 Entries that either of the two fixes are fixed in both. Contradictions raise TimelineError.
 """
@@ -16,7 +16,7 @@ from ..figure.figure import Figure, JointKind, quaternion_columns
 from .frame import Frame, TimelineError
 from .seam import Seam, heading_between
 
-SAME = 1e-9  # difference up to which entries of a loop's ends agree
+SAME = 1e-9  # [m, rad, 1] difference up to which entries of a loop's ends agree
 
 
 def close_loop(
@@ -105,7 +105,7 @@ def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | No
 
 
 def _shift(figure: Figure, first: Frame, last: Frame, seam: Seam, travel: Array) -> Array:
-    """Return the seam's shift (N,) [m], for roots to travel (3, f) from their position in either end."""
+    """Return the seam's shift (N,) [m] with which roots travel (3, f) from the position that either end fixes."""
     shift = np.zeros(figure.width)
     for (x, y, z), travelled, heading in zip(figure.tables.position_columns.T, travel.T, seam.headings, strict=True):
         shift[[x, y, z]] = travelled
@@ -130,7 +130,7 @@ def _has_place(frame: Frame, x: int) -> bool:
 
 
 def _where(figure: Figure, column: int, seam: Seam) -> str:
-    """Return the name of an entry of a loop's ends for an error: its joint, and for a root what may differ."""
+    """Return the name of a joint for an error about a loop's ends, for a root with the permitted differences."""
     number = next(i for i in reversed(range(len(figure.links))) if figure.links[i].qpos <= column)
     link = figure.links[number]
     if link.kind is not JointKind.FREE:

@@ -1,12 +1,12 @@
 """Left and right exchanged: a figure's motion reflected in the x-z plane, as a linear map of its states.
 
 A link with orientation R in the world is reflected to its partner's orientation S R Mᵀ. S = diag(1, −1, 1) reflects the
-world. M maps vectors in the link's frame to their images in the partner's frame: at rest S R Mᵀ is the partner's
-orientation. If all frames are aligned with the world, M = S and a quaternion w, x, y, z becomes w, −x, y, −z. A hinge
-follows its partner if its axis at rest is the image of the partner's axis as a line, for any orientation of the frames.
+world. M maps vectors in the link's frame to their images in the partner's frame, defined by the figure at rest. If all
+frames are aligned with the world, M = S, and a quaternion w, x, y, z becomes w, −x, y, −z. A hinge follows its partner
+if its axis at rest is the image of the partner's axis as a line, for any orientation of the frames.
 
-For aligned frames the map only permutes columns and changes signs, so that mirroring twice is exact to the last bit
-(except for hinges and slides that rest off zero). The mirrored spline is the spline of the mirrored frames.
+For aligned frames the map only permutes columns and changes signs. Mirroring twice is then exact to the last bit,
+except for hinges and slides whose rest value is not zero. The mirrored spline is the spline of the mirrored frames.
 """
 
 from __future__ import annotations
@@ -52,14 +52,14 @@ class _Columns:
 
 @dataclass(frozen=True, eq=False)
 class Mirror:
-    """The mirror map of states and of configurations, which differ if a ball joint's state is a world orientation.
+    """The mirror map of states and of configurations. They differ if a ball joint's state is its orientation in the
+    world.
 
     Attributes:
-        figure: The figure.
         of_states: The linear part for states.
         of_qpos: The linear part for configurations.
-        shift: The constant part, for hinges and slides that rest off zero, (N,).
-        partner: The partner of each link on the other side, itself in the middle, (L,).
+        shift: The constant part, for hinges and slides whose rest value is not zero, (N,).
+        partner: The partner of each link on the other side, or the link itself in the middle, (L,).
         reflection: M, from each link's frame to its partner's, (L, 3, 3).
         size: The extent of the figure [m].
     """
@@ -166,7 +166,8 @@ def _of_joint(reflection: Array) -> Array:
 def _of_quaternion(reflection: Array, source: int, link: int) -> Array:
     """Return the matrix (4, 4) of a reflection on a link's orientation in the world.
 
-    S R Mᵀ = (S R S) (S Mᵀ): the quaternion of S R S times a constant, whose sign makes two mirrorings cancel.
+    S R Mᵀ = (S R S) (S Mᵀ), so it is the quaternion of S R S times a constant. The constant's sign makes two mirrorings
+    cancel.
     """
     first = min(source, link)
     constant = quat.from_matrix(WORLD @ reflection[first].T)

@@ -1,8 +1,8 @@
 """Sample times and weights of the integral E (eq. 1).
 
-"uniform" is the paper's: equal cells over the whole clip, sampled at their middles. "gauss" puts a few Gauss-Legendre
-points in every knot span, so that spans of very different length are all resolved and E does not depend on where
-samples fall.
+"uniform" is the rule of the paper: equal cells over the whole clip, sampled at their middles. "gauss" uses a few
+Gauss-Legendre points in every knot span. Spans of very different lengths are thus all resolved, and E does not depend
+on where samples happen to fall.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ import numpy as np
 
 from ..array import Array
 
-LEAST_PER_SPAN = 4  # samples in the shortest span between frames, for uniform sampling
-MOST_SAMPLES = 100_000  # of uniform sampling, a limit of memory
-ROUNDING = 1e-9  # relative to a panel or a sample: tolerance of spans that are a whole number of them long
+LEAST_PER_SPAN = 4  # minimum number of uniform samples in the shortest span between frames
+MOST_SAMPLES = 100_000  # maximum number of uniform samples, a limit of memory
+ROUNDING = 1e-9  # [1] rounding tolerance of spans whose length is a whole number of panels or cells
 
 
 @dataclass(frozen=True)

@@ -2,11 +2,11 @@
 
     last = A first + shift        y' and y'' of the end = A times those of the start
 
-A walk cycle repeats itself after a travel; on a circle it is turned as well. A turns every free root, with its
+A walk cycle repeats itself after a travel, and on a circle after a turn as well. A turns every free root, with its
 descendants, by a heading angle φ about the vertical, so A is linear. The pair (x, y) of a root's position turns by φ.
 The quaternion of a root, or of a link in world coordinates, is multiplied from the left, which turns its pairs (w, z)
-and (x, y) by φ/2. Its sign is −1 where a quaternion returns as −q, after a full turn. The shift is constant, so y' and
-y'' do not depend on it.
+and (x, y) by φ/2. Its sign is −1 if the quaternion returns as −q, after a full turn. The shift is constant, so it does
+not affect y' and y''.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ..figure.figure import Figure, JointKind, quaternion_columns
 from .frame import Timeline
 from .spline import Complex, Path, Spline
 
-LEVEL = 1e-9  # x and y of a turn's quaternion, up to which it is about the vertical; and z, up to which it is zero
+LEVEL = 1e-9  # [1] quaternion components up to which a turn is about the vertical (x and y), or is zero (z)
 
 
 @dataclass(frozen=True, eq=False)

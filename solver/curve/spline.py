@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from scipy.sparse.linalg import SuperLU
 
 DEGREE = 3  # cubic: the least that is C²
-FELT = 100  # knots after which the influence of a value is 2⁻¹⁰⁰, beyond double precision
+FELT = 100  # number of knots over which the influence of a value decreases to 2⁻¹⁰⁰, below double precision
 SHORT = 150  # coefficients up to which a dense inverse is faster than a sparse solve
 Complex = NDArray[np.complex128]
 TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)  # powers of (t - knot) in y, y', y'' by coefficient
@@ -60,7 +60,6 @@ class Spline:
         return factor.size if isinstance(factor, Tridiagonal) else factor.L.nnz + factor.U.nnz
 
     def _closed(self) -> SuperLU:
-        """Factorise the collocation matrix of a periodic curve, whose last two rows are the jumps at the seam."""
         from scipy.sparse.linalg import splu  # imported here: slow to load, used by loops alone
 
         first, last = self.times[[0, -1]]
@@ -239,7 +238,6 @@ class Sampling:
 
     @classmethod
     def of(cls, spline: Spline, t: ArrayLike) -> Sampling:
-        """Return the sampling of a spline at times t (S,) [s]."""
         t = np.asarray(t, float)
         return cls(spline, t, *spline.local(t))
 
@@ -251,7 +249,6 @@ class Sampling:
 
     @cached_property
     def whole(self) -> Piece:
-        """All samples as one piece."""
         return self.piece(slice(0, self.t.size))
 
     def samples(self, rows: Array) -> Array:

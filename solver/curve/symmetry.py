@@ -19,11 +19,11 @@ from ..array import Array, Index
 from ..figure.figure import Figure, JointKind
 
 WORLD = np.diag([1.0, -1, 1])  # S, the reflection of the world
-SAME_LINE = 1e-3  # 1 − cosine of the angle between an axis and the image of its partner's
-MIDDLE, UNEVEN = 0.01, 0.05  # tolerance of axes, and of centres of mass, relative to the figure's size
+SAME_LINE = 1e-3  # [1] tolerance of 1 − cosine of the angle between an axis and the image of its partner's
+MIDDLE, UNEVEN = 0.01, 0.05  # [1] tolerances of axes and of centres of mass, relative to the figure's size
 UPRIGHT_PLANES = 2  # the first candidates: the x-z planes of the root and of the world
 EXACT = 1e-9  # entries of a reflection are rounded to 0, 1 or −1 within this
-# a separate word, or an initial capital; or next to the letter for front, rear, hind, back or middle: FL, rh
+# a separate word, a capitalised word, or a letter next to that for front, rear, hind, back or middle: FL, rh
 ENDS_LEG = r"[FRHBMfrhbm]"
 SIDE = re.compile(
     rf"(?<![A-Za-z])(?:[Ll]eft|[Rr]ight|LEFT|RIGHT|[LlRr](?![LRlr](?![A-Za-z])))(?![a-z])"
@@ -59,7 +59,6 @@ class Rest:
     """A figure at rest, every link relative to its tree's free root, or in the world.
 
     Attributes:
-        figure: The figure.
         root: The free root of each link's tree, 0 for links fixed to the world, (L,).
         place: Joint anchors, (L, 3) [m].
         turn: Rotation matrices of the links' frames, (L, 3, 3).
@@ -78,7 +77,6 @@ class Rest:
 
     @classmethod
     def of(cls, figure: Figure) -> Rest:
-        """Return the figure at rest."""
         links, count = figure.links, len(figure.links)
         root = np.zeros(count, np.intp)
         place, origin, turn = np.zeros((count, 3)), np.zeros((count, 3)), np.tile(np.eye(3), (count, 1, 1))
@@ -197,9 +195,10 @@ def _planes(figure: Figure, root: int) -> list[Array]:
 
 
 def _named(figure: Figure, link: int) -> int | None:
-    """Return the link with the name of the other side, or the same name without a side; None without one.
+    """Return the link with the name of the other side, or with the same name except for the side; None if there is
+    none.
 
-    An example of the latter are thigh_joint and thigh_left_joint.
+    An example of the latter is thigh_joint with thigh_left_joint.
     """
     name = figure.links[link].name
     other, plain = other_side(name), _without_side(name)
@@ -264,7 +263,6 @@ def _paired(rest: Rest, partner: Index, top: tuple[int, int], image: Array, midd
 
 
 def _children(figure: Figure, parent: int) -> list[int]:
-    """Return the children of a link; for the world, without free bodies."""
     return [i for i, link in enumerate(figure.links) if i and link.parent == parent and link.kind is not JointKind.FREE]
 
 

@@ -1,9 +1,9 @@
-"""Unknowns: the decision vector x of a timeline, and the affine map from x to the rows that the spline runs through.
+"""Unknowns: the decision vector x of a timeline, and the affine map from x to the rows that the spline interpolates.
 
 x consists of the entries that are not fixed, so the keyframes are met for *every* x (§2 of the paper). A fixed joint of
-a partial keyframe is a relative rotation: in world coordinates its row is Q_parent ⊗ q, linear in the unknown Q_parent.
-A loop's last frame repeats the first, moved by its travel and turned. With held ends the two adjacent frames depend on
-the other rows. All of this is Y = constant + A x with a sparse A.
+a partial keyframe is a relative rotation. In world coordinates its row is Q_parent ⊗ q, linear in the unknown Q_parent.
+A loop's last frame is the first, moved by its travel and turned. With held ends, the two adjacent frames depend on the
+other rows. All of this is Y = constant + A x with a sparse A.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from .seam import Seam, sameness
 from .spline import Sampling, Spline, natural_end_slopes, spline_of
 from .winding import signs
 
-ZERO_LENGTH = 1e-9  # length up to which a quaternion defines no rotation
-SURELY_MORE = 1e-17  # squared length above which all keyframes pass without further checks
+ZERO_LENGTH = 1e-9  # [1] norm up to which a quaternion defines no rotation
+SURELY_MORE = 1e-17  # [1] squared norm of quaternions above which keyframes need no further checks
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,12 +50,10 @@ class Unknowns:
 
     @property
     def size(self) -> int:
-        """The number of unknowns, n."""
         return self.start.size
 
     @property
     def row_of(self) -> Index:
-        """The row of each unknown, (n,)."""
         return self.place // self.constant.shape[1]
 
     @cached_property
@@ -84,7 +82,6 @@ class Unknowns:
 
     @classmethod
     def of(cls, figure: Figure, timeline: Timeline) -> Unknowns:
-        """Return the unknowns of a timeline."""
         width, rows = figure.width, timeline.rows
         last = len(timeline.frames) - 1
         loose = _loose(figure, timeline)
@@ -111,10 +108,7 @@ class Unknowns:
 
 
 def _loose(figure: Figure, timeline: Timeline) -> Mask:
-    """Return which entries of the rows are unknowns, (M + 2, N); a quaternion is so as a whole.
-
-    A loop's last frame repeats the first. With held ends the adjacent frames depend on the other rows.
-    """
+    """Return which entries of the rows are unknowns, (M + 2, N); a quaternion is one as a whole."""
     loose = np.empty((len(timeline.frames) + 2, figure.width), bool)
     np.logical_not(timeline.fixed, out=loose[:-2])
     for columns in figure.tables.quaternion_columns.T:

@@ -1,9 +1,9 @@
-"""Winding: the direction in which a joint turns between keyframes, given by the signs of its quaternions.
+"""Winding: the direction in which a joint turns between keyframes, determined by the signs of its quaternions.
 
 A joint takes the shortest arc *relative to its parent*. Near a half turn of the whole figure, a limb's shortest arc in
-the world may be in the opposite direction to its parent's, which would tear it off. A free body takes the shortest
-arc too, unless that is nearly a half turn and the opposite direction is hardly longer. There it turns in the direction
-that changes its angular velocity least, so that a spinning body continues to spin.
+the world may be opposite to its parent's, which would tear the limb off. A free body also takes the shortest arc,
+unless that is nearly a half turn. Then it turns in the direction that changes its angular velocity least, so that a
+spinning body continues to spin.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Mask
 
-NEARLY_HALF = np.radians(150.0)
-TINY = 1e-9  # [rad] a rotation up to this has no defined axis
+NEARLY_HALF = np.radians(150.0)  # [rad] angle above which a free body's direction of rotation is ambiguous
+TINY = 1e-9  # [rad] angle up to which a rotation has no defined axis
 
 
 def signs(times: Array, relative: Array, *, spins: bool) -> Array:

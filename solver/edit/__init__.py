@@ -1,6 +1,6 @@
-"""Edits that keep the mathematics: a motion played otherwise, joined, thinned.
+"""Edits of motions: retimed, joined, thinned.
 
-retime  edits of a timeline that keep its curve
-join    two motions in sequence: the second is moved to the end of the first
-thin    as few keyframes of a recorded motion as keep it within a bound
+retime  edits of a timeline that do not change its curve
+join    two motions in sequence, the second moved to the end of the first
+thin    few keyframes that approximate a recorded motion within a bound
 """

@@ -1,7 +1,7 @@
 """Two motions in sequence: the second is moved to the end of the first, and a transition between them is solved.
 
-The transition matches y, y' and y'' at both its ends. So the C² spline through the frames of all three equals each
-motion's curve in its interval: a cubic spline through given states is determined by the slopes at its ends.
+The transition matches y, y' and y'' at both its ends. A cubic spline through given states is determined by the slopes
+at its ends. The C² spline through the frames of all three parts therefore equals each motion in its interval.
 """
 
 from __future__ import annotations
@@ -19,24 +19,25 @@ from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, JointKind
 from ..figure.kinematics import Samples
 
-LEAST_FRAMES = 4  # variable ones, so that both ends keep value, slope and curvature
-UPSIDE_DOWN = 1e-9  # of a sine and a cosine, below which nothing is left but a tilt
-OF_TRUNK = 0.25  # least share of the mass that hangs from a link of the trunk: from feet with toes hangs less
+LEAST_FRAMES = 4  # minimum number of variable frames, so that value, slope and curvature match at both ends
+UPSIDE_DOWN = 1e-9  # [1] length of (sine, cosine) below which a rotation has no heading
+OF_TRUNK = 0.25  # [1] minimum share of the mass beyond a link of the trunk; it is less for feet with toes
 
 
 @dataclass(frozen=True, eq=False)
 class Placement:
     """A rotation about the vertical and a translation of everything with free joints.
 
-    turn   (4,) wxyz, about z
-    shift  (3,) [m], after the turn
+    Attributes:
+        turn: The rotation about z, (4,) wxyz.
+        shift: The translation after the rotation, (3,) [m].
     """
 
     turn: Array
     shift: Array
 
     def slopes(self, figure: Figure, rates: Array, coordinates: str | None = None) -> Array:
-        """Derivatives of states (..., N)."""
+        """Return the moved derivatives of states (..., N)."""
         out = rates.copy()
         for link in figure.links[1:]:
             if link.kind is JointKind.FREE:
@@ -47,20 +48,20 @@ class Placement:
         return out
 
     def states(self, figure: Figure, states: Array, coordinates: str | None = None) -> Array:
-        """States (..., N); with coordinates = "joint", configurations qpos."""
+        """Return moved states (..., N); with coordinates = "joint", moved configurations qpos."""
         out = self.slopes(figure, states, coordinates)
         for columns in figure.tables.position_columns.T:
             out[..., columns] += self.shift
         return out
 
     def timeline(self, figure: Figure, timeline: Timeline) -> Timeline:
-        """The timeline of the moved motion."""
+        """Return the timeline of the moved motion."""
         frames = Frame.many(timeline.times, self.states(figure, timeline.states), timeline.fixed)
         return Timeline(tuple(frames), self.slopes(figure, timeline.end_slope), timeline.ends)
 
 
 def _carried(figure: Figure, coordinates: str) -> Mask:
-    """Which quaternions rotate with a motion: those of free joints, in world coordinates all of their subtrees."""
+    """Return which quaternions rotate with a motion: of free joints, and in world coordinates of their subtrees."""
     rotates = []
     for i in figure.tables.quaternion_links:
         link = figure.links[i]
@@ -71,13 +72,14 @@ def _carried(figure: Figure, coordinates: str) -> Mask:
 
 
 def heading(rotation: Array) -> Array:
-    """(...) [rad] the turn about z in rotation matrices (..., 3, 3): what is left of them without the shortest tilt."""
+    """Return the rotation about z in rotation matrices (..., 3, 3), without their shortest tilt, (...) [rad]."""
     sine, cosine = rotation[..., 1, 0] - rotation[..., 0, 1], rotation[..., 0, 0] + rotation[..., 1, 1]
     return np.where(np.hypot(sine, cosine) > UPSIDE_DOWN, np.arctan2(sine, cosine), 0.0)
 
 
 def following(figure: Figure, before: Timeline, after: Timeline, duration: float) -> Placement:
-    """The pose that continues a motion: the trunk's heading, and the displacement at both motions' mean velocity."""
+    """Return the placement that continues a motion with its trunk's heading, and moves on at both motions' mean
+    velocity."""
     still = Placement(np.array([1.0, 0, 0, 0]), np.zeros(3))
     roots = figure.tables.position_columns
     if not roots.size:
@@ -91,20 +93,22 @@ def following(figure: Figure, before: Timeline, after: Timeline, duration: float
 
 
 def _heading_between(figure: Figure, start: Array, end: Array) -> float:
-    """[rad] the turn about z from one state (N,) to another: the mean of the trunk's links, for in walking pelvis and
-    chest turn against each other, one way or the other at either step."""
+    """Return the rotation about z from one state (N,) to another [rad], the mean of the trunk's links.
+
+    In walking, pelvis and chest rotate against each other, alternately with each step.
+    """
     rest = figure.to_state(np.array(figure.model.qpos0))
     states = np.stack([rest, start, end])
     rotations = np.moveaxis(Samples.still(figure, states).links.rotation, (2, 3), (0, 1))
     turned = rotations[:, 1:] @ rotations[:, :1].swapaxes(-1, -2)
     headings = heading(turned)
     between = (headings[:, 1] - headings[:, 0])[trunk(figure)]
-    off = between - between[0]  # of the root's own, which may be any number of turns
+    off = between - between[0]  # relative to the root's, which may be any number of turns
     return float(between[0] + np.mean(np.arctan2(np.sin(off), np.cos(off))))
 
 
 def trunk(figure: Figure) -> list[int]:
-    """The first free root, and the links from which limbs branch off and a good share of the mass hangs."""
+    """Return the first free root, and the links at which limbs branch off and beyond which much of the mass is."""
     tables = figure.tables
     root = int(tables.free_links[0])
     hangs = tables.mass @ tables.path
@@ -113,14 +117,21 @@ def trunk(figure: Figure) -> list[int]:
 
 
 def _side(timeline: Timeline, end: int) -> Array:
-    """(2, N) y and y' at the first (0) or the last (-1) frame."""
+    """Return y and y' at the first (0) or the last (-1) frame, (2, N)."""
     return path_of(timeline).motion(timeline.times[[end]])[:2, 0]
 
 
 def bridge(figure: Figure, before: Timeline, after: Timeline, *, variable: int = LEAST_FRAMES) -> Timeline:
-    """The transition to begin with: y, y', y'' of both sides, variable frames on the quintic between them.
+    """Return the initial transition: y, y', y'' of both sides, and variable frames on the quintic between them.
 
-    after  begins later than `before` ends, its quaternions signed as `signed_like` does
+    Args:
+        figure: The figure.
+        before: The first motion.
+        after: The second motion, which begins later than the first ends, see `signed_like` for its quaternions' signs.
+        variable: The number of variable frames.
+
+    Raises:
+        TimelineError: There are too few frames, or the transition has no duration.
     """
     if variable < LEAST_FRAMES:
         raise TimelineError(f"a transition has at least {LEAST_FRAMES} variable frames, not {variable}")
@@ -134,7 +145,7 @@ def bridge(figure: Figure, before: Timeline, after: Timeline, *, variable: int =
     fixed = np.zeros(states.shape, bool)
     fixed[[0, -1]] = True
     rough = Timeline(tuple(Frame.many(times, states, fixed)), np.array([begin[1], end[1]]), "held")
-    # the frames next to the ends follow from y''
+    # the frames next to the ends are determined by y''
     spline, rows, beside = path_of(rough).spline, np.array(rough.rows), [1, variable]
     missing = np.array([begin[2], end[2]]) - path_of(rough).at([first, last], 2)
     unit = np.zeros((spline.size, 2))
@@ -144,7 +155,8 @@ def bridge(figure: Figure, before: Timeline, after: Timeline, *, variable: int =
 
 
 def _quintic(begin: Array, end: Array, u: Array, length: float) -> Array:
-    """(S, N) the polynomial of degree 5 with y, y', y'' (3, N) at both ends, at shares u (S,) of its length [s]."""
+    """Return the polynomial of degree 5 with y, y', y'' (3, N) at both ends, at shares u (S,) of its length [s], (S,
+    N)."""
     power = u[:, None] ** np.arange(6)
     ends = np.zeros((6, 6))
     for order in range(3):
@@ -157,7 +169,8 @@ def _quintic(begin: Array, end: Array, u: Array, length: float) -> Array:
 
 
 def signed_like(figure: Figure, before: Timeline, after: Timeline) -> Timeline:
-    """A motion with signs of its quaternions such that joints turn by the shortest arcs from where another ends."""
+    """Return a motion with signs of its quaternions such that joints take the shortest arcs from the end of another
+    motion."""
     end, start = before.states[-1], after.states[0]
     keys = [Frame.key(t, figure.to_qpos(state)) for t, state in ((0.0, end), (1.0, start))]
     raw = raw_timeline(figure, keys).states
@@ -166,6 +179,6 @@ def signed_like(figure: Figure, before: Timeline, after: Timeline) -> Timeline:
 
 
 def joined(before: Timeline, between: Timeline, after: Timeline) -> Timeline:
-    """One motion of three, each of which begins as the last one ends; the first and the last with free ends."""
+    """Return one motion of three in sequence, with free ends. Each begins where the previous one ends."""
     frames = (*before.frames, *between.frames[1:-1], *after.frames)
     return Timeline(frames, np.array([before.end_slope[0], after.end_slope[1]]))

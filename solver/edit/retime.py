@@ -1,7 +1,7 @@
-"""Edits of a timeline that keep its curve: played faster or slower, cut to an interval, a loop played several times.
+"""Edits of a timeline that do not change its curve: speed, trimming, repetition of a loop.
 
 A cubic spline's curve is determined by the states at its knots and the slopes at both ends. Each edit transforms knots
-and slopes without fitting, so the result is the same curve to rounding.
+and slopes without fitting, so the result is the same curve up to rounding.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from ..curve.seam import Seam
 from ..curve.spline import path_of
 from ..figure.figure import Figure
 
-SAME_TIME = 1e-9  # [s] a frame so near to a cut is the cut
+SAME_TIME = 1e-9  # [s] distance up to which a frame is at a cut
 
 
 def retimed(timeline: Timeline, speed: float) -> Timeline:
     """Return the same path at `speed` times the speed, from the same start: y(t₀ + (t − t₀) · speed)."""
     if not (np.isfinite(speed) and speed > 0):
         raise TimelineError(f"speed must be a number above 0, not {speed:g}")
-    # below a loop's states stand the jumps of y' and y'' at its seam
+    # the end slopes of a loop are the jumps of y' and y'' at its seam
     powers = np.array([1, 2]) if timeline.ends == "periodic" else np.ones(2)
     times = timeline.times[0] + (timeline.times - timeline.times[0]) / speed
     frames = Frame.many(times, timeline.states, timeline.fixed)
@@ -37,7 +37,7 @@ def check_interval(span: tuple[float, float], first: float, last: float) -> None
 
 
 def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
-    """The part of a timeline from `first` to `last` [s], with free ends; both are keyframes, on the curve."""
+    """Return the part of a timeline from `first` to `last` [s], with free ends; both are keyframes on the curve."""
     times = timeline.times
     check_interval((float(times[0]), float(times[-1])), first, last)
     near = times[np.abs(times[:, None] - np.array([first, last])).argmin(axis=0)]
@@ -50,7 +50,7 @@ def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
 
 
 def repeated(figure: Figure, timeline: Timeline, count: int) -> Timeline:
-    """A loop played `count` times over as one loop, its travel accumulated; at the seams inside stands one frame."""
+    """Return a loop repeated `count` times as one loop, with accumulated travel and one frame at each inner seam."""
     if timeline.ends != "periodic":
         raise TimelineError(f"only a loop, with ends = 'periodic', can be repeated; these are '{timeline.ends}'")
     if count < 1:
@@ -64,6 +64,6 @@ def repeated(figure: Figure, timeline: Timeline, count: int) -> Timeline:
 
 
 def _jumps(timeline: Timeline, seam: Seam, count: int) -> Array:
-    """(2, N): the jumps of y' and y'' from the end of `count` periods to the start; see `Spline`."""
+    """Return the jumps (2, N) of y' and y'' from the end of `count` periods to the start, see `Spline`."""
     start = path_of(timeline).motion(timeline.times[:1])[1:, 0]
     return seam.linear(start, count) - start

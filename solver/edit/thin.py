@@ -1,13 +1,14 @@
-"""Thinning: as few keyframes of a recorded motion as keep it within a bound, in the in-between through them.
+"""Thinning: few keyframes whose in-between stays within a bound of a recorded motion.
 
-Keyframes stand at instants of the recording, so every choice of them is a set of instants. Greedy insertion where the
-in-between is furthest off gives one that keeps the bound; then keyframes go that are not missed, and those whose
-neighbours can make up for them from other places, until nothing more goes. The fewest of all would take a search of
-every set: this comes within one of it on short motions. What slides is seen sooner than what passes by a little off:
-hands and feet that stand still are bound more closely while they do, and so have keyframes where they come and go.
+Keyframes are at instants of the recording, so a choice of keyframes is a set of instants. First, greedy insertion where
+the in-between deviates most satisfies the bound. Then keyframes are removed that are not needed, or whose neighbours
+can compensate after a move, until no more can be removed. The minimum would require a search of every set; on short
+motions the result has at most one keyframe more. Sliding is more visible than a small offset in motion. The bound is
+therefore stricter for hands and feet while they are still, which leads to keyframes where contacts begin and end.
 
-The insertion at the worst point is that of U. Ramer (1972), D. Douglas and T. Peucker (1973), for a spline instead of
-a polygon: it runs through all keyframes, so each trial looks at the whole of it near what it changes.
+Insertion at the largest deviation is the method of U. Ramer (1972) and D. Douglas & T. Peucker (1973), here for a
+spline instead of a polygon. A spline changes on both sides of a keyframe, so each trial checks the neighbourhood of its
+change.
 """
 
 from __future__ import annotations
@@ -31,16 +32,16 @@ from ..surface.points import body_points
 
 InBetween = Callable[[Sequence[Frame]], Timeline]
 
-REACH = 4  # keyframes on either side of a change that a trial looks at: beyond, a spline moves by less than a hundredth
-MARGIN = 3  # more of them that the spline of a trial runs through
-SHARE = 0.5  # of the worst miss: segments that miss by as much get a keyframe in the same round
-NEAR = 3  # keyframes on either side of one that goes, which may move to make up for it
-FIRST_STEP, LEAST_STEP = 0.5, 0.04  # of the way to the next keyframe
-GAIN = 0.98  # a move that leaves more of the breach than this is none
-FINE = 1e-9  # what rounding adds to a miss
-STILL = 0.1  # [m/s]: slower, and the end of a limb stands, as captured feet do that stand
-STANDS = 0.1  # [s] at least; shorter, and it turns round
-CLOSELY = 0.25  # of the bound is what a standing end of a limb may be off
+REACH = 4  # keyframes on either side of a change that a trial checks; beyond, a spline moves by less than 1 %
+MARGIN = 3  # further keyframes on either side that the spline of a trial interpolates
+SHARE = 0.5  # [1] deviation relative to the worst, from which segments get a keyframe in the same round
+NEAR = 3  # keyframes on either side of a removed one that may move
+FIRST_STEP, LEAST_STEP = 0.5, 0.04  # [1] first and smallest moves, relative to the distance to the next keyframe
+GAIN = 0.98  # [1] maximum excess after a useful move, relative to that before
+FINE = 1e-9  # [1] rounding tolerance of the bound
+STILL = 0.1  # [m/s] speed below which the end of a limb is still, above that of captured feet in stance
+STANDS = 0.1  # [s] minimum duration of stillness; a shorter one is a reversal
+CLOSELY = 0.25  # [1] factor of the bound for ends of limbs that are still
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class Bound:
 
 @dataclass(frozen=True)
 class Worst:
-    """The largest miss of one kind: how much [m or rad], at which instant, of what."""
+    """The largest deviation of one kind: value [m or rad], instant, and name of the point or link."""
 
     value: float
     instant: int
@@ -66,7 +67,13 @@ class Worst:
 
 @dataclass(frozen=True, eq=False)
 class Recorded:
-    """The motion to approximate: configurations qpos (S, nq) at rising times (S,) [s], and the bound."""
+    """The motion to approximate, and the bound.
+
+    Attributes:
+        times: The instants, (S,) [s], rising.
+        qpos: The configurations, (S, nq).
+        ends: The end conditions of the in-between, see `Problem`; also `travel` and `turn`.
+    """
 
     figure: Figure
     times: Array
@@ -78,9 +85,9 @@ class Recorded:
 
     @cached_property
     def points(self) -> tuple[tuple[str, ...], Index, Array]:
-        """The points compared: names, links (n,), and positions (3, n) [m] in the links.
+        """The compared points: names, links (n,), and positions (3, n) [m] in the links.
 
-        Origins of the moving bodies, the sites on them, and the tips of limbs that end without a site.
+        They are the origins of moving bodies, the sites on them, and the tips of limbs that have no site.
         """
         figure, model = self.figure, self.figure.model
         names = [model.body(i).name or f"body {i}" for i in range(model.nbody)]
@@ -99,7 +106,7 @@ class Recorded:
         return on_links(places, links, len(self.figure.links))
 
     def _seen(self, states: Array) -> tuple[Array, Array]:
-        """Positions of the points (3, n, S) and orientations of the links (4, L, S), unit, for states (S, N)."""
+        """Return positions of the points (3, n, S) and unit orientations of the links (4, L, S) for states (S, N)."""
         links = LinkMotion(States(self.figure, states, states, states))
         turned = links.Q / np.sqrt(links.length_squared)
         return links.x.take(self.points[1], axis=1) + links.fixed(self._weights), turned
@@ -110,7 +117,7 @@ class Recorded:
 
     @cached_property
     def stands(self) -> Mask:
-        """(n, S) whether a point at the end of a limb stands still for a while."""
+        """Whether a point at the end of a limb is still for some time, (n, S)."""
         links = self.points[1]
         ends = self.figure.tables.children[links] == 0
         slow = np.zeros((links.size, self.times.size), bool)
@@ -121,20 +128,19 @@ class Recorded:
 
     @cached_property
     def _lengths(self) -> Array:
-        """(n, S) [m] allowed errors of the points."""
+        """The permitted errors of the points, (n, S) [m]."""
         return self.bound.distance * np.where(self.stands, CLOSELY, 1.0)
 
     @cached_property
     def _states(self) -> Array:
-        """(S, N) the recording in the figure's coordinates, signs continuous."""
         return raw_timeline(self.figure, self.frames(range(len(self.times)))).states
 
     def misses(self, timeline: Timeline) -> tuple[Array, Array]:
-        """Distances (n, S) [m] of the points and angles (L, S) [rad] of the links at the instants."""
+        """Return distances (n, S) [m] of the points and angles (L, S) [rad] of the links at the instants."""
         return self._misses(path_of(timeline).at(self.times), np.arange(len(self.times)))
 
     def _misses(self, states: Array, instants: Index) -> tuple[Array, Array]:
-        """The misses of states (R, N) at some instants (R,)."""
+        """Return the deviations of states (R, N) at the instants (R,)."""
         places, turned = self._seen(states)
         own_places, own_turned = (own_values.take(instants, axis=2) for own_values in self._own)
         apart = places - own_places
@@ -144,7 +150,7 @@ class Recorded:
         return np.sqrt(np.einsum("cns,cns->ns", apart, apart)), 4 * np.arcsin(half)
 
     def excess(self, timeline: Timeline) -> Array:
-        """(S,) the largest miss at every instant, as a multiple of the bound."""
+        """Return the largest deviation at every instant, as a multiple of the bound, (S,)."""
         return self._excess(*self.misses(timeline), np.arange(len(self.times)))
 
     def _excess(self, distance: Array, angle: Array, instants: Index) -> Array:
@@ -152,10 +158,17 @@ class Recorded:
         return np.maximum((distance / lengths).max(axis=0), angle.max(axis=0) / self.bound.angle)
 
     def breaches(self, sets: Sequence[Sequence[int]], at: int) -> Array:
-        """By how much the raw splines through sets of instants break the bound near the instant with number `at`.
+        """Return by how much raw splines through sets of instants exceed the bound near one instant of each set.
 
-        Σ max(0, excess − 1)² (len(sets),), of splines through REACH + MARGIN keyframes on either side, with the signs
-        of the recording; see `excess` for the definition. The sets have one length.
+        The value is Σ max(0, excess − 1)², see `excess`, for splines through REACH + MARGIN keyframes on either side,
+        with the signs of the recording.
+
+        Args:
+            sets: Sets of instants, all of the same size.
+            at: The index of the instant in the sets.
+
+        Returns:
+            The values, (len(sets),).
         """
         if self.ends.startswith("clamped"):
             over = [self.excess(self.spline(self.frames(selection))) - 1 - FINE for selection in sets]
@@ -163,7 +176,7 @@ class Recorded:
         chosen, last = np.array(sets), len(self.times) - 1
         numbers, first, end = self._near(chosen.shape[1], at)
         turns, numbers = np.divmod(numbers, chosen.shape[1] - 1) if self.ends == "periodic" else (0 * numbers, numbers)
-        neighbours = chosen[:, numbers] + turns * last  # instants, counted on through the turns of a loop
+        neighbours = chosen[:, numbers] + turns * last  # instants, continued through the periods of a loop
         spans = [np.arange(row[first], row[end] + 1) for row in neighbours]
         owner = np.repeat(np.arange(len(sets)), [span.size for span in spans])
         instants = np.concatenate(spans)
@@ -176,7 +189,7 @@ class Recorded:
         return np.bincount(owner, over**2, len(sets)).astype(float)
 
     def _near(self, count: int, at: int) -> tuple[Index, int, int]:
-        """Indices of keyframes, of `count`, around `at`, and the two that bound the examined span."""
+        """Return indices of keyframes, of `count`, around `at`, and the two that bound the examined span."""
         if self.ends == "periodic":
             before = min(REACH, (count - 1) // 2)
             after = min(REACH, count - 1 - before)
@@ -189,7 +202,8 @@ class Recorded:
         return Seam.between(self.figure, self._states[0], self._states[-1])
 
     def _unrolled(self, instants: Index) -> tuple[Array, Array]:
-        """Times (...) and states (..., N) at instants (...), for a loop also before its start and beyond its end."""
+        """Return times (...) and states (..., N) at instants (...), for a loop also before its start and beyond its
+        end."""
         if self.ends != "periodic":
             return self.times[instants], self._states[instants]
         turns, within = np.divmod(instants, len(self.times) - 1)
@@ -197,7 +211,6 @@ class Recorded:
         return self.times[within] + turns * (self.times[-1] - self.times[0]), states
 
     def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
-        """The point furthest off and the link turned most differently."""
         names = self.points[0], [link.name for link in self.figure.links]
         largest = []
         for missed, called in zip(self.misses(timeline), names, strict=True):
@@ -206,15 +219,12 @@ class Recorded:
         return largest[0], largest[1]
 
     def slipped(self, timeline: Timeline) -> float:
-        """[m] by how much what stands is off, at most."""
         return float(self.misses(timeline)[0][self.stands].max(initial=0.0))
 
     def frames(self, kept: Sequence[int]) -> list[Frame]:
-        """Whole keyframes at these instants."""
         return Frame.many(self.times[list(kept)], self.qpos[list(kept)], np.ones((len(kept), self.figure.width), bool))
 
     def spline(self, keys: Sequence[Frame]) -> Timeline:
-        """The raw spline through keyframes, with the recording's ends."""
         slope = np.zeros((2, self.figure.width)) if self.ends.startswith("clamped") else None
         travel, turn = (self.travel, self.turn) if self.ends == "periodic" else (None, None)
         return raw_timeline(self.figure, list(keys), self.ends, slope, travel, turn)
@@ -222,14 +232,14 @@ class Recorded:
 
 @dataclass(frozen=True, eq=False)
 class Thinned:
-    """The result: the selected instants, and the in-between through them."""
+    """The selected instants, and the in-between through them."""
 
     kept: tuple[int, ...]
     timeline: Timeline
 
 
 def thin(recorded: Recorded, told: Callable[[str], None] = lambda note: None) -> Thinned:
-    """Return the fewest instants found whose raw spline stays within the bound at every sample of the recording."""
+    """Return a small set of instants whose raw spline stays within the bound at every sample of the recording."""
     selection = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, told).kept
     while True:
         fewer = _repaired(recorded, _without(recorded, list(selection), told), told)
@@ -241,7 +251,7 @@ def thin(recorded: Recorded, told: Callable[[str], None] = lambda note: None) ->
 def refined(
     recorded: Recorded, kept: Sequence[int], inbetween: InBetween, told: Callable[[str], None] = lambda note: None
 ) -> Thinned:
-    """More instants, each where the in-between is furthest off, until it keeps the bound at all of them."""
+    """Return more instants, each where the in-between deviates most, until it is within the bound at all samples."""
     chosen = sorted(kept)
     while True:
         timeline = inbetween(recorded.frames(chosen))
@@ -256,9 +266,11 @@ def refined(
 
 
 def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
-    """The tips of limbs, farthest from the joint that ends them: name, link and place (3,) [m] in it.
+    """Return the tips of limbs, farthest from their last joint: name, link and position (3,) [m] in it.
 
-    marked  bodies that have a site, which is what people look at; their limbs have no other tip
+    Args:
+        figure: The figure.
+        marked: Bodies that have a site, which serves as the tip of their limbs.
     """
     model, out = figure.model, []
     ends = set(np.flatnonzero(figure.tables.children == 0).tolist())
@@ -275,7 +287,7 @@ def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
 
 
 def _lasting(wanted: Mask, times: Array, least: float) -> Mask:
-    """(S,) where something is so, in runs that last."""
+    """Return a mask (S,) without runs shorter than `least` [s]."""
     out = np.zeros(wanted.size, bool)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], wanted, [False]])))
     for first, end in zip(edges[::2], edges[1::2], strict=True):
@@ -284,9 +296,15 @@ def _lasting(wanted: Mask, times: Array, least: float) -> Mask:
 
 
 def natural_splines(times: Array, values: Array, owner: Index, t: Array) -> Array:
-    """Natural cubic splines, many at once: values (C, K, N) at times (C, K), seen at t (S,) by spline owner (S,).
+    """Return natural cubic splines, many at once, at t (S,) [s].
 
-    The second derivatives solve the usual tridiagonal system, here dense: the splines are short.
+    The second derivatives solve the usual tridiagonal system, here as a dense matrix because the splines are short.
+
+    Args:
+        times: Knots, (C, K) [s].
+        values: Values at the knots, (C, K, N).
+        owner: The spline of each time, (S,).
+        t: The times.
     """
     h = np.diff(times)
     count = times.shape[1]
@@ -311,7 +329,7 @@ def _holds(recorded: Recorded, kept: Sequence[int]) -> bool:
 
 
 def _without(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -> list[int]:
-    """Without the keyframes that are not missed, those with the nearest neighbours first."""
+    """Return the keyframes without those that are not needed; those with the nearest neighbours are removed first."""
     needed = {kept[0], kept[-1]}
     while True:
         loss = {i: recorded.breaches([_dropped(kept, i)], n)[0] for n, i in enumerate(kept) if i not in needed}
@@ -328,7 +346,7 @@ def _without(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -
 
 
 def _repaired(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -> list[int]:
-    """Without keyframes that are missed only until their neighbours stand elsewhere."""
+    """Return the keyframes without those that their neighbours can replace after a move."""
     needed = {kept[0], kept[-1]}
     for i in list(kept):
         if i in kept and i not in needed:
@@ -341,9 +359,10 @@ def _repaired(recorded: Recorded, kept: list[int], told: Callable[[str], None]) 
 
 
 def _moved(recorded: Recorded, kept: list[int], at: int) -> list[int] | None:
-    """Instants with those near number `at` moved, one at a time, until the bound holds near there; None: it does not.
+    """Return instants with those near index `at` moved, one at a time, until the bound holds there; None if it does
+    not.
 
-    Steps are half the way to the neighbour at first, and shorter where none helps, down to one instant.
+    The first steps are half the distance to the neighbour. They become shorter if none helps, down to one instant.
     """
     needed = {kept[0], kept[-1]}
     near = [n for n in range(max(0, at - NEAR), min(len(kept), at + NEAR)) if kept[n] not in needed]

@@ -1,4 +1,4 @@
-"""Gradients with respect to what samples derive, pulled back to y, y', y'': the transposes of `kinematics`."""
+"""Gradients with respect to quantities of samples, pulled back to y, y', y'': the transposes of `kinematics`."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ Gradients = tuple[Array | None, Array | None, Array | None]
 
 
 class Adjoint(Protocol):
-    """Something derived from the links' motion that can pull gradients of it back."""
+    """A quantity derived from the links' motion, which pulls its gradients back to that motion."""
 
     def flush(self, into: Cotangent, buffer: Array) -> None:
-        """Adds the gradients with respect to the links' motion to `into`; `buffer` is used up."""
+        """Add the gradients with respect to the links' motion to `into`. The contents of `buffer` become undefined."""
         ...
 
 
@@ -40,7 +40,7 @@ ON_LINKS: dict[Quantity, str] = {
     "x_d": "force_d",
     "omega": "torque_d",
     "alpha": "torque_dd",
-}  # and the part of wrenches that is the gradient with respect to it
+}  # by quantity, the part of `Wrenches` that is its gradient
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 OF_THE_STATE: tuple[tuple[Quantity, Quantity, Quantity], ...] = (
     ("y", "q", "x"),
@@ -52,13 +52,13 @@ OF_THE_STATE: tuple[tuple[Quantity, Quantity, Quantity], ...] = (
 class Cotangent:
     """Gradients of one scalar with respect to any quantities of samples, accumulated and pulled back to y, y', y''.
 
+    The quantities, by name; any other name raises ValueError:
+
     y y_d y_dd                      (S, N) the state
     q q_d q_dd                      (4, n, S) its quaternion blocks
     x x_d x_dd omega alpha          (3, L, S) the links' origins and rotations, in the world
-    turn                            (3, L, S) a small rotation of the link in the world, ω and ω' held
-    swing                           (3, 3, L, S) what `swing_pulled_back` takes
-
-    Raises ValueError for any other name.
+    turn                            (3, L, S) a small rotation of the link in the world, at constant ω and ω'
+    swing                           (3, 3, L, S) the matrix of `swing_matrix`
     """
 
     def __init__(self, samples: Samples) -> None:
@@ -68,9 +68,9 @@ class Cotangent:
         self._deferred: list[tuple[Adjoint, Array]] = []
 
     def defer(self, source: Adjoint, kinds: int) -> Array:
-        """A buffer (kinds, 3, L, S), zeros at first, for gradients with respect to what `source` derives.
+        """Return a zero buffer (kinds, 3, L, S) for gradients with respect to what `source` derives.
 
-        All who use it add to it; it is pulled back once, at the end.
+        All callers with the same source add to the same buffer, which is pulled back once, at the end.
         """
         for origin, buffer in self._deferred:
             if origin is source:
@@ -82,7 +82,10 @@ class Cotangent:
     def accumulate(self, name: Quantity, gradient: Array, *, donate: bool = False) -> None:
         """Add a gradient with respect to one of the quantities.
 
-        donate  the caller does not use the array any more: it may be stored and modified
+        Args:
+            name: The quantity.
+            gradient: The gradient, see the class for shapes.
+            donate: Whether the array may be stored and modified, because the caller does not use it again.
         """
         if self._has(name):
             self._parts[name] += gradient
@@ -90,13 +93,12 @@ class Cotangent:
             self._parts[name] = gradient if donate else np.array(gradient)
 
     def buffer(self, name: Quantity) -> Array:
-        """The array itself, zeros at first, to add into by index."""
+        """Return the array of a gradient, initially zero, to add to by index."""
         if not self._has(name):
             self._parts[name] = np.zeros(self._shape(name))
         return self._parts[name]
 
     def _has(self, name: Quantity) -> bool:
-        """Whether there is a gradient already."""
         if name in self._parts:
             return True
         if name not in QUANTITIES:
@@ -113,19 +115,22 @@ class Cotangent:
         return (3, 3, *links) if name == "swing" else (3, *links)
 
     def add_wrenches(self, wrenches: Wrenches) -> None:
-        """Add the gradient that wrenches represent, one after the other."""
+        """Add the gradient that the sum of wrenches represents."""
         self._wrenches.append(wrenches)
 
     def add_forces(self, flat: Index, offset: Array, force: Array) -> None:
-        """Gradients (3, p) with respect to points at `offset` (3, p) from the origins of links.
+        """Add gradients with respect to the positions of points on links.
 
-        flat  (p,) link · S + sample; the same may come up more than once
+        Args:
+            flat: link · S + sample of each point, (p,), with possible repetitions.
+            offset: The points relative to the origins of their links, (3, p) [m].
+            force: The gradients, (3, p).
         """
         link, at = np.divmod(flat, self.samples.count)
         self.add_wrenches(of_point(at, link, offset, force))
 
     def _flush_wrenches(self) -> None:
-        """Adds all wrenches to what they are on."""
+        """Add all wrenches to the gradients of their quantities."""
         count, shape = self.samples.count, (3, len(self.samples.figure.links), self.samples.count)
         size = shape[1] * shape[2]
         for name, kind in ON_LINKS.items():
@@ -141,7 +146,7 @@ class Cotangent:
                 )
 
     def gradients(self) -> tuple[Array, Array, Array]:
-        """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
+        """Return the gradients with respect to y, y', y'', each (S, N). The cotangent must not be used again."""
         samples = self.samples
         for source, buffer in self._deferred:
             source.flush(self, buffer)
@@ -164,7 +169,7 @@ class Cotangent:
         return g, g_d, g_dd
 
     def _by_entries(self, name: Quantity, blocks: Quantity) -> Array:
-        """The gradient with respect to y, y' or y'', (S, N): its own entries' and the quaternion blocks'."""
+        """Return the gradient with respect to y, y' or y'', (S, N), including that of the quaternion blocks."""
         part = self._parts.get(blocks)
         if part is None:
             return self.buffer(name)
@@ -180,17 +185,21 @@ class Cotangent:
         return total
 
     def get(self, name: Quantity) -> Array | None:
-        """A gradient, if there is one."""
+        """Return a gradient, or None if it is zero."""
         return self._parts.get(name)
 
 
 def attached_pulled_back(
     into: Cotangent, s: Array, gradients: Gradients, owners: Index | None = None, swing: Array | None = None
 ) -> None:
-    """Gradients of s, s' = ω × s and s'' = A s, for vectors s (3, n, S) that turn with links, to those of the links.
+    """Pull gradients of vectors s (3, n, S) that turn with links, s' = ω × s and s'' = A s, back to those of the links.
 
-    owners  (n,) the links, each vector's own; None: every link has one
-    swing   (3, 3, n, S) the owners' A, if already computed
+    Args:
+        into: The cotangent.
+        s: The vectors.
+        gradients: The gradients of s, s', s''.
+        owners: The link of each vector, (n,); None: one vector per link.
+        swing: The matrices A of these links, (3, 3, n, S), if already computed.
     """
     links = into.samples.links
     g, g_d, g_dd = gradients
@@ -210,7 +219,7 @@ def attached_pulled_back(
 
 
 def _to_owners(into: Cotangent, name: Quantity, part: Array, owners: Index | None) -> None:
-    """Adds vectors' gradients to those of the links that own them."""
+    """Add the gradients of vectors to those of their links."""
     if owners is not None:
         incidence = np.zeros((len(into.samples.figure.links), owners.size))
         incidence[owners, np.arange(owners.size)] = 1
@@ -219,7 +228,7 @@ def _to_owners(into: Cotangent, name: Quantity, part: Array, owners: Index | Non
 
 
 def _origins_pulled_back(cotangent: Cotangent) -> None:
-    """x, x', x'' -> positions of the free roots, slides, and turn, ω and swing of the links."""
+    """Pull gradients of x, x', x'' back to positions of free roots, slides, and turn, ω and swing of the links."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     gradients: list[Array | None] = []
     for y_name, _, name in OF_THE_STATE:
@@ -243,7 +252,7 @@ def _origins_pulled_back(cotangent: Cotangent) -> None:
 
 
 def _slides_pulled_back(cotangent: Cotangent, own: list[Array | None]) -> None:
-    """Displacement q e along a slide's axis e: gradients of q, q', q'' and of the axis."""
+    """Pull gradients of displacements q e along slides' axes e back to q, q', q'' and the axes."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     links, slides = samples.links, tables.slide_links
     zero = np.zeros((3, slides.size, samples.count))
@@ -260,9 +269,9 @@ def _slides_pulled_back(cotangent: Cotangent, own: list[Array | None]) -> None:
 
 
 def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
-    """(turn, ω, ω') -> gradients with respect to Q, Q', Q'' of the links, (4, L, S); later ones left out if zero.
+    """Return gradients (4, L, S) with respect to Q, Q', Q'' of the links for those of turn, ω and ω'.
 
-    With G of a quaternion as in the algebra: (0, v) ⊗ Q = Gᵀ v.
+    Trailing zero gradients are omitted. G denotes the matrix of `vector_product`: (0, v) ⊗ Q = Gᵀ v.
     """
     links = cotangent.samples.links
     turn, omega_bar, alpha_bar = (cotangent.get(name) for name in ("turn", "omega", "alpha"))
@@ -296,7 +305,7 @@ def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
 
 
 def _product_sum(*terms: tuple[Array, Array]) -> Array:
-    """Σ Gᵀ h, (4, L, S)."""
+    """Return Σ Gᵀ h, (4, L, S)."""
     (matrix, vector), *rest = terms
     total = turned_back(matrix, vector)
     for matrix, vector in rest:
@@ -305,7 +314,7 @@ def _product_sum(*terms: tuple[Array, Array]) -> Array:
 
 
 def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[Array]:
-    """World quaternions' gradients -> those of joint coordinates: C = A ⊗ c, from the leaves to the root."""
+    """Pull gradients of world quaternions C = A ⊗ c back to those of joint coordinates, from the leaves to the root."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     links = samples.links
     local, base = from_parents(links.states).swapaxes(0, 1), links.quaternions.swapaxes(0, 1)
@@ -328,17 +337,17 @@ def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[
     return [grad[:, tables.quaternion_links] for grad in grads]
 
 
-# what meets the gradients of C, C', C'' in those of either factor, by the derivatives of the other
+# for the gradients of either factor: orders of the gradients of C, and of the other factor that multiplies them
 _OF_SUM, _OF_OTHER = np.array([0, 1, 2, 1, 2, 2]), np.array([0, 1, 2, 0, 1, 0])
 
 
 def _summed_back(parts: Array) -> Array:
-    """(4, 6, l, S) -> gradients of a factor and its two derivatives, (4, 3, l, S)."""
+    """Return the gradients of a factor and its two derivatives, (4, 3, l, S), for the products (4, 6, l, S)."""
     return np.stack([parts[:, 0] + parts[:, 1] + parts[:, 2], parts[:, 3] + 2 * parts[:, 4], parts[:, 5]], axis=1)
 
 
 def _hinges_pulled_back(cotangent: Cotangent, grads: list[Array]) -> None:
-    """Gradients of (cos θ/2, axis sin θ/2) and its derivatives -> θ, θ', θ''."""
+    """Pull gradients of (cos θ/2, axis sin θ/2) and its derivatives back to θ, θ', θ''."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     if not tables.hinge_links.size:
         return

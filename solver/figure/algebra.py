@@ -1,7 +1,7 @@
 """Vectors, rotations and quaternions of many links at many samples, component first.
 
-Arrays are (3, L, S) or (4, L, S), so that every formula is a few passes over contiguous memory. Sums of products go
-through einsum, which keeps no temporaries.
+Arrays are (3, L, S) or (4, L, S), so that every formula is a few passes over contiguous memory. Sums of products use
+einsum, which avoids temporary arrays.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from ..array import Array, Index
 
 
 def axial(matrix: Array) -> Array:
-    """The vector of M's antisymmetric part, a × b for M = a bᵀ: (3, 3, ...) -> (3, ...)."""
+    """Return the vector of M's antisymmetric part, a × b for M = a bᵀ: (3, 3, ...) -> (3, ...)."""
     out = np.empty(matrix.shape[1:])
     np.subtract(matrix[1, 2], matrix[2, 1], out=out[0])
     np.subtract(matrix[2, 0], matrix[0, 2], out=out[1])
@@ -21,12 +21,12 @@ def axial(matrix: Array) -> Array:
 
 
 def outer(a: Array, b: Array) -> Array:
-    """a bᵀ: (3, ...) with (3, ...) -> (3, 3, ...)."""
+    """Return a bᵀ: (3, ...) with (3, ...) -> (3, 3, ...)."""
     return np.einsum("i...,j...->ij...", a, b)
 
 
 def cross(a: Array, b: Array) -> Array:
-    """a × b, component first: (3, ...) with (3, ...)."""
+    """Return a × b, component first: (3, ...) with (3, ...)."""
     out = np.empty(b.shape if a.shape == b.shape else np.broadcast_shapes(a.shape, b.shape))
     _cross(a, b, out)
     return out
@@ -44,7 +44,7 @@ def _cross(a: Array, b: Array, out: Array) -> None:
 
 
 def cross_sum(a: Array, b: Array) -> Array:
-    """Σ_k a_k × b_k: (k, 3, ...) with (k, 3, ...) -> (3, ...)."""
+    """Return Σ_k a_k × b_k: (k, 3, ...) with (k, 3, ...) -> (3, ...)."""
     total, other = np.empty(a.shape[1:]), np.empty(a.shape[1:])
     _cross(a[0], b[0], total)
     for i in range(1, a.shape[0]):
@@ -54,38 +54,38 @@ def cross_sum(a: Array, b: Array) -> Array:
 
 
 def dot(a: Array, b: Array) -> Array:
-    """a · b over the first axis."""
+    """Return a · b over the first axis."""
     return np.einsum("i...,i...->...", a, b)
 
 
 def turned(rotation: Array, vectors: Array) -> Array:
-    """R c for constant local vectors: (3, 3, n, S) with (3, n) -> (3, n, S)."""
+    """Return R c for constant local vectors: (3, 3, n, S) with (3, n) -> (3, n, S)."""
     return np.einsum("ijns,jn->ins", rotation, vectors)
 
 
 def applied(rotation: Array, vectors: Array) -> Array:
-    """R v for moving vectors: (3, 3, n, S) with (3, n, S)."""
+    """Return R v for moving vectors: (3, 3, n, S) with (3, n, S)."""
     return np.einsum("ij...,j...->i...", rotation, vectors)
 
 
 def turned_back(rotation: Array, vectors: Array) -> Array:
-    """Rᵀ v: (3, 3, n, S) with (3, n, S)."""
+    """Return Rᵀ v: (3, 3, n, S) with (3, n, S)."""
     return np.einsum("ji...,j...->i...", rotation, vectors)
 
 
 def gathered(weights: Array, vectors: Array) -> Array:
-    """Linear combinations over the link axis: (m, n) with (3, n, S) -> (3, m, S)."""
+    """Return linear combinations over the link axis: (m, n) with (3, n, S) -> (3, m, S)."""
     return np.matmul(weights, vectors)
 
 
 def add_at(buffer: Array, links: Index, vectors: Array) -> None:
-    """buffer[:, links] += vectors, where a link may come up more than once: (3, L, S) with (n,) and (3, n, S)."""
+    """Add vectors (3, n, S) to buffer[:, links] (3, L, S), where links (n,) may repeat."""
     for i, link in enumerate(links):
         buffer[:, link] += vectors[:, i]
 
 
 def hamilton(p: Array, q: Array) -> Array:
-    """p ⊗ q, component first: (4, ...) with (4, ...)."""
+    """Return p ⊗ q, component first: (4, ...) with (4, ...)."""
     out = np.empty(np.broadcast_shapes(p.shape, q.shape))
     out[0] = p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3]
     out[1] = p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2]
@@ -95,12 +95,12 @@ def hamilton(p: Array, q: Array) -> Array:
 
 
 def conjugated(q: Array) -> Array:
-    """The conjugate, component first."""
+    """Return the conjugate, component first."""
     return np.concatenate([q[:1], -q[1:]])
 
 
 def vector_product(q: Array) -> Array:
-    """G with (0, v) ⊗ q = Gᵀ v, and so vec(p ⊗ conj(q)) = G p: (4, ...) -> (3, 4, ...)."""
+    """Return G with (0, v) ⊗ q = Gᵀ v, and hence vec(p ⊗ conj(q)) = G p: (4, ...) -> (3, 4, ...)."""
     w, x, y, z = q
     out = np.empty((3, *q.shape))
     np.negative(q[1:], out=out[:, 0])
@@ -111,7 +111,7 @@ def vector_product(q: Array) -> Array:
 
 
 def pure_product(v: Array, q: Array) -> Array:
-    """(0, v) ⊗ q, component first: (3, ...) with (4, ...)."""
+    """Return (0, v) ⊗ q, component first: (3, ...) with (4, ...)."""
     (x, y, z), (w, a, b, c) = v, q
     other = np.empty(np.broadcast_shapes(x.shape, w.shape))
     out = np.empty((4, *other.shape))
@@ -129,7 +129,7 @@ def pure_product(v: Array, q: Array) -> Array:
 
 
 def rotation_matrix(q: Array, scale: Array) -> Array:
-    """The rotation matrices of quaternions of any length, scale = 2 / (q·q): (4, ...) with (...) -> (3, 3, ...)."""
+    """Return rotation matrices of quaternions of any length, scale = 2 / (q·q): (4, ...) with (...) -> (3, 3, ...)."""
     scaled = q[1:] * scale
     wx, wy, wz = q[0] * scaled
     xx, xy, xz = q[1] * scaled
@@ -148,7 +148,7 @@ def rotation_matrix(q: Array, scale: Array) -> Array:
 
 
 def swing_matrix(omega: Array, alpha: Array) -> Array:
-    """A of s'' = A s for vectors s that turn at ω: A = [ω']× + [ω]×[ω]×, (3, ...) both -> (3, 3, ...)."""
+    """Return A of s'' = A s for vectors s that turn at ω: A = [ω']× + [ω]×[ω]×, (3, ...) both -> (3, 3, ...)."""
     out = outer(omega, omega)
     diagonal = out.reshape(9, *omega.shape[1:])[::4]
     diagonal -= dot(omega, omega)
@@ -159,7 +159,7 @@ def swing_matrix(omega: Array, alpha: Array) -> Array:
 
 
 def swing_pulled_back(gradient: Array, omega: Array) -> tuple[Array, Array]:
-    """The gradient with respect to A of `swing_matrix` as gradients with respect to (ω, ω')."""
+    """Return gradients with respect to ω and ω' for the gradient with respect to A of `swing_matrix`."""
     trace = np.einsum("ii...->...", gradient)
     by_omega = applied(gradient, omega)
     by_omega += turned_back(gradient, omega)

@@ -1,8 +1,8 @@
-"""Inverse dynamics of all samples at once, and its adjoint; eqs. 18-21 and appendix A of the paper.
+"""Inverse dynamics of all samples at once, and its adjoint (eqs. 18-21 and appendix A of the paper).
 
-Per link: force f = m (a − g) at the centre of mass, moment n = ω × Iω + I ω' about it (eq. 21). Summed over the links
-beyond a joint they are what the joint must supply. Equals MuJoCo's `mj_inverse` with contacts, limits and passive
-forces off. `inverse_dynamics` is `mj_inverse` itself, with all forces but those of contacts.
+Each link needs a force f = m (a − g) at its centre of mass and a moment n = ω × Iω + I ω' about it (eq. 21). Summed
+over the links beyond a joint, these are the force and moment of the joint. The result equals MuJoCo's `mj_inverse`
+without contacts, limits and passive forces. `inverse_dynamics` calls `mj_inverse` itself, without contacts only.
 """
 
 from __future__ import annotations
@@ -21,11 +21,12 @@ from .kinematics import LinkMotion, Samples
 
 @dataclass(frozen=True)
 class BodyForces:
-    """Force [N] and torque [N m] about the centre of mass that produce each link's motion (appendix A).
+    """Force [N] and torque [N m] about the centre of mass that produce each link's motion (appendix A), in world axes.
 
-    force   (3, L, S) m (a − g), the force on the link without its weight; world axes
-    torque  (3, L, S) L' = ω × Iω + I ω'; world axes
-    centre  (3, L, S) [m] centre of mass, where both apply
+    Attributes:
+        force: m (a − g), without the link's weight, (3, L, S).
+        torque: L' = ω × Iω + I ω', (3, L, S).
+        centre: The centre of mass, where both apply, (3, L, S) [m].
     """
 
     force: Array
@@ -34,10 +35,11 @@ class BodyForces:
 
 
 class InverseDynamics:
-    """Joint forces and moments at every sample.
+    """Joint forces and moments at every sample, in world axes.
 
-    moment  (3, L, S) [N m] about the joint's anchor, world axes, of everything beyond the joint
-    force   (3, L, S) [N]
+    Attributes:
+        moment: The moment of everything beyond the joint, about the joint's anchor, (3, L, S) [N m].
+        force: The force of everything beyond the joint, (3, L, S) [N].
     """
 
     def __init__(self, links: LinkMotion) -> None:
@@ -61,16 +63,16 @@ class InverseDynamics:
         self.moment -= cross(links.anchor, self.force)
 
     def _world_inertia(self) -> Array:
-        """I = R I_body Rᵀ (eq. 18), (3, 3, L, S)."""
+        """Return I = R I_body Rᵀ (eq. 18), (3, 3, L, S)."""
         rotation, inertia = self.links.rotation, self.links.figure.tables.inertia
-        # one small product a link and axis: (3, L, 3, S)
+        # one small product per link and axis: (3, L, 3, S)
         half = np.matmul(inertia.transpose(2, 1, 0), rotation.transpose(0, 2, 1, 3))
         return np.einsum("ilks,jkls->ijls", half, rotation)
 
     def pull_back(
         self, into: Cotangent, moment_bar: Array, force_bar: Array | None = None, centre_bar: Array | None = None
     ) -> None:
-        """Adds the gradient of a scalar with the gradients (3, L, S) with respect to `moment`, `force` and `centre`.
+        """Add the gradient of a scalar with gradients (3, L, S) with respect to `moment`, `force` and `centre`.
 
         The backward sweep runs once for all contributions, when the cotangent's gradients are requested.
         """
@@ -81,7 +83,7 @@ class InverseDynamics:
                 target += part
 
     def flush(self, into: Cotangent, buffer: Array) -> None:
-        """The backward sweep of all deferred contributions, (3, 3, L, S)."""
+        """Run the backward sweep of all deferred contributions, (3, 3, L, S)."""
         tables, links = self.links.figure.tables, self.links
         moment_bar, force_bar, centre_bar = buffer
         anchor_bar = cross(moment_bar, self.force)
@@ -89,7 +91,7 @@ class InverseDynamics:
         m, f_bar = np.matmul(tables.path, buffer[:2])
         f_bar += cross(m, self.centre)
         centre_bar += cross(self.net_force, m)
-        pair = np.array([cross(m, links.omega), m])  # what meets ω and ω'
+        pair = np.array([cross(m, links.omega), m])  # the factors of ω and ω'
         inertia_pair = np.einsum("ijls,kjls->kils", self.inertia, pair)
         into.accumulate("omega", cross(self.momenta[0], m), donate=True)
         into.accumulate("omega", inertia_pair[0], donate=True)
@@ -106,15 +108,15 @@ class InverseDynamics:
 
 
 def body_forces(samples: Samples) -> BodyForces:
-    """Force and torque on each link; summed, with the arms of the forces, they are the wrench at the root."""
+    """Return force and torque on each link. Summed, with the moments of the forces, they are the root's wrench."""
     inverse = samples.once(InverseDynamics)
     return BodyForces(inverse.net_force, inverse.net_torque, inverse.centre)
 
 
 def generalised_forces(samples: Samples) -> Array:
-    """(S, nv): MuJoCo's qfrc_inverse without contacts, limits and passive forces.
+    """Return MuJoCo's qfrc_inverse without contacts, limits and passive forces, (S, nv).
 
-    Free joints: force in the world, moment in the body's axes; ball joints: body axes; hinges and slides: along the
+    Free joints: force in the world, moment in the body's axes. Ball joints: body axes. Hinges and slides: along the
     axis.
     """
     figure, links = samples.figure, samples.links
@@ -149,14 +151,14 @@ def inverse_dynamics(model: mujoco.MjModel, qpos: Array, qvel: Array, qacc: Arra
     those of continuous time.
 
     Args:
-        model: the model; it is not changed.
-        qpos: (T, nq) configurations, [m] and [rad], unit quaternions wxyz.
-        qvel: (T, nv) velocities, [m/s] and [rad/s].
-        qacc: (T, nv) accelerations, [m/s²] and [rad/s²].
-        disabled: further forces to leave out, bits of mjtDisableBit.
+        model: The model, which is not changed.
+        qpos: Configurations (T, nq), [m] and [rad], unit quaternions wxyz.
+        qvel: Velocities (T, nv), [m/s] and [rad/s].
+        qacc: Accelerations (T, nv), [m/s²] and [rad/s²].
+        disabled: Further forces to omit, bits of mjtDisableBit.
 
     Returns:
-        (T, nv) forces [N] and torques [N m], in the axes of qvel.
+        Forces [N] and torques [N m] (T, nv), in the axes of qvel.
     """
     free = copy.copy(model)
     free.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | disabled
@@ -171,7 +173,7 @@ def inverse_dynamics(model: mujoco.MjModel, qpos: Array, qvel: Array, qacc: Arra
 
 
 def velocities(samples: Samples) -> tuple[Array, Array]:
-    """MuJoCo's (qvel, qacc), each (S, nv), of samples in any coordinates (method of §6)."""
+    """Return MuJoCo's (qvel, qacc), each (S, nv), of samples in any coordinates (method of §6)."""
     figure, links = samples.figure, samples.links
     parents = figure.tables.parents
     omega_p = links.omega[:, parents]

@@ -1,14 +1,14 @@
-"""Jacobian rows of inverse dynamics in closed form: of joints' efforts, and of the wrench at a free root.
+"""Jacobian rows of inverse dynamics in closed form: joint efforts, and the wrench at a free root.
 
-Let a coordinate turn a set of links by a small turn φ(t) about an origin that stands still. Their momentum and angular
-momentum about it, J their inertia there, P = Σ m r and H their momenta, change so that the force F and the moment N
-that these links need (eqs. 18-21) change by
+Let a coordinate rotate a set of links by a small rotation vector φ(t) about a fixed origin. J is their inertia about
+the origin, H their angular momentum, and P = Σ m r. The force F and the moment N of these links (eqs. 18-21) change by
 
     δF = (φ × P)''        δN = J φ'' + (J' φ' − H × φ') + φ × N + P × (φ × g)
 
-Gravity does not turn with them, hence the last term. A shift ψ(t) of the links changes these by δF = M ψ'' and
-δN = P × ψ'' + ψ × F. A turn about an anchor a is one about the origin and a shift by −φ × a; and a link whose
-orientation is in the state shifts the next such links, with all beyond them, by φ × (their anchor − a).
+The last term exists because gravity does not rotate with the links. A shift ψ(t) of the links changes F and N by δF = M
+ψ'' and δN = P × ψ'' + ψ × F. A rotation about an anchor a is a rotation about the origin and a shift by −φ × a. A link
+whose orientation is in the state does not rotate with its ancestors: φ shifts it, with all links beyond it, by φ × (its
+anchor − a).
 """
 
 from __future__ import annotations
@@ -28,14 +28,20 @@ from .turns import add_rows_of_shifts, add_rows_of_turns, chosen, followers, fol
 from .wrench import RootWrench
 from .wrenches import Wrenches, every_axis
 
-AT_ONCE = 20_000  # pairs of joints, times samples: what is made of them takes some 9 MB each
-PRODUCT = (1, 2, 1)  # of a second derivative: times the factors' derivatives
+AT_ONCE = 20_000  # pairs of joints times samples in memory at once, about 9 MB per derived array
+PRODUCT = (1, 2, 1)  # binomial coefficients of the second derivative of a product
 
 
 @dataclass(frozen=True)
 class Pushes:
-    """Forces that points of the figure get from outside: at samples `at` (P,), on links `link` (P,), at `offset` (3, P)
-    from the links' origins [m], force (3, P) [N]."""
+    """External forces on points of the figure.
+
+    Attributes:
+        at: Samples, (P,).
+        link: Links, (P,).
+        offset: The points relative to the links' origins, (3, P) [m].
+        force: The forces, (3, P) [N].
+    """
 
     at: Index
     link: Index
@@ -43,12 +49,12 @@ class Pushes:
     force: Array
 
     def by_link(self, vectors: Array, like: Array) -> Array:
-        """Vectors (3, P) of the pushes, summed over those of one link and sample: (3, L, S), the shape of `like`."""
+        """Return vectors (3, P) of the pushes, summed by link and sample, in the shape of `like` (3, L, S)."""
         flat, size = self.link * like.shape[2] + self.at, like[0].size
         return np.array([np.bincount(flat, part, size) for part in vectors], float).reshape(like.shape)
 
     def pull_back(self, wrench: RootWrench, into: Cotangent, force_bar: Array, moment_bar: Array) -> None:
-        """Adds the gradient of a scalar of force and moment, the moments of these pushes, which are held, taken off."""
+        """Add the gradient of a scalar of force and moment, where the moment excludes that of these constant forces."""
         pull = cross(moment_bar[:, self.at], self.force)
         into.add_forces(self.link * into.samples.count + self.at, self.offset, pull)
         by_centre = np.array([np.bincount(self.at, -part, into.samples.count) for part in pull], float)
@@ -56,10 +62,12 @@ class Pushes:
 
 
 def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None, *, moment: bool = True) -> Array:
-    """(S, 6, 3, N): gradients of a free root's force and moment, world components, with respect to y, y', y''.
+    """Return the gradients of a free root's force and moment, in world axes, with respect to y, y', y'', (S, 6, 3, N).
 
-    pushes  their moments (p − c) × f about the centre of mass are taken off the moment; the forces are held
-    moment  without it (S, 3, 3, N), of the force alone
+    Args:
+        wrench: The wrench.
+        pushes: External forces, constant; their moments (p − c) × f about the centre of mass c are subtracted.
+        moment: Whether to include the moment; otherwise the result is (S, 3, 3, N).
     """
     samples, root, tables = wrench.samples, wrench.root, wrench.samples.figure.tables
     in_tree = tables.path[:, root]
@@ -72,16 +80,16 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None, *, moment: boo
             if moment:
                 centre, net_force = wrench.centre - links.origin, links.held.sum(axis=1) / wrench.mass
                 links.to_place(change, centre[:, None])
-                change[0, :, 3:] += _crosses(net_force[:, None], change[2, :, :3])  # the centre moves, too
+                change[0, :, 3:] += _crosses(net_force[:, None], change[2, :, :3])  # the centre also moves
             moves.add(joints, change, np.tile(np.arange(links.rows)[:, None], joints.size), out)
     return out.transpose(3, 1, 2, 0)
 
 
 def joint_rows(samples: Samples) -> Array:
-    """(S, R, 3, N): gradients of the joints' efforts with respect to y, y', y''.
+    """Return the gradients of the joint efforts with respect to y, y', y'', (S, R, 3, N), including armature.
 
-    First the moments at b ball joints, in the world: x of all, then y, then z; then the moments about the axes of
-    hinges, and the forces along those of slides; each with what the armature takes.
+    The R efforts are the moments at b ball joints in world axes (x of all, then y, then z), the moments about the axes
+    of hinges, and the forces along the axes of slides.
     """
     tables, motion, inverse = samples.figure.tables, samples.links, samples.once(InverseDynamics)
     links, (place, _) = _Links(samples, np.ones(len(samples.figure.links))), places(samples.figure)
@@ -109,7 +117,8 @@ def joint_rows(samples: Samples) -> Array:
 
 
 def _add_armature(samples: Samples, out: Array) -> None:
-    """Adds what the armature takes: of motors in proportion to y'', of ball joints by the rates of their links."""
+    """Add the effect of armature: of hinges and slides in proportion to y'', of ball joints by the rates of their
+    links."""
     tables, omega = samples.figure.tables, samples.links.omega
     motors, balls = np.concatenate([tables.hinge_links, tables.slide_links]), tables.ball_links
     columns = np.concatenate([tables.hinge_columns, tables.slide_columns])
@@ -126,17 +135,27 @@ def _add_armature(samples: Samples, out: Array) -> None:
 
 
 class _Links:
-    """Inertial quantities of links about a fixed origin: (..., L, S) each.
+    """Inertial quantities of links about a fixed origin, (..., L, S) each.
 
-    Changes are (3, 3, R, n, S): by order and component of φ or ψ, of R = 3 rows of force and 3 of moment.
+    Changes are arrays (3, 3, R, n, S): order and component of φ or ψ, and R = 3 rows of force and 3 of moment.
 
-    origin    (3, S), amid the figure;  anchors  (3, 3, L, S) the joints' places from there, and two derivatives
-    mass      (L, 1);  first  (3, 3, L, S) m r, m r', m r''
-    held      (3, L, S) the force on a link, what pushes it taken off
+    Attributes:
+        origin: A point in the middle of the figure, (3, S).
+        anchors: The joints' anchors relative to the origin, and two derivatives, (3, 3, L, S).
+        mass: The masses, (L, 1).
+        first: The first moments m r, m r', m r'', (3, 3, L, S).
+        held: The force on each link minus the external forces, (3, L, S).
     """
 
     def __init__(self, samples: Samples, own: Array, pushes: Pushes | None = None, moment: bool = True) -> None:
-        """own (L,): 1 for the links that count; without `moment` the changes have 3 rows."""
+        """Compute the quantities.
+
+        Args:
+            samples: The samples.
+            own: 1 for the links of the set, else 0, (L,).
+            pushes: The external forces.
+            moment: Whether changes include the 3 rows of the moment.
+        """
         self.samples, self.figure, self.rows = samples, samples.figure, 6 if moment else 3
         inverse, motion, tables = samples.once(InverseDynamics), samples.links, samples.figure.tables
         self.origin = motion.x[:, 1:].mean(axis=1)
@@ -161,7 +180,7 @@ class _Links:
             self.held = self.held - pushes.by_link(pushes.force, r)
 
     def by_turns(self, sets: Array) -> Array:
-        """The changes of sets of links (n, L) by their turns φ about the origin."""
+        """Return the changes of sets of links (n, L) by rotations φ about the origin."""
         out = self._empty(len(sets))
         first = _summed(sets, self.first)
         _add_force(out, first)
@@ -174,7 +193,7 @@ class _Links:
         return out
 
     def by_turned_shifts(self, sets: Array, s: Array) -> Array:
-        """The changes of sets of links (n, L) by their shifts φ × s; s (3, 3, n, S) with two derivatives."""
+        """Return the changes of sets of links (n, L) by shifts φ × s, with s and two derivatives (3, 3, n, S)."""
         out = self._empty(len(sets))
         mass, first, force = sets @ self.mass, _summed(sets, self.first[0]), _summed(sets, self.held)
         _add_force(out, mass * s)
@@ -185,7 +204,7 @@ class _Links:
         return out
 
     def by_shifts(self, sets: Array) -> Array:
-        """The changes of sets of links (n, L) by their shifts ψ."""
+        """Return the changes of sets of links (n, L) by shifts ψ."""
         out = self._empty(len(sets))
         out[2, range(3), range(3)] = sets @ self.mass
         if self.rows > 3:
@@ -194,11 +213,11 @@ class _Links:
         return out
 
     def to_place(self, change: Array, place: Array) -> None:
-        """Takes the moments of changes about a place (3, n, S) from the origin, instead of the origin."""
+        """Refer the moments of changes to a place (3, n, S) relative to the origin, instead of to the origin."""
         change[:, :, 3:] -= _crosses(place, change[:, :, :3])
 
     def carried(self, joint: Index, s: Array) -> Array:
-        """The changes of all beyond joints (P,), about their anchors, which shift with them by φ × s (3, 3, P, S)."""
+        """Return the changes of all links beyond joints (P,), about their anchors, by shifts φ × s, s (3, 3, P, S)."""
         change, mass, lever = self._empty(joint.size), *self._levers(joint)
         _add_force(change, mass * s)
         for order, factor in enumerate(PRODUCT):
@@ -206,14 +225,14 @@ class _Links:
         return change
 
     def shifted(self, joint: Index) -> Array:
-        """The same for translations by ψ."""
+        """Return the same for shifts ψ."""
         change, mass, lever = self._empty(joint.size), *self._levers(joint)
         change[2, range(3), range(3)] = mass
         change[2, :, 3:] = -_crossed(lever)
         return change
 
     def _levers(self, joint: Index) -> tuple[Array, Array]:
-        """The masses beyond joints (P, 1), and their first moments about the anchors (3, P, S)."""
+        """Return the masses beyond joints (P, 1), and their first moments about the anchors (3, P, S)."""
         return self._mass_beyond[joint], self._lever[:, joint]
 
     @cached_property
@@ -226,7 +245,7 @@ class _Links:
 
     @cached_property
     def turned(self) -> Array:
-        """The changes of all beyond each link, about its joint's anchor, by its turn about that as one body."""
+        """The changes of all links beyond each joint, about its anchor, by their rotation about it as one body."""
         sets = self.figure.tables.beyond
         change = self.by_turns(sets) + self.by_turned_shifts(sets, -self.anchors)
         self.to_place(change, self.anchors[0])
@@ -237,7 +256,7 @@ class _Links:
 
 
 class _Turns:
-    """Small turns φ of links by their joints, about the joints' anchors."""
+    """Small rotations φ of links by their joints, about the joints' anchors."""
 
     def __init__(self, links: _Links) -> None:
         tables = links.figure.tables
@@ -245,7 +264,7 @@ class _Turns:
         self.joints = np.concatenate([tables.quaternion_links, tables.hinge_links])
 
     def of(self, joints: Index) -> Array:
-        """The derivatives of everything that n joints move."""
+        """Return the changes of all links that n joints move."""
         links, beyond, after = self.links, self.links.figure.tables.beyond, following(self.links.figure)[joints]
         near = np.union1d(joints, np.flatnonzero(after.any(axis=0)))
         shares = after[:, near] - (joints[:, None] == near)
@@ -255,8 +274,10 @@ class _Turns:
         return change
 
     def before(self, joint: Index, moved: Index) -> Array:
-        """The changes of all beyond joints (P,), about their anchors, by turns of joints before them: the joints are
-        carried along, and turned, too, where no link lies between whose orientation is in the state."""
+        """Return the changes of all links beyond joints (P,), about their anchors, by rotations of earlier joints (P,).
+
+        The joints shift. They also rotate, unless there is a link in between whose orientation is in the state.
+        """
         links, anchors = self.links, self.links.anchors
         between = followers(links.figure)[joint, moved]
         nearest = np.where(between > 0, between, joint)
@@ -266,7 +287,6 @@ class _Turns:
         return change
 
     def turned(self, joint: Index, moved: Index) -> Array:
-        """(P,) 1 where the axes of joints turn with the others."""
         return turning(self.links.figure)[moved, joint]
 
 
@@ -279,20 +299,17 @@ class _Shifts:
         self.joints = np.concatenate([tables.free_links, tables.slide_links])
 
     def of(self, joints: Index) -> Array:
-        """The derivatives of everything that n joints move."""
         return self.links.by_shifts(self.links.figure.tables.beyond[joints])
 
     def before(self, joint: Index, moved: Index) -> Array:
-        """The changes of all beyond joints (P,), about their anchors, by shifts of joints before them."""
         return self.links.shifted(joint)
 
     def turned(self, joint: Index, moved: Index) -> Array:
-        """(P,) 1 where the axes of joints turn with the others: nowhere."""
         return np.zeros(joint.size)
 
 
 def _pairs(links: _Links, moves: _Turns | _Shifts) -> Iterator[tuple[Index, Index, Array]]:
-    """Joints (P,) whose efforts change with others (P,), and the changes of force and moment about their anchors."""
+    """Yield joints (P,), other joints (P,) on which their efforts depend, and the changes about the former anchors."""
     path, most = links.figure.tables.path > 0, max(1, AT_ONCE // links.samples.count)
     has_effort = ~np.isin(np.arange(len(path)), [0, *links.figure.tables.free_links])
     change = moves.of(moves.joints)
@@ -306,14 +323,12 @@ def _pairs(links: _Links, moves: _Turns | _Shifts) -> Iterator[tuple[Index, Inde
 
 
 def _runs(mask: Mask, most: int) -> Iterator[tuple[Index, Index]]:
-    """Rows and columns where a mask holds, in chunks."""
     row, column = np.nonzero(mask)
     for first in range(0, row.size, most):
         yield row[first : first + most], column[first : first + most]
 
 
 def _anchors(motion: LinkMotion) -> Array:
-    """Anchors of the joints, with two derivatives, (3, 3, L, S)."""
     places = np.array([motion.x, motion.x_d, motion.x_dd])
     if motion.hang is not None:
         places += np.array([motion.hang, cross(motion.omega, motion.hang), applied(motion.swing, motion.hang)])
@@ -321,20 +336,20 @@ def _anchors(motion: LinkMotion) -> Array:
 
 
 def _summed(sets: Array, part: Array) -> Array:
-    """Sums over sets of links (n, L): (..., L, S) -> (..., n, S)."""
+    """Return sums over sets of links (n, L): (..., L, S) -> (..., n, S)."""
     if np.all(sets.sum(axis=1) == 1):
         return part[..., np.argmax(sets, axis=1), :]
     return np.matmul(sets, part)
 
 
 def _add_force(change: Array, first: Array) -> None:
-    """Adds δF = (φ × p)'' to changes, p (3, 3, n, S) with two derivatives."""
+    """Add δF = (φ × p)'' to changes, with p and two derivatives (3, 3, n, S)."""
     for order, factor in enumerate(PRODUCT):
         change[order, :, :3] += factor * _crossed(first[2 - order])
 
 
 def _crossed(v: Array) -> Array:
-    """φ × v by components of φ and of the product: (3, n, S) -> (3, 3, n, S)."""
+    """Return φ × v by components of φ and of the product: (3, n, S) -> (3, 3, n, S)."""
     out, (x, y, z) = np.zeros((3, *v.shape)), v
     out[1, 0], out[2, 1], out[0, 2] = z, x, y
     for target, source in ((out[2, 0], y), (out[0, 1], z), (out[1, 2], x)):
@@ -343,7 +358,7 @@ def _crossed(v: Array) -> Array:
 
 
 def _across(p: Array, v: Array) -> Array:
-    """p × (φ × v), likewise: (3, n, S) with (3, n, S)."""
+    """Return p × (φ × v) by the same components: (3, n, S) with (3, n, S)."""
     out = np.negative(p)[:, None] * v
     diagonal = dot(p, v)
     for i in range(3):
@@ -352,7 +367,7 @@ def _across(p: Array, v: Array) -> Array:
 
 
 def _crosses(v: Array, rows: Array) -> Array:
-    """v × each of vectors: (3, n, S) with (..., 3, n, S)."""
+    """Return v × each of several vectors: (3, n, S) with (..., 3, n, S)."""
     (x, y, z), out = v, np.empty(np.broadcast_shapes(v.shape, rows.shape))
     a, b, c = (rows[..., i, :, :] for i in range(3))
     out[..., 0, :, :] = y * c - z * b

@@ -1,14 +1,13 @@
-"""Figure: an MjModel as a tree of links, one joint each, and the state that a spline runs through.
+"""Figure: an MjModel as a tree of links, one joint each, and the state that a spline interpolates.
 
-MuJoCo's qpos and the state have the same columns. They differ in what a quaternion means:
+MuJoCo's qpos and the state have the same columns. They differ in the meaning of quaternions:
 
-    coordinates "world"   a quaternion is its body's orientation in the world (§5 and appendix A of the paper) wherever
-                          only free and ball joints lie between the body and the world; below a hinge or a slide it is
-                          the joint's, relative to the parent
-    coordinates "joint"   qpos itself: the rotation of every ball joint is relative to the parent
+    coordinates "world"   the body's orientation in the world (§5 and appendix A of the paper), if only free and ball
+                          joints are between the body and the world; otherwise as in "joint"
+    coordinates "joint"   qpos itself: the rotation of every ball joint relative to its parent
 
-A body with several joints becomes as many links, the first ones without mass; bodies welded to a link add to its mass.
-Link 0 is the world.
+A body with several joints becomes as many links, of which only the last has mass. The mass of bodies welded to a link
+is added to it. Link 0 is the world.
 """
 
 from __future__ import annotations
@@ -34,7 +33,7 @@ class FigureError(ValueError):
 
 
 class JointKind(IntEnum):
-    """MuJoCo's joint types, by its own numbers."""
+    """MuJoCo's joint types, with its numbers."""
 
     FREE = int(mujoco.mjtJoint.mjJNT_FREE)
     BALL = int(mujoco.mjtJoint.mjJNT_BALL)
@@ -44,16 +43,25 @@ class JointKind(IntEnum):
 
 @dataclass(frozen=True, eq=False)
 class Link:
-    """One joint and what moves rigidly with it.
+    """One joint and everything that moves rigidly with it.
 
-    parent        index of the parent link (0: the world)
-    joint         MuJoCo's joint id
-    body          MuJoCo's body id
-    turn          (4,) wxyz, orientation of the joint's frame at rest in the parent link
-    offset        (3,) [m] the joint's anchor in the parent link
-    anchor        (3,) [m] the same anchor in this link (zero unless the joint sits off the body's origin)
-    axis          (3,) of a hinge or slide, in this link
-    mass, centre, inertia    [kg], (3,) [m], (3, 3) [kg m²] about the centre, link axes; of all bodies welded to it
+    Attributes:
+        name: The joint's name, see `joint_names`.
+        kind: The type of the joint.
+        parent: The index of the parent link (0: the world).
+        joint: MuJoCo's joint id.
+        body: MuJoCo's body id.
+        qpos: The joint's first column of qpos.
+        dof: The joint's first degree of freedom.
+        turn: The orientation of the joint's frame at rest in the parent link, (4,) wxyz.
+        offset: The joint's anchor in the parent link, (3,) [m].
+        anchor: The same anchor in this link, (3,) [m]; zero unless the joint is away from the body's origin.
+        axis: The axis of a hinge or slide in this link, (3,).
+        reference: The value of a hinge [rad] or slide [m] at rest.
+        armature: The joint's armature [kg m², kg].
+        mass: The mass, with all bodies welded to the link [kg].
+        centre: Its centre, in link axes, (3,) [m].
+        inertia: Its inertia about the centre, in link axes, (3, 3) [kg m²].
     """
 
     name: str
@@ -76,10 +84,16 @@ class Link:
 
 @dataclass(frozen=True, eq=False)
 class Figure:
-    """A jointed figure: links, the columns of its state, and the two ways between state and qpos.
+    """A jointed figure: links, the columns of its state, and the conversions between state and qpos.
 
-    model        the MuJoCo model, source of every number
-    coordinates  "world" or "joint"; "auto" becomes "world" where that makes a difference
+    Attributes:
+        model: The MuJoCo model.
+        coordinates: "world" or "joint"; "auto" becomes "world" where that makes a difference.
+        links: The links, the world first.
+        body_link: The link of each body, (nbody,).
+        body_offset: Each body's origin in its link, (nbody, 3) [m].
+        body_turn: Each body's orientation in its link, (nbody, 4) wxyz.
+        tables: The links' constants as arrays.
     """
 
     model: mujoco.MjModel
@@ -116,22 +130,22 @@ class Figure:
 
     @cached_property
     def root(self) -> Root | None:
-        """The joints that carry the articulated tree; None where nothing moves about in the world."""
+        """The joints that carry the articulated tree; None if no tree moves in the world."""
         return root_of(self.model)
 
     @property
     def is_world(self) -> bool:
-        """Whether the state's quaternions are the orientations of all links in the world, one each."""
+        """Whether every link has a quaternion in the state, which is its orientation in the world."""
         return self.tables.all_in_world
 
     @property
     def gravity(self) -> Array:
-        """(3,) [m/s²], zero where the model switches it off."""
+        """The gravity, (3,) [m/s²]; zero if the model disables it."""
         option = self.model.opt
         return np.zeros(3) if option.disableflags & WEIGHTLESS else np.array(option.gravity)
 
     def to_state(self, qpos: ArrayLike) -> Array:
-        """State (..., N) of MuJoCo configurations qpos (..., nq); quaternions become unit."""
+        """Return the states (..., N) of MuJoCo configurations qpos (..., nq), with unit quaternions."""
         state = np.array(qpos, float)
         for i, link in enumerate(self.links[1:], start=1):
             columns = quaternion_columns(link)
@@ -144,7 +158,8 @@ class Figure:
         return state
 
     def to_qpos(self, state: ArrayLike) -> Array:
-        """MuJoCo configurations (..., nq), unit quaternions, of states (..., N) with quaternions of any length."""
+        """Return the MuJoCo configurations (..., nq), with unit quaternions, of states (..., N) with quaternions of any
+        length."""
         state = np.asarray(state, float)
         qpos = state.copy()
         for i, link in enumerate(self.links[1:], start=1):
@@ -158,7 +173,7 @@ class Figure:
         return qpos
 
     def _joint_base(self, state: Array, link: Link) -> Array:
-        """World orientation of a ball joint at rest, in world coordinates: Q_parent ⊗ turn."""
+        """Return the world orientation of a ball joint at rest, in world coordinates: Q_parent ⊗ turn."""
         parent = self.links[link.parent]
         columns = quaternion_columns(parent)
         if columns is None:
@@ -166,19 +181,19 @@ class Figure:
         return quat.product(state[..., columns], link.turn)
 
     def link_named(self, name: str) -> int | None:
-        """Index of the link that a joint or a body of this name moves, or None."""
+        """Return the index of the link that a joint or a body of this name moves, or None."""
         by_joint = next((i for i, link in enumerate(self.links) if i and link.name == name), None)
         body = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name)
         return int(self.body_link[body]) if by_joint is None and body > 0 else by_joint
 
     def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
-        """Points given in a body's frame (..., 3) [m], as (link, positions in the link's frame)."""
+        """Return the link of points in a body's frame (..., 3) [m], and the points in the link's frame."""
         offset = quat.rotated(self.body_turn[body], np.asarray(position, float))
         return int(self.body_link[body]), self.body_offset[body] + offset
 
 
 def quaternion_columns(link: Link) -> slice | None:
-    """The state's columns of a link's quaternion, or None for hinges, slides and the world."""
+    """Return the state's columns of a link's quaternion; None for hinges, slides and the world."""
     if link.kind is JointKind.FREE and link.joint >= 0:
         return slice(link.qpos + 3, link.qpos + 7)
     if link.kind is JointKind.BALL:
@@ -193,7 +208,7 @@ WORLD_LINK = Link(
 
 
 def _upright(links: tuple[Link, ...]) -> Mask:
-    """(L,) which links are turned by free and ball joints alone from the world on: a quaternion can be their own."""
+    """Return which links have only free and ball joints between them and the world, (L,)."""
     out = np.ones(len(links), bool)
     for i, link in enumerate(links[1:], start=1):
         out[i] = link.kind is JointKind.FREE or (link.kind is JointKind.BALL and out[link.parent])
@@ -201,16 +216,21 @@ def _upright(links: tuple[Link, ...]) -> Mask:
 
 
 def joint_names(model: mujoco.MjModel) -> list[str]:
-    """The names of all joints: the joint's, else its body's; `body_1` and so on for several unnamed ones.
+    """Return the names of all joints: the joint's, else its body's; `body_1` and so on for several unnamed ones.
 
-    A name that is taken already gives way to the joint's number.
+    If that name is already used, the joint is named by its number.
     """
     bodies = [(model.body(i).name, int(model.body_jntnum[i])) for i in range(model.nbody)]
     return names_of_joints([model.joint(i).name for i in range(model.njnt)], bodies)
 
 
 def names_of_joints(given: Sequence[str], bodies: Sequence[tuple[str, int]]) -> list[str]:
-    """The names of joints with given names, "" for none, by body: its name, and its number of joints."""
+    """Return unique names of joints.
+
+    Args:
+        given: The joints' names in the model, "" for none.
+        bodies: Each body's name and number of joints, in order.
+    """
     names, used, first = list(given), set(given), 0
     for called, count in bodies:
         nameless = [j for j in range(first, first + count) if not names[j]]
@@ -223,7 +243,7 @@ def names_of_joints(given: Sequence[str], bodies: Sequence[tuple[str, int]]) -> 
 
 
 def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array]:
-    """Links in MuJoCo's depth-first order, and each body's link with its place in it."""
+    """Return links in MuJoCo's depth-first order, and each body's link with its place in it."""
     rows: list[dict] = [WORLD_LINK.__dict__]
     body_link = np.zeros(model.nbody, np.intp)
     body_offset = np.zeros((model.nbody, 3))
@@ -273,7 +293,7 @@ def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array
 
 
 def _composite(load: list[tuple[float, Array, Array]]) -> tuple[float, Array, Array]:
-    """Mass, centre of mass and inertia of bodies welded together (parallel axes)."""
+    """Return mass, centre of mass and inertia of bodies welded together, by the parallel axis theorem."""
     mass = sum(part[0] for part in load)
     if mass == 0:
         return 0.0, np.zeros(3), np.zeros((3, 3))
@@ -287,20 +307,22 @@ def _composite(load: list[tuple[float, Array, Array]]) -> tuple[float, Array, Ar
 
 @dataclass(frozen=True, eq=False)
 class Tables:
-    """The links' constants as arrays for the batched sweeps; vectors are (3, L), L links with the world first.
+    """The links' constants as arrays for the batched sweeps. Vectors are (3, L), for L links with the world first.
 
-    in_world            (L,) whose quaternion in the state, if any, is the link's orientation in the world
-    all_in_world        whether all links have one
+    Attributes that are not per-link copies of `Link`:
+
+    in_world            (L,) whether the link's quaternion in the state, if any, is its orientation in the world
+    all_in_world        whether this applies to all links, and each has one
     quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
-    quaternion_slice    the same columns as one run, block after block, or None where others stand between
-    free_links, position_columns   links with a free joint (f,), the root first, and their columns of position (3, f)
-    ball_links                     (b,) links with a ball joint
+    quaternion_slice    these columns as a slice, block after block; None if there are others in between
+    free_links          (f,) links with a free joint, the root first, with `position_columns` (3, f)
+    ball_links          (b,) links with a ball joint
     hinge_columns, slide_columns   (h,), (s,) columns of the hinges and slides, in the order of their links
-    children            (L,) how many links hang on each by a joint of their own: limbs end where none do
-    path                (L, L) 1 where a link lies on the way from the root to another (row: the other), itself included
-    beyond              (L, L) its transpose
-    steps, arms         (L, 3 L) each link's offset at its parent's columns, its centre of mass at its own; all x first
-    levels              links by depth from the world on, those left out whose orientation is in the state
+    children            (L,) number of child links; 0 at the end of a limb
+    path                (L, L) 1 if the column's link is on the chain from the root to the row's link, inclusive
+    beyond              (L, L) the transpose of `path`: 1 if the column's link is the row's or a descendant
+    steps, arms         (L, 3 L) each link's offset in its parent's columns, its centre of mass in its own; all x first
+    levels              links by depth from the world, without those whose orientation is in the state
     """
 
     in_world: Mask
@@ -359,7 +381,9 @@ class Tables:
         turns = np.array([link.turn for link in links])
         offset = np.array([np.zeros(3) if link.kind is JointKind.FREE else link.offset for link in links]).T
         centre = np.array([link.centre for link in links]).T
-        blocks = firsts(balls) + 3 * np.isin(balls, free) + np.arange(4)[:, None]  # a free joint begins with its place
+        blocks = (
+            firsts(balls) + 3 * np.isin(balls, free) + np.arange(4)[:, None]
+        )  # a free joint begins with its position
         in_world = _upright(links)
         if figure.coordinates == "joint":
             in_world &= np.array([link.kind is JointKind.FREE for link in links])
@@ -398,14 +422,14 @@ class Tables:
 
 
 def _run(indices: Index) -> slice | None:
-    """Rising neighbours as a slice, or None."""
     if not indices.size or np.any(np.diff(indices) != 1):
         return None
     return slice(int(indices[0]), int(indices[-1]) + 1)
 
 
 def on_links(vectors: Array, owners: Index, count: int) -> Array:
-    """(n, 3 L): vectors (3, n) fixed on links, as weights of the rotations of `count` links; see `LinkMotion.fixed`."""
+    """Return vectors (3, n) fixed on links as weights of the rotations of `count` links, (n, 3 L), see
+    `LinkMotion.fixed`."""
     out = np.zeros((owners.size, 3, count))
     out[np.arange(owners.size), :, owners] = vectors.T
     return out.reshape(owners.size, 3 * count)

@@ -1,13 +1,13 @@
-"""Samples of a path as motion of the figure's links, all at once; `adjoint` sweeps back.
+"""Motion of the figure's links at all samples of a path; `adjoint` is the reverse sweep.
 
-One forward sweep: state -> world quaternions Q, Q', Q'' of every link -> rotation, ω, ω', origin and its derivatives.
-One reverse sweep takes cotangents of any of these back to y, y', y''. Arrays are component first, sample last:
-(3, L, S) for L links (the world is link 0) and S samples, so that every formula is one pass over contiguous memory.
+The forward sweep computes Q, Q', Q'' of every link in the world from the state, then rotation, ω, ω', and the origin
+with its derivatives. Arrays are component first and sample last, (3, L, S) for L links (the world is link 0) and S
+samples, so that every formula is one pass over contiguous memory.
 
-Eq. 13 with MuJoCo's body origins; ω and ω' are eqs. 19 and 20, exact for quaternions of any length. A rotation of the
-link by a small world vector δφ changes δω = δφ' + δφ × ω and δω' = δφ'' + δφ' × ω + δφ × ω'; with δφ = 2 vec(δQ Q⁻¹)
-these give the quaternion gradients. A vector s that turns with its link has s'' = A s with A = [ω']× + [ω]×[ω]×, the
-link's swing.
+Positions follow eq. 13 with MuJoCo's body origins. ω and ω' are eqs. 19 and 20, exact for quaternions of any length. A
+rotation of the link by a small world vector δφ changes δω = δφ' + δφ × ω and δω' = δφ'' + δφ' × ω + δφ × ω'. With
+δφ = 2 vec(δQ Q⁻¹), these define the quaternion gradients. A vector s that turns with its link has s'' = A s with the
+link's swing A = [ω']× + [ω]×[ω]×.
 """
 
 from __future__ import annotations
@@ -37,10 +37,7 @@ Derived = TypeVar("Derived")
 
 
 class States:
-    """y, y', y'' of a figure at S times, by columns.
-
-    q_all  (3, 4, 1 + n, S): q, q', q'' of the state's blocks, with the world's 1, 0, 0 before them
-    """
+    """y, y', y'' of a figure at S times, by columns."""
 
     def __init__(self, figure: Figure, y: Array, y_d: Array, y_dd: Array) -> None:
         self.figure = figure
@@ -48,16 +45,14 @@ class States:
 
     @property
     def count(self) -> int:
-        """S"""
         return self.y.shape[0]
 
     def columns(self, indices: Index, order: int = 0) -> Array:
-        """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
+        """Return columns of y, y' or y'', component first: indices (...) -> (..., S)."""
         return self._component_first[order][indices]
 
     @cached_property
     def _component_first(self) -> tuple[Array, Array, Array]:
-        """y, y', y'' as (N, S)."""
         y, y_d, y_dd = (np.ascontiguousarray(part.T) for part in (self.y, self.y_d, self.y_dd))
         return y, y_d, y_dd
 
@@ -82,11 +77,13 @@ class States:
 
 
 class Samples:
-    """y, y', y'' of a figure at S times, and the quantities that penalties derive from them, computed once on use.
+    """y, y', y'' of a figure at S times, and derived quantities for penalties, each computed on first use.
 
-    y, y_d, y_dd  (S, N) state and its derivatives [1/s, 1/s²]
-    t             (S,) times [s], for penalties of a part of the clip; zeros by default
-    q, q_d, q_dd  (4, n, S) the state's quaternion blocks
+    Attributes:
+        y: The states, (S, N); y_d and y_dd are their derivatives [1/s, 1/s²].
+        t: Times for penalties of a part of the clip, (S,) [s]; zeros by default.
+        q: The states' quaternion blocks, (4, n, S); q_d and q_dd are their derivatives.
+        links: The motion of the links.
     """
 
     def __init__(
@@ -95,27 +92,27 @@ class Samples:
         self.figure = figure
         self.y, self.y_d, self.y_dd = np.asarray(y, float), np.asarray(y_d, float), np.asarray(y_dd, float)
         self.t = np.zeros(len(self.y)) if t is None else np.asarray(t, float)
-        # what `links` holds on to: never the samples themselves, whose arrays would wait for the garbage collector
+        # `links` refers to the states, not to the samples: a reference cycle would delay the release of their arrays
         self._states = States(figure, self.y, self.y_d, self.y_dd)
         self._once: dict[Callable[[LinkMotion], Any], Any] = {}
 
     @classmethod
     def still(cls, figure: Figure, y: ArrayLike, t: ArrayLike | None = None) -> Samples:
-        """Poses: states y (S, N) that do not move."""
+        """Return samples of poses: states y (S, N) that do not move."""
         at_rest = np.zeros(np.shape(y))
         return cls(figure, y, at_rest, at_rest, t)
 
     @property
     def count(self) -> int:
-        """S"""
+        """S, the number of samples."""
         return self.y.shape[0]
 
     def select(self, at: Index) -> Samples:
-        """The samples of these indices (R,), with possible repetitions, as separate samples."""
+        """Return the samples of these indices (R,), with possible repetitions, as separate samples."""
         return Samples(self.figure, self.y[at], self.y_d[at], self.y_dd[at], t=self.t[at])
 
     def parts(self, longest: int) -> list[Samples]:
-        """The samples in runs of at most `longest`: few enough that what is derived from them stays in cache."""
+        """Return the samples in runs of at most `longest`, small enough that derived quantities stay in cache."""
         if self.count <= longest:
             return [self]
         edges = np.linspace(0, self.count, -(-self.count // longest) + 1).astype(int)
@@ -123,7 +120,7 @@ class Samples:
         return [Samples(self.figure, self.y[r], self.y_d[r], self.y_dd[r], self.t[r]) for r in runs]
 
     def columns(self, indices: Index, order: int = 0) -> Array:
-        """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
+        """Return columns of y, y' or y'', component first: indices (...) -> (..., S)."""
         return self._states.columns(indices, order)
 
     @property
@@ -148,31 +145,33 @@ class Samples:
         return LinkMotion(self._states)
 
     def once(self, make: Callable[[LinkMotion], Derived]) -> Derived:
-        """A quantity derived from the links' motion, computed once; it may refer to the motion, not to the samples."""
+        """Return a quantity derived from the links' motion, computed once. It may refer to the motion, not to the
+        samples."""
         if make not in self._once:
             self._once[make] = make(self.links)
         return self._once[make]
 
 
 class LinkMotion:
-    """The links' motion in the world; see the module's text for shapes.
+    """The links' motion in the world.
 
-    Q, Q_d, Q_dd   (4, L, S) world quaternions, any length
-    rotation       (3, 3, L, S)
-    omega, alpha   (3, L, S) angular velocity and acceleration [rad/s, rad/s²], world axes
-    x, x_d, x_dd   (3, L, S) origin of the link [m, m/s, m/s²]
+    Attributes:
+        Q: Orientations as quaternions of any length, (4, L, S); Q_d and Q_dd are their derivatives.
+        rotation: Rotation matrices, (3, 3, L, S).
+        omega: Angular velocities in world axes, (3, L, S) [rad/s].
+        alpha: Angular accelerations in world axes, (3, L, S) [rad/s²].
+        x: The links' origins, (3, L, S) [m]; x_d and x_dd are their derivatives.
     """
 
     def __init__(self, states: States) -> None:
         self.states = states
         self.figure = states.figure
-        self._same = self.figure.is_world  # the state's quaternions are the links' own
+        self._same = self.figure.is_world  # the state's quaternions are the links' orientations
         self.quaternions = states.quaternions if self._same else _world_quaternions(states)
         self.Q, self.Q_d, self.Q_dd = self.quaternions
 
     @cached_property
     def _dots(self) -> Array:
-        """Q·Q, Q·Q', Q·Q'', (3, L, S)."""
         return self.states.dots if self._same else np.einsum("cls,kcls->kls", self.Q, self.quaternions)
 
     @property
@@ -182,7 +181,6 @@ class LinkMotion:
 
     @cached_property
     def scale(self) -> Array:
-        """2 / b, (L, S)."""
         return 2 / self.length_squared
 
     @cached_property
@@ -196,7 +194,7 @@ class LinkMotion:
 
     @cached_property
     def vector_product(self) -> Array:
-        """G of Q, (3, 4, L, S); see the algebra."""
+        """G of Q, (3, 4, L, S), see `algebra.vector_product`."""
         return vector_product(self.Q)
 
     @cached_property
@@ -222,21 +220,21 @@ class LinkMotion:
 
     @cached_property
     def parent_swing(self) -> Array:
-        """The swing of every link's parent, (3, 3, L, S)."""
         return np.take(self.swing, self.figure.tables.parents, axis=2)
 
     def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
-        """Points fixed on links (n,) at positions (3, n): where they are and their arms from the origins, (3, n, S)."""
+        """Return the positions of points at `positions` (3, n) on links (n,), and their offsets from the origins, (3,
+        n, S)."""
         offset = self.fixed(on_links(positions, links, len(self.figure.links)))
         return self.x.take(links, axis=1) + offset, offset
 
     def poses(self, flat: Index) -> tuple[Array, Array]:
-        """Origins (3, p) and rotations (3, 3, p) of pairs of a link and a sample: flat = link · S + sample."""
+        """Return origins (3, p) and rotations (3, 3, p) for pairs of a link and a sample, flat = link · S + sample."""
         rotation = self.rotation.reshape(9, -1).take(flat, axis=1).reshape(3, 3, -1)
         return self.x.reshape(3, -1).take(flat, axis=1), rotation
 
     def fixed(self, weights: Array) -> Array:
-        """Σ_l R_l c_l of vectors fixed on links, one sum a row: weights (m, 3 L), all c_x first, -> (3, m, S)."""
+        """Return sums Σ_l R_l c_l of vectors fixed on links: weights (m, 3 L), all c_x first, -> (3, m, S)."""
         return np.matmul(weights, self.rotation.reshape(3, weights.shape[1], -1))
 
     @cached_property
@@ -246,18 +244,16 @@ class LinkMotion:
 
     @cached_property
     def hang(self) -> Array | None:
-        """R · anchor, from the link's origin to its joint's anchor, or None if all joints sit at bodies' origins."""
+        """R · anchor, from the link's origin to its joint's anchor; None if all joints are at bodies' origins."""
         tables = self.figure.tables
         return turned(self.rotation, tables.anchor) if tables.has_anchors else None
 
     @cached_property
     def anchor(self) -> Array:
-        """The anchor of each link's joint, (3, L, S)."""
         return self.x if self.hang is None else self.x + self.hang
 
     @cached_property
     def anchor_velocity(self) -> Array:
-        """The velocity of each link's joint anchor, (3, L, S)."""
         return self.x_d if self.hang is None else self.x_d + cross(self.omega, self.hang)
 
     @cached_property
@@ -273,13 +269,13 @@ class LinkMotion:
         return turned(self.rotation[:, :, tables.hinge_links], tables.axis[:, tables.hinge_links])
 
     def slide(self, order: int) -> Array:
-        """The slides' displacements from their reference, or the derivatives of that, (s, S)."""
+        """Return the slides' displacements from their reference, or the derivatives of these, (s, S)."""
         tables = self.figure.tables
         value = self.states.columns(tables.slide_columns, order)
         return value - tables.reference[tables.slide_links][:, None] if order == 0 else value
 
     def _summed(self, own: Array, order: int) -> Array:
-        """Sums over the way from the root, plus the free roots' own positions."""
+        """Return sums along the chains from the root, including the free roots' positions."""
         tables = self.figure.tables
         if tables.free_links.size:
             own[:, tables.free_links] = self.states.columns(tables.position_columns, order)
@@ -318,12 +314,12 @@ class LinkMotion:
         return self._summed(steps, 2)
 
 
-# C = A ⊗ c and two derivatives are sums of these orders' products, A, A', A'' by c, c', c''
+# C = A ⊗ c and two derivatives are sums of products of these derivatives of A and of c
 _OF_BASE, _OF_OWN = np.array([0, 1, 0, 2, 1, 0]), np.array([0, 0, 1, 0, 1, 2])
 
 
 def _world_quaternions(states: States) -> Array:
-    """World quaternions of all links and two derivatives from joint coordinates, (3, 4, L, S)."""
+    """Return the world quaternions of all links and two derivatives from joint coordinates, (3, 4, L, S)."""
     tables = states.figure.tables
     out = from_parents(states).swapaxes(0, 1)
     for level in tables.levels:
@@ -336,7 +332,8 @@ def _world_quaternions(states: States) -> Array:
 
 
 def from_parents(states: States) -> Array:
-    """Each link's rotation c, c', c'' from its parent's axes, or the world's if that is in the state; (3, 4, L, S)."""
+    """Return each link's rotation c, c', c'' relative to its parent, or to the world if that is the state, (3, 4, L,
+    S)."""
     tables, out = states.figure.tables, _local_quaternions(states)
     if tables.has_turns and tables.levels:
         order = np.concatenate(tables.levels)
@@ -345,7 +342,7 @@ def from_parents(states: States) -> Array:
 
 
 def hinge_quaternions(states: States) -> tuple[Array, Array, Array]:
-    """(cos θ/2, axis sin θ/2) of the hinges and two derivatives, (4, h, S) each."""
+    """Return (cos θ/2, axis sin θ/2) of the hinges and two derivatives, (4, h, S) each."""
     tables = states.figure.tables
     theta, theta_d, theta_dd = (states.columns(tables.hinge_columns, k) for k in range(3))
     half = 0.5 * (theta - tables.reference[tables.hinge_links][:, None])
@@ -356,7 +353,7 @@ def hinge_quaternions(states: States) -> tuple[Array, Array, Array]:
 
 
 def _local_quaternions(states: States) -> Array:
-    """Each link's own rotation c, c', c'' relative to its parent, (3, 4, L, S); the identity for slides."""
+    """Return each joint's rotation c, c', c'', (3, 4, L, S); the identity for slides."""
     tables = states.figure.tables
     out = np.zeros((3, 4, len(states.figure.links), states.count))
     out[0, 0] = 1.0

@@ -1,4 +1,4 @@
-"""Names of geoms in messages: their names, or for unnamed ones those of their bodies."""
+"""Names of geoms in messages."""
 
 from __future__ import annotations
 
@@ -8,13 +8,16 @@ import mujoco
 
 
 def geom_name(model: mujoco.MjModel, geom: int) -> str:
-    """A geom's name; without one that of its body, counted where that has several such; of the world's own "geom 3"."""
+    """Return a geom's name.
+
+    An unnamed geom has the name of its body, numbered if the body has several unnamed geoms. An unnamed geom of the
+    world is called "geom 3" by its index.
+    """
     return _names(model)[geom]
 
 
 @lru_cache(maxsize=8)
 def _names(model: mujoco.MjModel) -> tuple[str, ...]:
-    """The names of all geoms, each once."""
     names = [str(model.geom(geom).name) for geom in range(model.ngeom)]
     nameless: dict[str, list[int]] = {}
     for geom in range(model.ngeom):
@@ -30,6 +33,6 @@ def _names(model: mujoco.MjModel) -> tuple[str, ...]:
 
 
 def _of_body(model: mujoco.MjModel, geom: int) -> str:
-    """The name of the body of a geom; none for the world."""
+    """Return the name of a geom's body, "" for the world."""
     body = int(model.geom_bodyid[geom])
     return str(model.body(body).name) if body else ""

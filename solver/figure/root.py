@@ -1,10 +1,10 @@
-"""The root of a figure: the joints by which its articulated tree moves about in the world, wherever a model lists it.
+"""The root of a figure: the joints by which its articulated tree moves in the world, wherever a model lists it.
 
-A tree moves about on a free joint, or on slides and hinges in any order (`rootx`, `rootz`, `rooty`; `pelvis_tx` ...),
-of one body or of several light ones in a row. Of several such trees the root carries the one that stands on legs: limbs
-of two joints or more that end lowest. Other objects (a box, a cart) have no legs. Of several trees with legs the
-root carries the one that has evidently the most joints. Where none has, the root is ambiguous, and `rivals` lists the
-others.
+A tree moves on a free joint, or on slides and hinges in any order (`rootx`, `rootz`, `rooty`; `pelvis_tx` ...), of one
+body or of several light ones in series. If there are several such trees, the root carries the one with legs: limbs of
+at least two joints that end lowest. Other objects, such as a box or a cart, have no legs. Among several trees with
+legs, the root carries the one with clearly the most joints. If there is none, the root is ambiguous, and `rivals` lists
+the others.
 """
 
 from __future__ import annotations
@@ -18,21 +18,22 @@ import numpy as np
 from ..array import Array, Index, Mask
 
 FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
-LIGHT = 0.05  # of a tree's mass, the most that a body between the world and the root's body weighs
-EVIDENT = 2.0  # times as many joints as any other tree with legs
-LEG = 2  # joints of a limb that is a leg, at least
-LOW = 0.15  # of a tree's height, how far above its lowest point a leg may end
+LIGHT = 0.05  # [1] maximum mass of a body between the world and the root's body, relative to the tree's mass
+EVIDENT = 2.0  # [1] ratio of joint counts above which a tree has clearly the most joints
+LEG = 2  # minimum number of joints in a leg
+LOW = 0.15  # [1] maximum height of a leg's end above the tree's lowest point, relative to the tree's height
 
 
 @dataclass(frozen=True)
 class Root:
     """The joints that carry one tree of bodies.
 
-    joints   MuJoCo's ids from the world on: a free joint alone, or slides, hinges and balls
-    body     MuJoCo's id of the body that they move
-    is_free  whether it is a free joint
-    limbs    how many other joints the tree has; an object without any is rigid
-    rivals   root bodies of other trees that could be the figure's as well; the root is then the first in the model
+    Attributes:
+        joints: MuJoCo's ids from the world on: a free joint alone, or slides, hinges and balls.
+        body: MuJoCo's id of the body that they move.
+        is_free: Whether it is a free joint.
+        limbs: The number of other joints of the tree; 0 for a rigid object.
+        rivals: Root bodies of other trees that are equally plausible. The root is then the first in the model.
     """
 
     joints: tuple[int, ...]
@@ -43,22 +44,22 @@ class Root:
 
     @property
     def is_ambiguous(self) -> bool:
-        """Whether other articulated trees could be the figure's as well; of rigid objects the first is taken."""
+        """Whether other articulated trees are equally plausible. Among rigid objects, the first is the root without
+        ambiguity."""
         return bool(self.rivals and self.limbs)
 
     @property
     def links(self) -> tuple[int, ...]:
-        """Indices of the joints' links in a `Figure`, from the world on."""
+        """The indices of the joints' links in a `Figure`, from the world on."""
         return tuple(joint + 1 for joint in self.joints)
 
     @property
     def link(self) -> int:
-        """Index of the link that carries the tree."""
         return self.joints[-1] + 1
 
 
 def root_of(model: mujoco.MjModel) -> Root | None:
-    """Return the root of a model's articulated tree; None where nothing moves about in the world."""
+    """Return the root of a model's articulated tree; None if no tree moves in the world."""
     moving = _moving(model)
     best = [tree for tree in moving if tree.limbs.size] or [tree for tree in moving if tree.root.is_free] or moving
     if not best:
@@ -69,26 +70,26 @@ def root_of(model: mujoco.MjModel) -> Root | None:
 
 
 def roots_of(model: mujoco.MjModel) -> list[Root]:
-    """Return the roots of all trees that move about in the world, in the model's order."""
+    """Return the roots of all trees that move in the world, in the model's order."""
     return [tree.root for tree in _moving(model)]
 
 
 def _moving(model: mujoco.MjModel) -> list[_Tree]:
-    """The mobile trees; rigid objects on slides (a drawer, a target) are excluded if there are articulated trees."""
+    """Return the mobile trees. Rigid objects on slides (a drawer, a target) are excluded if there are articulated
+    trees."""
     trees = [_Tree(model, joint) for joint in _first_joints(model)]
     has_limbs = any(tree.limbs.size for tree in trees)
     return [tree for tree in trees if tree.moves_about and (tree.root.is_free or tree.limbs.size or not has_limbs)]
 
 
 def _evident(trees: list[_Tree]) -> list[_Tree]:
-    """The tree of most joints, if it has evidently more than the others; else those of nearly as many."""
+    """Return the tree with clearly the most joints, or else all trees with nearly as many."""
     counts = np.array([tree.limbs.size for tree in trees])
     near = (counts * EVIDENT > counts.max()) | (counts == counts.max())
     return [trees[i] for i in np.flatnonzero(near)]
 
 
 def _first_joints(model: mujoco.MjModel) -> Iterator[int]:
-    """The first joint of every tree, in the model's order."""
     for body in range(1, model.nbody):
         above = int(model.body_parentid[body])
         if model.body_jntnum[body] and model.body_weldid[above] == 0:
@@ -110,7 +111,7 @@ class _Tree:
 
     @property
     def moves_about(self) -> bool:
-        """Whether its root translates it: a door or an arm on a base only turns in place."""
+        """Whether its root translates it. A door, or an arm on a base, only turns in place."""
         return bool(np.isin(self.model.jnt_type[list(self.root.joints)], (FREE, SLIDE)).any())
 
     def _root(self, top: int) -> Root:
@@ -126,7 +127,8 @@ class _Tree:
             body = onward
 
     def _onward(self, body: int) -> int | None:
-        """The only child body of a light one; None unless the root carries it."""
+        """Return the only child of a light body without collision geoms, or None: the root then carries the body
+        itself."""
         model = self.model
         rigid = np.flatnonzero(model.body_weldid == body)
         hanging = [
@@ -140,7 +142,7 @@ class _Tree:
 
     @property
     def has_legs(self) -> bool:
-        """Whether limbs of two joints or more end lowest in the model's own pose, below what carries them."""
+        """Whether limbs of two joints or more end lowest in the default pose, below the body that carries them."""
         model = self.model
         low, high = _heights(model)
         bottoms = low[self.bodies]
@@ -163,7 +165,7 @@ class _Tree:
 
 
 def _under(model: mujoco.MjModel, top: int) -> Mask:
-    """(nbody,) which bodies are `top` or its descendants."""
+    """Return which bodies are `top` or its descendants, (nbody,)."""
     out = np.zeros(model.nbody, bool)
     out[top] = True
     for body in range(top + 1, model.nbody):
@@ -172,7 +174,7 @@ def _under(model: mujoco.MjModel, top: int) -> Mask:
 
 
 def _heights(model: mujoco.MjModel) -> tuple[Array, Array]:
-    """(nbody,) the least and the greatest height [m] of the boxes about every body's geoms in the model's own pose."""
+    """Return the lowest and highest z of the bounding boxes of every body's geoms in the default pose, (nbody,) [m]."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     middle, half = np.split(model.geom_aabb, 2, axis=1)

@@ -1,10 +1,11 @@
-"""What a residual's change by small turns of a figure's joints means for the coordinates of the state.
+"""Derivatives by small rotations of joints, converted to the coordinates of the state.
 
-A residual that changes by M₀ · φ + M₁ · φ' + M₂ · φ'' as a joint turns by φ(t) changes by the same M along an axis w of
-the joint, where φ = θ w; an axis that moves with a link of angular velocity ω has w' = ω × w. Three axes make one of a
-quaternion: φ = E η for a change η of it, about the world's axes where the quaternion is the link's orientation in the
-world, else about the parent's. The former turns what lies before the next such links on the ways out; what is beyond
-these goes along with their anchors.
+Let a residual change by M₀ · φ + M₁ · φ' + M₂ · φ'' when a joint rotates by a small φ(t). For a hinge, φ = θ w with its
+axis w, and w' = ω × w if the axis turns with a link of angular velocity ω. For a quaternion, φ = E η for its change η.
+This φ is in world axes if the quaternion is the link's orientation in the world, otherwise in the parent's axes.
+
+A change of an orientation in the world rotates the links up to the next ones whose orientation is in the state. Links
+from there on only shift, with the anchors of these.
 """
 
 from __future__ import annotations
@@ -19,11 +20,17 @@ from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned
 from .figure import Figure
 from .kinematics import LinkMotion, Samples
 
-Orders = list[Array | None]  # what counts for φ, φ', φ'' or for y, y', y'', component first; None is zero
+Orders = list[Array | None]  # the coefficients of φ, φ', φ'' or of y, y', y'', component first; None is zero
 
 
 def on_moving_axes(moments: Orders, omega: Array, alpha: Array | None) -> Orders:
-    """M₀, M₁, M₂ on the coordinates along axes that turn with links of these rates (3, ...), which M₂ needs both."""
+    """Return the coefficients of coordinates along moving axes for moments M₀, M₁, M₂.
+
+    Args:
+        moments: M₀, M₁, M₂.
+        omega: The angular velocity with which the axes turn, (3, ...) [rad/s].
+        alpha: The angular acceleration, (3, ...) [rad/s²]; required if M₂ is not None.
+    """
     first, second, third = moments
     if second is not None:
         first = summed(first, cross(second, omega))
@@ -35,9 +42,11 @@ def on_moving_axes(moments: Orders, omega: Array, alpha: Array | None) -> Orders
 
 
 def on_quaternions(moments: Orders, turns: Array) -> Orders:
-    """M₀, M₁, M₂ (3, ...) on quaternions (4, ...), by φ = E η, φ' = E' η + E η', φ'' = E'' η + 2 E' η' + E η''.
+    """Return the coefficients (4, ...) of quaternions by φ = E η, φ' = E' η + E η', φ'' = E'' η + 2 E' η' + E η''.
 
-    turns  (3, 4, ...) the quaternions' `ways`
+    Args:
+        moments: M₀, M₁, M₂, (3, ...).
+        turns: The `ways` of the quaternions, (3, 4, ...).
     """
     totals: Orders = [None, None, None]
     for order, factors in enumerate(((1,), (1, 1), (1, 2, 1))):
@@ -55,12 +64,12 @@ def on_quaternions(moments: Orders, turns: Array) -> Orders:
 
 
 def summed(one: Array | None, other: Array) -> Array:
-    """The sum of two terms, one of which may be zero."""
+    """Return the sum of two terms, of which the first may be None for zero."""
     return other if one is None else one + other
 
 
 def ways(links: LinkMotion) -> Array:
-    """The quaternions p of E η = vec(η ⊗ conj(p)), and two derivatives: (3, 4, n, S)."""
+    """Return the quaternions p of E η = vec(η ⊗ conj(p)), and two derivatives, (3, 4, n, S)."""
     (q, q_d, q_dd), dots = links.states.quaternions[:, :, 1:], links.states.dots[:, 1:]
     scale = 2 / dots[0]
     stretch = dots[1] * scale
@@ -70,8 +79,11 @@ def ways(links: LinkMotion) -> Array:
 
 @lru_cache(maxsize=8)
 def places(figure: Figure) -> tuple[Index, Index]:
-    """(L,) the index of a link among the links of its kind, slides, hinges or quaternions; and (L,) that of one whose
-    quaternion turns with its parent among those."""
+    """Return two indices of each link, (L,) each.
+
+    The first is its index among the links of its kind: slides, hinges or quaternions. The second is its index among the
+    links of `relatives`.
+    """
     tables = figure.tables
     index, base = np.zeros((2, len(figure.links)), np.intp)
     for links in (tables.slide_links, tables.hinge_links, tables.quaternion_links):
@@ -81,13 +93,13 @@ def places(figure: Figure) -> tuple[Index, Index]:
 
 
 def relatives(figure: Figure) -> Index:
-    """The links whose quaternions rotate with their parents."""
+    """Return the links whose quaternions are relative to their parents."""
     tables = figure.tables
     return tables.quaternion_links[~tables.in_world[tables.quaternion_links]]
 
 
 def bases(links: LinkMotion) -> Array:
-    """The axes of the relative quaternions, which turn with the parents: (3, 3, n, S)."""
+    """Return the axes of the relative quaternions, which turn with the parents, (3, 3, n, S)."""
     tables, chosen = links.figure.tables, relatives(links.figure)
     base = hamilton(links.Q[:, tables.parents[chosen]], tables.turn[:, chosen, None])
     return rotation_matrix(base, 2 / dot(base, base))
@@ -95,13 +107,13 @@ def bases(links: LinkMotion) -> Array:
 
 @lru_cache(maxsize=8)
 def turning(figure: Figure) -> Array:
-    """(L, L) 1 for the links (columns) that the joint of a link (row) turns."""
+    """Return 1 for the links (columns) that the joint of a link (row) rotates, else 0, (L, L)."""
     return figure.tables.beyond - following(figure) @ figure.tables.beyond
 
 
 @lru_cache(maxsize=8)
 def following(figure: Figure) -> Array:
-    """(L, L) 1 for the next links (columns) after a link (row), where the orientations of both are in the state."""
+    """Return 1 for the next links (columns) after a link (row) if the orientations of both are in the state, (L, L)."""
     tables = figure.tables
     out = np.zeros((len(figure.links), len(figure.links)))
     inner = [i for i in tables.quaternion_links if tables.in_world[i] and tables.parents[i]]
@@ -111,7 +123,7 @@ def following(figure: Figure) -> Array:
 
 @lru_cache(maxsize=8)
 def followers(figure: Figure) -> Index:
-    """(L, L): on the path to a link (row) the next one after another (column) with orientation in the state, or 0."""
+    """Return, for link i (row), the next link after j (column) on its chain with orientation in the state, or 0."""
     path, tables = figure.tables.path > 0, figure.tables
     out = np.zeros(path.shape, np.intp)
     for link in range(len(path)):
@@ -121,10 +133,14 @@ def followers(figure: Figure) -> Index:
 
 
 def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index, out: Array) -> None:
-    """Sets the entries of rows that change by φ, φ', φ'' of n links' joints, small turns about the world's axes.
+    """Set the entries of rows that depend on φ, φ', φ'' of n links' joints, small rotations about the world's axes.
 
-    changes  (3, 3, C, n, S) by order and component of φ
-    row      (C, n) which row of `out` (N, R, 3, S) each is
+    Args:
+        samples: The samples.
+        links: The links, (n,).
+        changes: The coefficients, by order and component of φ, (3, 3, C, n, S).
+        row: The row of `out` of each coefficient, (C, n).
+        out: The rows, (N, R, 3, S).
     """
     tables, motion, (place, base) = samples.figure.tables, samples.links, places(samples.figure)
 
@@ -152,7 +168,7 @@ def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index
 
 
 def add_rows_of_shifts(samples: Samples, links: Index, changes: Array, row: Index, out: Array) -> None:
-    """The same for translations along the world's axes, of slides and free joints."""
+    """Do the same for translations along the world's axes, of slides and free joints."""
     tables, motion, (place, _) = samples.figure.tables, samples.links, places(samples.figure)
     for free, columns in zip(tables.free_links, tables.position_columns.T, strict=True):
         for run in chosen(links == free):
@@ -168,7 +184,7 @@ def add_rows_of_shifts(samples: Samples, links: Index, changes: Array, row: Inde
 
 
 def chosen(mask: Mask) -> Iterator[Index | slice]:
-    """The indices where a mask holds, if any: all of it as a slice, which avoids a copy."""
+    """Yield the indices where a mask is true, if any; all indices as a slice, which avoids a copy."""
     if mask.all() and mask.size:
         yield slice(None)
     elif mask.any():

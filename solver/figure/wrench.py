@@ -1,8 +1,8 @@
-"""The wrench at a free root: what must push the figure from outside for it to move as it does.
+"""The wrench at a free root: the external force and moment that the figure's motion requires.
 
-Force F = Σ m (c'' − g) = M (a − g), a the acceleration of the centre of mass, and moment N = L', L the angular momentum
-about it. The sums of eqs. 18 and 21 over a tree of links, N taken about the tree's centre of mass. Nothing pushes in
-flight, where both are zero; in stance the ground supplies them.
+The force is F = Σ m (c'' − g) = M (a − g), with the acceleration a of the centre of mass. The moment is N = L', with
+the angular momentum L about the centre of mass. They are the sums of eqs. 18 and 21 over a tree of links. In flight
+both are zero; in stance the ground supplies them.
 """
 
 from __future__ import annotations
@@ -17,19 +17,20 @@ from .dynamics import InverseDynamics
 from .figure import Figure
 from .kinematics import Samples
 
-STANDARD_GRAVITY = 9.81  # [m/s²] where a model has none
-MASSLESS = 1e-12  # [kg]
+STANDARD_GRAVITY = 9.81  # [m/s²] used for weights if a model has no gravity
+MASSLESS = 1e-12  # [kg] smallest divisor, against division by zero
 
 
 class RootWrench:
-    """Force and moment on the tree of one free root, at every sample.
+    """Force and moment on the tree of one free root at every sample, in world axes.
 
-    root    index of the free link
-    mass    [kg] of its tree
-    share   (L,) each link's share of it
-    centre  (3, S) [m] the tree's centre of mass
-    force   (3, S) [N], world axes
-    moment  (3, S) [N m] about the centre of mass, world axes
+    Attributes:
+        root: The index of the free link.
+        mass: The mass of its tree [kg].
+        share: Each link's share of this mass, (L,) [1].
+        centre: The tree's centre of mass, (3, S) [m].
+        force: The force, (3, S) [N].
+        moment: The moment about the centre of mass, (3, S) [N m].
     """
 
     def __init__(self, samples: Samples, root: int) -> None:
@@ -42,7 +43,7 @@ class RootWrench:
         self.moment = self.inverse.moment[:, root] - cross(self._lever, self.force)
 
     def pull_back(self, into: Cotangent, force_bar: Array, moment_bar: Array, centre_bar: Array | None = None) -> None:
-        """Add the gradient of a scalar with given gradients with respect to force, moment and centre, (3, S)."""
+        """Add the gradient of a scalar with gradients (3, S) with respect to force, moment and centre."""
         moments, forces = np.zeros_like(self.inverse.force), np.zeros_like(self.inverse.force)
         moments[:, self.root] = moment_bar
         forces[:, self.root] = force_bar + cross(self._lever, moment_bar)
@@ -53,21 +54,24 @@ class RootWrench:
 
 
 def tree_mass(figure: Figure, root: int) -> tuple[float, Array]:
-    """The mass [kg] of a free link with all beyond it, and each link's share of it (L,)."""
+    """Return the mass [kg] of a free link with all links beyond it, and each link's share of it (L,)."""
     masses = figure.tables.mass * figure.tables.path[:, root]
     total = float(masses.sum())
     return total, masses / max(total, MASSLESS)
 
 
 def weight(figure: Figure, root: int) -> float:
-    """[N] what a free link with all beyond it weighs; at 9.81 m/s² where the model has no gravity."""
+    """Return the weight [N] of a free link with all links beyond it, at 9.81 m/s² if the model has no gravity."""
     g = float(np.linalg.norm(figure.gravity))
     return tree_mass(figure, root)[0] * (g or STANDARD_GRAVITY)
 
 
 def height(figure: Figure, root: int) -> float:
-    """[m] how tall a slender rod would be that turns like a free link with all beyond it at rest: √12 times the radius
-    of gyration. The length that makes moments forces."""
+    """Return the length [m] of a slender rod with the same radius of gyration as a free link with all links beyond it
+    at rest.
+
+    This length is √12 times the radius. It converts moments to forces.
+    """
     rest = figure.to_state(np.array(mujoco.MjData(figure.model).qpos))[None]
     inverse = Samples.still(figure, rest).once(InverseDynamics)
     mass, share = tree_mass(figure, root)

@@ -1,18 +1,17 @@
-"""Wrenches on links, and the rows of a residual's Jacobian that they represent.
+"""Wrenches on links, and the Jacobian rows of residuals that they represent.
 
 A residual of positions, directions, velocities or angular velocities changes with a wrench on a link:
 
     δr = f · δx + τ · δφ  +  f₁ · δx' + τ₁ · δω  +  τ₂ · δω'
 
-x the link's origin, δφ its small turn in the world. A coordinate that grows by φ(t) turns a link about an axis w
-through an anchor a: δx = φ w × d with d = x − a, δω = φ' w + φ (w' + w × ω), δω' likewise. So its row is
+x is the link's origin, and δφ its small rotation in the world. A coordinate that grows by φ(t) rotates a link about an
+axis w through an anchor a: δx = φ w × d with d = x − a, and δω = φ' w + φ (w' + w × ω). The coefficients of its row are
 
-    by φ:  w · M₀ + w' · M₁ + w'' · M₂        by φ':  w · M₁ + 2 w' · M₂        by φ'':  w · M₂
+    of φ:  w · M₀ + w' · M₁ + w'' · M₂        of φ':  w · M₁ + 2 w' · M₂        of φ'':  w · M₂
 
-with the wrench's moments about the anchor M₀ = d × f + τ + d' × f₁ + ω × τ₁ + ω' × τ₂, M₁ = d × f₁ + τ₁ + ω × τ₂ and
-M₂ = τ₂. A slide has its axis for w and the forces for M. Three axes make one of a quaternion: φ = E η for a change η of
-it; they are the world's where the quaternion is the link's orientation in the world, else the parent's. The former
-turns what lies before the next such link on the way out, whose anchor then stands for x, and nothing else.
+with the wrench's moments about the anchor: M₀ = d × f + τ + d' × f₁ + ω × τ₁ + ω' × τ₂, M₁ = d × f₁ + τ₁ + ω × τ₂ and
+M₂ = τ₂. For a slide, w is its axis, and the forces replace the moments. `turns` describes the coefficients of
+quaternions. If a link shifts with the anchor of a later link, that anchor replaces x.
 """
 
 from __future__ import annotations
@@ -31,13 +30,13 @@ from .kinematics import Samples
 from .turns import Orders, bases, followers, on_moving_axes, on_quaternions, places, relatives, summed, ways
 
 VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
-AT_ONCE = 2000  # wrenches whose vectors stay in cache
-NONE = np.zeros(0)  # for the kernel, of joints of a kind that the figure has none of
+AT_ONCE = 2000  # number of wrenches processed at once, so that their vectors stay in cache
+NONE = np.zeros(0)  # the kernel's argument for kinds of joints that the figure does not have
 
 
 @dataclass(frozen=True, eq=False)
 class Wrenches:
-    """Derivatives of P residuals by the motion of links, as wrenches in world axes; None stands for zero.
+    """Derivatives of P residuals with respect to the motion of links, as wrenches in world axes. None means zero.
 
     Attributes:
         at: Samples (P,).
@@ -65,22 +64,21 @@ class Wrenches:
         return 1 if self.force_d is None and self.torque_d is None else 2
 
     def select(self, some: Index | slice) -> Wrenches:
-        """Some of them."""
+        """Return the wrenches of some indices."""
         vectors = {name: part[:, some] for name, part in self.vectors.items()}
         return Wrenches(self.at[some], self.link[some], **vectors)
 
     @property
     def vectors(self) -> dict[str, Array]:
-        """The vectors that are not None, by name."""
         return {name: part for name in VECTORS if (part := getattr(self, name)) is not None}
 
     def scaled(self, factor: Array) -> Wrenches:
-        """Each times a factor (P,)."""
+        """Return each wrench times a factor (P,)."""
         return Wrenches(self.at, self.link, **{name: part * factor for name, part in self.vectors.items()})
 
     @classmethod
     def joined(cls, parts: Sequence[Wrenches]) -> Wrenches:
-        """One after the other."""
+        """Return several sets of wrenches, concatenated."""
         if len(parts) == 1:
             return parts[0]
         at, link = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "link"))
@@ -93,7 +91,7 @@ class Wrenches:
         return cls(at, link, **vectors_by_name)
 
     def rows(self, samples: Samples) -> Array:
-        """(P, 1 to 3, N): the gradients of the residuals with respect to y, and to y' and y'' if they matter."""
+        """Return the gradients of the residuals by y, and by y' and y'' if they depend on these, (P, 1 to 3, N)."""
         if compiled.kernel is not None:
             return _compiled_rows(samples, self)
         out = np.zeros((self.at.size, self.orders, samples.y.shape[1]))
@@ -104,10 +102,9 @@ class Wrenches:
 
 
 def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
-    """`Wrenches.rows` by the compiled kernel."""
     out = np.empty((wrenches.at.size, wrenches.orders, samples.y.shape[1]))
     links, orders, tables = samples.links, wrenches.orders, samples.figure.tables
-    # a row by y alone multiplies rates by zero: places stand for them, which are known
+    # rows by y alone multiply the rates by zero, so any computed array may replace them
     x_d, anchor_d, omega = (links.x_d, links.anchor_velocity, links.omega) if orders > 1 else (links.x,) * 3
     alpha = links.alpha if orders > 2 else links.x
     slides = links.slide_axis if tables.slide_links.size else NONE
@@ -123,8 +120,11 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
 
 @lru_cache(maxsize=8)
 def _facts(figure: Figure) -> tuple[Index, Index]:
-    """The kernel's data of links, (L, 9), -1 where there is none: parent, column of a position, index among the
-    slides and column, likewise of hinges and quaternions, place among the relative quaternions; and `followers`."""
+    """Return the kernel's data of links (L, 9), and `followers`.
+
+    The columns, −1 where they do not apply: parent, column of a position; index among the slides, and column; the same
+    for hinges and for quaternions; index among the relative quaternions.
+    """
     tables, (place, base), apart = figure.tables, places(figure), relatives(figure)
     facts = np.full((len(tables.parents), 9), -1, np.int64)
     facts[:, 0] = tables.parents
@@ -190,7 +190,7 @@ def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
 
 
 def along_axes(at: Index, link: Index) -> tuple[Index, Index, Array]:
-    """Samples and links (3 P,), and the world's axes (3, 3 P), of P vectors' components: x of all, then y, then z."""
+    """Return samples and links (3 P,) and world axes (3, 3 P) of P vectors' components: x of all, then y, then z."""
     return np.tile(at, 3), np.tile(link, 3), np.repeat(np.eye(3), at.size, axis=1)
 
 
@@ -209,9 +209,10 @@ def every_axis(links: Index, count: int) -> tuple[Index, Index, Array]:
 
 @dataclass(frozen=True, eq=False)
 class _Chains:
-    """For every link the joints on the way to it, by kind: links (depth, L), 0 where there are fewer.
+    """The joints on the chain to every link, by kind: links (depth, L), 0 in unused entries.
 
-    after  (depth, L) of orientations in the world the next such link on the way, or 0
+    Attributes:
+        after: For each link of `world`, the next such link on the chain, or 0, (depth, L).
     """
 
     free: Index
@@ -233,7 +234,7 @@ def _chains(figure: Figure) -> _Chains:
 
 
 def _padded(path: Mask, links: Index) -> Index:
-    """(depth, L) those of some links on the way to every link."""
+    """Return those of some links that are on the chain to every link, (depth, L)."""
     chains = [links[path[link, links]] for link in range(len(path))]
     out = np.zeros((max(chain.size for chain in chains), len(path)), np.intp)
     for link, chain in enumerate(chains):
@@ -243,7 +244,8 @@ def _padded(path: Mask, links: Index) -> Index:
 
 @dataclass(frozen=True, eq=False)
 class _Pairs:
-    """Q pairs of a wrench and a joint on the way to its link: of which wrench, at which sample, which joint's link."""
+    """Q pairs of a wrench and a joint on the chain to its link: indices of the wrench, the sample, and the joint's
+    link."""
 
     wrench: Index
     at: Index
@@ -251,7 +253,7 @@ class _Pairs:
 
 
 class _Sweep:
-    """Wrenches at their links, and the rows that they make of every joint on the way there."""
+    """Wrenches, and their Jacobian rows with respect to every joint on the chains to their links."""
 
     def __init__(self, samples: Samples, wrenches: Wrenches) -> None:
         self.samples, self.tables, self.motion = samples, samples.figure.tables, samples.links
@@ -261,7 +263,6 @@ class _Sweep:
         self.torques = self._on_turns(wrenches)
 
     def add_to(self, out: Array) -> None:
-        """Adds rows (P, orders, N)."""
         self._free(out)
         self._slides(out)
         self._hinges(out)
@@ -274,7 +275,8 @@ class _Sweep:
         return _Pairs(wrench, self.at[wrench], joints[level, wrench])
 
     def _moments(self, pairs: _Pairs, after: Index | None = None) -> Orders:
-        """M₀, M₁, M₂ about the joints' anchors; after (Q,) links whose anchors stand for the wrenches' places."""
+        """Return M₀, M₁, M₂ about the joints' anchors; `after` (Q,) are links whose anchors replace the wrenches'
+        points."""
         motion, there = self.motion, (slice(None), pairs.joint, pairs.at)
         moments: Orders = [None, None, None]
         force, force_d, _ = self._of_pairs(self.forces, pairs)
@@ -295,12 +297,13 @@ class _Sweep:
         return [None if part is None else part[:, pairs.wrench] for part in vectors]
 
     def _ends(self, places: Array, anchors: Array, pairs: _Pairs, after: Index | None) -> Array:
-        """(3, Q) the next links' anchors where there are any, else the wrenches' places; or the velocities of these."""
+        """Return the next links' anchors if there are any, else the wrenches' points, (3, Q); or the velocities of
+        these."""
         points = places[:, self.link[pairs.wrench], pairs.at]
         return points if after is None else np.where(after > 0, anchors[:, after, pairs.at], points)
 
     def _on_turns(self, wrenches: Wrenches) -> Orders:
-        """The coefficients of δφ, δφ' and δφ'': τ + ω × τ₁ + ω' × τ₂, τ₁ + ω × τ₂ and τ₂."""
+        """Return the coefficients of δφ, δφ' and δφ'': τ + ω × τ₁ + ω' × τ₂, τ₁ + ω × τ₂ and τ₂."""
         torque, torque_d, torque_dd = wrenches.torque, wrenches.torque_d, wrenches.torque_dd
         omega, alpha = self.motion.omega, self.motion.alpha
         there = (slice(None), self.link, self.at)
@@ -312,7 +315,7 @@ class _Sweep:
         return [torque, torque_d, torque_dd]
 
     def _on_axes(self, moments: Orders, frame: Index, at: Index) -> Orders:
-        """The coefficients of axes that rotate with links `frame` (Q,)."""
+        """Return the coefficients of axes that rotate with links `frame` (Q,)."""
         if moments[1] is None and moments[2] is None:
             return moments
         alpha = None if moments[2] is None else self.motion.alpha[:, frame, at]
@@ -360,7 +363,7 @@ class _Sweep:
         self._add_quaternions(out, pairs, [None if part is None else turned_back(axes, part) for part in moments])
 
     def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:
-        """The moments are in the quaternions' axes."""
+        """Add the coefficients of quaternions, for moments in the quaternions' axes."""
         place = self.place[pairs.joint]
         columns = self.tables.quaternion_columns[:, place]
         turns = self.samples.once(ways)[: out.shape[1], :, place, pairs.at]

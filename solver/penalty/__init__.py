@@ -1,11 +1,13 @@
-"""The soft constraints, one a file.
+"""The soft constraints. Each file has one.
 
-penalty    the base class                    block     its residuals, which determine everything else
-curvature  Gauss-Newton second derivatives   sum       several penalties as one
-one_sided  residuals that count on one side only
-check      consistency of values and gradient
-allowance  tolerance near violations in keyframes
-motion, ground, joints  the soft constraints themselves
+penalty    the base class
+block      the residuals of a penalty, from which value, gradient and curvature are computed
+curvature  Gauss-Newton second derivatives
+one_sided  one-sided residuals
+sum        several penalties as one
+check      a consistency check of values and gradient
+allowance  tolerance of violations in keyframes
+motion, ground, joints  the soft constraints
 """
 
 from .block import Block as Block

@@ -1,7 +1,7 @@
-"""What keyframes themselves violate is allowed, from one keyframe to the next along a straight line.
+"""Tolerance of violations in keyframes, interpolated linearly between neighbouring keyframes.
 
-A keyframe that pushes a hand into the hip cannot be changed. If the frames next to it were pushed out completely, the
-limb would jerk; so between two keyframes the excess that is linearly interpolated between theirs is tolerated.
+A keyframe that pushes a hand into the hip cannot be changed. If the neighbouring frames were pushed out completely, the
+limb would jerk. Between keyframes the interpolated violation is therefore tolerated.
 """
 
 from __future__ import annotations
@@ -15,24 +15,26 @@ from ..array import Array, Index
 
 @dataclass(frozen=True)
 class Allowance:
-    """Excesses (..., K), at least 0, at key times (K,) [s], and along straight lines between them."""
+    """Tolerated excesses (..., K), at least 0, at key times (K,) [s]."""
 
     times: Array
     excess: Array
 
     def at(self, t: Array) -> Array:
-        """(..., S) at times t (S,) [s]; before the first and after the last keyframe, what these have."""
+        """Return the tolerated excesses (..., S) at times t (S,) [s]; constant before the first and after the last
+        keyframe."""
         if not self.excess.any():
             return np.zeros((*self.excess.shape[:-1], t.size))
         span, share = self._place(t)
         return self.excess[..., span] * (1 - share) + self.excess[..., span + 1] * share
 
     def of(self, index: Index, t: Array) -> Array:
-        """(..., P): at times t (P,) [s], of entries (P,) of the last axis but that of the keyframes."""
+        """Return the tolerated excesses (..., P) at times t (P,) [s] of entries (P,) of the axis before that of the
+        keyframes."""
         span, share = self._place(t)
         return self.excess[..., index, span] * (1 - share) + self.excess[..., index, span + 1] * share
 
     def _place(self, t: Array) -> tuple[Index, Array]:
-        """The keyframe before each time, and how far it is from there to the next one."""
+        """Return the keyframe before each time, and the share of the segment from it to the time."""
         span = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, self.times.size - 2)
         return span, np.clip((t - self.times[span]) / (self.times[span + 1] - self.times[span]), 0, 1)

@@ -10,17 +10,18 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from .penalty import Penalty
 
-SAMPLES = 5  # random ones that a gradient is tried on
-STEPS = np.array([1e-3, 1e-4])
-EXACT, STEEP = 2.0, 1.9  # Taylor slopes: of an exact gradient, and the least that passes; a wrong one has 1
-SCALES = 0.5, 2.0  # between which the samples' factors are
-LINEAR = 1e-10  # of the size of what is compared: remainders as small are rounding, where f_j is linear or flat
+SAMPLES = 5  # number of random samples
+STEPS = np.array([1e-3, 1e-4])  # [1] steps h of the Taylor test
+EXACT, STEEP = 2.0, 1.9  # [1] Taylor slope of an exact gradient, and the minimum accepted; a wrong gradient has 1
+SCALES = 0.5, 2.0  # [1] range of the samples' random factors
+LINEAR = 1e-10  # [1] remainder relative to the compared values that is rounding, as for linear f_j
 
 
 def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
     """Check values and gradient of a soft constraint on random samples of a figure.
 
-    |f(x + h d) − f(x) − h g·d| must fall as h² along a random direction d of y, y' and y'' (a Taylor test).
+    By a Taylor test, |f(x + h d) − f(x) − h g·d| must be proportional to h² along a random direction d of y, y' and
+    y''.
 
     Args:
         penalty: The soft constraint.
@@ -28,7 +29,7 @@ def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
         seed: Seed of the random samples.
 
     Raises:
-        ValueError: For values that are not finite, negative or of the wrong shape, or a wrong gradient.
+        ValueError: Values are not finite, negative or of the wrong shape, or the gradient is wrong.
     """
     rng, name = np.random.default_rng(seed), penalty.name
     samples = _random(figure, rng)
@@ -46,13 +47,13 @@ def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
 
 
 def _random(figure: Figure, rng: np.random.Generator) -> Samples:
-    """Poses far from rest, and every entry's derivatives."""
+    """Return samples with poses far from rest and random derivatives of every entry."""
     y = figure.to_state(rng.normal(size=(SAMPLES, figure.width)))
     return Samples(figure, y, rng.normal(size=y.shape), rng.normal(size=y.shape), np.arange(SAMPLES) / SAMPLES)
 
 
 def _taylor_slope(penalty: Penalty, samples: Samples, scale: Array, gradient: Array, rng: np.random.Generator) -> float:
-    """The slope of log remainder over log step; 2 if the remainder is rounding only."""
+    """Return the slope of log remainder over log step; 2 if the remainder is only rounding."""
     point = np.stack([samples.y, samples.y_d, samples.y_dd])
     direction = rng.normal(size=point.shape)
     direction /= np.linalg.norm(direction)

@@ -1,11 +1,10 @@
-"""The Gauss-Newton curvature of E, Σ 2 JᵀJ, from the soft constraints' Jacobians J.
+"""The Gauss-Newton curvature of E, Σ 2 JᵀJ, from the Jacobians J of soft constraints.
 
-Every penalty is a sum of squares of residuals. Their Jacobians with respect to (y, y', y'') at a sample give one
-matrix, never negative: it leaves out the residuals' own second derivatives. It serves the search as its model and the
-weak form as its H, never E itself. Residuals that count on one side only, like depths, are kept apart: whether they
-count changes within a step.
+A penalty is a sum of squares of residuals. Their Jacobians with respect to (y, y', y'') at a sample define one positive
+semidefinite matrix, which omits the residuals' second derivatives. It is the model of the search and the H of the weak
+form; E itself does not use it. One-sided residuals are stored separately, because they may become active within a step.
 
-Jacobian rows that go through the figure's kinematics come from its adjoint sweep on copies of the samples, one a row.
+Jacobian rows that depend on the figure's kinematics come from its adjoint sweep on copies of the samples, one per row.
 """
 
 from __future__ import annotations
@@ -19,15 +18,15 @@ from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 from .one_sided import OneSidedResiduals
 
-ROWS_AT_ONCE = 400  # copies of samples that an adjoint sweep takes at once: they stay in cache
-DIFFERENCE = 1e-6  # of a state's size, between the gradients of a difference
+ROWS_AT_ONCE = 400  # copies of samples in one adjoint sweep, few enough to stay in cache
+DIFFERENCE = 1e-6  # [1] step of finite differences of gradients, relative to the size of a state
 
 
 class Curvature:
-    """Σ 2 JᵀJ over samples, in factored form until the state's derivatives at the samples are given.
+    """Σ 2 JᵀJ over samples, in factored form until the state's derivatives at the samples are known.
 
-    A direction φ is a scalar function of time by which a frame or a coefficient moves every entry of the state alike:
-    y by φ, y' by φ', y'' by φ''. Samples see K such functions, values (S, 3, K).
+    A direction φ is a scalar function of time by which a frame or coefficient moves every entry of the state: y by φ,
+    y' by φ', y'' by φ''. The values of K directions at samples are arrays (S, 3, K).
     """
 
     def __init__(self, samples: Samples) -> None:
@@ -38,12 +37,13 @@ class Curvature:
         self._diagonals: list[Array | None] = [None, None, None]
 
     def add_rows(self, at: Index, scale: Array, jacobian: Array, orders: tuple[int, ...] = (0, 1, 2)) -> None:
-        """Residuals at samples `at` (P,), rising, with gradients (P, k, N) in some of y, y', y''; times scale (P,)."""
+        """Add residuals at ascending samples `at` (P,), gradients (P, k, N) in k of y, y', y'', times scale (P,)."""
         if at.size:
             self._rows.append((at, jacobian * np.sqrt(2 * scale)[:, None, None], orders))
 
     def add_blocks(self, columns: Index, jacobian: Array, scale: Array) -> None:
-        """Residuals of n blocks of k columns (n, k), Jacobians (S, n, r, 3, k) at every sample, times scale (S,)."""
+        """Add residuals of n blocks of k columns (n, k), with Jacobians (S, n, r, 3, k) at every sample, times scale
+        (S,)."""
         if not columns.size:
             return
         count, n, residuals, _, k = jacobian.shape
@@ -56,26 +56,28 @@ class Curvature:
         self._blocks.append((columns, squared))
 
     def add_diagonal(self, at: Index, column: Index, order: int, scale: Array) -> None:
-        """Residuals that are single entries of y, y' or y'', at samples (P,) in columns (P,), times scale (P,)."""
+        """Add residuals that are single entries of y, y' or y'', at samples (P,) in columns (P,), times scale (P,)."""
         width = self.width
         added = np.bincount(at * width + column, 2 * scale, self.samples.count * width).astype(float).reshape(-1, width)
         present = self._diagonals[order]
         self._diagonals[order] = added if present is None else present + added
 
     def add_one_sided(self, sides: OneSidedResiduals, scale: Array) -> None:
-        """One-sided residuals, those of them that count."""
+        """Add the active ones of one-sided residuals."""
         active = np.flatnonzero(sides.value > 0)
         order, at = np.argsort(sides.at[active], kind="stable"), sides.at[active]
         self.add_rows(at[order], scale[at[order]], sides.select(active)[order, None], (0,))
 
     def rows_by_y(self) -> list[tuple[Index, Array]]:
-        """Residuals that depend on y alone: samples (P,), rising, and rows (P, N)."""
+        """Return the residuals that depend only on y: ascending samples (P,), and rows (P, N)."""
         return [(at, rows[:, 0]) for at, rows, orders in self._rows if orders == (0,)]
 
     def rows(self, phi: Array, without_y: bool = False) -> list[tuple[Index, Array]]:
-        """Residuals by the coefficients of K directions phi (S, 3, K): samples (P,) and rows (P, K N).
+        """Return residuals by the coefficients of K directions: samples (P,) and rows (P, K N).
 
-        without_y  leaves those out that depend on y alone
+        Args:
+            phi: The directions, (S, 3, K).
+            without_y: Whether to omit residuals that depend only on y.
         """
         every = [one for one in self._rows if not (without_y and one[2] == (0,))]
         gathered = [(at, np.ascontiguousarray(phi[at][:, orders].swapaxes(1, 2)), rows) for at, rows, orders in every]
@@ -83,7 +85,7 @@ class Curvature:
         return [(at, rows.reshape(at.size, -1)) for at, rows in local]
 
     def squares(self) -> Iterator[tuple[Index, Array]]:
-        """2 JᵀJ of blocks of columns (n, k), by order and column: (S, n, 3, k, 3, k)."""
+        """Yield 2 JᵀJ of blocks of columns (n, k), by order and column, (S, n, 3, k, 3, k)."""
         yield from self._blocks
         for order, diagonal in enumerate(self._diagonals):
             if diagonal is not None:
@@ -93,9 +95,11 @@ class Curvature:
                 yield used[:, None], out
 
     def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:
-        """Matrices of n blocks of k columns (n, k) by the coefficients of K directions: (S, n, K, k, K, k).
+        """Return matrices of n blocks of k columns (n, k) by the coefficients of K directions, (S, n, K, k, K, k).
 
-        Those of every so many neighbouring samples `together` are summed, S is less by as much.
+        Args:
+            phi: The directions, (S, 3, K).
+            together: The number of neighbouring samples whose matrices are summed; it divides S in the result.
         """
         count, directions = len(phi) // together, phi.shape[2]
         result = []
@@ -116,7 +120,7 @@ class Curvature:
         return result
 
     def quadratic(self, phi: Array, first: int, last: int) -> Array:
-        """(N, N): Σ over samples first ... last − 1 in the one direction phi (S, 3)."""
+        """Return the matrix (N, N) of one direction phi (S, 3), summed over samples first ... last − 1."""
         out = np.zeros((self.width, self.width))
         for at, rows, orders in self._rows:
             begin, end = np.searchsorted(at, [first, last])
@@ -134,7 +138,7 @@ class Curvature:
         return out
 
     def acceleration(self) -> Array:
-        """(S, N): the diagonal in y''."""
+        """Return the diagonal of y'', (S, N)."""
         out = np.zeros((self.samples.count, self.width))
         for at, rows, orders in self._rows:
             if 2 in orders:
@@ -145,9 +149,12 @@ class Curvature:
 
 
 def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, Index], None]) -> Array:
-    """(P, 3, N): the gradients of P residuals at samples `at` (P,) with respect to y, y', y''.
+    """Return the gradients of P residuals at samples `at` (P,) with respect to y, y', y'', (P, 3, N).
 
-    seeded(copies, cotangent, rows) adds each row's seed, rows (R,), to the cotangent of the copied samples (R).
+    Args:
+        samples: The samples.
+        at: The sample of each residual.
+        seeded: seeded(copies, cotangent, rows) adds the seeds of rows (R,) to the cotangent of R copied samples.
     """
     out = np.empty((at.size, 3, samples.y.shape[1]))
     for first in range(0, at.size, ROWS_AT_ONCE):
@@ -162,7 +169,7 @@ def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, 
 def add_differences(
     evaluate: Callable[[Samples, Cotangent, Array], Array], samples: Samples, into: Curvature, scale: Array
 ) -> None:
-    """The second derivatives of any penalty from differences of its gradients, negative curvature made positive."""
+    """Add second derivatives of any penalty by differences of its gradients; negative curvature becomes positive."""
     count, width = samples.y.shape
     base = np.hstack([samples.y, samples.y_d, samples.y_dd])
 

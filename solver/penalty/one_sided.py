@@ -1,6 +1,6 @@
-"""One-sided residuals, e.g. depths: each adds max(0, value + row · δy)² to a model of E for a step δy of the state.
+"""One-sided residuals, such as depths. In a model of E each adds max(0, value + row · δy)² for a step δy of the state.
 
-The gradients of many points of one link are stored as linear combinations of the rows of the link's Jacobian.
+The gradients of many points on one link are stored as linear combinations of the rows of the link's Jacobian.
 """
 
 from __future__ import annotations
@@ -81,7 +81,8 @@ class Rows:
         return out
 
     def squared(self, some: Index, factor: Array) -> tuple[Index, Array]:
-        """Samples (A,) and rows (A, N) with the same Σ rowᵀrow at every sample as some rows, each times its factor."""
+        """Return samples (A,) and rows (A, N) with the Σ rowᵀrow at every sample of the rows `some`, each times its
+        factor."""
         if self.is_plain:
             return self.at[some], factor[:, None] * self.basis[some, 0]
         k = self.shares.shape[1]
@@ -142,14 +143,14 @@ class OneSidedResiduals:
         return self.select(np.arange(self.at.size))
 
     def parts(self) -> Iterator[tuple[slice, Rows]]:
-        """The residuals by kind of gradient."""
+        """Yield the residuals by kind of gradient."""
         first = 0
         for rows in self.gradients:
             yield slice(first, first + rows.of.size), rows
             first += rows.of.size
 
     def sorted(self) -> tuple[OneSidedResiduals, Index]:
-        """The plain ones as one part, by sample, before all others; and the order (P,) that this puts them in."""
+        """Return the residuals with the plain ones first, as one part sorted by sample; and their permutation (P,)."""
         plain = [(run, rows) for run, rows in self.parts() if rows.is_plain]
         others = [(run, rows) for run, rows in self.parts() if not rows.is_plain]
         if not plain:
@@ -162,7 +163,7 @@ class OneSidedResiduals:
         return OneSidedResiduals(self.at[order], self.value[order], rows), order
 
     def select(self, some: Index) -> Array:
-        """(A, N) the gradients of some, which rise."""
+        """Return the gradients (A, N) of ascending indices."""
         gradients = []
         for run, rows in self.parts():
             indices = some[np.searchsorted(some, run.start) : np.searchsorted(some, run.stop)] - run.start

@@ -30,7 +30,8 @@ class Normalization:
     Attributes:
         reference: The value of f_j for a violation of 1 cm or 1°. For accelerations: the value for 8 rad (2 m) per
             squared key spacing, with keyframes 1 s apart.
-        is_violation: Whether f_j is zero wherever the constraint holds, e.g. a depth. Otherwise all motion has a cost.
+        is_violation: Whether f_j is zero wherever the constraint is satisfied, e.g. a depth. Otherwise all motion has a
+            cost.
         time_power: The exponent p with which f_j falls to f_j / λ^p in a clip slowed by a factor λ; 4 for squared
             accelerations.
         normalize_by: The name of a term whose divisor this term uses, if the objective contains that term. A value of

@@ -12,7 +12,7 @@ from .penalty import Normalization, Penalty, Role
 
 @dataclass(frozen=True)
 class Sum(Penalty):
-    """Σ of soft constraints of the same unit; at least one."""
+    """The sum of at least one soft constraint, all of the same unit."""
 
     parts: tuple[Penalty, ...]
     called: str

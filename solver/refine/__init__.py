@@ -1,10 +1,10 @@
 """Refinement: insertion of frames, error estimates, parts of clips, hard joint ranges.
 
-subdivision     a variable frame where the path is badly approximated: step 5 of the paper's figure 5
+subdivision     variable frames where the path is badly approximated (step 5 of the paper's figure 5)
 euler_lagrange  the Euler-Lagrange residual, its deviation per segment, the weak form
-displacement    the distance of a path from the optimum, appendix C
+displacement    the distance of a path from the optimum (appendix C)
 limits          projection of a path into hard joint ranges
 warm_start      an earlier solution mapped to edited keyframes
 edit_window     the part of a clip that an edit affects, solved separately
-windows         long clips solved window by window: linear time, bounded memory
+windows         long clips solved window by window, in linear time and bounded memory
 """

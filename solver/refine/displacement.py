@@ -1,7 +1,7 @@
-"""The distance of a path from the optimum (appendix C, eqs. 32-34): ΔE/Δt ≈ δ(t) · EL(t), with δ from a local solve.
+"""The distance of a path from the optimum (appendix C, eqs. 32-34).
 
-Each segment is solved again by itself on a finer spline, its position and velocity at both ends held at those of the
-path; δ is the distance between the two.
+The reduction of E per time is approximately δ(t) · EL(t). δ is the distance between the path and a local optimum: each
+segment is solved separately on a finer spline, with its position and velocity fixed at both ends.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from ..objective import Objective
 from ..search.descent import optimised
 from .euler_lagrange import residual
 
-NODES = 6  # a span, of Gauss's rule
-# defaults of the search for the optimum of a segment: variable frames, evaluations, relative decrease
+NODES = 6  # nodes per span of Gauss's rule
+# defaults of a segment's search: variable frames, evaluation budget, tolerance relative to E
 VARIABLE, MOST_EVALUATIONS, TOLERANCE = 3, 60, 1e-7
 
 
 @dataclass(frozen=True)
 class Displacement:
-    """Values per segment between neighbouring frames, (M − 1,) each.
+    """The displacement of every segment between neighbouring frames, (M − 1,) each.
 
     Attributes:
         distance: ∫ |Y_opt − Y_EL| dt (eq. 33).
@@ -53,10 +53,10 @@ def displacement(
     Args:
         objective: E.
         timeline: The timeline.
-        variable: Variable frames inside each segment.
+        variable: The number of variable frames inside each segment.
         max_evaluations: The evaluation budget of each solve.
         tolerance: Relative progress at which a solve ends.
-        told: Called with (segments done, segments).
+        told: Called with (number of solved segments, number of segments).
     """
     path = path_of(timeline)
     local_objective = replace(objective, quadrature=replace(objective.quadrature, kind="gauss", points=5))
@@ -77,7 +77,8 @@ def displacement(
 
 
 def _segment(path: Path, first: float, last: float, variable: int) -> Timeline:
-    """Return one segment as a separate clip: ends fixed in position and velocity, variable frames on the curve."""
+    """Return one segment as a separate clip, with fixed position and velocity at its ends and variable frames on the
+    curve."""
     states, slopes = path.at(np.array([first, last])), path.at(np.array([first, last]), 1)
     ends = (Frame.key(first, states[0]), Frame.key(last, states[1]))
     inner = np.linspace(first, last, variable + 2)[1:-1]

@@ -1,7 +1,7 @@
 """The part of a timeline that an edit of a few keyframes affects, as a separate clip with its outer segments fixed.
 
 The influence of a keyframe fades within a few segments. The other segments therefore stay unchanged, and the cost of a
-search depends on the length of the part, not on that of the clip.
+search depends on the length of the part, not on the length of the clip.
 """
 
 from __future__ import annotations
@@ -17,20 +17,20 @@ from ..curve.frame import Frame, Timeline
 from ..curve.spline import path_of
 from ..objective import Objective, segment_integrals
 
-REACH, HELD = 1, 1  # segments on either side of an edit that may move, and fixed ones beyond them
+REACH, HELD = 1, 1  # movable segments on either side of an edit, and fixed segments beyond them
 ROUNDING = 1e-9  # [s] tolerance between the time of a keyframe and the end of the part
-FEWEST = 3  # segments outside the part, below which all of the clip is searched
+FEWEST = 3  # segments outside the part below which the whole clip is searched
 
 
 @dataclass(frozen=True, eq=False)
 class EditWindow:
-    """Some segments of a timeline.
+    """The segments of a timeline near an edit.
 
     Attributes:
-        part: Their frames; those outside [first, last] [s] are fixed.
+        part: Their frames. Those outside [first, last] [s] are fixed.
         begin: The beginning of the part [s].
         first: The beginning of the interval that may move [s].
-        last: Its end [s].
+        last: The end of the interval that may move [s].
         end: The end of the part [s].
         segments: The number of segments between keyframes in the part.
     """
@@ -44,11 +44,11 @@ class EditWindow:
 
     @classmethod
     def about(cls, timeline: Timeline, keys: Array, between: tuple[float, float]) -> EditWindow | None:
-        """Return the part that an edit affects; None if that is nearly all of the clip, or for a loop.
+        """Return the part that an edit affects, or None for a loop and if the part is nearly the whole clip.
 
         Args:
             timeline: The timeline.
-            keys: Times of the keyframes, (K,) [s].
+            keys: The times of the keyframes, (K,) [s].
             between: The interval that was edited [s].
         """
         if timeline.ends == "periodic":
@@ -76,7 +76,7 @@ class EditWindow:
         return partial(self._put, timeline)
 
     def _put(self, timeline: Timeline, part: Timeline) -> Timeline:
-        """Return the timeline with the part inserted; frames that are fixed in the part keep their own masks."""
+        """Return the timeline with the part inserted. Frames that are fixed only in the part keep their masks."""
         outside = [frame for frame in timeline.frames if not self.first < frame.time < self.last]
         inside = [frame for frame in part.frames if self.first < frame.time < self.last]
         return Timeline(tuple(sorted((*outside, *inside), key=lambda f: f.time)), timeline.end_slope, timeline.ends)
@@ -87,8 +87,8 @@ class EditWindow:
         Args:
             objective: E.
             timeline: The whole timeline.
-            keys: Times of the keyframes, (K,) [s].
-            known: The contributions of all segments between keyframes if known, (segments, terms).
+            keys: The times of the keyframes, (K,) [s].
+            known: The contributions of all segments between keyframes, if already computed, (segments, terms).
         """
         inside = self.inside(keys)
         if known is not None:

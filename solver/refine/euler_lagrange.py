@@ -1,11 +1,12 @@
 """The Euler-Lagrange residual of a path (eqs. 8, 10, 11, 24), its deviation per segment, and the weak form.
 
-Strong form: R(t) = g₀ − dg₁/dt + d²g₂/dt² from any penalty's sample gradients; for the paper's quaternion objective
-also in closed form, which is *half* of R. Inside a cubic span q'''' = 0; at a knot q''' jumps, so nothing is ever
-differenced across one.
+Strong form: R(t) = g₀ − dg₁/dt + d²g₂/dt², from the sample gradients of any penalty. For the paper's quaternion
+objective it is also available in closed form, which is *half* of R. Inside a cubic span q'''' = 0. At a knot q'''
+jumps, so derivatives are taken inside spans only.
 
-Weak form (beyond the paper): a variable frame inserted at τ on the curve has the gradient g = ∫ (g₀φ + g₁φ' + g₂φ'') dt
-for its cardinal function φ. No strong derivative is needed, the jumps at the knots are in it, and it goes to zero.
+Weak form (not in the paper): a variable frame inserted on the curve at τ has the gradient g = ∫ (g₀φ + g₁φ' + g₂φ'')
+dt, where φ is the frame's cardinal function. It needs no derivatives of g, includes the jumps at the knots, and
+converges to zero.
 """
 
 from __future__ import annotations
@@ -20,16 +21,22 @@ from ..curve.spline import Path, Sampling, Spline
 from ..objective import Objective
 from ..penalty.curvature import Curvature
 
-NODES = 8  # a span, of the strong form's integrals
-GRADIENT_NODES, HESSIAN_NODES = 5, 2  # a span, of the weak form's first and second derivatives
-WINDOW, ENTRIES = 60, 200_000  # spans whose curvature is held in memory at once, at most, and by N² for wide figures
-REACH = 4  # spans to either side in which what a frame moves is counted
-FAINT = 1e-9  # of a Hessian's size, added to its diagonal
-TINY = 1e-300  # size of a Hessian that is nought
+NODES = 8  # nodes per span of the strong form's integrals
+GRADIENT_NODES, HESSIAN_NODES = 5, 2  # nodes per span of the weak form's first and second derivatives
+WINDOW, ENTRIES = 60, 200_000  # maximum number of spans whose curvature is in memory: 60, or 200 000 / N²
+REACH = 4  # spans on either side of a frame in which its cardinal function is used
+FAINT = 1e-9  # [1] regularisation of a Hessian, relative to its mean diagonal
+TINY = 1e-300  # smallest size of a Hessian, against division by zero
 
 
 def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
-    """X + Y'' + Z of eq. 10 for f = f₂ + λ f₁ on one quaternion, λ = unit_weight: (S, 4). Half of eq. 24's left."""
+    """Return X + Y'' + Z of eq. 10 for f = f₂ + λ f₁ on one quaternion, (S, 4): half of the left side of eq. 24.
+
+    Args:
+        path: The path of one quaternion.
+        t: Times, (S,) [s].
+        unit_weight: The weight λ of f₁.
+    """
     q, q_d, q_dd, q_ddd = (path.at(t, order) for order in range(4))
 
     def inner(a: Array, b: Array) -> Array:
@@ -49,14 +56,20 @@ def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
 
 
 def tangential(residual: Array, q: Array) -> Array:
-    """The part of a residual (S, 4) that the rotation feels: off q (S, 4)."""
+    """Return the part of a residual (S, 4) orthogonal to q (S, 4), which alone changes the rotation."""
     along = np.sum(residual * q, axis=1, keepdims=True) / np.sum(q * q, axis=1, keepdims=True)
     return residual - along * q
 
 
 @dataclass(frozen=True)
 class Residual:
-    """R at Gauss nodes inside every knot span: t (P, n) [s], weights (P, n) [s], value (P, n, N)."""
+    """R at Gauss nodes inside every knot span.
+
+    Attributes:
+        t: The nodes, (P, n) [s].
+        weights: Their weights, (P, n) [s].
+        value: R, (P, n, N).
+    """
 
     t: Array
     weights: Array
@@ -64,23 +77,22 @@ class Residual:
 
     @property
     def size(self) -> Array:
-        """|R| (P, n)."""
         return np.linalg.norm(self.value, axis=2)
 
     def deviation(self) -> Array:
-        """∫ |R| dt over every span between neighbouring frames, (P,)."""
+        """Return ∫ |R| dt over every span between neighbouring frames, (P,)."""
         return np.sum(self.weights * self.size, axis=1)
 
     def shares(self, count: int = 10) -> Array:
-        """∫ |R| dt over equal parts of the clip (figure 10), (count,)."""
-        # a node stands for a cell as wide as its weight; cells that reach over an edge of a part are divided there
+        """Return ∫ |R| dt over equal parts of the clip (figure 10), (count,)."""
+        # each node represents a cell as wide as its weight; a cell across an edge of a part is divided there
         edges = np.concatenate([[0.0], np.cumsum(self.weights)])
         total = np.concatenate([[0.0], np.cumsum(self.weights * self.size)])
         return np.diff(np.interp(np.linspace(0, edges[-1], count + 1), edges, total))
 
 
 def residual(objective: Objective, path: Path) -> Residual:
-    """The strong residual of any objective, by differentiating g₁ and g₂ as polynomials inside each span."""
+    """Return the strong residual of any objective, with g₁ and g₂ differentiated as polynomials inside each span."""
     edges = np.asarray(path.spline.times)
     t, w = gauss_nodes(edges, NODES)
     samples = objective.samples(path, t)
@@ -92,7 +104,7 @@ def residual(objective: Objective, path: Path) -> Residual:
 
 
 def _differentiation_matrix(x: Array) -> Array:
-    """D with (D f)(x_i) = f'(x_i) for polynomials through the nodes x (Berrut & Trefethen, SIAM Review 2004)."""
+    """Return D with (D f)(x_i) = f'(x_i) for polynomials through the nodes x (Berrut & Trefethen, SIAM Review 2004)."""
     gaps = x[:, None] - x[None, :] + np.eye(x.size)
     w = 1 / np.prod(gaps, axis=1)
     matrix = w[None, :] / w[:, None] / gaps
@@ -103,7 +115,7 @@ def _differentiation_matrix(x: Array) -> Array:
 
 @dataclass(frozen=True)
 class WeakForm:
-    """First- and second-order change of E by variable frames inserted into a path."""
+    """The change of E, to first and second order, by variable frames inserted into a path."""
 
     objective: Objective
     path: Path
@@ -113,11 +125,11 @@ class WeakForm:
         return cls(objective, path)
 
     def decrements(self, candidates: Array) -> Array:
-        """½ gᵀH⁻¹g of variable frames inserted at the times (C,), all at once: how much E would fall, each by itself.
+        """Return ½ gᵀH⁻¹g, the predicted reduction of E by each variable frame at times (C,) [s] alone, (C,).
 
-        g is the gradient of E in the new frame and H its own block of the Gauss-Newton curvature. Good for ranking, and
-        summed over the middles of all segments about the whole gap to the optimum. On a loop whose quaternions come
-        back as −q the seam's share of g is left out.
+        g is the gradient of E in the new frame, and H the frame's own block of the Gauss-Newton curvature. The values
+        rank candidates. Summed over the middles of all segments, they approximate the gap to the optimum. In a loop
+        whose quaternions return as −q, the part of g from the seam is omitted.
         """
         spline = Spline(np.sort(np.append(self.path.spline.times, candidates)), self.path.spline.ends)
         place = np.searchsorted(spline.times, candidates)
@@ -128,13 +140,13 @@ class WeakForm:
         return 0.5 * np.sum(gradient * np.linalg.solve(hessian, gradient[:, :, None])[:, :, 0], axis=1)
 
     def _gradients(self, spline: Spline) -> Array:
-        """(M + 2, N): dE/dY of the refined spline's rows."""
+        """Return dE/dY for the rows of the refined spline, (M + 2, N)."""
         t, w = gauss_nodes(np.asarray(spline.times), GRADIENT_NODES)
         gradients = self.objective.sample_gradients(self.objective.samples(self.path, t))
         return Sampling.of(spline, t).pulled_back([w[:, None] * g for g in gradients])
 
     def _hessians(self, spline: Spline, place: Index) -> Array:
-        """(C, N, N): ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt of the frames' cardinal functions φ, window by window."""
+        """Return ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt for the frames' cardinal functions φ, window by window, (C, N, N)."""
         times = np.asarray(spline.times)
         out = np.zeros((place.size, self.path.rows.shape[1], self.path.rows.shape[1]))
         spans = max(1, min(WINDOW, ENTRIES // self.path.rows.shape[1] ** 2))
@@ -155,7 +167,6 @@ class WeakForm:
         return out
 
     def _curvature(self, nodes: Array, shares: Array) -> Curvature:
-        """The curvature of E at nodes with their weights."""
         samples = self.objective.samples(self.path, nodes)
         curvature = Curvature(samples)
         for term in self.objective.terms:

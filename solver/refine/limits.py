@@ -1,9 +1,9 @@
-"""Hard joint ranges: move a path back into them at all times, with the least added acceleration.
+"""Hard joint ranges: projection of a path into the ranges at all times, with the least added acceleration.
 
-A spline is linear in its rows, so a deviation of one joint that keeps its values in bounds at many times is a convex
-problem: min ∫ a''² dt subject to low ≤ y + B a ≤ high. It is Lawson and Hanson's least distance programming (Solving
-Least Squares Problems, 1974, ch. 23), by non-negative least squares. Keyframes stay; where they are on a bound,
-adjacent variable frames let the path touch it. A ball joint deviates along its angle, in a few steps.
+A spline is linear in its rows. A deviation of one joint that keeps its values within bounds at many times is therefore
+a convex problem: min ∫ a''² dt subject to low ≤ y + B a ≤ high. This is Lawson and Hanson's least distance programming
+(Solving Least Squares Problems, 1974, ch. 23), solved by non-negative least squares. Keyframes do not move. If one is
+on a bound, adjacent variable frames make the path tangent to it. A ball joint deviates along its angle, in a few steps.
 """
 
 from __future__ import annotations
@@ -22,35 +22,35 @@ from ..figure.kinematics import Samples
 from ..penalty.joints.joint_range import JointRange, Range
 from .subdivision import split
 
-RATE = 2000.0  # [1/s] at which a path is compared with its bounds
-ROUNDS = 12
-BEYOND = {JointKind.SLIDE: 2e-5}  # [m] tolerance of the bounds
+RATE = 2000.0  # [1/s] sampling rate at which a path is compared with its bounds
+ROUNDS = 12  # maximum number of projections
+BEYOND = {JointKind.SLIDE: 2e-5}  # [m] tolerance of slides
 TURNED = float(np.radians(0.02))  # [rad] tolerance of hinges and balls
-LEEWAY = 1.5  # times the tolerance, above which a joint is moved back
+LEEWAY = 1.5  # [1] multiple of the tolerance above which a joint is moved back
 AROUND = 0.25  # [s] before and after a violation in which frames move
-BRIEF, CLOSEST = 0.01, 0.004  # [s] least duration of a violation; least spacing of frames
-FAINT = 1e-9  # regularization, relative to the mean squared acceleration of a row
-REACHED = 4  # frames on each side of a moved one at which the spline changes
-RUN = 1000
+BRIEF, CLOSEST = 0.01, 0.004  # [s] minimum length of a violation for placing frames, and minimum spacing of these
+FAINT = 1e-9  # [1] regularisation relative to the mean squared acceleration of a row
+REACHED = 4  # frames on each side of a moved frame within which the spline is checked
+RUN = 1000  # samples evaluated at once
 
 
 @dataclass(frozen=True)
 class _Violation:
-    """A joint beyond its bounds in `spans`, intervals (first, last) [s] near each other."""
+    """A joint beyond its bounds in one or more intervals `spans`, (first, last) [s], which are close to each other."""
 
     joint: Range
     spans: tuple[tuple[float, float], ...]
 
     @property
     def reach(self) -> tuple[float, float]:
-        """(first, last) [s] of the interval in which frames move."""
+        """The interval in which frames move, (first, last) [s]."""
         return self.spans[0][0] - AROUND, self.spans[-1][1] + AROUND
 
 
 def limited(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Timeline:
-    """Return the timeline with joints within their bounds at all times, variable frames added where necessary.
+    """Return the timeline with joints within their bounds at all times; variable frames are added if necessary.
 
-    Bounds that cannot be kept, because keyframes are beyond them or too close in time, are kept as far as possible.
+    Bounds that cannot be met, because keyframes are beyond them or too close in time, are met as far as possible.
     """
     if timeline.ends == "held":
         return timeline
@@ -65,7 +65,8 @@ def limited(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Time
 
 
 def farthest(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> list[tuple[Range, float, float]]:
-    """Return the joints beyond their bounds by more than the tolerance: largest excess [rad, m] and its time [s]."""
+    """Return the joints beyond their bounds by more than the tolerance, with the largest excess [rad, m] and its time
+    [s]."""
     excesses, t = [], _dense(timeline)
     for joint in joints:
         value = _values(figure, timeline, joint, t)
@@ -77,7 +78,6 @@ def farthest(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> lis
 
 
 def _dense(timeline: Timeline) -> Array:
-    """(T,) [s] times at which a path is compared with its bounds."""
     first, last = timeline.times[[0, -1]]
     return np.unique(np.append(np.linspace(first, last, int(np.ceil((last - first) * RATE)) + 1), timeline.times))
 
@@ -87,7 +87,7 @@ def _tolerance(joint: Range) -> float:
 
 
 def _values(figure: Figure, timeline: Timeline, joint: Range, t: Array) -> Array:
-    """(T,) [rad, m] the coordinate of a hinge or slide at times t, or a ball joint's angle."""
+    """Return the coordinate of a hinge or slide at times t, or a ball joint's angle, (T,) [rad, m]."""
     path = path_of(timeline)
     if joint.kind is not JointKind.BALL:
         return path.at(t)[:, figure.links[joint.link].qpos + joint.column]
@@ -98,7 +98,6 @@ def _values(figure: Figure, timeline: Timeline, joint: Range, t: Array) -> Array
 
 
 def _violations(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Iterator[_Violation]:
-    """Every interval in which a joint is beyond its bounds."""
     t = _dense(timeline)
     for joint in joints:
         value, tolerance = _values(figure, timeline, joint, t), LEEWAY * _tolerance(joint)
@@ -111,7 +110,6 @@ def _violations(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> 
 
 
 def _refined(timeline: Timeline, violations: Sequence[_Violation]) -> Timeline:
-    """The timeline with variable frames added in and around violations."""
     first, last = timeline.times[[0, -1]]
     times = timeline.times.tolist()
     new: list[float] = []
@@ -126,7 +124,7 @@ def _refined(timeline: Timeline, violations: Sequence[_Violation]) -> Timeline:
 
 
 def _moved_back(figure: Figure, timeline: Timeline, violation: _Violation) -> Timeline:
-    """The timeline with one joint moved back into its bounds around a violation; unchanged if no frame can move."""
+    """Return the timeline with one joint moved into its bounds around a violation; unchanged if no frame can move."""
     joint = violation.joint
     link = figure.links[joint.link]
     start = link.qpos + joint.column + (3 if joint.kind is JointKind.BALL and link.kind is JointKind.FREE else 0)
@@ -153,7 +151,7 @@ def _moved_back(figure: Figure, timeline: Timeline, violation: _Violation) -> Ti
 
 
 def _looks(timeline: Timeline, unit: Array) -> Array:
-    """(T,) [s] times at which a joint is compared with its bounds: the interval that the moved rows affect."""
+    """Return the times (T,) [s] at which a joint is compared with its bounds: the interval that moved rows affect."""
     frames, times = np.flatnonzero(unit[:-2].any(axis=1)), timeline.times
     begin = 0 if unit[-2].any() or not frames.size else max(frames[0] - REACHED, 0)
     end = times.size - 1 if unit[-1].any() or not frames.size else min(frames[-1] + REACHED, times.size - 1)
@@ -162,13 +160,15 @@ def _looks(timeline: Timeline, unit: Array) -> Array:
 
 
 def _cardinal(timeline: Timeline, column: int, violation: _Violation) -> Array:
-    """(M + 2, n) unit changes of the rows that may move around a violation: frames that leave a column free, and slopes
-    at free ends."""
+    """Return unit changes of the rows that may move around a violation, (M + 2, n).
+
+    These rows are frames in which the column is free, and slopes at free ends.
+    """
     times, count = timeline.times, len(timeline.frames)
     begin, end = violation.reach
     free = ~timeline.fixed[:, column] & (times > begin) & (times < end)
     rows: list[list[int]] = [[k] for k in np.flatnonzero(free).tolist()]
-    if timeline.ends == "periodic":  # whose last frame is the first
+    if timeline.ends == "periodic":  # the last frame repeats the first
         rows = [row for row in rows if row[0] not in (0, count - 1)]
         if free[[0, -1]].any() and not timeline.fixed[[0, -1], column].any():
             rows.append([0, count - 1])
@@ -181,7 +181,7 @@ def _cardinal(timeline: Timeline, column: int, violation: _Violation) -> Array:
 
 
 def _least(bend: Array, rows: Array, least: Array) -> Array | None:
-    """(n,) the deviation a of least ∫ a''² with rows (C, n) a ≥ least (C,); None if the bounds are infeasible."""
+    """Return the deviation a (n,) of least ∫ a''² with rows (C, n) a ≥ least (C,); None if bounds are infeasible."""
     from scipy.optimize import nnls  # imported here: slow to load, used by hard ranges alone
 
     square = bend.T @ bend / len(bend)
@@ -206,9 +206,13 @@ def _least(bend: Array, rows: Array, least: Array) -> Array | None:
 
 
 def _turned_back(figure: Figure, timeline: Timeline, joint: Range, deviation: Array) -> Timeline:
-    """The timeline with a ball joint's angle changed by (M + 2,) [rad] at frames, its rates [rad/s] at the ends.
+    """Return the timeline with a changed angle of a ball joint. Descendant links rotate with it.
 
-    Descendant links turn with it.
+    Args:
+        figure: The figure.
+        timeline: The timeline.
+        joint: The ball joint.
+        deviation: Changes of the angle at the frames [rad] and of its rates at both ends [rad/s], (M + 2,).
     """
     columns = quaternion_columns(figure.links[joint.link])
     assert columns is not None, "a joint with a rotation"
@@ -232,7 +236,7 @@ def _turned_back(figure: Figure, timeline: Timeline, joint: Range, deviation: Ar
 
 
 def _turn_slope(figure: Figure, rows: Array, joint: Range, frame: int, end: int, rate: float) -> None:
-    """Adds a rate of a ball joint's angle [rad/s] to the slope at an end, in place."""
+    """Add a rate of a ball joint's angle [rad/s] to the slope at an end, in place."""
     samples, tables = Samples.still(figure, rows[[frame]]), figure.tables
     axis = JointRange((joint,)).axes(samples)[:, 0, 0]
     under = np.flatnonzero(tables.path[:, joint.link] > 0)

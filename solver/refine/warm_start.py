@@ -1,7 +1,7 @@
 """Warm start: an earlier solution mapped to edited keyframes, from which a search continues.
 
-Times between keyframes that are in both versions are stretched linearly, and the path is displaced as the keyframes
-were. It thus passes through all of them and stays as smooth as before.
+Times between keyframes that are in both versions are mapped linearly, and the path is displaced by the displacement of
+the keyframes, interpolated in time. It thus passes through all of them and stays as smooth as before.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure
 
-SAME = 1e-9  # [s, and of a state's entries] difference up to which a keyframe is unchanged
-FEW = 2  # variable frames added to a segment without any
-CLOSE = 0.15  # of a segment: distance from a keyframe below which a variable frame is omitted
-TINY = 0.02  # [s] length up to which a segment gets no variable frames
+SAME = 1e-9  # [s, m, rad] difference up to which a keyframe's time and entries are unchanged
+FEW = 2  # variable frames added to a segment that has none
+CLOSE = 0.15  # [1] distance from a keyframe, relative to the segment, below which a variable frame is omitted
+TINY = 0.02  # [s] length of a segment up to which it gets no variable frames
 
 
 def warm_start(
@@ -49,7 +49,6 @@ def warm_start(
     first, last = found.times[0], found.times[-1]
 
     def old(times: Array) -> Array:
-        """Return the states (T, N) of the earlier path at times (T,) [s] of the edited clip."""
         return path.at(np.clip(_stretched(times, new_times, old_times), first, last))
 
     times = raw.times
@@ -73,7 +72,7 @@ def warm_start(
 
 
 def _matched(before: Sequence[Frame], keys: Sequence[Frame]) -> tuple[Array, Array]:
-    """Return the earlier and present times (m,) [s] of keyframes in both clips, matched by number or else by time."""
+    """Return the earlier and present times (m,) [s] of keyframes in both clips, matched by index or else by time."""
     old, new = np.array([key.time for key in before]), np.array([key.time for key in keys])
     if old.size == new.size:
         return old, new
@@ -93,14 +92,15 @@ def _stretched(times: Array, here: Array, there: Array) -> Array:
 
 
 def _warm(key: Frame, was: Frame | None, pose: Array) -> Frame:
-    """Return a keyframe with unspecified degrees of freedom from the earlier path; as posed if it was edited."""
+    """Return a keyframe with unspecified entries from the earlier path. Posed entries of an edited keyframe do not
+    change."""
     same = was is not None and np.array_equal(was.fixed, key.fixed) and np.abs(was.state - key.state).max() < SAME
     is_known = key.fixed if same else key.known
     return Frame(key.time, np.where(is_known, key.state, pose), key.fixed, ~key.fixed)
 
 
 def _signs(figure: Figure, states: Array, was: Array) -> Array:
-    """Return −1 where a quaternion of the earlier path is on the opposite hemisphere at a keyframe, else 1, (K, N)."""
+    """Return signs (K, N): −1 where a quaternion and the earlier path are on opposite hemispheres, else 1."""
     signs = np.ones(states.shape)
     for columns in figure.tables.quaternion_columns.T:
         along = np.einsum("kn,kn->k", states[:, columns], was[:, columns])
@@ -122,9 +122,9 @@ def _placed(times: Array, inner: Array) -> Array:
 
 
 def _moved(figure: Figure, start: Timeline, signs: Array, was: Array, inner: Array, states: Array) -> Array:
-    """Return the states (V, N) of a path displaced as its keyframes were.
+    """Return the states (V, N) of a path displaced with its keyframes.
 
-    Where a quaternion turns in another direction than before, they are on the spline through the keyframes.
+    Where a quaternion turns in another direction than before, the states are on the spline through the keyframes.
     """
     times, moved = start.times, start.states - signs * was
     span = np.clip(np.searchsorted(times, inner, side="right") - 1, 0, times.size - 2)

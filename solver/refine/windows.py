@@ -1,9 +1,9 @@
 """Long clips solved window by window, from beginning to end, in linear time and bounded memory.
 
 The influence of a keyframe fades within a few segments. A window consists of solved segments that are fixed, segments
-whose solution is kept, and of look-ahead segments that the next window solves again from their present state. All of
-them are in its objective, so that one side of a boundary does not improve at the cost of the other. The frames of all
-windows form one timeline with one C² spline, and the keyframes stay exact.
+whose solution is kept, and look-ahead segments that the next window solves again from their present state. Its
+objective includes all of these, so that one side of a boundary does not improve at the cost of the other. The frames of
+all windows form one timeline with one C² spline, and the keyframes stay exact.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from ..curve.frame import Frame, Timeline
 from ..curve.spline import path_of
 from ..objective import Objective, segment_integrals
 
-KEPT, AHEAD, BEHIND = 40, 4, 3  # segments of a window, those it looks ahead to and those held behind it
-FRAMES_A_SEGMENT = 4  # that is_long reckons with
-LARGEST = 2_500_000  # entries of a banded matrix
-PINNED = 0.1
+KEPT, AHEAD, BEHIND = 40, 4, 3  # segments of a window that are kept, look-ahead segments, and fixed ones before it
+FRAMES_A_SEGMENT = 4  # typical number of frames per segment, to estimate the size of a matrix in `is_long`
+LARGEST = 2_500_000  # entries of a banded matrix above which a clip is solved in windows
+PINNED = 0.1  # [1] position of a second fixed frame, relative to the first span of a window, which fixes the slope
 
 
 def is_long(raw: Timeline) -> bool:
@@ -35,7 +35,8 @@ def is_long(raw: Timeline) -> bool:
 
 @dataclass(frozen=True)
 class Window:
-    """Indices of segments: fixed from `held`, kept from `first` to `kept`, look-ahead to `last`."""
+    """A window, as indices of segments: fixed from `held`, kept from `first` to `kept`, look-ahead from `kept` to
+    `last`."""
 
     held: int
     first: int
@@ -44,14 +45,14 @@ class Window:
 
 
 def windows(segments: int) -> list[Window]:
-    """Return windows of nearly equal size that keep every segment once."""
+    """Return windows of nearly equal size. Every segment is kept by one of them."""
     count = -(-segments // KEPT)
     edges = [segments * k // count for k in range(count + 1)]
     return [Window(max(a - BEHIND, 0), a, b, min(b + AHEAD, segments)) for a, b in pairwise(edges)]
 
 
 class Assembly:
-    """The whole clip while its windows are being solved: the solved part, and the start of the remaining one."""
+    """The whole clip while its windows are being solved: the solved part, and the initial state of the rest."""
 
     def __init__(self, objective: Objective, raw: Timeline, start: Timeline) -> None:
         self.objective, self.raw = objective, raw
@@ -76,7 +77,7 @@ class Assembly:
         frames = [f for f in self.frames if begin <= f.time <= end]
         part = [Frame.key(f.time, f.state) if f.time <= first and window.held < window.first else f for f in frames]
         if window.held > 0:
-            # a second frame at the cut holds the slope there as well
+            # a second frame near the cut also fixes the slope
             near = begin + PINNED * (frames[1].time - begin)
             part.insert(1, Frame.key(near, self.solved_path.at(np.array([near]))[0]))
         slopes = np.vstack([self.solved_path.at(np.array([begin]), 1), self.first_path.at(np.array([end]), 1)])
@@ -97,7 +98,8 @@ class Assembly:
         return min(round(budget * (window.last - window.first) / segments), budget - others)
 
     def close(self, window: Window, solved: Timeline) -> None:
-        """Take over the solution of a window; its look-ahead segments are the start of the next one."""
+        """Replace the window's frames by its solution; the solution of its look-ahead segments is the start of the next
+        window."""
         whole = self.around(window)(solved)
         self.frames, self.end_slope = list(whole.frames), np.array(whole.end_slope)
         self.solved_path = path_of(solved)
@@ -106,7 +108,7 @@ class Assembly:
         self.parts[from_ : window.last] = segment_integrals(self.objective, self.solved_path, times)
 
     def _with_window(self, frames: tuple[Frame, ...], end_slope: Array, window: Window, solved: Timeline) -> Timeline:
-        """Return the clip with a window inserted; frames that are fixed in the window keep their own masks."""
+        """Return the clip with a window inserted. Frames that are fixed only in the window keep their masks."""
         first = self.key_times[window.first] if window.first else -np.inf
         last = self.key_times[window.last]
         before, after = (f for f in frames if f.time <= first), (f for f in frames if f.time > last)

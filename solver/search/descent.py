@@ -11,8 +11,8 @@ from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, 
 from .newton import GaussNewton
 from .refinement import LBFGS, METHODS, NONE, algorithm, refine
 
-WIDEST = 150  # columns of the state up to which Newton steps are used; their blocks have the square of it as size
-FINE = 1e-7  # default relative progress at which a timeline is at its minimum
+WIDEST = 150  # columns of the state up to which Newton steps are used; the size of their blocks is quadratic in it
+FINE = 1e-7  # [1] default tolerance of `optimised`, relative to E
 
 
 def check_method(method: str | Optimiser) -> None:
@@ -61,7 +61,7 @@ class Descent:
         tolerance: float = TOLERANCE,
         improved: Improved | None = None,
     ) -> Minimum:
-        """Minimise E; the result's x is in the unknowns of the timeline, (n,).
+        """Minimise E; the x (n,) of the result are the unknowns of the timeline.
 
         Args:
             optimiser: A method by name, or an optimiser.

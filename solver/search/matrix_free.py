@@ -1,8 +1,8 @@
-"""Minimisation of E for figures of so many joints that Newton's matrices would not fit in memory.
+"""Minimisation of E for figures with so many joints that Newton's matrices would not fit in memory.
 
 The blocks of those matrices grow with the square of the number of joints. Here memory is linear in it: NLopt's
-limited-memory BFGS searches in variables whitened by the flat acceleration energy, with one banded Cholesky factor per
-column of the state.
+limited-memory BFGS uses variables whitened by the flat acceleration energy, with one banded Cholesky factor per column
+of the state.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from .quadratic import STIFF, Layout
 from .refinement import minimise
 
 METHOD = "lbfgs"
-SMALL = 1e-4  # relative to the step along the gradient that would bring E to zero: a probe of E's curvature
-RESTART_GAIN = 4  # times the tolerance: a restart that lowers E by less is the last
+SMALL = 1e-4  # [1] length of the step that probes E's curvature, relative to one that lowers E to zero at this slope
+RESTART_GAIN = 4  # [1] multiple of the tolerance; the search ends when a restart gains less than this share of E
 
 
 def matrix_free(
@@ -41,7 +41,7 @@ def matrix_free(
 
 
 def _run(search: Search, tolerance: float) -> Stop:
-    """Restart from the best point, with a newly scaled metric, until a restart gains little."""
+    """Restart from the best point, each time with a newly scaled metric, until a restart gains little."""
     metric = FlatMetric(search.layout)
     while search.count < search.budget:
         if search.is_negligible(_predicted_reduction(search, metric), tolerance):
@@ -79,18 +79,18 @@ def _predicted_reduction(search: Search, metric: FlatMetric) -> float:
     step = SMALL * value / squared_slope
     trial = search.evaluate(x - metric.to_x(step * direction))
     curvature = float(direction @ (direction - metric.gradient(trial.gradient))) / (step * squared_slope)
-    metric.unit = squared_slope / value  # by the metric, the first step of a search halves E
+    metric.unit = squared_slope / value  # in this unit, the first step of a search halves E
     return 0.5 * squared_slope / curvature if np.isfinite(curvature) and curvature > 0 else value
 
 
 class FlatMetric:
     """The change of variables x = x₀ + P z with P Pᵀ = A⁻¹ / unit.
 
-    A is the flat acceleration energy, with springs on fixed degrees of freedom.
+    A is the matrix of the flat acceleration energy, with springs on fixed degrees of freedom.
 
     Attributes:
-        factors: The banded Cholesky factor of each column of the state, (N, M + 2, K + 1).
-        unit: The size of A relative to E's curvature.
+        factors: The banded Cholesky factor for each column of the state, (N, M + 2, K + 1).
+        unit: The ratio of A to the curvature of E.
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -107,7 +107,6 @@ class FlatMetric:
 
     @property
     def size(self) -> int:
-        """The number of entries of z."""
         return self.layout.count * self.layout.width
 
     def to_x(self, z: Array) -> Array:

@@ -1,4 +1,4 @@
-"""The optimiser's interface: the protocol of an optimiser, its result, and the reasons for which it stops."""
+"""The interface of optimisers: the protocol of an optimiser, its result, and its stop reasons."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ..objective import Discretised, Evaluation
 
 Improved = Callable[[int, Evaluation, Array], None]
 
-TOLERANCE = 1e-6  # default relative progress at which a search ends
-MOST_EVALUATIONS = 300  # default evaluations of a search
+TOLERANCE = 1e-6  # [1] default progress per evaluation at which a search ends, relative to E
+MOST_EVALUATIONS = 300  # default evaluation budget
 
 
 class Stop(Enum):
@@ -57,14 +57,15 @@ class Optimiser(Protocol):
         tolerance: float,
         improved: Improved | None,
     ) -> Minimum:
-        """Return the best point. State that serves the next round is kept by the optimiser itself.
+        """Return the best point. An optimiser may store state for the next round.
 
         Args:
-            problem: E and its gradient, problem(x) -> Evaluation; the search starts at problem.unknowns.start, (n,).
+            problem: E and its gradient: problem(x) returns an `Evaluation`. The search starts at
+                problem.unknowns.start, (n,).
             max_evaluations: The evaluation budget.
             tolerance: Relative progress at which the search ends.
             improved: Called with (evaluation, Evaluation, x) whenever E falls below all earlier values. It may raise
-                StopSearch, which like KeyboardInterrupt must end the search with Stop.INTERRUPTED.
+                StopSearch. Then, and after KeyboardInterrupt, the search must end with Stop.INTERRUPTED.
 
         Returns:
             The best point, its value, and the reason for the stop.

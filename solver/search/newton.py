@@ -1,6 +1,6 @@
-"""Minimisation of E by Gauss-Newton steps with Levenberg's damping: few evaluations, each step a banded solve.
+"""Minimisation of E by Gauss-Newton steps with Levenberg's damping. Each step is a banded solve.
 
-The damping falls where the model predicted the reduction of E well and rises where it did not (D. W. Marquardt, "An
+The damping decreases after good predictions of the reduction of E and increases after poor ones (D. W. Marquardt, "An
 algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963). It multiplies the flat acceleration
 energy of the step, so that a damped step is smooth.
 """
@@ -18,24 +18,24 @@ from .minimum import TOLERANCE, Improved, Minimum, Stop, StopSearch
 from .quadratic import Layout, Model, Proposal
 
 Refine = Callable[["Search", Array, float], None]
-MAX_STEPS = 100  # default evaluations
+MAX_STEPS = 100  # default evaluation budget
 FIRST_DAMPING = 1.0  # in units of E's curvature in y''
 MIN_DAMPING, MAX_DAMPING = 1e-6, 1e9  # from a full Newton step to a negligible one
-GOOD_RATIO, POOR_RATIO = 0.7, 0.25  # gain ratio above which the damping falls, and below which it rises
+GOOD_RATIO, POOR_RATIO = 0.7, 0.25  # gain ratios above which the damping decreases, and below which it increases
 # factors of the damping after a step of good or poor gain ratio, and after one that raised E
 DAMPING_DECREASE, DAMPING_INCREASE, REJECTION_INCREASE = 0.2, 3.0, 8.0
-NEGLIGIBLE = 1e-3  # of the first E: thresholds that are shares of E use at least this much
-# remaining reduction relative to the last predicted one: bounds of the predictions' trend and of the model's error
+NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at least this much
+# [1] estimate of the remaining reduction relative to the last predicted one, see `_run`
 MIN_TREND, MIN_MODEL_ERROR, MODEL_ERROR = 0.1, 0.02, 2.0
 
 
 class GaussNewton:
-    """The optimiser: Gauss-Newton steps, followed by a stage that refines their minimum.
+    """The default optimiser: Gauss-Newton steps, then a final stage near the minimum.
 
     Attributes:
         refine: The final stage, refine(search, factor, tolerance) with the Cholesky factor of the last model; or None.
-        final: The tolerance of the last rounds; the final stage runs only in searches of at most this tolerance.
-        damping: The damping of the next step, carried over from round to round.
+        final: The tolerance of the last rounds. The final stage runs only in searches of at most this tolerance.
+        damping: The damping of the next step, which continues from round to round.
     """
 
     def __init__(self, refine: Refine | None = None, final: float = TOLERANCE, damping: float = FIRST_DAMPING) -> None:
@@ -49,16 +49,19 @@ class GaussNewton:
         tolerance: float = TOLERANCE,
         improved: Improved | None = None,
     ) -> Minimum:
-        """Minimise E over a timeline's unknowns, starting at its present state.
-
-        KeyboardInterrupt ends the search like StopSearch.
+        """Minimise E over a timeline's unknowns, from its present state. KeyboardInterrupt ends the search like
+        StopSearch.
 
         Args:
             problem: E and its gradient.
             max_evaluations: The evaluation budget.
-            tolerance: Stop when the predicted reduction of the next step is less than this share of E, or of a
-                thousandth of the first E.
-            improved: Called with (evaluation, Evaluation, x) whenever E falls; may raise StopSearch to end the search.
+            tolerance: The search ends when the predicted reduction of the next step is less than this share of E, or of
+                a thousandth of the first E.
+            improved: Called with (evaluation, Evaluation, x) whenever E falls. It may raise StopSearch to end the
+                search.
+
+        Returns:
+            The best point.
         """
         search = Search(problem, max_evaluations, self.damping, improved)
         try:
@@ -79,7 +82,7 @@ def _run(search: Search, tolerance: float) -> Stop:
         if stop is not None:
             return stop
         gain_ratio, predicted = (before - search.value) / proposal.predicted_reduction, proposal.predicted_reduction
-        # the error of a Newton step is quadratic in the model's error; predicted reductions fall from step to step
+        # the error of a Newton step is quadratic in the model's error, and predicted reductions decrease with the steps
         model_error = float(np.clip(MODEL_ERROR * (1 - gain_ratio) ** 2, MIN_MODEL_ERROR, 1.0))
         remaining = predicted * min(model_error, float(np.clip(predicted / previous, MIN_TREND, 1.0)))
         if gain_ratio > GOOD_RATIO and search.is_negligible(remaining, tolerance):
@@ -114,7 +117,6 @@ class Search:
         return Layout(self.problem)
 
     def minimum(self, stop: Stop) -> Minimum:
-        """Return the best point so far as a result."""
         return Minimum(self.x, self.value, self.count, stop)
 
     def start(self) -> Stop | None:
@@ -141,7 +143,6 @@ class Search:
         return decrease <= tolerance * size
 
     def model(self) -> Model:
-        """Return the model of E at the best point."""
         model = Model(self.layout, self.x, self.gradient, self.scale)
         self.scale = model.scale
         return model
@@ -169,7 +170,6 @@ class Search:
                 return proposal, Stop.MAX_EVALUATIONS
 
     def update_damping(self, gain_ratio: float) -> None:
-        """Adapt the damping to the gain ratio, actual by predicted reduction."""
         if gain_ratio > GOOD_RATIO:
             self.damping = max(self.damping * DAMPING_DECREASE, MIN_DAMPING)
         elif gain_ratio < POOR_RATIO:

@@ -2,14 +2,15 @@
 
     m(δ) = gᵀδ + ½ δᵀ(H + λF)δ + Σ_p c_p max(0, d_p + r_pᵀδ)²
 
-δ is a step of the B-spline coefficients. A sample depends on 4 of them, so all matrices are banded, and time and memory
-are linear in the length of the clip. H is the Gauss-Newton curvature, F the flat acceleration energy that damps the
-step, and d_p a one-sided residual such as the depth of a point in the floor (negative above it). Fixed degrees of
-freedom, of keyframes and of a loop's seam, are held by springs that are stiff relative to H. The springs only shape the
-step: keyframes are not unknowns and stay exact.
+δ is a step of the B-spline coefficients. H is the Gauss-Newton curvature, and F the flat acceleration energy that damps
+the step. d_p is a one-sided residual, such as the depth of a point in the floor (negative above it). A sample depends
+on 4 coefficients, so all matrices are banded, and time and memory are linear in the length of the clip.
 
-H of smooth terms is summed over a few nodes per span. H of terms that begin, end or peak within a span is summed over
-the samples of E; otherwise the model would predict reductions that E does not have.
+Fixed degrees of freedom, of keyframes and of a loop's seam, are held by springs that are stiff relative to H. The
+springs only shape the step: keyframes are not unknowns and stay exact.
+
+The H of smooth terms is summed over a few nodes per span. The H of terms that begin, end or peak within a span is
+summed over the samples of E; otherwise the model would predict reductions that E does not have.
 
 m is convex and piecewise quadratic. Newton steps on the active residuals, with a line search, reach its minimum after a
 few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
@@ -36,17 +37,17 @@ from ..objective import Discretised, Seen, Term
 from ..penalty.curvature import Curvature
 from ..penalty.one_sided import OneSidedResiduals
 
-POINTS = 2  # nodes per span: the curvature of smooth terms needs fewer than E
-SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # least number, and entries by columns: their blocks stay in cache
-STIFF = 1e6  # stiffness of springs relative to the median curvature: fixed entries move by a millionth
-FAINT = 1e-9  # regularizer relative to the median curvature, so that the Cholesky factor exists
-SHARE_OF_POSITION = 0.3  # of the flat metric, relative to acceleration
-MOST_CHANGES = 15  # of the set of active one-sided residuals
-SETTLED = 0.05  # of the model's reduction: a change of the active set that gains less is the last
-ENTRIES_AT_ONCE = 2_000_000  # of rows over four coefficients, 16 MB
+POINTS = 2  # nodes per span for the curvature of smooth terms, which needs fewer nodes than E
+SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # spans in a run: at least 32, else 2000 / columns, to stay in cache
+STIFF = 1e6  # [1] stiffness of springs relative to the median curvature, so that fixed entries hardly move
+FAINT = 1e-9  # [1] regularisation relative to the median curvature, so that the Cholesky factor exists
+SHARE_OF_POSITION = 0.3  # [1] weight of positions in F, relative to accelerations at the keyframes' spacing
+MOST_CHANGES = 15  # maximum number of changes of the active set
+SETTLED = 0.05  # [1] gain of a change of the active set, relative to the total reduction, at which it is the last
+ENTRIES_AT_ONCE = 2_000_000  # entries of rows over four coefficients in memory at once, 16 MB
 LOCAL = DEGREE + 1  # B-splines that are nonzero at a sample
-LEAST = 1e-12  # median of a curvature, where that is zero
-SHORTEST = 1e-3  # of the step to the minimum of one quadratic piece, at which the line search gives up
+LEAST = 1e-12  # smallest median curvature, against division by zero
+SHORTEST = 1e-3  # [1] share of a Newton step below which the line search ends
 
 Picked = Index | slice
 
@@ -102,7 +103,6 @@ class Layout:
         return matrix
 
     def empty(self) -> Array:
-        """Return the blocks of a zero matrix, (M + 2, N, K + 1, N)."""
         return np.zeros((self.count, self.width, self.blocks + 1, self.width))
 
     def diagonal(self, matrix: Array) -> Array:
@@ -124,7 +124,7 @@ class Layout:
         return pairs
 
     def add_blocks(self, matrix: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
-        """Add the part of a curvature that is stored as blocks; its samples are the nodes of neighbouring spans."""
+        """Add the part of a curvature that is stored as blocks. Its samples are the nodes of neighbouring spans."""
         if compiled.kernel is not None:
             for columns, squares in curvature.squares():
                 compiled.call("add_blocks", matrix, self.rank, piece.first, piece.values, columns, squares, self.width)
@@ -136,7 +136,7 @@ class Layout:
                     target[pair.j, pair.k] += part[pair.spans, pair.b, pair.a]
 
     def add_rows(self, matrix: Array, *parts: tuple[Curvature, Piece]) -> None:
-        """Add the parts of curvatures that are stored as rows, each at any samples."""
+        """Add the parts of curvatures that are stored as rows, which may be at any samples."""
         use_kernel, span_rows = compiled.kernel is not None, []
         for curvature, piece in parts:
             if use_kernel:
@@ -156,7 +156,7 @@ class Layout:
         self.add_squared(matrix, spans[order], rows)
 
     def add_squared(self, matrix: Array, spans: Index, rows: Array) -> None:
-        """Add Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
+        """Add Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), which are in ascending order."""
         edges = np.flatnonzero(np.diff(spans)) + 1
         for first, last in zip(np.append(0, edges), np.append(edges, spans.size), strict=True):
             if first < last:
@@ -165,7 +165,7 @@ class Layout:
     def add_rows_by_y(
         self, matrix: Array, sampling: Piece | Sampling, at: Index, rows: Array, sign: float = 1.0
     ) -> None:
-        """Add sign · Σ rowᵀrow of rows (P, N) with respect to y at samples (P,), rising."""
+        """Add sign · Σ rowᵀrow of rows (P, N) with respect to y at samples (P,), which are in ascending order."""
         bases = sampling.values[:, 0]
         if compiled.kernel is not None:
             compiled.call("add_squares", matrix, self.rank, sampling.first, bases, at, rows, np.full(at.size, sign))
@@ -265,7 +265,8 @@ class Layout:
         np.add.at(matrix.reshape(-1), flat.ravel(), values.ravel())
 
     def _column_springs(self, first: Index, weights: Array, hold: Array) -> tuple[Index, Index, Array]:
-        """Return the entries (S, N) of such springs, their columns (S,) and distances below the diagonal (S,)."""
+        """Return the springs of `_hold_columns`: entries (S, N), their columns (S,), and distances below the diagonal
+        (S,)."""
         weights = weights / np.sqrt(np.sum(weights**2, axis=1, keepdims=True))
         rank = self.rank[first[:, None] + np.arange(DEGREE)]
         offset = rank[:, :, None] - rank[:, None, :]
@@ -273,9 +274,9 @@ class Layout:
         return rank[row, b], offset[row, a, b], (weights[row, a] * weights[row, b])[:, None] * hold[row]
 
     def _tie_seam(self, matrix: Array, spline: Spline, order: int) -> None:
-        """Tie y, y' or y'' of a step at the end to that at the start, mapped by the seam after one period.
+        """Tie y, y' or y'' of a step at the end to the same at the start, mapped by the seam.
 
-        A loop's shift is constant, so a step has none.
+        A loop's shift is constant, so it does not affect steps.
         """
         start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
         returned, identity = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
@@ -288,14 +289,13 @@ class Layout:
                 matrix[column, :, row - column, :] += b.T @ a / size
 
     def _hold_curvature(self, matrix: Array, spline: Spline) -> None:
-        """Hold y'' at both ends."""
         for end in spline.times[[0, -1]]:
             basis = spline.basis([end], 2)
             weights = np.tile(np.asarray(basis.data, float)[:, None], self.width)
             self._hold(matrix, np.asarray(basis.indices, np.intp), weights, np.eye(self.width))
 
     def _hold(self, matrix: Array, coefficients: Index, weights: Array, hold: Array) -> None:
-        """Add a spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""
+        """Add a spring on `hold` (N, N) times Σ_j weights_j c_j, weights (k, N)."""
         weights = weights / np.sqrt(np.sum(weights**2) / self.width)
         for ja, wa in zip(coefficients, weights, strict=True):
             for jb, wb in zip(coefficients, weights, strict=True):
@@ -359,7 +359,8 @@ def middle(values: Array) -> float:
 
 @dataclass(frozen=True, eq=False)
 class OneSidedTerms:
-    """The one-sided residuals of all terms: each adds weight max(0, value + row · δy)², δy the step at its sample.
+    """The one-sided residuals of all terms. Each adds weight · max(0, value + row · δy)², with the step δy at its
+    sample.
 
     Attributes:
         residuals: The residuals of all terms, concatenated.
@@ -407,11 +408,11 @@ class OneSidedTerms:
         return self.sampling.bases[0].T @ np.add.reduce(pulled)
 
     def squares(self, active: Mask, factor: Array) -> tuple[Index, Array]:
-        """Return samples (A,), rising, and rows (A, N) with the Σ rowᵀrow of the selected residuals.
+        """Return samples (A,), in ascending order, and rows (A, N) whose Σ rowᵀrow is that of the selected residuals.
 
         Args:
             active: Which residuals are selected, (P,).
-            factor: Multiplies each residual's row, (P,).
+            factor: The factor of each residual's row, (P,).
         """
         parts = []
         for run, rows in self.residuals.parts():
@@ -429,7 +430,7 @@ class Proposal(NamedTuple):
     """The minimum of the model m.
 
     Attributes:
-        step: The step of the unknowns to it, (n,).
+        step: The step of the unknowns to the minimum, (n,).
         predicted_reduction: The reduction of m.
         factor: The Cholesky factor of the curvature; None if it is not positive definite.
     """
@@ -469,7 +470,8 @@ class Model:
             self.gradient -= self.sided.pulled_back(pull)
 
     def _add_smooth(self, path: Path, evaluated: Sequence[Seen], scale: float | None) -> float:
-        """Add the curvature of the two-sided residuals; return its median density in y'', or `scale` if given."""
+        """Add the curvature of the two-sided residuals; return its median density in y'', or `scale` if that is not
+        None."""
         layout, problem = self.layout, self.layout.problem
         matrix, sizes, rows = layout.empty(), [], []
         terms = problem.objective.terms
@@ -521,7 +523,7 @@ class Model:
         return self._one_sided(curvature, sided)
 
     def _one_sided(self, curvature: Array, sided: OneSidedTerms) -> Proposal:
-        """Newton steps on the active residuals, until the active set changes no more."""
+        """Return the minimum by Newton steps on the active residuals, until the active set settles."""
         layout, last = self.layout, None
         step, force_step = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
         residual, weight_root = sided.value, np.sqrt(2 * sided.weight)

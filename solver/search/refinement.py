@@ -1,9 +1,9 @@
 """The final stage of a search, by NLopt; the only file that imports NLopt.
 
-Gauss-Newton steps approach the minimum; NLopt then uses E and its gradient alone and so lowers E where their model is
-inaccurate. It searches in whitened variables z, x = x₀ + P z with P Pᵀ = c H⁻¹, where H is the model's curvature,
-active one-sided residuals included, and c the size of E. A quasi-Newton method thus starts with the right metric. The
-stage ends when its evaluations gain less than the tolerance.
+Gauss-Newton steps approach the minimum. NLopt then uses only E and its gradient, so it can lower E where the model of
+these steps is inaccurate. It searches in whitened variables z, x = x₀ + P z with P Pᵀ = c H⁻¹, where H is the model's
+curvature including active one-sided residuals, and c the size of E. A quasi-Newton method thus starts with the right
+metric.
 """
 
 from __future__ import annotations
@@ -21,23 +21,23 @@ from .newton import Search
 LBFGS, NONE = "lbfgs", "none"
 METHODS = (LBFGS, "slsqp", "ccsaq", "tnewton", "var2", NONE)
 LONG_NAMES = {"tnewton": "TNEWTON_PRECOND_RESTART"}
-DENSE = {"slsqp": 300}  # unknowns up to which an iteration takes at most 0.2 s; with 1200 it takes 15 s
+DENSE = {"slsqp": 300}  # unknowns up to which an iteration takes at most 0.2 s; with 1200 unknowns it takes 15 s
 # NLopt 2.11 raises its own class for a general failure, which is not a RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
-NOT_FINITE = 1e300  # E where it is not finite: NLopt does not accept infinity
-NEGLIGIBLE = 1e-3  # of the first value: the absolute tolerance, in units of the relative one
-PATIENCE = 3  # evaluations over which progress is averaged: a line search has some without any
-XTOL = 1e-12  # relative change of x below which a search ends
+NOT_FINITE = 1e300  # replaces values of E that are not finite, which NLopt does not accept
+NEGLIGIBLE = 1e-3  # [1] absolute tolerance, relative to the first value times the relative tolerance
+PATIENCE = 3  # evaluations over which progress is averaged, because some in a line search make none
+XTOL = 1e-12  # [1] relative change of x below which a search ends
 
 
 def algorithm(method: str) -> int:
-    """Return NLopt's number of a method.
+    """Return NLopt's number of an algorithm.
 
     Args:
         method: A name from METHODS or of NLopt, with or without LD_.
 
     Raises:
-        ValueError: There is no such method.
+        ValueError: There is no such algorithm.
     """
     name = LONG_NAMES.get(method.lower(), method.upper()).removeprefix("LD_")
     number = getattr(nlopt, f"LD_{name}", None)
@@ -47,10 +47,8 @@ def algorithm(method: str) -> int:
 
 
 def is_practical(method: str, size: int) -> bool:
-    """Return whether an iteration of a method takes at most a fraction of a second with `size` unknowns.
-
-    Ctrl-C takes effect only between iterations.
-    """
+    """Return whether an iteration with `size` unknowns is short enough for Ctrl-C, which takes effect between
+    iterations."""
     return size <= DENSE.get(method.lower(), size)
 
 
@@ -94,15 +92,18 @@ def minimise(
     max_evaluations: int = MOST_EVALUATIONS,
     tolerance: float = TOLERANCE,
 ) -> Minimum:
-    """Minimise a function with NLopt and return the best point evaluated, for whatever reason the search ends.
+    """Minimise a function with NLopt and return the best point evaluated.
 
     Args:
-        fun: fun(x) -> (value, gradient (n,)); may raise StopSearch or KeyboardInterrupt to end the search.
+        fun: fun(x) -> (value, gradient (n,)). It may raise StopSearch or KeyboardInterrupt to end the search.
         x0: The start, (n,).
         method: The algorithm, see `algorithm`.
         max_evaluations: The evaluation budget.
-        tolerance: Stop when a step changes the value by less than this share of itself, or by less than a thousandth
-            of this share of its first value.
+        tolerance: The search ends when a step changes the value by less than this share of it, or by less than a
+            thousandth of this share of the first value.
+
+    Returns:
+        The best point, whatever the reason for the stop.
 
     Raises:
         ValueError: The method is unknown, or NLopt cannot create it.
@@ -129,14 +130,14 @@ def minimise(
     except FAILURES:
         stop = Stop.NO_PROGRESS
     finally:
-        recorder.halt = lambda: None  # breaks a reference cycle that the garbage collector cannot see
+        recorder.halt = lambda: None  # breaks a reference cycle that the garbage collector does not detect
     if recorder.failure is not None:
         raise recorder.failure
     return Minimum(recorder.x, float(recorder.value), recorder.count, recorder.forced or stop)
 
 
 class _Recorder:
-    """The objective as NLopt calls it, with the best point so far."""
+    """The objective for NLopt, which records the best point."""
 
     def __init__(self, fun: Callable, x0: Array, budget: int) -> None:
         self.fun, self.x, self.value, self.budget, self.count = fun, x0.copy(), np.inf, budget, 0
@@ -148,7 +149,7 @@ class _Recorder:
     def objective(self, x: Array, gradient: Array) -> float:
         """Return the scaled value for NLopt and write its gradient to `gradient` (n,).
 
-        Never raises: some of NLopt's line searches call again with the exception still pending.
+        It raises no exceptions: some of NLopt's line searches would call again with the exception pending.
         """
         try:
             if self.count >= self.budget:

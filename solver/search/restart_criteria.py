@@ -1,9 +1,9 @@
-"""Restart criteria: whether a search ended in a poor local minimum.
+"""Restart criteria, which detect that a search ended in a poor local minimum.
 
 A minimum is poor if violations cost more than the motion itself, or if a limb is far from its path between the
-neighbouring keyframes. A limb that starts on the wrong side of a bound, such as behind its own knee, cannot come back
-through it; the search restarts from another path, see `curve.arcs`. A further criterion is a high cost of motion, for
-instance a detour on the long side of an obstacle.
+neighbouring keyframes. A limb that starts on the wrong side of a bound, such as behind its own knee, cannot cross the
+bound. The search therefore restarts from another path, see `curve.arcs`. Another criterion is a high cost of motion,
+for instance of a detour round the long side of an obstacle.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty import Guide
 
-COST_RATIO = 2.0  # cost of motion relative to the raw spline, above which a shorter route round an obstacle may exist
-MAX_DEVIATION = 0.5  # relative to a figure's size: the distance from its root to its farthest joint at rest
-MAX_QUATERNION_LENGTH = 2.0  # a search shortens no quaternion that is longer: the initial path is a poor one
+COST_RATIO = 2.0  # [1] cost relative to the raw spline, above which a shorter route round an obstacle may exist
+MAX_DEVIATION = 0.5  # [1] relative to the distance from the figure's root to its farthest joint at rest
+MAX_QUATERNION_LENGTH = 2.0  # [1] norm above which a search no longer shortens a quaternion
 SAMPLES_PER_SEGMENT = 4  # between neighbouring frames with specified degrees of freedom
 
 
@@ -58,9 +58,9 @@ def violation_dominates(objective: Objective, parts: Mapping[str, float]) -> boo
 
 
 def cost_increased(objective: Objective, parts: Mapping[str, float]) -> bool:
-    """Return whether the motion costs more than COST_RATIO times the raw spline and an obstacle may be the cause.
+    """Return whether the motion costs more than COST_RATIO times the raw spline, and an obstacle may be the cause.
 
-    Without obstacles the answer is False: feet that must clear the floor or a step cost as much on any route.
+    Without obstacles the result is False: feet that must clear the floor or a step cost as much on any route.
     """
     measured = {term.penalty.name for term in objective.measured}
     cost = sum(value for name, value in parts.items() if name in measured)
@@ -89,7 +89,7 @@ def largest_deviation(figure: Figure, timeline: Timeline, expected: Path | None 
 
 
 def longest_quaternion(figure: Figure, timeline: Timeline) -> float:
-    """Return the largest norm of a quaternion, sampled between frames; a rotation has norm 1."""
+    """Return the largest norm of a quaternion, sampled between frames. Rotations have norm 1."""
     quaternions = path_of(timeline).at(_inner_times(timeline.times))[:, figure.tables.quaternion_columns]
     return float(np.linalg.norm(quaternions, axis=1).max(initial=0.0))
 

@@ -1,9 +1,9 @@
-"""Selection of the timeline of least E among several of one clip, with E summed over the same samples for all.
+"""Selection of the timeline of least E among several of one clip.
 
-A search sums E over the spans between its own frames. Its path may be good at those samples and bad between them, where
-a sharp term has no sample, such as a knee that passes through its own lower leg within one span. The sharpest case is a
-quaternion whose four components pass close to zero: the joint turns by half a turn within that moment. Samples are
-therefore added around every such moment, at distances proportional to its duration.
+A search sums E over samples between its own frames. Its path may violate a sharp term between these samples: a knee can
+pass through its own lower leg within one span. The sharpest case is a quaternion whose four components pass close to
+zero, where the joint turns by half a turn in a moment. E is therefore compared on samples common to all timelines, with
+more samples around every such moment, at distances proportional to its duration.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from ..curve.quadrature import Quadrature
 from ..curve.spline import Path, path_of
 from ..objective import Objective
 
-EQUAL_WITHIN = 1e-6  # relative difference of E below which two timelines are equally good
+EQUAL_WITHIN = 1e-6  # [1] relative difference of E below which two timelines are equally good
 SUBDIVISIONS = 3  # parts of each span between the frames of all timelines
 SPANS_AT_ONCE = 100  # spans between frames whose samples are in memory at once
-SAMPLES_PER_SPAN = 32  # of a path between two of its frames, to detect short quaternions
+SAMPLES_PER_SPAN = 32  # samples between two frames, to detect short quaternions
 SHORT = 0.1  # norm of a quaternion below which its joint turns fast
-MIN_DURATION = 1e-4  # relative to the time between two samples: the shortest moment that is resolved
+MIN_DURATION = 1e-4  # [1] shortest moment that is resolved, relative to the time between two samples
 MIN_SPACING = 1e-9  # [s] between edges
-OFFSETS = np.array([-10, -3, -1, -0.3, 0, 0.3, 1, 3, 10])  # of added samples, in durations of the moment
+OFFSETS = np.array([-10, -3, -1, -0.3, 0, 0.3, 1, 3, 10])  # [1] offsets of added samples, in durations of the moment
 
 
 def select_best(objective: Objective, timelines: Sequence[Timeline]) -> Timeline:
@@ -38,7 +38,7 @@ def select_best(objective: Objective, timelines: Sequence[Timeline]) -> Timeline
     """
     if len(timelines) == 1:
         return timelines[0]
-    is_uneven = objective.quadrature.kind == "gauss"  # equal samples as close as those would be a million
+    is_uneven = objective.quadrature.kind == "gauss"  # uniform samples as dense as those would be a million
     times = common_grid(timelines, objective.figure.tables.quaternion_columns.T if is_uneven else ())
     objective = _summable(objective, times)
     values = [objective.value(path_of(timeline), times) for timeline in timelines]
@@ -48,7 +48,7 @@ def select_best(objective: Objective, timelines: Sequence[Timeline]) -> Timeline
 
 
 def _summable(objective: Objective, times: Array) -> Objective:
-    """Return the objective, with Gauss's rule where equal samples in such short spans would be too many."""
+    """Return the objective, with Gauss's rule if uniform samples in such short spans would be too many."""
     try:
         objective.quadrature.nodes(times)
     except ValueError:
@@ -82,7 +82,7 @@ def _flips(timeline: Timeline, quaternions: Sequence[Index] | Index) -> Iterator
 
 
 def _flips_between(path: Path, edges: Array, quaternions: Sequence[Index] | Index) -> Iterator[Array]:
-    """Yield the same between neighbouring edges [s]; each quaternion is linear between two samples of the path."""
+    """Yield these times between neighbouring edges [s], with each quaternion linear between two samples of the path."""
     share = np.arange(SAMPLES_PER_SPAN) / SAMPLES_PER_SPAN
     times = np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
     states, step = path.at(times), np.diff(times)

@@ -1,12 +1,13 @@
-"""What touches: points of a figure, and surfaces that they stay out of, one shape a file.
+"""Contact geometry: points of a figure, and surfaces that they must not penetrate. Each file has one shape.
 
-surface  the interface of shapes: depth, proximity, height
+surface       the interface of shapes: depth, proximity, height
+solid         shapes by their signed distance
 plane, box, capsule, cylinder, ellipsoid, height_field, hull  the shapes
-static   static geoms of the scene as surfaces, and those of a moving object
-touch    which of a model's geoms are in the way, and which are to be kept clear
-points   what of a figure touches: spheres on its links
-cover    a body's inside filled with spheres, so that nothing small can be in it
-heights  how high spheres are over what one can stand on
+static        static geoms of the scene as surfaces, and those of a moving object
+touch         the solid geoms of a model, and pairs that overlap by design
+points        the figure's contact geometry: spheres on its links
+cover         spheres that fill a body, against thin obstacles
+heights       heights of spheres above the surfaces that support a figure
 """
 
 from .box import Box as Box

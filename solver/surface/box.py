@@ -1,8 +1,8 @@
-"""A box: a point inside has a way out through every face.
+"""A box. A point inside may leave it through every face.
 
-The distances to the faces are joined smoothly as d = (Σ_i (κ_i d_i)⁻²)^(-1/2): zero on the boundary, positive inside
-and led by the nearest face. The face that looks up has κ = 1, the others κ = 4: the way out of a step that a foot can
-take is on top of it.
+The distances to the faces are joined smoothly as d = (Σ_i (κ_i d_i)⁻²)^(-1/2): zero on the boundary, positive inside,
+and dominated by the nearest face. The face that points up has κ = 1, the others κ = 4, because a foot inside a step can
+only leave through its top.
 """
 
 from __future__ import annotations
@@ -16,14 +16,19 @@ from numpy.typing import NDArray
 from ..array import Array
 from .surface import UPRIGHT
 
-SIDEWAYS = 4.0  # κ: a way out through a face that does not look up counts as so much longer
+SIDEWAYS = 4.0  # [1] κ, the factor on distances to faces that do not point up
 
 
 @dataclass(frozen=True)
 class Box:
-    """A solid box: centre (3,) [m], axes (3, 3) by columns, half sizes (3,) [m]; buried: no way out downwards.
+    """A solid box.
 
-    sideways  κ of the faces that do not look up
+    Attributes:
+        centre: The centre, (3,) [m].
+        axes: The axes as columns, (3, 3).
+        half: Half sizes, (3,) [m].
+        buried: Whether there is no exit downwards.
+        sideways: κ of the faces that do not point up.
     """
 
     name: str
@@ -54,8 +59,8 @@ class Box:
 
     @cached_property
     def _faces(self) -> tuple[Array, Array, Array, Array]:
-        """The ways out: faces' outward axes (f, 3) in the box's own, distances from the centre (f,), κ (f, 1), and κ
-        times the inward axes in the world (3, f)."""
+        """The exits: the faces' outward axes (f, 3) in box coordinates, their distances from the centre (f,), κ (f, 1),
+        and κ times the inward axes in the world (3, f)."""
         outward = np.concatenate([np.eye(3), -np.eye(3)])
         rise = outward @ self.axes[2]
         is_exit = ~((rise < -UPRIGHT) & self.buried)
@@ -79,7 +84,6 @@ class Box:
         return np.where(self._within(local, self.half.reshape(3, *[1] * (points.ndim - 1))), nearest, 0.0)
 
     def _local(self, points: Array) -> Array:
-        """Points (3, ...) in the box's own axes."""
         away = points.reshape(3, -1) - self.centre[:, None]
         return (self.axes.T @ away).reshape(points.shape)
 

@@ -13,7 +13,7 @@ from .solid import TINY, Solid, directions, lengths, roots
 
 @dataclass(frozen=True)
 class Sphere(Solid):
-    """centre (3,) [m], radius [m]"""
+    """A ball: centre (3,) [m], radius [m]."""
 
     centre: Array
     radius: float
@@ -34,7 +34,7 @@ class Sphere(Solid):
 
 @dataclass(frozen=True)
 class Capsule(Solid):
-    """centre (3,) [m], unit axis (3,), half length of the segment [m], radius [m]"""
+    """A capsule: centre (3,) [m], unit axis (3,), half length of the segment [m], radius [m]."""
 
     centre: Array
     axis: Array
@@ -61,25 +61,28 @@ class Capsule(Solid):
         return across(self.axis)
 
     def _away(self, points: Array) -> Array:
-        """The vector from the nearest point of the segment, (3, p)."""
+        """Return the vector from the nearest point of the segment, (3, p)."""
         away = points - self.centre[:, None]
         return away - np.multiply.outer(self.axis, np.clip(self.axis @ away, -self.half, self.half))
 
     def _beside(self, points: Array, z: Array) -> Array:
-        """Whether points at heights z lie between the segment's ends."""
+        """Return whether points at heights z are between the segment's ends."""
         along = self.axis[:2] @ (points[:2] - self.centre[:2, None]) + self.axis[2] * (z - self.centre[2])
         return np.abs(along) <= self.half
 
 
 def across(axis: Array) -> Array:
-    """The unit vector across an axis (3,) that rises most."""
+    """Return the unit vector across an axis (3,) that rises most."""
     up = np.array([0.0, 0, 1]) - axis[2] * axis
     size = np.linalg.norm(up)
     return up / size if size > TINY else np.array([1.0, 0, 0])
 
 
 def barrel_span(points: Array, centre: Array, axis: Array, radius: float) -> tuple[Array, Array]:
-    """Intersections of vertical lines through points (3, p) with an endless round bar, z [m]; all if vertical."""
+    """Return the intersections of vertical lines through points (3, p) with an infinite cylinder, as z [m].
+
+    For a vertical cylinder they are infinite.
+    """
     away = points - centre[:, None]
     away[2] = -centre[2]
     away -= np.multiply.outer(axis, axis @ away)

@@ -1,9 +1,9 @@
-"""The whole of a body as spheres: so close together that not even a thin rail slips in between.
+"""A whole body as spheres, so close together that not even a thin rail fits between them.
 
-`body_points` is enough for planes and steps, which see a body's convex hull. A rail also sees what lies inside the
-hull, and whatever bulges between its corners. So here every geom is filled by spheres about its medial axis: segments
-in capsules and cylinders, rectangles in boxes, and in an ellipsoid of half axes a ≥ b ≥ c the ellipse of half axes
-(a² − c²)/a and (b² − c²)/b, on which the sphere at (x, y) has the radius c √(1 − x²/(a² − c²) − y²/(b² − c²)).
+`body_points` suffices for planes and steps, which touch a body's convex hull. A rail can also touch parts inside the
+hull, and faces that bulge between corners. Here every geom is therefore filled with spheres about its medial axis:
+segments in capsules and cylinders, rectangles in boxes. In an ellipsoid of half axes a ≥ b ≥ c it is the ellipse of
+half axes (a² − c²)/a and (b² − c²)/b, where the sphere at (x, y) has the radius c √(1 − x²/(a² − c²) − y²/(b² − c²)).
 """
 
 from __future__ import annotations
@@ -22,20 +22,21 @@ from .points import Point, mesh_vertices
 from .solid import TINY
 from .touch import movers
 
-GAP = 0.001  # [m] by which something straight may dip in between two spheres
-CLOSEST = 0.02  # [m] between the points of sharp edges
-FINEST = 16  # points from end to end of a mesh, at most
-CORNERS = 60  # of a mesh's hull, at most
-HIDDEN = 0.0002  # [m]
-CLOSE = 0.001  # [m] between the centres of spheres, however small they are
-SQUARED = 1e-24  # [m²] the square of a length that is none
+GAP = 0.001  # [m] depth to which a straight edge may enter between two spheres
+CLOSEST = 0.02  # [m] spacing of points on sharp edges
+FINEST = 16  # maximum number of points along a mesh
+CORNERS = 60  # maximum number of corners of a mesh's hull
+HIDDEN = 0.0002  # [m] protrusion up to which a sphere counts as inside a larger one
+CLOSE = 0.001  # [m] minimum spacing of spheres' centres
+SQUARED = 1e-24  # [m²] square of a length that counts as zero
 
 Spheres = tuple[Array, Array]
 
 
 @lru_cache(maxsize=2)  # editing a clip needs them repeatedly
 def covering_points(figure: Figure) -> tuple[Point, ...]:
-    """Spheres that fill the solid geoms of the figure's links; those inside another one of their link are left out."""
+    """Return spheres that fill the solid geoms of the figure's links, without those inside another sphere of their
+    link."""
     model = figure.model
     out: list[Point] = []
     by_link: dict[int, list[tuple[str, Array, Array]]] = {}
@@ -55,7 +56,7 @@ def covering_points(figure: Figure) -> tuple[Point, ...]:
 
 
 def _visible(centres: Array, radii: Array) -> list[int]:
-    """The spheres that are not inside a larger one, within a tolerance."""
+    """Return the spheres that are not inside a larger one, within a tolerance."""
     outer: list[int] = []
     for i in np.argsort(-radii, kind="stable"):
         apart = np.linalg.norm(centres[outer] - centres[i], axis=1)
@@ -65,7 +66,7 @@ def _visible(centres: Array, radii: Array) -> list[int]:
 
 
 def filling_spheres(model: mujoco.MjModel, geom: int, gap: float = GAP) -> Spheres:
-    """Spheres that fill one geom but for a gap [m], in its own axes: centres (n, 3) and radii (n,) [m]; 0 at edges."""
+    """Return spheres that fill one geom up to a gap [m]: centres (n, 3) in geom axes and radii (n,) [m], 0 at edges."""
     kinds, kind, size = mujoco.mjtGeom, int(model.geom_type[geom]), np.array(model.geom_size[geom])
     if kind == kinds.mjGEOM_SPHERE:
         return np.zeros((1, 3)), size[:1]
@@ -83,7 +84,7 @@ def filling_spheres(model: mujoco.MjModel, geom: int, gap: float = GAP) -> Spher
 
 
 def _mesh(model: mujoco.MjModel, geom: int) -> Spheres:
-    """Points spread over the triangles of a mesh's convex hull, its corners included."""
+    """Return points on the triangles of a mesh's convex hull, including its corners."""
     hull = hull_of(mesh_vertices(model, geom), CORNERS)
     if hull is None:
         return np.zeros((0, 3)), np.zeros(0)
@@ -104,7 +105,7 @@ def _mesh(model: mujoco.MjModel, geom: int) -> Spheres:
 
 
 def _spread(half: float, radius: float, gap: float) -> Array:
-    """Places from −half to half, as close as spheres of a radius need to be."""
+    """Return positions from −half to half with the maximum spacing for spheres of this radius."""
     pace = max(2 * np.sqrt(2 * radius * gap), CLOSE) if radius > 0 else CLOSEST
     return np.linspace(-half, half, int(np.ceil(2 * half / pace)) + 1) if half > 0 else np.zeros(1)
 
@@ -115,7 +116,7 @@ def _along(half: float, radius: float, gap: float) -> Spheres:
 
 
 def _cylinder(radius: float, half: float, gap: float) -> Spheres:
-    """Spheres along the axis, or a disc of them in a flat one; points on the rims."""
+    """Return spheres along the axis, or a disc of them in a flat cylinder, and points on the rims."""
     inner = min(radius, half)
     x, y = (part.ravel() for part in np.meshgrid(*[_spread(radius - inner, inner, gap)] * 2))
     size = np.hypot(x, y)
@@ -129,7 +130,7 @@ def _cylinder(radius: float, half: float, gap: float) -> Spheres:
 
 
 def _box(half: Array, gap: float) -> Spheres:
-    """Spheres as thick as the box in its middle plane, and points along its edges."""
+    """Return spheres as thick as the box in its middle plane, and points along its edges."""
     inner = float(half.min())
     middle = np.array(np.meshgrid(*[_spread(size - inner, inner, gap) for size in half])).reshape(3, -1).T
     edges = []
@@ -149,7 +150,7 @@ def _ellipsoid(half: Array, gap: float) -> Spheres:
     a, b, c = half[order]
     long, wide = (a * a - c * c) / a, (b * b - c * c) / b
     x, y = (part.ravel() for part in np.meshgrid(_spread(long, c, gap), _spread(wide, c, gap)))
-    # rings of the grid on the ellipse, so that its rim is met wherever the grid ends
+    # map squares of the grid to rings, so that the outermost is the ellipse itself
     reach = np.maximum(np.abs(x) / max(long, TINY), np.abs(y) / max(wide, TINY))
     size = np.hypot(x / max(long, TINY), y / max(wide, TINY))
     shrink = np.where(size > 0, reach / np.maximum(size, TINY), 1.0)

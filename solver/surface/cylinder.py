@@ -14,7 +14,7 @@ from .solid import TINY, Solid, directions, lengths
 
 @dataclass(frozen=True)
 class Cylinder(Solid):
-    """centre (3,) [m], unit axis (3,), half length [m], radius [m]"""
+    """A cylinder: centre (3,) [m], unit axis (3,), half length [m], radius [m]."""
 
     centre: Array
     axis: Array
@@ -54,7 +54,7 @@ class Cylinder(Solid):
         return across(self.axis)
 
     def _split(self, points: Array) -> tuple[Array, Array, Array]:
-        """Distance along the axis (p,), vector from the axis (3, p) and its length (p,)."""
+        """Return distance along the axis (p,), vector from the axis (3, p), and its length (p,)."""
         away = points - self.centre[:, None]
         along = self.axis @ away
         away -= np.multiply.outer(self.axis, along)

@@ -1,7 +1,8 @@
 """An ellipsoid: the nearest point of its surface by Newton's method on one equation.
 
-With half axes a_i the nearest point x of a point y has y_i = x_i (1 + t / a_i²), so that t is the largest root of
-Σ (a_i y_i / (t + a_i²))² = 1. From the left the left-hand side is convex and falls: Newton's steps never pass the root.
+With half axes a_i, the surface point x nearest to y satisfies y_i = x_i (1 + t / a_i²). Hence t is the largest root of
+Σ (a_i y_i / (t + a_i²))² = 1. To the left of the root, the left-hand side is convex and decreasing, so Newton's steps
+do not pass it.
 """
 
 from __future__ import annotations
@@ -13,14 +14,14 @@ import numpy as np
 from ..array import Array
 from .solid import Solid, lengths, roots
 
-STEPS = 60  # of Newton, at most
-ASIDE = 1e-12  # of the shortest half axis: how far a point in a plane of symmetry is moved out of it
-SETTLED = 1e-14  # of the unknown: a step of Newton that is no longer is the last
+STEPS = 60  # maximum number of Newton steps
+ASIDE = 1e-12  # [1] minimum distance from planes of symmetry, relative to the shortest half axis
+SETTLED = 1e-14  # [1] relative size of a Newton step that is the last
 
 
 @dataclass(frozen=True)
 class Ellipsoid(Solid):
-    """centre (3,) [m], axes (3, 3) by columns, half axes (3,) [m]"""
+    """An ellipsoid: centre (3,) [m], axes (3, 3) as columns, half axes (3,) [m]."""
 
     centre: Array
     axes: Array
@@ -47,14 +48,14 @@ class Ellipsoid(Solid):
         return self.axes.T @ (points - self.centre[:, None])
 
     def _foot(self, local: Array) -> Array:
-        """The nearest points of the surface, in the ellipsoid's axes (3, p)."""
+        """Return the nearest points of the surface, in the ellipsoid's axes (3, p)."""
         half = self.half[:, None]
         shortest = float(self.half.min())
         offset = half**2 - shortest**2
-        # a point in a plane of symmetry is moved out of it by next to nothing: inside, two points are nearest then
+        # a point in a plane of symmetry inside has two nearest points: a tiny displacement selects one
         there = np.maximum(np.abs(local), ASIDE * shortest)
         pull = half * there
-        s = np.max(pull - offset, axis=0)  # t + the least a²
+        s = np.max(pull - offset, axis=0)  # t + the smallest a²
         for _ in range(STEPS):
             share = pull / (s + offset)
             squared = share * share

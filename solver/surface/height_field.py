@@ -1,7 +1,7 @@
-"""A height field: ground whose height is given on a grid, two triangles a cell as MuJoCo has them.
+"""A height field: ground with heights on a grid, two triangles per cell as in MuJoCo.
 
-The distance is that to the nearest triangle, so it is continuous and its gradient has length 1 even where the ground
-bends. The ground reaches down for ever, and there is no way out of it downwards; its sides are vertical walls.
+The distance is that to the nearest triangle, so it is continuous, and its gradient has length 1 even at creases. The
+ground extends infinitely downwards, without an exit there, and its sides are vertical walls.
 """
 
 from __future__ import annotations
@@ -16,13 +16,19 @@ from ..array import Array, Index
 from .solid import TINY, lengths
 from .surface import UPRIGHT
 
-WINDOW = 8  # cells each way that are searched for the nearest triangle
+WINDOW = 8  # cells in each direction that are searched for the nearest triangle
 
 
 @dataclass(frozen=True)
 class HeightField:
-    """centre (3,) [m] of the field at elevation 0, axes (3, 3) by columns, half sizes (2,) [m]; elevation
-    (rows, columns) [m], rows along the second axis."""
+    """A height field.
+
+    Attributes:
+        centre: The centre at elevation 0, (3,) [m].
+        axes: The axes as columns, (3, 3).
+        half: Half sizes, (2,) [m].
+        elevation: Elevations (rows, columns) [m], with rows along the second axis.
+    """
 
     name: str
     centre: Array
@@ -70,25 +76,25 @@ class HeightField:
 
     @cached_property
     def _cell(self) -> Array:
-        """Size of a cell (2,) [m]."""
         rows, columns = self.elevation.shape
         return 2 * self.half / np.array([columns - 1, rows - 1])
 
     @cached_property
     def _steepest(self) -> float:
-        """The largest rise of any triangle, metres a metre."""
+        """The largest slope of any triangle [1]."""
         across, along = (np.diff(self.elevation, axis=axis) / self._cell[1 - axis] for axis in (0, 1))
         return float(np.hypot(np.abs(across).max(), np.abs(along).max()))
 
     def _place(self, local: Array) -> tuple[Index, Index, Array, Array]:
-        """Cells (column, row) under points, where they are in them from 0 to 1; beside the field, at its border."""
+        """Return the cells (column, row) below points, and the positions in them, 0 to 1. Outside the field, use its
+        border."""
         rows, columns = self.elevation.shape
         u, v = (np.clip(local[:2], -self.half[:, None], self.half[:, None]) + self.half[:, None]) / self._cell[:, None]
         column, row = np.minimum(u.astype(np.intp), columns - 2), np.minimum(v.astype(np.intp), rows - 2)
         return column, row, u - column, v - row
 
     def _ground(self, local: Array) -> Array:
-        """The ground's height under points, (p,); beside the field, at its border."""
+        """Return the ground's height below points, (p,). Outside the field, use its border."""
         column, row, u, v = self._place(local)
         z = self.elevation
         low, high = z[row, column], z[row + 1, column + 1]
@@ -97,16 +103,17 @@ class HeightField:
         return np.where(u >= v, lower, upper)
 
     def _least(self, local: Array) -> Array:
-        """A lower bound of the distance, (p,)."""
+        """Return a lower bound of the distance, (p,)."""
         beside = np.maximum(np.abs(local[:2]) - self.half[:, None], 0)
         over = (local[2] - self._ground(local)) / np.hypot(1, self._steepest)
         return np.maximum(np.hypot(*beside), np.minimum(over, local[2] - self.elevation.min()))
 
     def _distance(self, local: Array, within: Array) -> tuple[Array, Array]:
-        """Signed distance of points (3, p) and its gradient in the field's axes; exact up to `within` (p,) outside.
+        """Return the signed distance of points (3, p), and its gradient in field axes; exact up to `within` (p,)
+        outside.
 
-        Beside the field: to its walls if below their top, else to the nearest triangle. Inside: to the nearest triangle
-        or wall.
+        Beside the field, it is the distance to its walls below their top, else to the nearest triangle. Inside, it is
+        the distance to the nearest triangle or wall.
         """
         nearest = np.clip(local[:2], -self.half[:, None], self.half[:, None])
         beside = local[:2] - nearest
@@ -133,7 +140,7 @@ class HeightField:
         return distance, outward
 
     def _from_triangles(self, local: Array, reach: Array) -> Array:
-        """Vectors from the nearest triangle within `reach` (p,), at most `WINDOW` cells off, to points (3, p)."""
+        """Return vectors to points (3, p) from the nearest triangle within `reach` (p,), at most WINDOW cells away."""
         rows, columns = self.elevation.shape
         column, row, _, _ = self._place(local)
         cells = np.minimum(np.ceil(reach[None] / self._cell[:, None]).astype(np.intp), WINDOW)
@@ -155,7 +162,7 @@ class HeightField:
         return best
 
     def _triangles(self, column: Index, row: Index) -> list[tuple[Array, Array, Array]]:
-        """Both triangles of cells: corners (3, p), counterclockwise from above, the diagonal first."""
+        """Return both triangles of cells: corners (3, p), counterclockwise from above, the diagonal first."""
 
         def corner(c: Index, r: Index) -> Array:
             x, y = c * self._cell[0] - self.half[0], r * self._cell[1] - self.half[1]
@@ -166,7 +173,7 @@ class HeightField:
 
 
 def from_triangle(points: Array, a: Array, b: Array, c: Array) -> Array:
-    """The vector from the nearest points of triangles with corners a, b, c to points, all (3, p)."""
+    """Return the vectors to points from the nearest points of triangles with corners a, b, c, all (3, p)."""
     normal = np.cross(b - a, c - a, axis=0)
     edges = [(a, b - a), (b, c - b), (c, a - c)]
     within = np.ones(points.shape[1], bool)

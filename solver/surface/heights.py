@@ -1,4 +1,4 @@
-"""How high spheres are over what one can stand on."""
+"""Heights of spheres above the surfaces that can support a figure."""
 
 from __future__ import annotations
 
@@ -10,23 +10,28 @@ from ..array import Array, Index
 from .plane import Plane
 from .surface import Surface
 
-DEEP = 0.15  # [m] below its top, a point is beside a surface or under it, not over it
-FAR = 1e3  # [m]
-BESIDE = 0.05  # [m] that it has to be nearer in height to be taken for ground, what is beside a point and not below it
+DEEP = 0.15  # [m] depth below its top from which a point is beside or below a surface
+FAR = 1e3  # [m] height where there is no surface
+BESIDE = 0.05  # [m] handicap in height of ground beside a point, relative to ground below it
 
 
 def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
-    """Signed height of spheres over the nearest surface that one can stand on below them, and its gradient.
+    """Return the signed height of spheres above the nearest supporting surface below them, and its gradient.
 
-    points  (3, n, S) centres [m];  radius  (n,) [m]
-    Returns (n, S) [m], FAR where there is none or it is deep below, and (3, n, S).
+    Args:
+        surfaces: The surfaces.
+        points: Centres, (3, n, S) [m].
+        radius: Radii, (n,) [m].
+
+    Returns:
+        Heights (n, S) [m], FAR if there is no surface or it is far above, and gradients (3, n, S).
     """
     height, nearest = heights(surfaces, points, radius)
     return height, ways_up(surfaces, nearest.ravel(), points.reshape(3, -1)).reshape(points.shape)
 
 
 def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Index]:
-    """`height_over` without the gradient, and which surface each is over, −1 for none, (n, S) each."""
+    """Return `height_over` without the gradient, and the index of the surface below, −1 for none, (n, S) each."""
     height, nearest = np.full(points.shape[1:], FAR), np.full(points.shape[1:], -1)
     for i, surface in enumerate(surfaces):
         over = surface.height(points) - radius[:, None]
@@ -37,7 +42,7 @@ def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[
 
 
 def ways_up(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array:
-    """(3, p): the gradients of the heights of points (3, p) over the surfaces with these indices (p,)."""
+    """Return the gradients (3, p) of the heights of points (3, p) above the surfaces with these indices (p,)."""
     up = np.zeros(points.shape)
     for i, surface in enumerate(surfaces):
         mine = np.flatnonzero(nearest == i)
@@ -47,9 +52,16 @@ def ways_up(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array
 
 
 def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: float) -> tuple[Array, Array]:
-    """`height_over` for points of uncertain position: over the surface below them, or a higher one within `reach` [m].
+    """Return `height_over` for points of uncertain position, above the surface below them or a higher one nearby.
 
-    Returns heights (n, S) [m] and where the ground was found that they are over, (3, n, S), FAR and anywhere for none.
+    Args:
+        surfaces: The surfaces.
+        points: Centres, (3, n, S) [m].
+        radius: Radii, (n,) [m].
+        reach: The uncertainty of the position [m].
+
+    Returns:
+        Heights (n, S) [m], and the points (3, n, S) at which the ground was detected. Without ground the height is FAR.
     """
     angles = np.arange(8) * np.pi / 4
     offsets = reach * np.vstack([np.zeros(3), np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)])
@@ -59,7 +71,7 @@ def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: fl
 
 
 def ground_at(surfaces: Sequence[Surface], point: Array, radius: float, reach: float) -> Plane | None:
-    """The plane that a sphere at `point` (3,) rests on, or one `reach` [m] next to it; None if there is none."""
+    """Return the plane on which a sphere at `point` (3,) rests, or one within `reach` [m]; None if there is none."""
     height, where = grounds(surfaces, point[:, None, None], np.array([radius]), reach)
     if height[0, 0] >= FAR:
         return None

@@ -1,4 +1,4 @@
-"""A convex hull, which is what MuJoCo makes of a mesh: inside, the distance to its faces; outside, to edges too."""
+"""A convex hull, MuJoCo's shape of a mesh. The distance is to its faces, and outside also to its edges."""
 
 from __future__ import annotations
 
@@ -11,14 +11,19 @@ from ..array import Array, Index
 from .solid import TINY, Solid, lengths
 from .surface import GROUNDED, UPRIGHT
 
-SAME_FACE = 1e-7  # [m] between planes that are one
-AT_ONCE = 200_000  # pairs of a point and an edge
+SAME_FACE = 1e-7  # [m] distance up to which planes are the same
+AT_ONCE = 200_000  # pairs of a point and an edge processed at once
 
 
 @dataclass(frozen=True)
 class Hull(Solid):
-    """corners (3, v) [m]; faces (f, 3) indices of triangles' corners, counterclockwise from outside; buried: the faces
-    that it stands on are no way out."""
+    """A convex hull.
+
+    Attributes:
+        corners: The corners, (3, v) [m].
+        faces: Indices of the triangles' corners, counterclockwise from outside, (f, 3).
+        buried: Whether the faces on which it stands are no exits.
+    """
 
     corners: Array
     faces: Index
@@ -30,7 +35,7 @@ class Hull(Solid):
         face = np.argmax(over, axis=0)
         distance, outward = over[face, np.arange(face.size)], normals[face].T
         foot = points - distance * outward
-        # outside, the foot on the plane may lie beside the face: then an edge is nearest
+        # outside, if the foot on the plane is not on the face, an edge is nearest
         out = np.flatnonzero(distance > 0)
         aside = out[np.any(normals @ foot[:, out] - offsets[:, None] > SAME_FACE, axis=0)]
         outward = outward.copy()
@@ -63,12 +68,12 @@ class Hull(Solid):
 
     @cached_property
     def _size(self) -> float:
-        """[m] from end to end."""
         return float(np.linalg.norm(self.corners.max(axis=1) - self.corners.min(axis=1)))
 
     @cached_property
     def _planes(self) -> tuple[Array, Array]:
-        """Outward unit normals (f, 3) and offsets (f,) of the half spaces, each plane once; none that it stands on."""
+        """Outward unit normals (f, 3) and offsets (f,) of the half spaces, each plane once, without those on which it
+        stands."""
         a, b, c = (self.corners[:, self.faces[:, k]].T for k in range(3))
         normals = np.cross(b - a, c - a)
         sizes = np.linalg.norm(normals, axis=1)
@@ -88,7 +93,7 @@ class Hull(Solid):
         return np.unique(np.sort(pairs, axis=1), axis=0)
 
     def _from_edges(self, points: Array) -> Array:
-        """The vector from the nearest point of any edge to points (3, p)."""
+        """Return the vectors to points (3, p) from the nearest point of any edge."""
         start = self.corners[:, self._edges[:, 0]]
         along = self.corners[:, self._edges[:, 1]] - start
         away = points[:, None, :] - start[:, :, None]

@@ -1,4 +1,4 @@
-"""A plane: the half space under it; its depth is the paper's distance below the floor (eq. 12)."""
+"""A plane: the half space below it. Its depth is the paper's distance below the floor (eq. 12)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .surface import UPRIGHT
 
 @dataclass(frozen=True)
 class Plane:
-    """The half space under an infinite plane through `point` (3,) [m] with the unit `normal` (3,)."""
+    """The half space below an infinite plane through `point` (3,) [m] with the unit `normal` (3,)."""
 
     name: str
     point: Array
@@ -37,5 +37,5 @@ class Plane:
         return np.maximum(-self._over(points), 0)
 
     def _over(self, points: Array) -> Array:
-        """Signed distance of points (3, ...) from the plane [m]."""
+        """Return the signed distance of points (3, ...) from the plane [m]."""
         return np.einsum("i,i...->...", self.normal, points) - self.normal @ self.point

@@ -1,7 +1,7 @@
-"""What of a figure touches: points, spheres of a radius (0 for a site) on a link.
+"""The contact geometry of a figure: points, which are spheres (of radius 0 for a site) on a link.
 
-`body_points` covers a figure's own spheres, capsules and boxes by such points, so that the whole body can be kept out
-of something; for spheres and capsules against a plane the cover is exact.
+`body_points` covers a figure's geoms by such spheres, so that the whole body can be kept out of surfaces. For spheres
+and capsules on a plane the cover is exact.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ from ..figure.kinematics import Samples
 from ..figure.naming import geom_name
 from .touch import movers
 
-DIRECTIONS = 600  # in which a link's outermost spheres are looked for
-MOST_BETWEEN = 1000  # spheres along a capsule; no limb is 750 times as long as it is thick
-MESH_DIRECTIONS = 150  # the same of the vertices of a mesh
-TIE = 1e-9  # [m] within which two spheres reach equally far
-SPACING, THIN = 0.75, 0.01  # radii between spheres along a capsule; [m] the least radius that counts there
+DIRECTIONS = 600  # number of directions in which a link's outermost spheres are determined
+MOST_BETWEEN = 1000  # maximum number of spheres along a capsule, more than any limb needs
+MESH_DIRECTIONS = 150  # number of directions in which a mesh's outermost vertices are determined
+TIE = 1e-9  # [m] difference up to which two spheres reach equally far
+SPACING, THIN = 0.75, 0.01  # spacing of spheres along a capsule, in radii [1] of at least THIN [m]
 
 
 @dataclass(frozen=True)
 class Point:
-    """A sphere fixed on a link: link index, centre (3,) in the link [m], radius [m]."""
+    """A sphere fixed on a link: link index, centre in the link (3,) [m], radius [m]."""
 
     name: str
     link: int
@@ -38,30 +38,30 @@ class Point:
 
 
 def arrays_of(points: Sequence[Point]) -> tuple[Index, Array, Array]:
-    """Links (n,), positions (3, n) and radii (n,) of points."""
+    """Return links (n,), positions (3, n) and radii (n,) of points."""
     links = np.array([point.link for point in points], np.intp)
     positions = np.array([point.position for point in points]).reshape(-1, 3).T
     return links, positions, np.array([point.radius for point in points])
 
 
 def places_of(points: Sequence[Point], samples: Samples) -> tuple[Array, Array, Index]:
-    """Centres (3, n, S) [m] of points, the vectors to them from their links' origins, and the links' indices (n,)."""
+    """Return centres of points (3, n, S) [m], their offsets from the links' origins, and the links (n,)."""
     links, positions, _ = arrays_of(points)
     return *samples.links.points(links, positions), links
 
 
 def hanging(figure: Figure, link: int, points: Sequence[Point]) -> tuple[Point, ...]:
-    """The points on a link or on its descendants."""
+    """Return the points on a link or on its descendants."""
     return tuple(point for point in points if figure.tables.path[point.link, link])
 
 
 def free_root(figure: Figure, points: Sequence[Point]) -> int | None:
-    """The first free link that points hang on; None where none does."""
+    """Return the first free link with any of the points on it or its descendants; None if there is none."""
     return next((int(link) for link in figure.tables.free_links if hanging(figure, int(link), points)), None)
 
 
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
-    """Points at sites of the model, by name."""
+    """Return points at sites of the model, by name."""
     points = []
     for name in names:
         site = figure.model.site(name)
@@ -72,12 +72,12 @@ def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
 
 @lru_cache(maxsize=2)  # a clip uses them several times
 def body_points(figure: Figure) -> tuple[Point, ...]:
-    """Spheres that cover the outside of the figure's moving geoms.
+    """Return spheres that cover the outside of the figure's moving geoms.
 
-    Spheres, the ends of capsules, corners of boxes, rims of cylinders, ellipsoids by small spheres at their tips, and
-    meshes by their vertices that reach farthest in some hundred directions:
-    those of them that lie on the convex hull of their link, so that planes are met exactly (ellipsoids: nearly). Along
-    the capsules whose ends both do lie more spheres, close enough that the edge of a box cuts at most 2 mm between.
+    The spheres are: spheres, ends of capsules, corners of boxes, rims of cylinders, small spheres at the tips of
+    ellipsoids, and the vertices of meshes that reach farthest in many directions. Only those on the convex hull of
+    their link are included, so that contact with planes is exact (for ellipsoids approximate). Capsules with both ends
+    on the hull have more spheres in between, so close that a box's edge enters at most 2 mm between them.
     """
     model = figure.model
     ends: list[Point] = []
@@ -99,7 +99,7 @@ def body_points(figure: Figure) -> tuple[Point, ...]:
 
 
 def _between(a: Point, b: Point) -> list[Point]:
-    """Spheres along a capsule between its ends, three quarters of a radius apart."""
+    """Return spheres along a capsule between its ends, three quarters of a radius apart."""
     length = float(np.linalg.norm(b.position - a.position))
     count = int(min(MOST_BETWEEN, length / (SPACING * max(a.radius, THIN))))
     shares = np.arange(1, count) / count
@@ -107,16 +107,16 @@ def _between(a: Point, b: Point) -> list[Point]:
 
 
 def all_round(count: int) -> Array:
-    """(3, count): unit vectors spread evenly over all directions."""
+    """Return unit vectors spread evenly over all directions, (3, count)."""
     turn = np.pi * (1 + np.sqrt(5)) * np.arange(count)
     z = 1 - (2 * np.arange(count) + 1) / count
     return np.stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
 
 
 def _outermost(points: list[Point]) -> set[int]:
-    """The spheres on the convex hull of their link's spheres: those that reach farthest in some direction.
+    """Return the spheres on the convex hull of their link's spheres, which reach farthest in some direction.
 
-    Of spheres that reach equally far it is the first, whatever the rounding of the model's numbers.
+    Of spheres that reach equally far within rounding, the first is returned.
     """
     directions = all_round(DIRECTIONS)
     hull: set[int] = set()
@@ -129,14 +129,14 @@ def _outermost(points: list[Point]) -> set[int]:
 
 
 def mesh_vertices(model: mujoco.MjModel, geom: int) -> Array:
-    """(n, 3) [m] the vertices of a geom's mesh, in the geom's axes."""
+    """Return the vertices of a geom's mesh, in geom axes, (n, 3) [m]."""
     mesh = int(model.geom_dataid[geom])
     first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
     return np.array(model.mesh_vert[first : first + count], float)
 
 
 def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
-    """(offset in the geom's axes, radius) of the spheres that cover one geom."""
+    """Return offset in geom axes and radius of the spheres that cover one geom."""
     geom, kind, size = mujoco.mjtGeom, int(model.geom_type[index]), np.array(model.geom_size[index])
     if kind == geom.mjGEOM_MESH:
         vertices = mesh_vertices(model, index)
@@ -157,9 +157,12 @@ def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
 
 
 def placed(figure: Figure, told: Mask, points: Sequence[Point]) -> Mask:
-    """(n, K): whether a keyframe specifies every joint from the root to a point, and so the point's position.
+    """Return whether a keyframe specifies every joint from the root to a point, and so its position, (n, K).
 
-    told  (K, nq) entries that keyframes fix, or determine
+    Args:
+        figure: The figure.
+        told: Entries of qpos that keyframes specify, (K, nq).
+        points: The points.
     """
     entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
     whole = [told[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]

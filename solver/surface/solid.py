@@ -1,4 +1,4 @@
-"""Solids known by their signed distance: a sphere leaves them the nearest way, whatever side that is."""
+"""Solids by their signed distance. A sphere inside is moved out the nearest way, in any direction."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ from numpy.typing import NDArray
 
 from ..array import Array, Index
 
-TINY = 1e-12  # [m]: no direction at all
+TINY = 1e-12  # [m] length up to which a vector has no direction
 LEAST_RISE = 0.05  # minimum z of a normal of a surface to stand on
 
 
 @dataclass(frozen=True)
 class Solid(ABC):
-    """A surface by its signed distance: spheres are as deep as their radius exceeds the distance of their centres."""
+    """A surface by its signed distance. The depth of a sphere is its radius minus the distance of its centre."""
 
     name: str
 
     @abstractmethod
     def distance(self, points: Array) -> tuple[Array, Array]:
-        """Signed distance of points (3, p) [m], negative inside, (p,), and its gradient, of length 1, (3, p)."""
+        """Return the signed distance of points (3, p) [m], negative inside, (p,), and its unit gradient (3, p)."""
 
     @abstractmethod
     def least(self, points: Array) -> Array:
-        """A lower bound of the distance that costs little: points (3, p) -> (p,) [m]."""
+        """Return a lower bound of the distance that is cheap to compute, (p,) [m], for points (3, p)."""
 
     @abstractmethod
     def span(self, points: Array) -> tuple[Array, Array]:
-        """Entry and exit of the vertical line through points (3, p) from below, z [m], (p,) each.
+        """Return where vertical lines through points (3, p) enter the solid from below and leave it, z [m], (p,) each.
 
-        NaN where the line misses it.
+        It is NaN if the line misses the solid.
         """
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
@@ -71,17 +71,17 @@ class Solid(ABC):
 
 
 def lengths(vectors: Array) -> Array:
-    """|v|: (3, p) -> (p,)."""
+    """Return |v| (p,) for vectors (3, p)."""
     return np.sqrt(np.einsum("ip,ip->p", vectors, vectors))
 
 
 def directions(vectors: Array, size: Array, otherwise: Array) -> Array:
-    """v / |v| of vectors (3, p) and their lengths (p,); a direction (3,) that will do where there is none."""
+    """Return v / |v| for vectors (3, p) of lengths (p,), and `otherwise` (3,) for vectors of length zero."""
     return np.where(size > TINY, vectors / np.maximum(size, TINY), otherwise[:, None])
 
 
 def roots(a: float, b: Array, c: Array) -> tuple[Array, Array]:
-    """Both roots of a t² + 2 b t + c = 0, the smaller first, NaN where there are none; a > 0."""
+    """Return both roots of a t² + 2 b t + c = 0 with a > 0, the smaller first; NaN if there are none."""
     inner = b * b - a * c
     root = np.sqrt(np.where(inner >= 0, inner, np.nan))
     return (-b - root) / a, (-b + root) / a

@@ -19,11 +19,11 @@ from .plane import Plane
 from .surface import GROUNDED, UPRIGHT, Surface
 from .touch import LEVEL, solids
 
-DOWN = 10.0  # [m] by which solids on the floor extend below it: no way out downwards
+DOWN = 10.0  # [m] extension of cylinders below the floor, so that there is no exit downwards
 
 
 def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
-    """The geoms welded to the world that count as solid, planes first; meshes by their convex hulls."""
+    """Return the solid geoms welded to the world, planes first, and meshes as their convex hulls."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     ids = solids(model)
@@ -34,8 +34,14 @@ def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
 
 
 def moving_surface(model: mujoco.MjModel, geom: int, centre: Array, axes: Array) -> Surface | None:
-    """The surface of a geom that moves, at a place (3,) [m] and with axes (3, 3) in those of its carrier; None for
-    shapes that have none. All its faces are ways out, each as good as another."""
+    """Return the surface of a geom that moves, or None for shapes without one. All its faces are equivalent exits.
+
+    Args:
+        model: The model.
+        geom: MuJoCo's id of the geom.
+        centre: The centre in the axes of the carrying link, (3,) [m].
+        axes: The geom's axes in those of the carrying link, (3, 3).
+    """
     solid = _solid(model, geom, centre, axes, -np.inf)
     return replace(solid, sideways=1.0) if isinstance(solid, Box) else solid
 
@@ -46,7 +52,7 @@ def _plane(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> Plane:
 
 
 def _solid(model: mujoco.MjModel, geom: int, centre: Array, axes: Array, floor: float) -> Surface | None:
-    """The surface of one geom that is not a plane; None for shapes that have none of their own."""
+    """Return the surface of one geom that is not a plane; None for shapes without one."""
     kinds, kind = mujoco.mjtGeom, int(model.geom_type[geom])
     name, size = geom_name(model, geom), np.array(model.geom_size[geom])
     if kind == kinds.mjGEOM_BOX:
@@ -68,7 +74,7 @@ def _solid(model: mujoco.MjModel, geom: int, centre: Array, axes: Array, floor: 
 
 
 def _cylinder(name: str, centre: Array, axis: Array, size: Array, floor: float) -> Cylinder:
-    """A cylinder; one that stands on the floor extends below it."""
+    """Return a cylinder. If it stands on the floor, it extends below it."""
     radius, half = float(size[0]), float(size[1])
     upward = axis if axis[2] > 0 else -axis
     bottom = centre[2] - half * upward[2] - radius * np.sqrt(max(1 - upward[2] ** 2, 0))
@@ -78,14 +84,14 @@ def _cylinder(name: str, centre: Array, axis: Array, size: Array, floor: float) 
 
 
 def _hull(model: mujoco.MjModel, name: str, centre: Array, axes: Array, mesh: int, floor: float) -> Hull | None:
-    """A mesh's convex hull as MuJoCo made it; None for a flat mesh, which encloses nothing."""
+    """Return a mesh's convex hull as MuJoCo computed it; None for a flat mesh, which encloses no volume."""
     graph = int(model.mesh_graphadr[mesh])
     first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
     vertices = centre + np.array(model.mesh_vert[first : first + count], float) @ axes.T
     if graph < 0:
         return _fresh_hull(name, vertices, floor)
     corners, faces = int(model.mesh_graph[graph]), int(model.mesh_graph[graph + 1])
-    # numbers of corners and faces; per corner where its edges begin and its vertex; the edges; three vertices a face
+    # counts of corners and faces; per corner the start of its edges, and its vertex; the edges; three vertices per face
     at = graph + 2 + corners
     used = np.array(model.mesh_graph[at : at + corners], np.intp)
     at += corners + corners + 3 * faces
@@ -97,14 +103,18 @@ def _hull(model: mujoco.MjModel, name: str, centre: Array, axes: Array, mesh: in
 
 
 def hull_of(vertices: Array, most: int = -1) -> tuple[Array, Index] | None:
-    """Corners (3, v) and triangles (f, 3) of the convex hull of points (n, 3), of at most so many corners; None if they
-    lie in a plane."""
+    """Return corners (3, v) and triangles (f, 3) of the convex hull of points (n, 3), or None if they lie in a plane.
+
+    Args:
+        vertices: The points.
+        most: The maximum number of corners; −1: no limit.
+    """
     hull = _fresh_hull("hull", vertices, -np.inf, most)
     return None if hull is None else (hull.corners, hull.faces)
 
 
 def _fresh_hull(name: str, vertices: Array, floor: float, most: int = -1) -> Hull | None:
-    """The hull of points (v, 3) in the world [m]; MuJoCo makes none for meshes that neither collide nor weigh by it."""
+    """Return the hull of points (v, 3) in the world [m], for meshes of which the model contains no hull."""
     spec = mujoco.MjSpec()
     spec.add_mesh(name="hull", uservert=vertices.ravel(), maxhullvert=most)
     spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname="hull")
@@ -118,7 +128,7 @@ def _fresh_hull(name: str, vertices: Array, floor: float, most: int = -1) -> Hul
 
 
 def _outward(corners: Array, faces: Index) -> Index:
-    """Triangles (f, 3) with their corners counterclockwise from outside."""
+    """Return triangles (f, 3) with their corners counterclockwise from outside."""
     a, b, c = (corners[:, faces[:, k]].T for k in range(3))
     inward = np.sum(np.cross(b - a, c - a) * (a - corners.mean(axis=1)), axis=1) < 0
     return np.where(inward[:, None], faces[:, ::-1], faces)

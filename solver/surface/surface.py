@@ -1,4 +1,4 @@
-"""What contact points stay out of: something solid and fixed in the world, and how deep spheres are in it (eq. 12)."""
+"""The interface of surfaces: solids fixed in the world, and the depth of spheres in them (eq. 12)."""
 
 from __future__ import annotations
 
@@ -9,36 +9,42 @@ from numpy.typing import NDArray
 
 from ..array import Array
 
-UPRIGHT = 0.7  # a face whose normal rises by more looks up: one can stand on it
-GROUNDED = 0.01  # [m] what reaches down to so much over the floor stands on it
+UPRIGHT = 0.7  # [1] z of the unit normal above which a face points up and can support a figure
+GROUNDED = 0.01  # [m] maximum gap to the floor of solids that stand on it
 
 
 class Surface(Protocol):
-    """Something solid and fixed in the world."""
+    """A solid fixed in the world."""
 
     @property
     def name(self) -> str: ...
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
-        """Penetration depth of spheres, for penalties, and its gradient; through a box's sides κ times the distance.
+        """Return the penetration depth of spheres, for penalties, and its gradient.
 
-        points  (3, n, S) centres [m];  radius  (n,) [m]
-        Returns the depth (n, S) [m], 0 outside, and its gradient (3, n, S).
+        Through the sides of a box, the depth is κ times the distance.
+
+        Args:
+            points: Centres, (3, n, S) [m].
+            radius: Radii, (n,) [m].
+
+        Returns:
+            Depths (n, S) [m], 0 outside, and gradients (3, n, S).
         """
         ...
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
-        """Whether spheres are inside at all, that is, have a depth: points (3, ...), radius (...) -> (...)."""
+        """Return whether spheres have a positive depth, for points (3, ...) and radii (...)."""
         ...
 
     def inside(self, points: Array) -> Array:
-        """True depth of points (3, ...) [m]: the distance to the nearest way out, 0 outside."""
+        """Return the true depth of points (3, ...) [m]: the distance to the nearest exit, 0 outside."""
         ...
 
     def height(self, points: Array) -> Array:
-        """Signed height of points (3, ...) over the surface [m], infinite where the surface is not below them."""
+        """Return the signed height of points (3, ...) above the surface [m]; infinite if it is not below them."""
         ...
 
     def up(self, points: Array) -> Array:
-        """The gradient of `height` at points (3, p) where it is finite, (3, p)."""
+        """Return the gradient of `height` at points (3, p) where it is finite, (3, p)."""
         ...

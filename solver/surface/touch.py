@@ -1,11 +1,12 @@
-"""Which geoms can touch which: what of a model is solid, and what is bolted together.
+"""The solid geoms of a model, and the pairs of geoms that overlap by design.
 
-Models contain visual geoms (contype = conaffinity = 0) besides colliding ones. If any moving geom collides, only
-colliding geoms of the figure are kept clear; if any geom collides, only colliding ones are obstacles. In a model
-without colliding geoms all of them are used. Always included are planes of the world, which are floors and walls, and
-the clip's floor, step and obstacles, which have a separate bit (`SCENERY`).
+Models contain visual geoms (contype = conaffinity = 0) besides colliding ones. If any moving geom collides, only the
+figure's colliding geoms count. If any geom collides, only colliding ones are obstacles. In a model without colliding
+geoms all of them count. Two kinds always count: planes of the world, which are floors and walls, and the floor, step
+and obstacles that a clip adds, which have a separate bit (`SCENERY`).
 
-A limb that hangs on the world by its joints and is in a static geom at rest is meant to be there: an arm in its socket.
+A limb that its joints attach to the world, and that overlaps a static geom at rest, overlaps by design: an arm in its
+socket.
 """
 
 from __future__ import annotations
@@ -17,42 +18,42 @@ import numpy as np
 
 from ..array import Mask
 
-SCENERY = 1 << 30  # the bit of conaffinity that marks what a clip adds to a model
-LEVEL = 0.99  # of a plane's normal, how much of it goes up where one stands on it
-TOUCHING = 0.001  # [m]
-FAR = np.array([-0.5, 0.5])  # [m] that slides without bounds are tried to go
+SCENERY = 1 << 30  # bit of conaffinity that marks geoms which a clip adds to a model
+LEVEL = 0.99  # [1] minimum z of the unit normal of a floor
+TOUCHING = 0.001  # [m] distance up to which geoms touch
+FAR = np.array([-0.5, 0.5])  # [m] displacements tried for slides without bounds
 
 
 def moves(model: mujoco.MjModel) -> Mask:
-    """(ngeom,) the geoms of bodies that joints move."""
+    """Return which geoms are of bodies that joints move, (ngeom,)."""
     return np.asarray(model.body_weldid[model.geom_bodyid] != 0) & ~_on_mocap(model)
 
 
 def collides(model: mujoco.MjModel) -> Mask:
-    """(ngeom,) the geoms that MuJoCo lets collide with any."""
+    """Return which geoms can collide in MuJoCo, (ngeom,)."""
     out = (model.geom_contype | model.geom_conaffinity) != 0
     out[model.pair_geom1], out[model.pair_geom2] = True, True
     return out
 
 
 def _on_mocap(model: mujoco.MjModel) -> Mask:
-    """(ngeom,) the geoms of bodies that a programme moves: marks, as a rule."""
+    """Return which geoms are of mocap bodies, usually markers, (ngeom,)."""
     mocap = np.asarray(model.body_mocapid >= 0)
     return mocap[model.body_rootid[model.geom_bodyid]]
 
 
 def is_scenery(model: mujoco.MjModel) -> Mask:
-    """(ngeom,) the geoms that a clip has added: floor, step and obstacles."""
+    """Return which geoms a clip has added: floor, step and obstacles, (ngeom,)."""
     return np.asarray(model.geom_conaffinity & SCENERY) != 0
 
 
 def counts_all(model: mujoco.MjModel) -> bool:
-    """Whether nothing of a model's own collides, so that all of its geoms count, those too that are only to be seen."""
+    """Return whether no geom of the model itself collides, so that all of its geoms count, including visual ones."""
     return not np.any(collides(model) & ~is_scenery(model) & ~_on_mocap(model))
 
 
 def movers(model: mujoco.MjModel) -> list[int]:
-    """The moving geoms that count, those of what a clip adds among them."""
+    """Return the moving geoms that count, including those that a clip adds."""
     moving, scenery = moves(model), is_scenery(model)
     figure_geoms = moving & ~scenery
     solid = figure_geoms & collides(model)
@@ -60,7 +61,7 @@ def movers(model: mujoco.MjModel) -> list[int]:
 
 
 def solids(model: mujoco.MjModel) -> list[int]:
-    """The static geoms that count."""
+    """Return the static geoms that count."""
     still = ~moves(model) & ~_on_mocap(model)
     if counts_all(model):
         return np.flatnonzero(still).tolist()
@@ -69,7 +70,7 @@ def solids(model: mujoco.MjModel) -> list[int]:
 
 
 def grounds(model: mujoco.MjModel) -> list[int]:
-    """The level planes that do not move: floors."""
+    """Return the static level planes, which are floors."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     planes = ~moves(model) & ~_on_mocap(model) & (model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE))
@@ -78,10 +79,10 @@ def grounds(model: mujoco.MjModel) -> list[int]:
 
 @lru_cache(maxsize=8)
 def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
-    """Pairs of a moving body, the first of those welded together, and a static geom, that are in each other by design.
+    """Return pairs of a moving body (the first of those welded together) and a static geom that overlap by design.
 
-    A body without a free joint on its way from the world and in a static geom at rest, unless a slide leads it out;
-    and a body beside the geoms of the fixed body that it turns on.
+    These are bodies without a free joint on their chain to the world that touch a static geom at rest, unless a slide
+    separates them. Also included are bodies with the geoms of the fixed body on which they turn.
     """
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
@@ -102,7 +103,7 @@ def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
 
 
 def _way(model: mujoco.MjModel, body: int) -> list[int]:
-    """The joints from a body to the world."""
+    """Return the joints from a body to the world."""
     joints: list[int] = []
     while body:
         first = int(model.body_jntadr[body])
@@ -112,7 +113,7 @@ def _way(model: mujoco.MjModel, body: int) -> list[int]:
 
 
 def _hangs(model: mujoco.MjModel, body: int) -> bool:
-    """Whether a body hangs on the world by its joints."""
+    """Return whether no free joint is between a body and the world."""
     return all(model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_FREE) for joint in _way(model, body))
 
 
@@ -121,7 +122,8 @@ def _touches(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) 
 
 
 def _slides_out(model: mujoco.MjModel, geom: int, solid: int) -> bool:
-    """Whether a slide takes a moving geom out of one of the world: walkers off the floor, but no cart off its rail."""
+    """Return whether a slide separates a moving geom from a static one, as a walker's from the floor, not a cart's from
+    its rail."""
     data = mujoco.MjData(model)
     for joint in _way(model, int(model.geom_bodyid[geom])):
         if model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_SLIDE):

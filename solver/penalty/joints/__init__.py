@@ -1,12 +1,12 @@
-"""Soft constraints on joints, and on how bodies are turned.
+"""Soft constraints on joints and on orientations of bodies.
 
 bend          knees and elbows
-joint_range   the model's ranges
+joint_range   the model's joint ranges
 speed         maximum speeds
 overshoot     joints with the same value in two neighbouring keyframes
-coupling      joints that equality constraints couple
-loop_closure  loops that equality constraints close
+coupling      joints coupled by equality constraints
+loop_closure  loops closed by equality constraints
 upright       a trunk at its posed tilt
-level         bodies kept upright
-self_contact  limbs out of each other
+level         bodies that stay upright
+self_contact  collisions of a figure with itself
 """

@@ -1,8 +1,8 @@
 """Knees and elbows: bounds on backward, sideways and twist angles (§5 of the paper).
 
-With u the child's long axis and v its hinge axis, both seen in the parent (Rᵀ_parent R_child e): flexion is the angle
-of u in the parent's sagittal plane, sideways bend the angle of u out of it, twist the angle of v about u (too large by
-1/cos of the sideways bend).
+u is the child's long axis and v its hinge axis, both in parent coordinates (Rᵀ_parent R_child e). Flexion is the angle
+of u in the parent's sagittal plane, sideways bend the angle of u out of this plane, and twist the angle of v about u.
+The twist is too large by 1/cos of the sideways bend.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
-ALONG, FLAT = 1e-9, 1e-18  # sine of the angle to its hinge axis at which a limb has no flexion, and its square
-ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of flexion's bound and both of the others
+NEAR = np.radians(4)  # [rad] distance to a bound that one step of the search may cover
+ALONG, FLAT = 1e-9, 1e-18  # [1] sine of the angle between limb and hinge axis without defined flexion, and its square
+ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of the five bounds, as in `_excess`
 Seen = tuple[Array, Array, Array, Array, Array, Array]
 
 
@@ -34,10 +34,11 @@ Seen = tuple[Array, Array, Array, Array, Array, Array]
 class Bend:
     """One knee or elbow.
 
-    link       index of the child's link
-    lateral    (3,) unit axis that the joint flexes about by positive angles, in the parent at rest: +y for knees,
-               −y for elbows of a figure that faces x
-    long_axis  (3,) unit axis of the child at rest, from the joint along the limb
+    Attributes:
+        link: The index of the child's link.
+        lateral: The unit axis of positive flexion in the parent at rest, (3,): +y for knees, −y for elbows of a figure
+            that faces x.
+        long_axis: The unit axis of the child at rest, from the joint along the limb, (3,).
     """
 
     name: str
@@ -48,10 +49,15 @@ class Bend:
 
 @dataclass(frozen=True)
 class BendLimits(Penalty):
-    """Σ over joints of squared excess angles [rad²]: of flexion below `least`, of |sideways| and |twist| over bounds.
+    """Σ over joints of squared excess angles [rad²]: flexion below `least`, and |sideways| and |twist| above their
+    bounds.
 
-    least, sideways, twist  [rad]
-    allowed                 (5, n, K) beyond flexion, both sides and both twists, what keyframes do themselves
+    Attributes:
+        joints: The knees and elbows.
+        least: The bound of flexion [rad].
+        sideways: The bound of the sideways angle [rad].
+        twist: The bound of the twist angle [rad].
+        allowed: The tolerance of the five bounds, (5, n, K).
     """
 
     joints: tuple[Bend, ...]
@@ -65,7 +71,7 @@ class BendLimits(Penalty):
     normalization = Normalization(float(np.radians(1) ** 2), is_violation=True)
 
     def allowing(self, figure: Figure, keys: Timeline) -> BendLimits:
-        """The same, with tolerances for joints that keyframes fix beyond their bounds."""
+        """Return the penalty with tolerances for joints that keyframes fix beyond their bounds."""
         if not self.joints:
             return self
         samples = Samples.still(figure, keys.states)
@@ -75,7 +81,7 @@ class BendLimits(Penalty):
         return replace(self, allowed=Allowance(keys.times, excess))
 
     def _excess(self, angles: Array) -> Array:
-        """(5, n, S): how far angles (3, n, S) are beyond each bound, negative within."""
+        """Return the excess of angles (3, n, S) over each bound, negative within it, (5, n, S)."""
         flexion, sideways, twist = angles
         return np.array(
             [
@@ -88,7 +94,7 @@ class BendLimits(Penalty):
         )
 
     def angles(self, samples: Samples) -> Array:
-        """(3, n, S) [rad]: flexion, sideways bend and twist of every joint."""
+        """Return flexion, sideways bend and twist of every joint, (3, n, S) [rad]."""
         return self._seen(samples)[0]
 
     @cached_property
@@ -102,7 +108,7 @@ class BendLimits(Penalty):
     def _seen(self, samples: Samples) -> tuple[Array, Seen]:
         joints, axes = self._axes
         tables = samples.figure.tables
-        carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest where the parent's are
+        carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest aligned with the parent's
         if tables.has_turns:
             carried = np.einsum("jin,kjn->kin", _matrices(tables.turn[:, joints]), carried)
         fixed = np.concatenate([*carried, *axes], axis=1)
@@ -121,7 +127,7 @@ class BendLimits(Penalty):
         return self._beyond(samples, -NEAR)
 
     def _beyond(self, samples: Samples, least: float) -> Iterator[Block]:
-        """Angles that are beyond their bounds by more than `least` [rad]."""
+        """Yield the angles whose excess is more than `least` [rad]."""
         if not self.joints:
             return
         angles, rotated = self._seen(samples)
@@ -136,13 +142,14 @@ class BendLimits(Penalty):
 
 
 def _turning_axes(seen: Seen, angle: Index, joint: Index, at: Index) -> Array:
-    """(3, P): what of a small turn of the child in the parent an angle (0 to 2) of a joint grows by."""
+    """Return the derivatives (3, P) of angles (0 to 2) of joints by a small rotation of the child relative to the
+    parent."""
     world, frame = (part[..., joint, at] for part in seen[:2])
     (x, z, _), v, planar, p = (part[..., joint, at] for part in seen[2:])
     flexes, leans, twists = ((angle == k).astype(float) for k in range(3))
     q = v[2]
     both = np.maximum(p**2 + q**2, FLAT)
-    # what v and u get along the parent's axes
+    # derivatives by v and u along the parent's axes
     bars = np.empty((2, 3, at.size))
     by_p = twists * q / (both * planar)
     bars[0] = -by_p * z, by_p * x, -twists * p / both
@@ -153,7 +160,8 @@ def _turning_axes(seen: Seen, angle: Index, joint: Index, at: Index) -> Array:
 
 
 def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
-    """(3, ..., n) [rad]: flexion, sideways bend and twist of n joints turned by `relative` (..., n, 4), as in qpos."""
+    """Return flexion, sideways bend and twist of n joints for rotations `relative` (..., n, 4), as in qpos, (3, ...,
+    n)."""
     turn = np.array([figure.links[joint.link].turn for joint in joints])
     lateral = np.array([joint.lateral for joint in joints])
     down = np.array([joint.long_axis for joint in joints])
@@ -164,7 +172,7 @@ def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
 
 
 def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:
-    """The three angles of axes u and v along the parent's (3, ...), and |(x, z)| and p, the normal's part of v."""
+    """Return the three angles of axes u and v in parent coordinates (3, ...), |(x, z)|, and the normal's part p."""
     x, z, y = u
     planar = np.maximum(np.hypot(x, z), ALONG)
     p = (x * v[1] - z * v[0]) / planar
@@ -176,7 +184,7 @@ def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:
 
 
 def _matrices(quaternions: Array) -> Array:
-    """Rotation matrices (3, 3, n) of quaternions (4, n), any length."""
+    """Return rotation matrices (3, 3, n) of quaternions (4, n) of any length."""
     w, x, y, z = quaternions / np.linalg.norm(quaternions, axis=0)
     return np.array(
         [

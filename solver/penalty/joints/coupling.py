@@ -1,7 +1,7 @@
-"""Couplings of joints: equality constraints that make a hinge or slide a polynomial of another, or constant.
+"""Couplings of joints: equality constraints that make a hinge or slide a polynomial of another joint, or constant.
 
-MuJoCo's q₁ − q₁⁰ = a₀ + a₁ (q₂ − q₂⁰) + … + a₄ (q₂ − q₂⁰)⁴, the references at rest: fingers of a gripper, double knees.
-A coupling of degree one that all frames of a spline keep holds everywhere between them.
+MuJoCo's q₁ − q₁⁰ = a₀ + a₁ (q₂ − q₂⁰) + … + a₄ (q₂ − q₂⁰)⁴ with the values at rest, for instance in grippers and double
+knees. If all frames of a spline satisfy a coupling of degree one, so does the spline.
 """
 
 from __future__ import annotations
@@ -25,8 +25,12 @@ from ..penalty import Normalization, Penalty, Role
 class Coupling:
     """A column of the state that follows another: follower − rest[0] = Σ coefficients (driver − rest[1])^k.
 
-    driver  −1 where the follower stays
-    unit    "degrees" or "m", of the follower
+    Attributes:
+        follower: The column of the follower.
+        driver: The column of the driver; −1 for a constant follower.
+        rest: The values of both at rest.
+        coefficients: The coefficients a₀ to a₄.
+        unit: The unit of the follower, "degrees" or "m".
     """
 
     name: str
@@ -37,17 +41,17 @@ class Coupling:
     unit: str
 
     def follow(self, driver: Array) -> Array:
-        """The follower's values [rad or m] for the driver's."""
+        """Return the follower's values [rad or m] for the driver's."""
         return np.asarray(self.rest[0] + polyval(driver - self.rest[1], self.coefficients), float)
 
     def slope(self, driver: Array) -> Array:
-        """The derivative of the follower with respect to the driver."""
+        """Return the derivative of the follower with respect to the driver."""
         return np.asarray(polyval(driver - self.rest[1], polyder(self.coefficients)), float)
 
 
 @dataclass(frozen=True)
 class CouplingPenalty(Penalty):
-    """Σ over couplings of how far the follower is from where it should be, squared [rad² or m²]."""
+    """Σ over couplings of the follower's squared deviation [rad² or m²]."""
 
     couplings: tuple[Coupling, ...]
 
@@ -57,13 +61,13 @@ class CouplingPenalty(Penalty):
 
     @cached_property
     def _columns(self) -> tuple[Index, Index]:
-        """Followers and drivers, (n,) each; who has no driver drives itself, with a slope of zero."""
+        """Followers and drivers, (n,) each. A constant follower is its own driver, with a slope of zero."""
         followers = np.array([c.follower for c in self.couplings], np.intp)
         drivers = np.array([c.driver for c in self.couplings], np.intp)
         return followers, np.where(drivers < 0, followers, drivers)
 
     def away(self, samples: Samples) -> tuple[Array, Array]:
-        """The deviations of followers, and their slopes, (n, S) each."""
+        """Return the deviations of followers, and their slopes, (n, S) each."""
         followers, drivers = self._columns
         driven = samples.columns(drivers)
         wanted = np.array([c.follow(q) for c, q in zip(self.couplings, driven, strict=True)])
@@ -79,7 +83,7 @@ class CouplingPenalty(Penalty):
 
 
 def couplings(figure: Figure) -> tuple[Coupling, ...]:
-    """The joints that a model's active equality constraints couple."""
+    """Return the joint couplings among a model's active equality constraints."""
     model = figure.model
     chosen = (model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)) & (model.eq_active0 != 0)
     result = []
@@ -97,7 +101,7 @@ def couplings(figure: Figure) -> tuple[Coupling, ...]:
 
 
 def in_order(chosen: Sequence[Coupling]) -> list[Coupling]:
-    """Couplings sorted so that a follower that drives others comes before these, as far as possible."""
+    """Return the couplings sorted so that a driver is computed before its followers, as far as possible."""
     remaining, done = list(chosen), []
     while remaining:
         followers = {c.follower for c in remaining}

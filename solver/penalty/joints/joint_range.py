@@ -1,8 +1,8 @@
-"""Joint ranges of the model: hinges and slides between their bounds, ball joints turned by at most an angle.
+"""Joint ranges of the model: hinges and slides between their bounds, ball joints up to a maximum angle.
 
-A ball joint's angle is that of the child's orientation seen from the parent, D = Q_child (Q_parent turn)⁻¹, as MuJoCo
-limits it: θ = 2 atan2(|vec D|, |D_w|). A small turn δφ of the child relative to the parent changes it by axis · δφ. At
-half a turn the axis flips: there π − θ is rounded off to √((π − θ)² + ε²), so that the penalty stays smooth.
+As in MuJoCo, a ball joint's angle is that of D = Q_child (Q_parent turn)⁻¹: θ = 2 atan2(|vec D|, |D_w|). A small
+rotation δφ of the child relative to the parent changes it by axis · δφ. At half a turn the axis changes sign. There π −
+θ is replaced by √((π − θ)² + ε²), so that the penalty is smooth.
 """
 
 from __future__ import annotations
@@ -24,18 +24,25 @@ from ..allowance import Allowance
 from ..block import Block, Entries
 from ..penalty import Normalization, Penalty, Role
 
+# [rad, m] distance to a bound that one step of the search may cover
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
-ROUNDING = np.radians(0.5)  # ε
-TINY = 1e-300  # sine of half an angle that has no axis
+ROUNDING = np.radians(0.5)  # [rad] ε
+TINY = 1e-300  # smallest divisor, against division by zero
 
 
 @dataclass(frozen=True)
 class Range:
-    """The bounds of one joint: `low` and `high` of its coordinate [rad, m], or `high` of a ball joint's angle [rad].
+    """The bounds of one joint.
 
-    column       of a free joint's position the axis, 0 to 2, whose coordinate is bounded as a slide's
-    home         wxyz, the rotation that a ball joint's angle is measured from, as qpos has it; None: no rotation
-    first, last  [s] when the bounds hold
+    Attributes:
+        link: The index of the link.
+        kind: The kind of bounded coordinate.
+        low: The lower bound of the coordinate [rad, m].
+        high: The upper bound of the coordinate, or of a ball joint's angle [rad, m].
+        column: For the position of a free joint, the bounded axis, 0 to 2.
+        home: The rotation from which a ball joint's angle is measured, wxyz as in qpos; None: the identity.
+        first: The beginning of the interval in which the bounds apply [s].
+        last: The end of this interval [s].
     """
 
     name: str
@@ -51,11 +58,13 @@ class Range:
 
 @dataclass(frozen=True)
 class JointRange(Penalty):
-    """Σ over joints of how far they are beyond their range, squared [rad² or m²].
+    """Σ over joints of their squared excess over the range [rad² or m²].
 
-    allowed  (2, n, K) below and above their ranges, what keyframes do themselves
-    called   the term's name
-    hard     bounds that the path is to keep at all times; the search keeps `joints`, a little inside of them
+    Attributes:
+        joints: The ranges.
+        allowed: The tolerance below and above the ranges, (2, n, K).
+        called: The name of the term.
+        hard: Ranges that the path must satisfy at all times; those of `joints` are then slightly tighter.
     """
 
     joints: tuple[Range, ...]
@@ -70,7 +79,7 @@ class JointRange(Penalty):
         return self.called
 
     def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
-        """The same, tolerating the excess of joints that keyframes fix beyond their ranges."""
+        """Return the penalty with tolerances for joints that keyframes fix beyond their ranges."""
         if not self.joints:
             return self
         samples = Samples.still(figure, keys.states, t=np.asarray(keys.times))
@@ -93,7 +102,7 @@ class JointRange(Penalty):
         return Normalization(float(little**2), is_violation=True)
 
     def beyond(self, samples: Samples) -> Array:
-        """The excess of every joint over its range, negative within it, (n, S) [rad or m]."""
+        """Return the excess of every joint over its range, negative within it, (n, S) [rad or m]."""
         out = np.empty((len(self.joints), samples.count))
         plain, balls = self._which
         if plain.size:
@@ -105,7 +114,7 @@ class JointRange(Penalty):
         return out
 
     def axes(self, samples: Samples) -> Array:
-        """(3, b, S) the axes in the world about which the ball joints are turned away from their rest."""
+        """Return the axes of the ball joints' rotations from rest, in the world, (3, b, S)."""
         return self._turned(samples)[3]
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
@@ -115,7 +124,7 @@ class JointRange(Penalty):
         return self._outside(samples, near=True)
 
     def _outside(self, samples: Samples, *, near: bool) -> Iterator[Block]:
-        """Joints beyond their ranges; with `near` those, too, that are hardly within them."""
+        """Yield joints beyond their ranges; with `near` also those close to a bound."""
         plain, balls = self._which
         if plain.size:
             columns, (low, high) = self._columns(samples), self._limits(samples.t, plain)
@@ -140,26 +149,25 @@ class JointRange(Penalty):
 
     @cached_property
     def _bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of all joints (n,)."""
+        """Lower and upper bounds of all joints, (n,) each."""
         return np.array([joint.low for joint in self.joints]), np.array([joint.high for joint in self.joints])
 
     @cached_property
     def _is_timed(self) -> bool:
-        """Whether some bounds hold for a time only."""
+        """Whether any bounds apply to an interval only."""
         return any(np.isfinite([joint.first, joint.last]).any() for joint in self.joints)
 
     @cached_property
     def _links(self) -> Index:
-        """The ball joints' links."""
         return np.array([self.joints[i].link for i in self._which[1]], np.intp)
 
     def _columns(self, samples: Samples) -> Index:
-        """The state's columns of the hinges and slides."""
+        """Return the state's columns of the hinges and slides."""
         joints = [self.joints[i] for i in self._which[0]]
         return np.array([samples.figure.links[joint.link].qpos + joint.column for joint in joints], np.intp)
 
     def _limits(self, t: Array, some: Index) -> tuple[Array, Array]:
-        """Lower and upper bounds of some joints (n,) at times t (S,): (n, S), or (n, 1) where they always hold."""
+        """Return lower and upper bounds of joints (n,) at times t (S,), (n, S), or (n, 1) if they are constant."""
         low, high = (bound[some, None] for bound in self._bounds)
         if self._is_timed:
             first, last = (np.array([getattr(self.joints[i], end) for i in some])[:, None] for end in ("first", "last"))
@@ -171,8 +179,8 @@ class JointRange(Penalty):
         return low - below, high + above
 
     def _turned(self, samples: Samples) -> tuple[Array, Array, Array, Array]:
-        """The ball joints' angles as they are and rounded off at π, the rate of the one by the other, (b, S) [rad], and
-        the axes in the world (3, b, S)."""
+        """Return quantities of the ball joints, (b, S) each: angle [rad], smoothed angle [rad], derivative of the
+        second by the first; and the axes in the world (3, b, S)."""
         links, tables, children = samples.links, samples.figure.tables, self._links
         base = links.Q[:, tables.parents[children]]
         if tables.has_turns or self._has_homes:
@@ -188,11 +196,10 @@ class JointRange(Penalty):
 
     @cached_property
     def _has_homes(self) -> bool:
-        """Whether angles are measured from a separate rotation."""
         return any(joint.home is not None for joint in self.joints)
 
     def _rest(self, figure: Figure) -> Array:
-        """(4, b) the rotations in the parent that the ball joints' angles are measured from."""
+        """Return the rotations in the parent from which the ball joints' angles are measured, (4, b)."""
         out = np.array(figure.tables.turn[:, self._links])
         for k, i in enumerate(self._which[1]):
             joint = self.joints[i]
@@ -203,7 +210,7 @@ class JointRange(Penalty):
 
 
 def joint_ranges(figure: Figure) -> tuple[Range, ...]:
-    """The ranges of a model's limited joints that can be passed."""
+    """Return the ranges of a model's limited joints that can be exceeded."""
     model, result = figure.model, []
     for i, link in enumerate(figure.links[1:], start=1):
         if link.kind is JointKind.FREE or not model.jnt_limited[link.joint]:

@@ -1,4 +1,4 @@
-"""Level: a trunk, a tray or a cup keeps upright. Beyond the paper."""
+"""Level: a trunk, a tray or a cup stays upright. Not in the paper."""
 
 from __future__ import annotations
 
@@ -19,9 +19,11 @@ from ..penalty import Normalization, Penalty, Role
 
 @dataclass(frozen=True, eq=False)
 class Level(Penalty):
-    """Σ over bodies of |R axis − z|², nearly the squared angle [rad²] of an axis to the vertical.
+    """Σ over bodies of |R axis − z|², approximately the squared angle [rad²] of an axis to the vertical.
 
-    links  (B,) that the bodies are on;  axes  (3, B) unit vectors in the links' axes
+    Attributes:
+        links: The links of the bodies, (B,).
+        axes: Unit vectors in the links' axes, (3, B).
     """
 
     links: Index
@@ -33,7 +35,16 @@ class Level(Penalty):
 
     @classmethod
     def of(cls, figure: Figure, bodies: Sequence[int], axis: Sequence[float] | None = None) -> Level:
-        """Bodies by index, and their axis (3,); without one what is up at rest. Raises ValueError for [0, 0, 0]."""
+        """Return the penalty of bodies by index.
+
+        Args:
+            figure: The figure.
+            bodies: MuJoCo's ids of the bodies.
+            axis: The axis in each body's frame, (3,); None: the axis that points up at rest.
+
+        Raises:
+            ValueError: The axis is zero.
+        """
         links, rest = figure.body_link[np.array(bodies)], figure.to_state(figure.model.qpos0)[None]
         if axis is None:
             return cls(links, Samples.still(figure, rest).links.rotation[2][:, links, 0])

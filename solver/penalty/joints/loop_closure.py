@@ -1,7 +1,7 @@
-"""Closed loops: points of two bodies that a model holds together, by `connect` and `weld` equality constraints.
+"""Closed loops: points of two bodies that `connect` and `weld` equality constraints hold together.
 
-A connection holds one point of each body together; a weld three, which are a limb's length apart, so that an error of
-its rotation counts like one of place, or one if its `torquescale` is nought.
+A connection holds one point of each body together. A weld holds three, which are ARM apart, so that an error of
+rotation costs about as much as an error of position; it holds one if its `torquescale` is zero.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from ...surface.points import Point
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-TORQUE_SCALE = 10  # of a weld's numbers: nought leaves rotations alone
+TORQUE_SCALE = 10  # index of `torquescale` in the data of a weld; zero leaves the rotation free
 UNTURNED = np.array([1.0, 0, 0, 0])
-ARM = 0.1  # [m] from the middle of a weld to the points that hold its rotation
+ARM = 0.1  # [m] distance from the middle of a weld to the points that hold its rotation
 
 
 @dataclass(frozen=True, eq=False)
 class Closure:
-    """Two points, of different links or of one and the world (link 0), that are to be one."""
+    """Two points that must coincide, on different links or on a link and the world (link 0)."""
 
     name: str
     one: Point
@@ -57,7 +57,7 @@ class LoopClosure(Penalty):
         return one, two
 
     def gaps(self, samples: Samples) -> Array:
-        """(3, n, S) [m] the ways from the second points to the first."""
+        """Return the vectors from the second points to the first, (3, n, S) [m]."""
         (links, positions), (others, places) = self._sides
         return samples.links.points(links, positions)[0] - samples.links.points(others, places)[0]
 
@@ -72,7 +72,7 @@ class LoopClosure(Penalty):
 
 
 def closures(figure: Figure) -> tuple[Closure, ...]:
-    """The active connections and welds of a model, except for mocap bodies."""
+    """Return the active connections and welds of a model, except those of mocap bodies."""
     model, result = figure.model, []
     kinds = {int(mujoco.mjtEq.mjEQ_CONNECT): "connect", int(mujoco.mjtEq.mjEQ_WELD): "weld"}
     for i in np.flatnonzero(model.eq_active0 != 0):
@@ -96,12 +96,12 @@ def closures(figure: Figure) -> tuple[Closure, ...]:
 
 
 def _frames(model: mujoco.MjModel, equality: int, *, weld: bool) -> list[tuple[int, Array, Array]]:
-    """The two frames that are to be one: body, place in it (3,) [m] and turn in it (4,)."""
+    """Return the two frames that must coincide: body, position in it (3,) [m] and rotation in it (4,)."""
     ids, data = (int(model.eq_obj1id[equality]), int(model.eq_obj2id[equality])), model.eq_data[equality]
     if int(model.eq_objtype[equality]) == int(mujoco.mjtObj.mjOBJ_SITE):
         return [(int(model.site_bodyid[s]), np.array(model.site_pos[s]), np.array(model.site_quat[s])) for s in ids]
     if not weld:
         return [(ids[0], np.array(data[:3]), UNTURNED), (ids[1], np.array(data[3:6]), UNTURNED)]
-    # the anchor in the second body, then in the first, and how the second is turned in it
+    # the anchor in the second body, the anchor in the first, and the rotation of the second in the first
     anchor, place, turn = np.array(data[:3]), np.array(data[3:6]), quat.normalised(np.array(data[6:10]))
     return [(ids[0], place, turn), (ids[1], anchor, UNTURNED)]

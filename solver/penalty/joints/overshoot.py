@@ -1,8 +1,8 @@
-"""Joints held by two neighbouring keyframes: with the same value in both, they keep it in between.
+"""Holds: joints with the same value in two neighbouring keyframes stay at this value in between.
 
 A spline through a hold next to a fast motion overshoots in the hold. Where the raw spline does so, a joint is bounded
-to the keyframes' value, see `JointRange`. Turning points are no holds: values that an oscillation passes on both sides
-of its peak. An oscillation is a clip that repeats itself, whose segments are of similar length.
+to the keyframes' value, see `JointRange`. In an oscillation, two keyframes on both sides of a peak may have the same
+value; such turning points are not holds. A clip oscillates if it repeats itself with segments of similar length.
 """
 
 from __future__ import annotations
@@ -20,23 +20,24 @@ from ...figure.figure import Figure, JointKind, quaternion_columns
 from ..penalty import Guide
 from .joint_range import JointRange, Range
 
-SAME = {"angle": np.radians(0.25), "length": 0.002}  # [rad, m] by which keyframes of the same value may differ
+SAME = {"angle": np.radians(0.25), "length": 0.002}  # [rad, m] maximum difference of keyframes of the same value
 SWINGS = {"angle": np.radians(3), "length": 0.03}  # [rad, m] overshoot of the raw spline above which a joint is held
-ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] that a held joint may move
-LONG = 1.5  # times the shorter adjacent segment: a segment this long is a hold even in an oscillation
-BRIEF = 0.3  # [s] shorter segments are values passed twice, if adjacent segments are as short
-LOOKS = 12  # samples of a segment
-FELT = 3  # segments on each side of a moving one at which the spline changes
-BESIDE = 0.25  # of the adjacent segment's length: how far inside the hold its variable frames lie
-CLOSEST = 0.02  # [s] least distance of such a frame to another
-SEGMENTS_AT_ONCE = 200
+ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] distance that a held joint may move
+LONG = 1.5  # [1] length, relative to the shorter adjacent segment, from which a segment is always a hold
+BRIEF = 0.3  # [s] length below which other segments are no holds
+LOOKS = 12  # samples per segment
+FELT = 3  # segments on each side of a moving segment in which the spline can overshoot
+BESIDE = 0.25  # [1] distance of variable frames from the ends of a hold, relative to the adjacent segment
+CLOSEST = 0.02  # [s] minimum distance of such a frame from others
+SEGMENTS_AT_ONCE = 200  # segments whose samples are in memory at once
 
 
 @dataclass(frozen=True)
 class OvershootPenalty(JointRange, Guide):
-    """Σ over held joints of their squared excess [rad² or m²] beyond the bounds of `steady`.
+    """Σ over held joints of their squared excess [rad² or m²] over the bounds of `steady`.
 
-    frames  [s] of variable frames by which a spline can stay within them
+    Attributes:
+        frames: Times of variable frames that the spline needs to stay within the bounds [s].
     """
 
     called: str = "limits.overshoot"
@@ -66,7 +67,7 @@ class OvershootPenalty(JointRange, Guide):
         return timeline.with_rows(rows)
 
     def _still(self, states: Array, times: Array) -> Array:
-        """States (T, N) at times (T,) [s] with held joints at their values."""
+        """Return states (T, N) at times (T,) [s] with held joints at their values."""
         if self.figure is None:
             return states
         qpos = self.figure.to_qpos(states)
@@ -89,9 +90,12 @@ class OvershootPenalty(JointRange, Guide):
 class Track:
     """A coordinate of a joint, or its rotation.
 
-    unit     "angle" [rad] or "length" [m]
-    columns  of qpos: one, or four of a quaternion
-    axis     of a free joint's position
+    Attributes:
+        name: The joint's name.
+        link: The index of the link.
+        unit: "angle" [rad] or "length" [m].
+        columns: One column of qpos, or the four of a quaternion.
+        axis: The axis of a free joint's position, 0 to 2.
     """
 
     name: str
@@ -105,12 +109,12 @@ class Track:
         return self.columns.size == 4
 
     def off(self, qpos: Array, home: Array) -> Array:
-        """(..., 1 or 3) [rad, m] how far configurations (..., nq) are from a value (1 or 4)."""
+        """Return the deviation of configurations (..., nq) from a value (1 or 4), (..., 1 or 3) [rad, m]."""
         values = qpos[..., self.columns]
         return quat.rotation_vector(quat.product(quat.inverse(home), values)) if self.is_rotation else values - home
 
     def held(self, home: Array, first: float, last: float) -> Range:
-        """The bounds that hold it at a value (1 or 4) from one time to another [s]."""
+        """Return the bounds that hold the coordinate at a value (1 or 4) from one time to another [s]."""
         tolerance = ROOM[self.unit]
         if self.is_rotation:
             return Range(
@@ -122,7 +126,7 @@ class Track:
 
 
 def tracks(figure: Figure) -> list[Track]:
-    """The coordinates and rotations of all joints."""
+    """Return the coordinates and rotations of all joints."""
     coordinates = []
     for i, link in enumerate(figure.links[1:], start=1):
         columns = quaternion_columns(link)
@@ -141,8 +145,11 @@ def steady(
 ) -> tuple[Range, ...]:
     """Return the joints that keyframes hold and the raw spline does not, with their bounds.
 
-    keys     the raw timeline;  repeats  whether it is a loop or a cycle
-    aloft    (first, last) [s] of flights, in which a root rises and falls between two keyframes of one height
+    Args:
+        figure: The figure.
+        keys: The raw timeline.
+        repeats: Whether the clip is a loop or a gait cycle.
+        aloft: Flights (first, last) [s], in which a root rises and falls between two keyframes of one height.
     """
     qpos = figure.to_qpos(keys.states)
     holds = [hold for track in tracks(figure) for hold in _held(track, keys, qpos, repeats=repeats)]
@@ -168,7 +175,7 @@ def steady(
 
 
 def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterator[tuple[Track, int]]:
-    """The segments, by their first keyframe, in which keyframes hold a coordinate."""
+    """Yield the coordinate with each segment, by its first keyframe, in which keyframes hold it."""
     fixed: Mask = np.asarray(keys.fixed[:, track.columns].all(axis=1))
     both = np.flatnonzero(fixed[:-1] & fixed[1:])
     if not both.size:
@@ -192,7 +199,7 @@ def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterat
 
 
 def _is_turning_point(track: Track, qpos: Array, k: int, beside: Sequence[tuple[int, float] | None]) -> bool:
-    """Whether a coordinate reaches keyframe k from the same side to which it leaves keyframe k + 1."""
+    """Return whether a coordinate reaches keyframe k from the same side to which it leaves keyframe k + 1."""
     off = [track.off(qpos[neighbour[0]], qpos[k, track.columns]) for neighbour in beside if neighbour is not None]
     return len(off) == 2 and bool(off[0] @ off[1] > 0)
 
@@ -218,6 +225,5 @@ def _beside(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float] | 
 
 
 def _flies(figure: Figure, track: Track, span: Array, aloft: Sequence[tuple[float, float]]) -> bool:
-    """Whether it is the height of a free joint, in a flight."""
     is_height = figure.links[track.link].kind is JointKind.FREE and track.unit == "length" and track.axis == 2
     return is_height and any(first < span[1] and span[0] < last for first, last in aloft)

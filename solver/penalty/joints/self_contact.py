@@ -1,9 +1,8 @@
-"""Limbs stay out of the trunk and of each other: depth of a figure's own capsules in one another, squared.
+"""Self-collision: squared depth of a figure's own capsules in one another.
 
-Two capsules are as deep as their radii exceed the distance of their segments. At the nearest points the distance does
-not change with where on the segments they are (the envelope theorem), so its gradient is that of two points fixed on
-their links. Ellipsoids, boxes and cylinders count by spheres that fill them. Left out are links joined to each other,
-and geoms that overlap at rest.
+The depth of two capsules is the sum of their radii minus the distance of their segments. By the envelope theorem the
+gradient of this distance is that of two points fixed on the links. Ellipsoids, boxes and cylinders are represented by
+spheres that fill them. Links joined to each other, and geoms that overlap at rest, are excluded.
 """
 
 from __future__ import annotations
@@ -27,17 +26,17 @@ from ...surface.touch import movers
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-NEAR = 0.03  # [m] within which capsules may touch after one step of the search
-GAP = 0.008  # [m] by which spheres may leave a geom unfilled
-HAIR = 0.015  # [m] by which what is left out may stick out of a thicker shape
-PARALLEL = 1e-16  # squared sine of an angle below which two segments count as parallel
-CROSSING = 1e-12  # [m] between axes that meet: any way apart is as good as another
-FARTHEST = 0.01  # [m] up to which MuJoCo is asked how far two geoms are apart, of which the sign counts
+NEAR = 0.03  # [m] distance of capsules that one step of the search may cover
+GAP = 0.008  # [m] maximum gap between spheres and the geom that they fill
+HAIR = 0.015  # [m] protrusion from a thicker shape up to which a shape is omitted
+PARALLEL = 1e-16  # [1] squared sine of the angle below which two segments are parallel
+CROSSING = 1e-12  # [m] distance below which axes intersect, so that their direction of separation is arbitrary
+FARTHEST = 0.01  # [m] limit of MuJoCo's distance computation, of which only the sign is used
 
 
 @dataclass(frozen=True)
 class Bar:
-    """A capsule fixed on a link, or a sphere: centre (3,) in the link [m], unit axis (3,), half length, radius [m]."""
+    """A capsule or sphere fixed on a link: centre in the link (3,) [m], unit axis (3,), half length, radius [m]."""
 
     geom: int
     link: int
@@ -51,10 +50,14 @@ class Bar:
 class Meeting:
     """Nearest points of q pairs of capsules at samples.
 
-    at             (q,) sample
-    first, last    (q,) their links; first_arm, last_arm (3, q) from the links' origins to the points [m]
-    depth          (q,) [m], negative where they are apart
-    apart          (3, q) unit vector from the last to the first
+    Attributes:
+        at: The samples, (q,).
+        first: The links of the first capsules, (q,).
+        last: The links of the second capsules, (q,).
+        first_arm: The first points relative to their links' origins, (3, q) [m].
+        last_arm: The second points relative to their links' origins, (3, q) [m].
+        depth: The depths, negative if the capsules do not touch, (q,) [m].
+        apart: Unit vectors from the second points to the first, (3, q).
     """
 
     at: Index
@@ -66,7 +69,6 @@ class Meeting:
     apart: Array
 
     def select(self, which: Index) -> Meeting:
-        """Some of them."""
         chosen = (self.at[which], self.first[which], self.last[which])
         vectors = (self.first_arm[:, which], self.last_arm[:, which])
         return Meeting(*chosen, *vectors, self.depth[which], self.apart[:, which])
@@ -74,9 +76,12 @@ class Meeting:
 
 @dataclass(frozen=True)
 class SelfContact(Penalty):
-    """Σ over pairs of capsules of depth² [m²], with `margin` [m] between them.
+    """Σ over pairs of capsules of depth² [m²], with a `margin` [m] between them.
 
-    pairs  (2, n) indices of bars, the first on a link before the last's
+    Attributes:
+        bars: The capsules.
+        pairs: Indices of the bars of each pair, with the links in ascending order, (2, n).
+        margin: The minimum distance [m].
     """
 
     bars: tuple[Bar, ...]
@@ -92,13 +97,13 @@ class SelfContact(Penalty):
 
     @classmethod
     def of(cls, figure: Figure, margin: float = 0.0) -> SelfContact:
-        """All pairs of a figure's own shapes that could meet."""
+        """Return the penalty of all pairs of a figure's shapes that can collide."""
         bars = _outer([bar for geom in movers(figure.model) for bar in _bars(figure, geom)])
         return cls(bars, _pairs(figure, bars), margin)
 
     @property
     def geom_pairs(self) -> Index:
-        """(2, g) the pairs of geoms that are kept apart, each once."""
+        """The pairs of geoms, each once, (2, g)."""
         geoms = np.array([bar.geom for bar in self.bars], np.intp)
         return np.unique(geoms[self.pairs], axis=1) if self.pairs.size else np.zeros((2, 0), np.intp)
 
@@ -109,7 +114,7 @@ class SelfContact(Penalty):
         return self._met_by(samples, NEAR)
 
     def _met_by(self, samples: Samples, near: float) -> Iterator[Block]:
-        """Pairs of capsules less than `near` [m] apart."""
+        """Yield the pairs of capsules less than `near` [m] apart."""
         if not self.pairs.size:
             return
         met = self.meetings(samples, near)
@@ -121,7 +126,7 @@ class SelfContact(Penalty):
         yield Block(met.at, met.depth, (first, last), one_sided=True)
 
     def meetings(self, samples: Samples, near: float) -> Meeting | None:
-        """The pairs of capsules less than `near` [m] apart, or None."""
+        """Return the pairs of capsules less than `near` [m] apart, or None."""
         if not self.pairs.size:
             return None
         carriers, middles, reach = self._bounds
@@ -150,7 +155,7 @@ class SelfContact(Penalty):
 
     @cached_property
     def _bounds(self) -> tuple[Index, Array, Array]:
-        """Spheres round each link's bars: links (m,), rising, centres (3, m), radii (m,)."""
+        """Bounding spheres of each link's bars: ascending links (m,), centres (3, m), radii (m,)."""
         links, centres, _, halves, radii = self._arrays
         carriers, owner = np.unique(links, return_inverse=True)
         middles = np.array([centres[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
@@ -166,20 +171,20 @@ class SelfContact(Penalty):
         return [(int(a), int(b), self.pairs[:, (both[0] == a) & (both[1] == b)]) for a, b in link_pairs]
 
     def _placed(self, samples: Samples, at: Index, bars: Index) -> tuple[Array, Array]:
-        """Arms from the link's origin to the middles, and axes, of some bars of one link at samples: (3, n, k)."""
+        """Return offsets from the link's origin to the middles, and axes, of bars of one link at samples, (3, n, k)."""
         links, centres, axes, _, _ = self._arrays
         rotation = samples.links.rotation[:, :, links[bars[0]]][:, :, at]
         centre, axis = (np.einsum("ijk,jn->ink", rotation, local[:, bars]) for local in (centres, axes))
         return centre, axis
 
     def _met(self, samples: Samples, at: Index, pairs: Index, room: float) -> Meeting:
-        """The contacts of all pairs of bars of two links at samples `at` whose bounding spheres overlap."""
+        """Return the contacts of all pairs of bars of two links at samples `at` whose bounding spheres overlap."""
         links, _, _, halves, radii = self._arrays
         (a, ia), (b, ib) = (np.unique(side, return_inverse=True) for side in pairs)
         (a_arm, a_axis), (b_arm, b_axis) = (self._placed(samples, at, bars) for bars in (a, b))
         first, last = int(links[a[0]]), int(links[b[0]])
         between = (samples.links.x[:, first] - samples.links.x[:, last]).take(at, axis=1)
-        reach = np.full((a.size, b.size), -1.0)  # squared; less than any distance for pairs that are left out
+        reach = np.full((a.size, b.size), -1.0)  # squared; negative for excluded pairs
         reach[ia, ib] = (halves[a[ia]] + radii[a[ia]] + halves[b[ib]] + radii[b[ib]] + room) ** 2
         from_last = a_arm + between[:, None]
         squared = -2 * np.einsum("ink->kni", from_last) @ np.einsum("imk->kim", b_arm)
@@ -196,20 +201,25 @@ class SelfContact(Penalty):
 
 
 def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tuple[Array, Array]:
-    """The nearest points of two segments: s and t (p,) along the unit axes u and v (3, p) from the middles.
+    """Return the nearest points of two segments, as s and t (p,) along their axes from the middles.
 
-    d  (3, p) from the second's middle to the first's;  h, g  (p,) half lengths
+    Args:
+        d: Vectors from the second middle to the first, (3, p).
+        u: Unit axes of the first segments, (3, p).
+        v: Unit axes of the second segments, (3, p).
+        h: Half lengths of the first segments, (p,).
+        g: Half lengths of the second segments, (p,).
     """
     b, c, f = dot(u, v), dot(u, d), dot(v, d)
     across = cross(u, v)
-    steep = dot(across, across)  # 1 − b² of nearly parallel ones would be rounding
+    steep = dot(across, across)  # for nearly parallel axes, 1 − b² would be rounding
     s = np.clip(np.where(steep > PARALLEL, (b * f - c) / np.maximum(steep, PARALLEL), 0.0), -h, h)
     t = np.clip(b * s + f, -g, g)
     return np.clip(b * t - c, -h, h), t
 
 
 def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
-    """(2, n) the pairs of bars that can meet: not of one link, of joined links, or of geoms that overlap at rest."""
+    """Return the pairs of bars that can collide, (2, n): not on one or joined links, and not overlapping at rest."""
     carrying = {bar.link for bar in bars}
     joined = {(_carrier(figure, link, carrying), link) for link in carrying}
     resting = _overlapping(figure.model, {bar.geom for bar in bars})
@@ -224,7 +234,6 @@ def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
 
 
 def _carrier(figure: Figure, link: int, carrying: set[int]) -> int:
-    """The nearest ancestor of a link with shapes, 0 if there is none."""
     parent = figure.links[link].parent
     while parent and parent not in carrying:
         parent = figure.links[parent].parent
@@ -232,7 +241,6 @@ def _carrier(figure: Figure, link: int, carrying: set[int]) -> int:
 
 
 def _bars(figure: Figure, geom: int) -> list[Bar]:
-    """A geom of the figure as capsules and spheres."""
     model = figure.model
     body, size = int(model.geom_bodyid[geom]), np.array(model.geom_size[geom])
     axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
@@ -250,7 +258,7 @@ def _bars(figure: Figure, geom: int) -> list[Bar]:
 
 
 def _outer(bars: list[Bar]) -> tuple[Bar, ...]:
-    """The bars without those that hardly stick out of a thicker one of their link."""
+    """Return the bars without those that hardly protrude from a thicker one on their link."""
     outer: list[Bar] = []
     for bar in sorted(bars, key=lambda bar: -bar.radius):
         if not any(_inside(bar, other) for other in outer if other.link == bar.link):
@@ -259,7 +267,7 @@ def _outer(bars: list[Bar]) -> tuple[Bar, ...]:
 
 
 def _inside(bar: Bar, other: Bar) -> bool:
-    """Whether a bar lies inside another within `HAIR`: both its ends do, and the other is convex."""
+    """Return whether a bar is inside another within HAIR. Both its ends are tested, because the other is convex."""
     for side in (-1, 1):
         away = bar.centre + side * bar.half * bar.axis - other.centre
         away = away - np.clip(other.axis @ away, -other.half, other.half) * other.axis
@@ -269,7 +277,6 @@ def _inside(bar: Bar, other: Bar) -> bool:
 
 
 def _overlapping(model: mujoco.MjModel, geoms: set[int]) -> set[tuple[int, int]]:
-    """Pairs of geoms that overlap at rest, by MuJoCo."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     ids = np.array(sorted(geoms), np.intp)

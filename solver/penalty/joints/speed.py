@@ -1,4 +1,4 @@
-"""Speed: no joint turns faster than it can, or than its motor does. Beyond the paper."""
+"""Speed: joints rotate at most at a maximum speed. Not in the paper."""
 
 from __future__ import annotations
 
@@ -14,14 +14,16 @@ from ...figure.wrenches import Wrenches
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-STILL = 1e-12  # [rad/s] a turn that has no axis
+STILL = 1e-12  # [rad/s] smallest divisor, against division by zero
 
 
 @dataclass(frozen=True, eq=False)
 class Speed(Penalty):
     """Σ over hinges and ball joints of max(0, |ω − ω_parent| − limit)² [rad²/s²].
 
-    links  (J,) that the joints turn;  limits  (J,) [rad/s]
+    Attributes:
+        links: The links that the joints rotate, (J,).
+        limits: The maximum speeds, (J,) [rad/s].
     """
 
     links: Index
@@ -33,7 +35,7 @@ class Speed(Penalty):
 
     @classmethod
     def of(cls, figure: Figure, limit: float) -> Speed:
-        """All hinges and ball joints, none faster than limit [rad/s]."""
+        """Return the penalty of all hinges and ball joints with one limit [rad/s]."""
         turning = (JointKind.HINGE, JointKind.BALL)
         links = np.array([i for i, link in enumerate(figure.links) if i and link.kind in turning], np.intp)
         return cls(links, np.full(links.size, limit))
@@ -49,10 +51,8 @@ class Speed(Penalty):
         yield Block(at, fast - self.limits[joint], changes)
 
     def speeds(self, samples: Samples) -> Array:
-        """(J, S) [rad/s] how fast the joints turn."""
         return np.linalg.norm(self._relative(samples), axis=0)
 
     def _relative(self, samples: Samples) -> Array:
-        """(3, J, S)"""
         omega, parents = samples.links.omega, samples.figure.tables.parents
         return omega[:, self.links] - omega[:, parents[self.links]]

@@ -1,7 +1,6 @@
-"""Upright: where the trunk's rotation is unspecified, it keeps the tilt of its pose over the feet.
+"""Upright: a trunk of unspecified rotation stays at the tilt of its pose over the feet.
 
-Without it a squat leans far back: that spares the hips a part of their way, and nothing else of the objective minds.
-Beyond the paper.
+Without it a squat leans far back, which shortens the path of the hips at no other cost. Not in the paper.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ from ..penalty import Momentary, Normalization, Role
 
 @dataclass(frozen=True, eq=False)
 class Lean:
-    """An axis (3,) of a link, a unit vector, that is to point in a direction (3,) at a time [s]."""
+    """A unit axis (3,) of a link, and its target direction (3,) at a time [s]."""
 
     link: int
     time: float
@@ -34,7 +33,7 @@ class Lean:
 
 @dataclass(frozen=True)
 class Upright(Momentary):
-    """Σ over leans of |R axis − direction|², nearly the squared angle [rad²] between them."""
+    """Σ over leans of |R axis − direction|², approximately the squared angle [rad²] between them."""
 
     leans: tuple[Lean, ...]
 
@@ -58,12 +57,11 @@ class Upright(Momentary):
 
     @cached_property
     def _times(self) -> Array:
-        """(n,) [s]"""
         return np.array([lean.time for lean in self.leans])
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
-        """Links (n,), axes and ways (3, n)."""
+        """Links (n,), axes and directions (3, n)."""
         axes, directions = (
             np.array([getattr(lean, part) for lean in self.leans]).reshape(-1, 3).T for part in ("axis", "direction")
         )
@@ -71,9 +69,12 @@ class Upright(Momentary):
 
 
 def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
-    """The tilt of roots in the keyframes that were posed with free rotation: the direction that points up.
+    """Return the tilt of roots in the keyframes that were posed with free rotation.
 
-    roots  links with a quaternion, or the link of the figure's root of slides and hinges
+    Args:
+        figure: The figure.
+        keys: The raw timeline.
+        roots: Links with a quaternion, or the link of the figure's root of slides and hinges.
     """
     states = keys.states
     samples = Samples.still(figure, states)
@@ -90,7 +91,6 @@ def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, .
 
 
 def _turning(figure: Figure, root: int) -> list[int]:
-    """The columns that turn a root."""
     main_root = figure.root
     chain = main_root.links if main_root is not None and main_root.link == root else (root,)
     out: list[int] = []

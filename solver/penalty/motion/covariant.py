@@ -1,7 +1,7 @@
-"""Covariant acceleration: what the rotation itself feels of q''.
+"""Covariant acceleration: the part of q'' that accelerates the rotation itself.
 
-The paper's form (eq. 9): f₂ = |q'' − T q|², T = (q''·q)/(q·q): the acceleration of the rotation only while |q| = 1.
-The intrinsic form is exact for q = ρu with any ρ(t) > 0: with s = (q·q')/b and P the projection off q,
+The paper's form (eq. 9) is f₂ = |q'' − T q|² with T = (q''·q)/(q·q), which is correct only while |q| = 1. The intrinsic
+form is exact for q = ρu with any ρ(t) > 0. With s = (q·q')/b and the projection P orthogonal to q, it is
 w = P(q'' − 2 s q') and f₂* = |w|²/b = |ω'|²/4.
 """
 
@@ -23,10 +23,11 @@ from ..penalty import Normalization, Penalty, Role
 
 
 def covariant_acceleration(q: Array, q_dd: Array) -> Array:
-    """q'' without its component along q: the acceleration felt on the unit sphere (eq. 9).
+    """Return q'' without its component along q, the acceleration on the unit sphere (eq. 9), (..., 4).
 
-    q     (..., 4)  quaternion, wxyz, any length > 0
-    q_dd  (..., 4)  its second time derivative [1/s²]
+    Args:
+        q: Quaternions wxyz of any length > 0, (..., 4).
+        q_dd: Their second time derivatives, (..., 4) [1/s²].
     """
     along = np.sum(q_dd * q, axis=-1, keepdims=True) / np.sum(q * q, axis=-1, keepdims=True)
     return q_dd - along * q
@@ -34,7 +35,7 @@ def covariant_acceleration(q: Array, q_dd: Array) -> Array:
 
 @dataclass(frozen=True)
 class CovariantAcceleration(Penalty):
-    """Σ over quaternion blocks of f₂* ("intrinsic") or f₂ ("paper") [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
+    """Σ of f₂* ("intrinsic") or f₂ ("paper") over quaternion blocks [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
 
     form: str = "intrinsic"
 
@@ -75,7 +76,7 @@ class CovariantAcceleration(Penalty):
             bar = bar.reshape(q.shape)
             by_q_dd = bar * root
             across = dot(by_q_dd, q) * inverse
-            by_q_dd -= across * q  # w is across q, and bar may not be
+            by_q_dd -= across * q  # w is orthogonal to q, but bar may not be
             c = dot(by_q_dd, q_d)
             c *= -2 * inverse
             by_q_d = c * q
@@ -97,11 +98,14 @@ class CovariantAcceleration(Penalty):
 
 
 def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intrinsic: bool) -> Array:
-    """Derivatives of w/√b ("paper": of q'' − T q) with respect to q, q', q'': (..., 4, 3, 4) for blocks (..., 4).
+    """Return the derivatives of w/√b ("paper": of q'' − T q) with respect to q, q', q'', (..., 4, 3, 4).
 
-    dots  (3, ...) q·q, q·q', q·q''
+    Every Jacobian is a sum of a multiple of the identity, and of products of q, 4 s q − 2 q' and w with row vectors.
 
-    Every Jacobian is a sum of products of q, 4 s q − 2 q' and w with some row, and of a multiple of the identity.
+    Args:
+        q: Quaternion blocks, (..., 4), with derivatives q_d and q_dd.
+        dots: q·q, q·q', q·q'', (3, ...).
+        intrinsic: The form of the residuals.
     """
     inverse = 1 / dots[0][..., None]
     along = dots[2][..., None] * inverse

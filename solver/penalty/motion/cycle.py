@@ -1,7 +1,7 @@
-"""Cycle: deviation of joints from the clip's gait cycle, as far as it is known.
+"""Cycle: deviation of joints from the clip's gait cycle, weighted by the certainty of the cycle.
 
 Keyframes half a period apart contain little information on the motion between them, but together they determine it (see
-`gait`). How far a joint is off counts by how certain the cycle is there: least where no keyframe has the same phase.
+`gait`). The certainty is lowest at phases without a keyframe.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ from ..curvature import Curvature
 from ..penalty import Guide, Normalization, Role
 from .posture import apart
 
-FRAMES = 8  # variable frames a period that a path needs to follow a cycle
-LITTLE = np.radians(5)  # [rad] off in one joint that counts as little
-ROUNDING = 1e-9  # of a frame: a segment that is a whole number of them long has as many
+FRAMES = 8  # variable frames per period that a path needs to follow a cycle
+LITTLE = np.radians(5)  # [rad] small deviation of one joint, for the normalization
+ROUNDING = 1e-9  # [1] rounding tolerance of the number of frames in a segment
 
 
 @dataclass(frozen=True, eq=False)
 class Cycle(Guide):
-    """The squared deviation from the gait cycle [rad²], times the cycle's trust.
+    """The squared deviation from the gait cycle [rad²], times its certainty `trust`.
 
-    Σ over ball joints and the root of 4 sin²(θ/2), θ the angle off the cycle's rotation, of squared angles off over
-    hinges, and of (5 rad/m · the root's height off)².
+    It is the sum of 4 sin²(θ/2) over ball joints and the root, with the angle θ to the cycle's rotation, of squared
+    angles over hinges, and of (5 rad/m · deviation of the root's height)².
     """
 
     figure: Figure
@@ -79,18 +79,18 @@ class Cycle(Guide):
         yield Dense((2 * root * v).reshape(-1, samples.count), pulled_back, curved if figure.is_world else None)
 
     def off(self, samples: Samples) -> Array:
-        """(n, S) [rad] how far every joint with a quaternion is off the cycle."""
+        """Return the angle of every joint with a quaternion to the cycle, (n, S) [rad]."""
         w, v = self._off(samples, self._at(samples.t)[0])
         return 2 * np.arctan2(np.linalg.norm(v, axis=0), np.abs(w))
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
-        """The cycle itself at the variable frames, with eight frames per period if their number allows it."""
+        """Return the timeline with variable frames on the cycle, eight per period if `most` permits it."""
         ends = timeline.times[[0, -1]]
         fixed = [frame for frame in timeline.frames if not frame.is_variable or frame.time in ends]
         edges, apart = np.array([frame.time for frame in fixed]), self.gait_cycle.period / FRAMES
         counts = np.ceil(np.diff(edges) / apart - ROUNDING).astype(int) - 1
         present = np.histogram(timeline.times, edges)[0] - 1
-        present[-1] -= 1  # whose last edge counts too
+        present[-1] -= 1  # the last bin includes both its edges
         counts = np.maximum(counts, present)
         if most is not None and counts.sum() > most:
             counts = present
@@ -101,7 +101,7 @@ class Cycle(Guide):
         return Timeline(tuple(sorted(frames, key=lambda frame: frame.time)), timeline.end_slope, timeline.ends)
 
     def _states(self, plain: Array, times: Array) -> Array:
-        """The cycle's states at times (T,) [s], with unknown entries as in `plain` (T, N)."""
+        """Return the cycle's states at times (T,) [s], with unknown entries as in `plain` (T, N)."""
         pose_map, qpos = self.gait_cycle.poses.map, self.figure.to_qpos(plain)
         target = self._at(times)[0]
         qpos[:, pose_map.columns.T] = target[:, : self._turns].reshape(times.size, pose_map.links.size, 4)
@@ -113,26 +113,25 @@ class Cycle(Guide):
 
     @property
     def _turns(self) -> int:
-        """The number of the target's quaternion columns."""
         return 4 * self.gait_cycle.rotations.shape[1]
 
     @cached_property
     def _columns(self) -> tuple[Index, Array]:
-        """The state's columns of hinges and the root's height, and what each counts [1, rad/m]."""
+        """The state's columns of hinges and the root's height, and their weights [1, rad/m]."""
         pose_map = self.gait_cycle.poses.map
         columns = np.concatenate([pose_map.hinges, pose_map.heights])
         return columns, np.repeat([1.0, HEIGHT], [pose_map.hinges.size, pose_map.heights.size])
 
     @cached_property
     def _table(self) -> Array:
-        """(T, 4 q + h + f + 1) the gait cycle at its times: quaternions, angles, heights, trust."""
+        """The gait cycle at its times: quaternions, angles, heights, trust, (T, 4 q + h + f + 1)."""
         gait_cycle = self.gait_cycle
         turns = gait_cycle.rotations.reshape(gait_cycle.times.size, -1)
         return np.hstack([turns, gait_cycle.angles, gait_cycle.heights, gait_cycle.trust[:, None]])
 
     def _at(self, t: Array) -> tuple[Array, Array]:
-        """The target (S, 4 q + h + f), quaternions not of unit length, and its trust (S,), at times t [s]: none where
-        the clip has not begun the cycle yet, or has left it."""
+        """Return the target (S, 4 q + h + f), with quaternions of any length, and its trust (S,), 0 outside the cycle's
+        times."""
         times = self.gait_cycle.times
         place = (np.clip(t, times[0], times[-1]) - times[0]) / (times[1] - times[0])
         before = np.minimum(place.astype(np.intp), times.size - 2)
@@ -141,16 +140,16 @@ class Cycle(Guide):
         return rows[:, :-1], np.where(self._is_told(t), rows[:, -1], 0.0)
 
     def _is_told(self, t: Array) -> NDArray[np.bool_]:
-        """(S,) whether the gait cycle reaches to times t [s]."""
+        """Return whether the gait cycle covers times t [s], (S,)."""
         return (t >= self.gait_cycle.times[0]) & (t <= self.gait_cycle.times[-1])
 
     def _off(self, samples: Samples, target: Array) -> tuple[Array, Array]:
-        """The unit quaternions from the target to the joints' own rotations: w (n, S) and v (3, n, S)."""
+        """Return the unit quaternions from the target to the joints' rotations: w (n, S) and v (3, n, S)."""
         links, tables = samples.links, samples.figure.tables
         child, parent = _joints(samples.figure)
         wanted = target[:, : self._turns].reshape(samples.count, -1, 4).T
         base = links.Q[:, parent]
-        if tables.has_turns:  # what is free is turned in the world, whatever its model has it turned at rest
+        if tables.has_turns:  # the rotation of a free joint is in the world, whatever its orientation at rest
             turn = tables.turn.copy()
             turn[:, tables.free_links] = [[1.0], [0], [0], [0]]
             base = hamilton(base, turn[:, child][:, :, None])
@@ -160,7 +159,7 @@ class Cycle(Guide):
 
 
 def _moved(w: Array, v: Array, rotation: Array) -> Array:
-    """The derivative of 2 v by a small rotation of the link in the world: (w + [v]×) Rᵀ, (3, 3, n, S)."""
+    """Return the derivative of 2 v by a small rotation of the link in the world, (w + [v]×) Rᵀ, (3, 3, n, S)."""
     rows = rotation.swapaxes(0, 1)
     out = w * rows
     for k in range(3):
@@ -170,6 +169,5 @@ def _moved(w: Array, v: Array, rotation: Array) -> Array:
 
 @lru_cache(maxsize=8)
 def _joints(figure: Figure) -> tuple[Index, Index]:
-    """The links with quaternions and their parents, (n,) each."""
     child = figure.tables.quaternion_links
     return child, figure.tables.parents[child]

@@ -1,6 +1,6 @@
-"""Peaks of joints' angular accelerations: a high power of them, which the largest one dominates.
+"""Peaks of joints' angular accelerations: a high power of them, which the largest dominates.
 
-Squares spread an effort over time, but where a foot strikes or leaves they leave a spike; this takes off its top.
+Squares spread an effort over time, but leave a spike where a foot strikes or leaves the ground. This term lowers it.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from ...figure.wrenches import Wrenches
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-POWER = 4  # of squared accelerations: eighth powers of accelerations
-NEGLIGIBLE = 1e-3  # of the largest residual's gradient
-STEEPER = np.sqrt((2 * POWER - 1) / POWER)  # makes a model's second derivative along α that of |α|⁸
-STILL = 1e-12  # [rad/s²] a turn that has no axis
+POWER = 4  # [1] power of squared accelerations, hence the eighth power of accelerations
+NEGLIGIBLE = 1e-3  # [1] gradient relative to the largest below which a residual is omitted from the model
+STEEPER = np.sqrt((2 * POWER - 1) / POWER)  # [1] factor that makes the model's second derivative that of |α|⁸
+STILL = 1e-12  # [rad/s²] smallest divisor, against division by zero
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class PeakAcceleration(Penalty):
         return self._larger(samples, NEGLIGIBLE, STEEPER)
 
     def _larger(self, samples: Samples, least: float, steeper: float) -> Iterator[Block]:
-        """Residuals |α|⁴ whose gradients exceed `least` times the largest, scaled."""
+        """Yield residuals |α|⁴ whose gradients exceed `least` times the largest, with gradients times `steeper`."""
         directions, sizes = relative_accelerations(samples)
         slopes = POWER * sizes ** (POWER - 1)
         at, link = np.nonzero(least * slopes.max(initial=0.0) < slopes.T)
@@ -49,9 +49,10 @@ class PeakAcceleration(Penalty):
 
 
 def relative_accelerations(samples: Samples) -> tuple[Array, Array]:
-    """Angular acceleration of links relative to their parents: unit vectors (3, L, S) and sizes (L, S) [rad/s²].
+    """Return angular accelerations of links relative to their parents: unit vectors (3, L, S) and sizes (L, S)
+    [rad/s²].
 
-    Zero for links that no ball joint or hinge turns.
+    They are zero for links without a ball joint or hinge.
     """
     links, joints = samples.links, _turning(samples)
     relative = np.zeros_like(links.alpha)
@@ -61,6 +62,5 @@ def relative_accelerations(samples: Samples) -> tuple[Array, Array]:
 
 
 def _turning(samples: Samples) -> Index:
-    """The links that a ball joint or a hinge turns."""
     links = samples.figure.links
     return np.array([i for i, k in enumerate(links) if i and k.kind in (JointKind.BALL, JointKind.HINGE)], np.intp)

@@ -1,8 +1,8 @@
-"""Posture: angular velocity of joints, against the overshoot of long segments.
+"""Posture: angular velocity of joints, against overshoot in long segments.
 
-Acceleration alone swings a joint far out between keyframes that are a second apart; people come back to a posture in a
-fraction of that. Squared angular velocity beside squared acceleration is a spline in tension: it feels like the former
-over segments longer than 2π times the ratio of the two, and like the latter over shorter ones.
+Minimum acceleration swings a joint far out between keyframes a second apart, while people return to a posture in a
+fraction of that time. Squared velocity and squared acceleration together define a spline in tension. Velocity dominates
+over segments longer than 2π times `settling`, acceleration over shorter ones.
 """
 
 from __future__ import annotations
@@ -22,14 +22,15 @@ from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 
-SETTLING = 0.3  # [s] by default
+SETTLING = 0.3  # [s] default of `settling`
 
 
 @dataclass(frozen=True)
 class Posture(Penalty):
     """Σ over ball joints of |ω − ω_parent|²/4 and over hinges of θ'²/4 [rad²/s²/4].
 
-    settling  [s] a joint's acceleration and its velocity over so long count alike
+    Attributes:
+        settling: The time over which a joint's velocity costs as much as its acceleration [s].
     """
 
     settling: float = SETTLING
@@ -61,7 +62,7 @@ class Posture(Penalty):
 
 
 def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
-    """Joints whose links' orientations are in the state: rows of eight columns each."""
+    """Add the curvature of joints whose links' orientations are in the state: rows of eight columns each."""
     figure, links = samples.figure, samples.links
     child, parent = _joints(figure)
     by_rate = vector_product(links.Q) * links.scale
@@ -78,15 +79,17 @@ def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
 
 @lru_cache(maxsize=8)
 def _joints(figure: Figure) -> tuple[Index, Index]:
-    """The links of the ball joints and their parents, (n,) each."""
     child = np.array([i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL], np.intp)
     return child, figure.tables.parents[child]
 
 
 @lru_cache(maxsize=8)
 def apart(figure: Figure, child: tuple[int, ...]) -> list[tuple[Index, Index]]:
-    """Joints of these links in groups that share no link, each with the columns of its children and parents, (g, 8);
-    of those that hang on the world, of its children alone, (g, 4)."""
+    """Return joints in groups that share no link, each with its columns (g, 8): those of the children and of the
+    parents.
+
+    Joints without a parent in the state form separate groups with the columns of the children only, (g, 4).
+    """
     tables = figure.tables
     place = {int(link): tables.quaternion_columns[:, i] for i, link in enumerate(tables.quaternion_links)}
     parents = [int(tables.parents[c]) for c in child]

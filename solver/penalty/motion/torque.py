@@ -1,8 +1,9 @@
-"""Joint torques by inverse dynamics (appendix A): without contact forces those of a stance leg are a regulariser.
+"""Joint torques by inverse dynamics (appendix A). They omit contact forces, so in stance legs they are only a
+regulariser.
 
 Included are inertia, Coriolis and centrifugal forces, gravity and armature. Not included are the model's passive forces
-(stiffness, damping, friction loss, gravity compensation, fluid drag, tendons), constraint forces and contact forces;
-`inverse_dynamics` has the first two.
+(stiffness, damping, friction loss, gravity compensation, fluid drag, tendons), constraint forces and contact forces.
+`inverse_dynamics` includes all but contact forces.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from ..penalty import Normalization, Penalty, Role
 
 @dataclass(frozen=True)
 class Torque(Penalty):
-    """Σ of squared torques of ball joints and hinges and forces of slides [N² m²]; not of the free roots' wrench."""
+    """Σ of squared torques of ball joints and hinges and forces of slides [N² m²], without the wrench of free roots."""
 
     name = "torque"
     role = Role.SMOOTHNESS
@@ -67,8 +68,16 @@ class Torque(Penalty):
 
 @dataclass(frozen=True, eq=False)
 class _Motors:
-    """Hinges or slides: links (h,), columns (h,), axes (3, h, S), moments or forces there, and efforts along the axes
-    (h, S), with what the armature takes."""
+    """Efforts of hinges or slides.
+
+    Attributes:
+        links: The links, (h,).
+        columns: The state's columns, (h,).
+        armature: The armatures, (h, 1).
+        axis: The axes, (3, h, S).
+        source: The moments or forces, (3, h, S).
+        effort: Their components along the axes, plus the effect of armature, (h, S).
+    """
 
     links: Index
     columns: Index
@@ -86,14 +95,15 @@ class _Motors:
         return cls(links, columns, armature, axis, source[:, links], effort)
 
     def pull_back(self, into: Cotangent, bar: Array, target: Array) -> None:
-        """Adds the gradient of Σ bar · effort, bar (h, S), to `target`, that by moments or forces, and to `into`."""
+        """Add the gradient of Σ bar · effort, bar (h, S), to `target`, the gradient by moments or forces, and to
+        `into`."""
         target[:, self.links] = bar * self.axis
         into.buffer("y_dd")[:, self.columns] += (bar * self.armature).T
         into.buffer("turn")[:, self.links] += cross(self.axis, bar * self.source)
 
 
 def _reflected_pulled_back(into: Cotangent, own: Index, parents: Index, gradient: Array, spin: Array) -> None:
-    """Gradient of α_c − α_p − ω_c × (ω_c − ω_p)."""
+    """Pull back the gradient of α_c − α_p − ω_c × (ω_c − ω_p)."""
     omega = into.samples.links.omega[:, own]
     by_spin = cross(omega, gradient)
     into.buffer("alpha")[:, own] += gradient

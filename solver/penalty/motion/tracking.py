@@ -1,4 +1,4 @@
-"""Tracking of a recorded motion. Beyond the paper."""
+"""Tracking of a recorded motion. Not in the paper."""
 
 from __future__ import annotations
 
@@ -20,20 +20,27 @@ from ...inference.recording import RecordedMotion
 from ..block import Block, every
 from ..penalty import Guide, Normalization, Role
 
-AWAY, FOR = 0.03, 0.3  # [m], [s]: how far a limb's end may be off by one joint, for so long, as what counts one
-STRAYS, BACK = 0.01, 0.1  # [m], [s]: how far what is filmed strays, and how soon it comes back
-MENDED = 3.0  # [1/s³], [m²/s³] least liveliness of what mends a recording, however calm that is
-EASED = 0.01  # of its weight that a pose keeps where a keyframe edits it
-COARSE, FINEST = 0.2, 1 / 60  # [s] between frames that what was recorded is followed by
-DETAIL = 30.0  # f over a segment, of what may be left out
-NODES = 4  # a span, of Gauss's rule
-REMEMBERED = 20_000  # samples, of 3 kB for a human figure: a window evaluates few sets of times repeatedly
-SHORTEST = 0.05  # [m] of a limb
+AWAY, FOR = 0.03, 0.3  # deviation [m] of a limb's end by one joint, and its duration [s], that together cost 1
+STRAYS, BACK = 0.01, 0.1  # standard deviation [m] and correlation time [s] of a recording's position errors
+MENDED = 3.0  # [1/s³], [m²/s³] minimum liveliness, which permits corrections of calm recordings
+EASED = 0.01  # [1] factor on the weight of poses at a keyframe that edits the recording
+COARSE, FINEST = 0.2, 1 / 60  # [s] maximum and minimum spacing of frames that track a recording
+DETAIL = 30.0  # [1] default of the cost per segment of detail that a spline may lose, see `times`
+NODES = 4  # nodes per span of Gauss's rule
+REMEMBERED = 20_000  # cached samples, each 3 kB for a human figure; a search evaluates the same times repeatedly
+SHORTEST = 0.05  # [m] minimum length of a limb
 
 
 class _Target(NamedTuple):
-    """What was recorded at times t (S,): y, y', y'' (3, S, N) and what their differences weigh (3, S, N); where limbs'
-    ends were (3, n, S), and what their distances weigh (S,)."""
+    """The recording at times t, with weights.
+
+    Attributes:
+        t: The times, (S,) [s].
+        motion: y, y', y'', (3, S, N).
+        weights: The weights of their squared differences, (3, S, N).
+        ends: The positions of limbs' ends, (3, n, S) [m].
+        end_weight: The weights of their squared distances, (S,).
+    """
 
     t: Array
     motion: Array
@@ -44,11 +51,14 @@ class _Target(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class TrackingPenalty(Guide):
-    """Σ over the state's entries of w₀ (y − ŷ)² + w₁ (y' − ŷ')² + w₂ (y'' − ŷ'')², ŷ what was recorded,
-    and of squared distances of limbs' ends from where they were.
+    """Squared differences from a recorded motion ŷ.
 
-    eased  (time, width) [s]: around these times, fading out with the distance, it tracks the recording's velocities
-           and accelerations, and hardly for its poses
+    The sum is Σ over the state's entries of w₀ (y − ŷ)² + w₁ (y' − ŷ')² + w₂ (y'' − ŷ'')², and squared distances of
+    limbs' ends from their recorded positions.
+
+    Attributes:
+        recorded: The recorded motion.
+        eased: (time, width) [s] of edits. Near these times poses have less weight, velocities and accelerations do not.
     """
 
     recorded: RecordedMotion
@@ -76,7 +86,7 @@ class TrackingPenalty(Guide):
         yield Block(at, (places - target.ends).ravel(), (moved,), target.end_weight[at])
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
-        """The recorded states at the variable frames."""
+        """Return the timeline with variable frames at the recorded states."""
         states = self.recorded.path.at(timeline.times)
         same = self._same(timeline.states, states)
         frames = [
@@ -86,9 +96,10 @@ class TrackingPenalty(Guide):
         return Timeline(tuple(frames), timeline.end_slope, timeline.ends)
 
     def times(self, detail: float = DETAIL) -> Array:
-        """(M,) [s] of so few frames that a spline through what was recorded at them holds all of its detail.
+        """Return the times of few frames (M,) [s] whose spline contains the detail of the recording.
 
-        detail  f over a segment that is left out
+        Args:
+            detail: The cost f of a segment up to which its lost detail is acceptable [1].
         """
         rec = self.recorded
         first, last = rec.path.span
@@ -104,28 +115,28 @@ class TrackingPenalty(Guide):
             times = np.sort(np.append(times, 0.5 * (times[:-1] + times[1:])[split]))
 
     def _same(self, y: Array, states: Array) -> Array:
-        """(S, N) False for quaternions on the other hemisphere."""
+        """Return False for entries of quaternions on opposite hemispheres, else True, (S, N)."""
         same = np.ones(y.shape, bool)
         for columns in self.recorded.figure.tables.quaternion_columns.T:
             same[:, columns] = np.sum(y[:, columns] * states[:, columns], axis=1, keepdims=True) >= 0
         return same
 
     def _off(self, samples: Samples) -> tuple[Array, Array]:
-        """(3, S, N) y, y', y'' less those recorded; (3, S, N) what their squares weigh."""
+        """Return the differences of y, y', y'' from the recording, and the weights of their squares, (3, S, N) each."""
         target = self._at(samples.t)
         motion = np.where(self._same(samples.y, target.motion[0]), target.motion, -target.motion)
         return np.stack([samples.y, samples.y_d, samples.y_dd]) - motion, target.weights
 
     @cached_property
     def ends(self) -> tuple[Index, Array]:
-        """The links that end limbs (n,), and the middle of their masses on them (3, n)."""
+        """The links that end limbs (n,), and their centres of mass (3, n)."""
         tables = self.recorded.figure.tables
         ends = np.flatnonzero(tables.children == 0)
         return ends, tables.centre[:, ends]
 
     @cached_property
     def _pose(self) -> Array:
-        """(N,) what the square of a difference weighs: noise, and what a skeleton is off that is not the figure's."""
+        """The weights of squared pose differences (N,), from the noise and from differences between the skeletons."""
         rec = self.recorded
         off = np.full(rec.figure.width, AWAY**2 * FOR)
         for lever, link in zip(levers(rec.figure), rec.figure.links[1:], strict=True):
@@ -139,7 +150,7 @@ class TrackingPenalty(Guide):
         return pose
 
     def _held(self, t: Array) -> Array:
-        """(S,) how much poses count at times t (S,), beside edits less."""
+        """Return the factors on the weights of poses at times t, less near edits, (S,)."""
         out = np.ones(t.size)
         for time, width in self.eased:
             away = np.minimum(np.abs(t - time) / width, 1)
@@ -147,11 +158,11 @@ class TrackingPenalty(Guide):
         return out
 
     def weights(self, t: Array) -> Array:
-        """(3, S, N) what the squares of differences of y, y' and y'' weigh at times t (S,)."""
+        """Return the weights of squared differences of y, y' and y'' at times t (S,), (3, S, N)."""
         return self._at(t).weights
 
     def _at(self, t: Array) -> _Target:
-        """The recorded states at times t (S,); cached, because a search evaluates the same times repeatedly."""
+        """Return the recording at times t (S,), cached."""
         key = (float(t[0]), float(t[-1]), t.size)
         cached = self._seen.get(key)
         if cached is not None and np.array_equal(cached.t, t):
@@ -172,7 +183,7 @@ class TrackingPenalty(Guide):
 
 
 def levers(figure: Figure) -> Array:
-    """(L − 1,) [m] from every link's joint to the farthest end of a limb beyond it, at rest."""
+    """Return the distance of every joint from the farthest end of a limb beyond it, at rest, (L − 1,) [m]."""
     rest = figure.to_state(np.asarray(figure.model.qpos0))[None]
     motion, links = Samples.still(figure, rest).links, figure.links
     anchors = np.array([link.anchor for link in links]).T

@@ -1,4 +1,4 @@
-"""Unit magnitude of the state's quaternions: f₁ = (1 − q·q)² (eq. 9), or the paper's |1 − q·q|, made smooth."""
+"""Unit magnitude of the state's quaternions: f₁ = (1 − q·q)² (eq. 9), or a smooth form of the paper's |1 − q·q|."""
 
 from __future__ import annotations
 
@@ -14,16 +14,18 @@ from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 
-EPSILON = 1e-3  # by default
+EPSILON = 1e-3  # [1] default of `epsilon`
 
 
 @dataclass(frozen=True)
 class UnitMagnitude(Penalty):
-    """Σ over quaternion blocks of (1 − b)², b = q·q; with form "absolute", of √((1 − b)² + ε²) − ε.
+    """Σ over quaternion blocks of (1 − b)² with b = q·q, or for the form "absolute" of √((1 − b)² + ε²) − ε.
 
-    epsilon  the absolute form's rounding of the corner at b = 1
-    most     what the raw spline is taken to have of it at most, on the average: one that swings far out between distant
-             keyframes must not let quaternions vanish
+    Attributes:
+        form: "square" or "absolute".
+        epsilon: The smoothing ε of the absolute form at b = 1.
+        most: The upper limit of the raw spline's mean value in the normalization. A raw spline that swings far out
+            between distant keyframes therefore does not let quaternions vanish.
     """
 
     form: str = "square"
