@@ -4,21 +4,24 @@ Modules are imported on first use. Annotations are objects, because typer evalua
 """
 
 import json
-import math
 import os
 import sys
-from collections.abc import Callable, Sequence
-from enum import StrEnum
-from functools import partial
+from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn, cast
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
+from dynsplines import models
+
+from . import cli_options as option
+from .cli_options import flag, number, seconds, value
 from .errors import UserError, unknown
+from .picture import graphics
 from .system import exit_status
+from .system import output as outputs
 
 
 class _Lazy:
@@ -33,46 +36,37 @@ class _Lazy:
 
 if TYPE_CHECKING:
     from . import batch as batches
-    from . import inputs, models, motion
+    from . import inputs, motion
     from .batch import recordings
     from .clean import command as clean_command
     from .clean import rest_pose_trim
-    from .clip import kinds, load, starter
+    from .clip import kinds, starter
     from .edit import files, thin_files
     from .exchange import formats, motion_import, quantities, trajectory
     from .exchange.skeleton import maps
     from .measure import chart, summary, violation
     from .measure import report as reports
-    from .picture import film, graphics, rendering, show
-    from .scene import file_access
-    from .studio import launch as studio_start
-    from .studio import sources as studio_sources
-    from .system import output as outputs
+    from .picture import film, rendering, show
+    from .studio import launch, sources
     from .system import progress as terminal
-    from .system import quantity
 else:
 
     def _lazy(package: str, names: str) -> list[_Lazy]:
         return [_Lazy(f"{package}.{name}") for name in names.split()]
 
-    batches, inputs, models, motion = _lazy("", "batch inputs models motion")
-    kinds, load, starter = _lazy(".clip", "kinds load starter")
+    inputs, motion, terminal = _lazy("", "inputs motion system.progress")
+    batches, recordings, kinds, starter = _lazy("", "batch batch.recordings clip.kinds clip.starter")
     files, thin_files = _lazy(".edit", "files thin_files")
+    clean_command, rest_pose_trim = _lazy(".clean", "command rest_pose_trim")
     formats, motion_import, quantities, trajectory, maps = _lazy(
         ".exchange", "formats motion_import quantities trajectory skeleton.maps"
     )
     chart, summary, violation, reports = _lazy(".measure", "chart summary violation report")
-    film, graphics, rendering, show = _lazy(".picture", "film graphics rendering show")
-    studio_sources, studio_start = _lazy(".studio", "sources launch")
-    outputs, terminal, quantity = _lazy(".system", "output progress quantity")
-    recordings, clean_command, rest_pose_trim, file_access = _lazy(
-        "", "batch.recordings clean.command clean.rest_pose_trim scene.file_access"
-    )
-
-UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
+    film, rendering, show = _lazy(".picture", "film rendering show")
+    launch, sources = _lazy(".studio", "launch sources")
 
 VIOLATED = 3  # the exit code of --strict
-BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", ".clip.table", ".system.progress")
+BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", "dynsplines.clip.table", "dynsplines.system.progress")
 
 
 class _Panels(TyperGroup):
@@ -99,126 +93,9 @@ app = typer.Typer(
 )
 
 
-def _flag(*words: str, **more: Any) -> Any:
-    """Return an option without a value; the last of `words` is its help, the others are its names."""
-    return typer.Option(*words[:-1], help=words[-1], **more)
-
-
-def _value(metavar: str, help: str, default: str | bool = True, *names: str, **more: Any) -> Any:
-    """Return an option; `default` is the text that describes a computed default."""
-    return typer.Option(*names, metavar=metavar, help=help, show_default=default, **more)
-
-
-def _number(
-    metavar: str, help: str, least: float, most: float, default: str | bool = True, *names: str, kind: type = float
-) -> Any:
-    """Return an option of a finite number from `least` to `most`; the ranges of click accept nan."""
-    span = f"{least:g} to {most}" if most < math.inf else f"{least:g} or more" if least > -math.inf else ""
-
-    def number(text: object) -> float:
-        try:
-            value = kind(text)
-        except (ValueError, OverflowError):
-            value = math.nan
-        if not (least <= value <= most and math.isfinite(value)):
-            raise typer.BadParameter(f"{text}: give a {'whole ' * (kind is int)}number{span and f', {span}'}")
-        return value
-
-    return _value(metavar, f"{help}{span and f', {span}'}", default, *names, parser=number)
-
-
-def _seconds(help: str, default: str | bool = True, *names: str) -> Any:
-    return _number("SECONDS", help, -math.inf, math.inf, default, *names)
-
-
-def _output(default: str) -> Any:
-    return _value("FILE", "Write to this file", default, "-o", "--output")
-
-
-def _size(text: str) -> tuple[int, int]:
-    """Return width and height [pixels] from text such as "1280x720"."""
-    sides = text.lower().split("x")
-    if len(sides) != 2 or not all(side.isascii() and side.isdigit() and len(side) < 10 for side in sides):
-        raise typer.BadParameter(f"{text}: give WIDTHxHEIGHT in pixels, such as 1280x720")
-    width, height = map(int, sides)
-    if not (16 <= width <= 3840 and 16 <= height <= 2160):
-        raise typer.BadParameter(f"{text}: give 16x16 to 3840x2160")
-    return width, height
-
-
-def _quantity(kind: str, help: str, *names: str) -> Any:
-    """Return an option of a length or a speed with its unit."""
-    return _value(kind.upper(), help, "none", *names, parser=lambda text: getattr(quantity, kind)(text, names[0]))
-
-
-Only = StrEnum("Only", ["before", "after", "keys"])
-
-
-def _prepare(context: typer.Context, allow: bool) -> bool:
-    """Apply --allow-outside until the command ends, and import MuJoCo without graphics unless the command draws."""
-    context.with_resource(file_access.allowed(allow))
-    if context.command.name != "render":
-        graphics.do_without()
-    return allow
-
-
-Anything = "Name of a shipped clip, or a file: clip (.toml), model (.xml) or motion"
-Source = Annotated[str, typer.Argument(metavar="CLIP|MOTION.npz", help=Anything)]
-Clip = Annotated[str, typer.Argument(metavar="CLIP", help="Name of a shipped clip, or a .toml or .xml file")]
-Recording = Annotated[
-    Path, typer.Argument(metavar="RECORDING", help="Motion, or a recording in a format that `import` reads")
-]
-Overwrite = Annotated[bool, _flag("--overwrite", "Overwrite an existing output file")]
-Strict = Annotated[bool, _flag("--strict", "Exit with code 3 if the motion has violations")]
-NoCache = Annotated[bool, _flag("--no-cache", "--fresh", "Solve again instead of using the cached solution")]
-Outside = Annotated[bool, _flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
-AsJson = Annotated[bool, _flag("--json", "Print JSON")]
-SkipRest = Annotated[bool, _flag("--skip-rest", "Remove a T-pose before the motion")]
-Repeat = Annotated[int | None, _number("N", "Repeat a loop N times without a seam", 1, math.inf, "once", kind=int)]
-Rate = Annotated[float | None, _number("HZ", "Samples per second", 0.01, 100_000, "the clip's, or 30")]
-Figure = Annotated[
-    str | None, _value("MODEL", "Figure of the recording: name of a shipped figure, or MJCF file", "the file's")
-]
-Format = Annotated[str | None, _value("FORMAT", "Format of the recording", "by the file's extension", "--from")]
-Fps = Annotated[float | None, _number("HZ", "Frames per second of the recording", 0.01, 1000, "the file's")]
-Scale = Annotated[float | None, _number("METRES", "Length unit of the file, e.g. 0.01 for cm", 1e-6, 10**6, "inferred")]
-Scene = Annotated[Path | None, _value("FILE", "TOML file with the [scene] of the recording", "a flat floor")]
-Within = Annotated[
-    float | None,
-    _quantity(
-        "length", "Largest distance limbs may move from the recording, e.g. 3cm", "--max-displacement", "--within"
-    ),
-]
-Speed = Annotated[float | None, _quantity("speed", "Largest joint speed, e.g. 20rad/s or 1200deg/s", "--speed-limit")]
-Contacts = Annotated[Path | None, _value("FILE", "TOML file with [[contact]] tables", "inferred")]
-WriteMap = Annotated[bool, _flag("--write-map", "Write the inferred bone map to the file given by --map")]
-Model = Annotated[str | None, _value("MODEL", "Figure of --keys: name of a shipped figure, or MJCF file", "the clip's")]
-Keys = Annotated[str | None, _value("FILE", ".npz with time (K,) and qpos (K, nq) of --model", "the clip's")]
-Edited = Annotated[Path | None, _output("SOURCE_EDIT.npz, or .toml of a clip")]
-OverSource = Annotated[bool, _flag("--overwrite", "Allow -o to overwrite the input file")]
-Map = Annotated[Path | None, _value("FILE", "Bone map: TOML file, or the shipped g1 or human", "inferred", "--map")]
-
-
 def main() -> None:
     """The command `dynsplines`."""
-    run(lambda: app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False))
-
-
-def run(command: Callable[[], int | None]) -> NoReturn:
-    """Run a typer app and exit with its code; print a one-line message for an error."""
-
-    def translated() -> int | None:
-        try:
-            return command()
-        except typer.Abort:
-            raise KeyboardInterrupt from None
-        except UsageError as error:
-            if type(error) is typer.BadParameter and (option := getattr(error, "param", None)) is not None:
-                raise UserError(f"{option.opts[0]} {error.message.removeprefix('Value error, ')}") from None
-            path = error.ctx.command_path if error.ctx else "dynsplines"
-            raise UserError(f"{error.format_message()} (see `{path} --help`)") from None
-
-    exit_status.run(translated)
+    exit_status.run(lambda: app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False))
 
 
 def _print_version(wanted: bool) -> None:
@@ -234,8 +111,8 @@ def _print_version(wanted: bool) -> None:
 
 @app.callback()
 def _options(
-    debug: Annotated[bool, _flag("--debug", "Print a traceback on an internal error")] = False,
-    version: Annotated[bool, _flag("--version", "Print the version", is_eager=True, callback=_print_version)] = False,
+    debug: Annotated[bool, flag("--debug", "Print a traceback on an internal error")] = False,
+    version: Annotated[bool, flag("--version", "Print the version", is_eager=True, callback=_print_version)] = False,
 ) -> None:
     if debug:
         os.environ[exit_status.DEBUG] = "1"
@@ -244,34 +121,31 @@ def _options(
 @app.command("new", rich_help_panel="Create")
 def new_clip(
     model: Annotated[str, typer.Argument(metavar="MODEL", help="MJCF file, or name of a shipped figure")],
-    output: Annotated[Path | None, _output("MODEL.toml")] = None,
-    overwrite: Overwrite = False,
-    allow_outside: Outside = False,
+    output: Annotated[Path | None, option.output("MODEL.toml")] = None,
+    overwrite: option.Overwrite = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Write a commented starting clip for a model.
     It contains the model's keyframes; without any, a pose and a movement. Comments list joints, sites and options."""
     target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
-    notes: list[str] = []
-    text = starter.starter(model, target, notes.append)
+    text = starter.starter(model, target, lambda note: print(f"note: {note}", file=sys.stderr))
     with outputs.Replacement(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
-    for note in notes:
-        print(f"note: {note}", file=sys.stderr)
     print(f"wrote {target}; see it: dynsplines render {target}{' --allow-outside' if allow_outside else ''}")
 
 
 @app.command(rich_help_panel="Create")
 def solve(
-    source: Clip = "",
-    output: Annotated[Path | None, _output("CLIP.npz")] = None,
-    fps: Rate = None,
-    repeat: Repeat = None,
-    strict: Strict = False,
-    as_json: AsJson = False,
-    fresh: NoCache = False,
-    model: Model = None,
-    keys: Keys = None,
-    allow_outside: Outside = False,
+    source: option.Clip = "",
+    output: Annotated[Path | None, option.output("CLIP.npz")] = None,
+    fps: option.Rate = None,
+    repeat: option.Repeat = None,
+    strict: option.Strict = False,
+    as_json: option.AsJson = False,
+    fresh: option.NoCache = False,
+    model: option.Model = None,
+    keys: option.Keys = None,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz).
     Violations are printed last, worst first. Ctrl-C stops solving and saves the best motion so far."""
@@ -292,29 +166,26 @@ def solve(
 
 @app.command(rich_help_panel="Create")
 def render(
-    source: Source = "",
-    output: Annotated[Path | None, _output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
-    only: Annotated[
-        Only | None,
-        _value("before|after|keys", "Render only the motion before or after solving, or the keyframes", "both"),
-    ] = None,
-    ghosts: Annotated[bool, _flag("--ghosts", "Draw all frames in one picture, with keyframes darkest")] = False,
-    size: Annotated[Any, _value("WIDTHxHEIGHT", "Width and height in pixels", parser=_size)] = "1280x720",
-    fps: Annotated[float | None, _number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
+    source: option.Source = "",
+    output: Annotated[Path | None, option.output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
+    only: option.Only = None,
+    ghosts: Annotated[bool, flag("--ghosts", "Draw all frames in one picture, with keyframes darkest")] = False,
+    size: Annotated[Any, value("WIDTHxHEIGHT", "Width and height in pixels", parser=option.size)] = "1280x720",
+    fps: Annotated[float | None, number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
     camera: Annotated[
-        str, _value("NAME", "Camera: side, left, front, three_quarter, back, or a camera of the model")
+        str, value("NAME", "Camera: side, left, front, three_quarter, back, or a camera of the model")
     ] = "side",
-    slow: Annotated[float, _number("FACTOR", "Slow-motion factor", 0.01, 1000)] = 1.0,
-    at: Annotated[float | None, _seconds("Render a single frame at this time", "all")] = None,
+    slow: Annotated[float, number("FACTOR", "Slow-motion factor", 0.01, 1000)] = 1.0,
+    at: Annotated[float | None, seconds("Render a single frame at this time", "all")] = None,
     workers: Annotated[
-        int | None, _number("N", "Number of rendering processes", 1, 60, "1; without OpenGL one per core", kind=int)
+        int | None, number("N", "Number of rendering processes", 1, 60, "1; without OpenGL one per core", kind=int)
     ] = None,
-    repeat: Repeat = None,
-    strict: Strict = False,
-    fresh: NoCache = False,
-    model: Model = None,
-    keys: Keys = None,
-    allow_outside: Outside = False,
+    repeat: option.Repeat = None,
+    strict: option.Strict = False,
+    fresh: option.NoCache = False,
+    model: option.Model = None,
+    keys: option.Keys = None,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Render a clip or a motion as a video or a picture.
     The extension of -o selects .mp4, .webm or .gif, or .png for a contact sheet. A clip is solved first."""
@@ -323,7 +194,7 @@ def render(
     film.check_target(target, width, height)
     if width % 2 and not only and not (ghosts and target.suffix.lower() == ".png"):
         raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
-    renderer = _renderer()
+    renderer = graphics.choose_while_importing(BEFORE_MUJOCO)
     with terminal.Progress() as progress:
         unmet: list[str] | None = [] if only == "keys" else None
         clip = inputs.load(source, model=model, keys=keys, unmet=unmet)
@@ -341,29 +212,27 @@ def render(
 
 @app.command(rich_help_panel="Create")
 def studio(
-    source: Annotated[str, typer.Argument(metavar="CLIP|MOTION|RECORDING|MODEL.xml", help=Anything)] = "run_and_step",
-    figure: Figure = None,
-    port: Annotated[int, _number("PORT", "TCP port, 0 for a free one", 0, 65535, kind=int)] = 0,
+    source: Annotated[
+        str, typer.Argument(metavar="CLIP|MOTION|RECORDING|MODEL.xml", help=option.Anything)
+    ] = "run_and_step",
+    figure: option.Figure = None,
+    port: Annotated[int, number("PORT", "TCP port, 0 for a free one", 0, 65535, kind=int)] = 0,
     host: Annotated[
-        str, _value("ADDRESS", "Address to listen on; --allow-remote permits non-local addresses")
+        str, value("ADDRESS", "Address to listen on; --allow-remote permits non-local addresses")
     ] = "127.0.0.1",
-    browser: Annotated[bool, _flag("--browser/--no-browser", "Open the page in a browser")] = True,
-    allow_remote: Annotated[bool, _flag("--allow-remote", "Let other machines edit the clip and write files")] = False,
-    allow_outside: Outside = False,
+    browser: Annotated[bool, flag("--browser/--no-browser", "Open the page in a browser")] = True,
+    allow_remote: Annotated[bool, flag("--allow-remote", "Let other machines edit the clip and write files")] = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Edit and solve a clip live in the browser."""
-    from importlib.util import find_spec
-
-    for name in ("starlette", "uvicorn", "websockets", "tomlkit"):
-        if sys.modules.get(name) is None and (name in sys.modules or find_spec(name) is None):
-            raise UserError(f"the studio needs {name}: pip install 'dynamic-splines[studio]'")
-    studio_start.check_host(host, allow_remote=allow_remote)
-    more = {"host": host, "port": port, "browser": browser, "allow_remote": allow_remote}
-    studio_start.run(studio_sources.opened(source, figure=figure), say=partial(print, flush=True), **more)
+    launch.check_packages()
+    launch.check_host(host, allow_remote=allow_remote)
+    document = sources.opened(source, figure=figure)
+    launch.run(document, host=host, port=port, browser=browser, allow_remote=allow_remote)
 
 
 @app.command(rich_help_panel="Create")
-def clips(show: Annotated[str | None, _value("NAME", "Print the text of this clip", "none")] = None) -> None:
+def clips(show: Annotated[str | None, value("NAME", "Print the text of this clip", "none")] = None) -> None:
     """List the shipped clips, or print the text of one."""
     if show is None:
         print(*(f"{name:16} {line}" for name, line in models.clips().items()), sep="\n")
@@ -380,7 +249,7 @@ def list_models() -> None:
 
 
 @app.command("penalties", rich_help_panel="Create")
-def list_penalties(as_json: AsJson = False) -> None:
+def list_penalties(as_json: option.AsJson = False) -> None:
     """List the soft constraints, their weights and options.
     A clip configures them in [[penalty]] tables. Weights are the defaults; options are listed with their units."""
     if as_json:
@@ -398,11 +267,11 @@ def list_penalties(as_json: AsJson = False) -> None:
 
 @app.command(rich_help_panel="Edit")
 def mirror(
-    source: Source,
-    output: Edited = None,
-    overwrite: OverSource = False,
-    fresh: NoCache = False,
-    allow_outside: Outside = False,
+    source: option.Source,
+    output: option.Edited = None,
+    overwrite: option.OverSource = False,
+    fresh: option.NoCache = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Swap left and right in a motion or a clip."""
     _edit(files.mirrored(), output, overwrite, fresh, source)
@@ -410,13 +279,13 @@ def mirror(
 
 @app.command(rich_help_panel="Edit")
 def retime(
-    source: Source,
-    output: Edited = None,
-    speed: Annotated[float | None, _number("FACTOR", "Speed factor, e.g. 1.5", -math.inf, math.inf, "none")] = None,
-    duration: Annotated[float | None, _seconds("New duration", "none")] = None,
-    overwrite: OverSource = False,
-    fresh: NoCache = False,
-    allow_outside: Outside = False,
+    source: option.Source,
+    output: option.Edited = None,
+    speed: Annotated[float | None, number("FACTOR", "Speed factor, e.g. 1.5", default="none")] = None,
+    duration: Annotated[float | None, seconds("New duration", "none")] = None,
+    overwrite: option.OverSource = False,
+    fresh: option.NoCache = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Change the speed of a motion or a clip."""
     _edit(files.retimed(speed, duration), output, overwrite, fresh, source)
@@ -424,13 +293,13 @@ def retime(
 
 @app.command(rich_help_panel="Edit")
 def trim(
-    source: Source,
-    output: Edited = None,
-    first: Annotated[float | None, _seconds("Start of the interval", "the start", "--from")] = None,
-    last: Annotated[float | None, _seconds("End of the interval", "the end", "--to")] = None,
-    overwrite: OverSource = False,
-    fresh: NoCache = False,
-    allow_outside: Outside = False,
+    source: option.Source,
+    output: option.Edited = None,
+    first: Annotated[float | None, seconds("Start of the interval", "the start", "--from")] = None,
+    last: Annotated[float | None, seconds("End of the interval", "the end", "--to")] = None,
+    overwrite: option.OverSource = False,
+    fresh: option.NoCache = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Keep only a time interval of a motion, without altering it."""
     _edit(files.trimmed(first, last), output, overwrite, fresh, source)
@@ -438,13 +307,13 @@ def trim(
 
 @app.command(rich_help_panel="Edit")
 def join(
-    first: Source,
-    second: Source,
-    output: Edited = None,
-    transition: Annotated[float, _seconds("Duration of the transition")] = 0.4,
-    overwrite: OverSource = False,
-    fresh: NoCache = False,
-    allow_outside: Outside = False,
+    first: option.Source,
+    second: option.Source,
+    output: option.Edited = None,
+    transition: Annotated[float, seconds("Duration of the transition")] = 0.4,
+    overwrite: option.OverSource = False,
+    fresh: option.NoCache = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Append one motion to another, with a transition.
     The second motion is translated and rotated to continue from the end of the first."""
@@ -454,20 +323,20 @@ def join(
 @app.command(rich_help_panel="Edit")
 def thin(
     source: Annotated[str, typer.Argument(metavar="MOTION", help="Motion (.npz), recording, or clip")],
-    output: Annotated[Path | None, _output("SOURCE_thin.toml")] = None,
-    max_error: Annotated[str, _value("LENGTH", "Largest position error of any body or site")] = "2cm",
-    max_angle: Annotated[float, _number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
+    output: Annotated[Path | None, option.output("SOURCE_thin.toml")] = None,
+    max_error: Annotated[str, value("LENGTH", "Largest position error of any body or site")] = "2cm",
+    max_angle: Annotated[float, number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
     solve: Annotated[
-        bool, _flag("--solve", "Bound the error of the solved motion instead of the spline through the keyframes")
+        bool, flag("--solve", "Bound the error of the solved motion instead of the spline through the keyframes")
     ] = False,
-    exact: Annotated[bool, _flag("--exact", "Write a clip whose solution is the spline through its keyframes")] = False,
-    skip_rest: SkipRest = False,
-    figure: Figure = None,
-    kind: Format = None,
-    fps: Fps = None,
-    overwrite: Overwrite = False,
-    fresh: NoCache = False,
-    allow_outside: Outside = False,
+    exact: Annotated[bool, flag("--exact", "Write a clip whose solution is the spline through its keyframes")] = False,
+    skip_rest: option.SkipRest = False,
+    figure: option.Figure = None,
+    kind: option.Format = None,
+    fps: option.Fps = None,
+    overwrite: option.Overwrite = False,
+    fresh: option.NoCache = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Reduce a motion to few keyframes within an error bound.
     The extension of -o selects a clip (.toml) or a motion (.npz)."""
@@ -479,13 +348,13 @@ def thin(
 
 @app.command(rich_help_panel="Analyse")
 def report(
-    source: Source = "",
-    strict: Strict = False,
-    as_json: AsJson = False,
-    fresh: NoCache = False,
-    model: Model = None,
-    keys: Keys = None,
-    allow_outside: Outside = False,
+    source: option.Source = "",
+    strict: option.Strict = False,
+    as_json: option.AsJson = False,
+    fresh: option.NoCache = False,
+    model: option.Model = None,
+    keys: option.Keys = None,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Measure a motion before and after solving.
     Measures penetration, joint ranges, foot skate, torques and distance from the optimum, sampled at 1 kHz."""
@@ -503,12 +372,12 @@ def report(
 
 @app.command(rich_help_panel="Analyse")
 def plot(
-    source: Source = "",
-    output: Annotated[Path | None, _output("CLIP.png")] = None,
-    fresh: NoCache = False,
-    model: Model = None,
-    keys: Keys = None,
-    allow_outside: Outside = False,
+    source: option.Source = "",
+    output: Annotated[Path | None, option.output("CLIP.png")] = None,
+    fresh: option.NoCache = False,
+    model: option.Model = None,
+    keys: option.Keys = None,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Plot charts of a motion and of its optimization.
     Charts: foot height, unit magnitude, Euler-Lagrange deviation, and penalties per evaluation.
@@ -524,25 +393,24 @@ def plot(
 
 @app.command(rich_help_panel="Exchange")
 def export(
-    source: Source,
-    to: Annotated[str | None, _value("FORMAT", "Format, see `dynsplines formats`", "by the extension of -o")] = None,
-    output: Annotated[Path | None, _output("SOURCE with the format's extension")] = None,
-    fps: Rate = None,
+    source: option.Source,
+    to: Annotated[str | None, value("FORMAT", "Format, see `dynsplines formats`", "by the extension of -o")] = None,
+    output: Annotated[Path | None, option.output("SOURCE with the format's extension")] = None,
+    fps: option.Rate = None,
     columns: Annotated[
-        str, _value("COLUMNS", "Extra columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
+        str, value("COLUMNS", "Extra columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
     ] = "",
-    simulate: Annotated[bool, _flag("--simulate", "With mjcf: write a scene with actuators, for simulation")] = False,
-    repeat: Repeat = None,
-    overwrite: Overwrite = False,
-    fresh: NoCache = False,
-    allow_outside: Outside = False,
+    simulate: Annotated[bool, flag("--simulate", "With mjcf: write a scene with actuators, for simulation")] = False,
+    repeat: option.Repeat = None,
+    overwrite: option.Overwrite = False,
+    fresh: option.NoCache = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Export a motion to a format that other programs read."""
     form, options = formats.chosen(to, output), trajectory.ExportOptions(simulate, quantities.named(columns))
     formats.check_options(form, options)
     target = output or formats.target_of(formats.stem(Path(source)), form, options)
-    outputs.check_target(target)
-    outputs.check_new(target, overwrite=overwrite)
+    outputs.check_target(target, overwrite=overwrite)
     with terminal.Progress() as progress:
         clip = inputs.load(source)
         inputs.span(clip, repeat)
@@ -556,22 +424,22 @@ def import_motion(
     source: Annotated[
         Path, typer.Argument(metavar="FILE", help="Recorded motion, in a format of `dynsplines formats`")
     ],
-    figure: Figure = None,
-    kind: Format = None,
-    fps: Fps = None,
-    scale: Scale = None,
-    skip_rest: SkipRest = False,
-    output: Annotated[Path | None, _output("FILE.npz")] = None,
-    strict: Strict = False,
-    overwrite: Overwrite = False,
-    allow_outside: Outside = False,
+    figure: option.Figure = None,
+    kind: option.Format = None,
+    fps: option.Fps = None,
+    scale: option.Scale = None,
+    skip_rest: option.SkipRest = False,
+    output: Annotated[Path | None, option.output("FILE.npz")] = None,
+    strict: option.Strict = False,
+    overwrite: option.Overwrite = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Import a recorded motion and report its violations.
     Every sample becomes a keyframe. The motion is not solved."""
     target = _target(output, f"{formats.stem(source)}.npz", "motion")
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is the input file; give another -o")
-    outputs.check_new(target, overwrite=overwrite)
+    outputs.check_target(target, overwrite=overwrite)
     with terminal.Progress() as progress:
         recording = motion_import.import_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
         saved = rest_pose_trim.told(recording, progress, skip=skip_rest)
@@ -591,24 +459,24 @@ def list_formats() -> None:
 
 @app.command(rich_help_panel="Recordings")
 def clean(
-    source: Recording,
-    output: Annotated[Path | None, _output("RECORDING.clean with the extension of RECORDING")] = None,
-    figure: Figure = None,
-    map_file: Map = None,
-    write_map: WriteMap = False,
-    kind: Format = None,
-    fps: Fps = None,
-    scale: Scale = None,
-    scene: Scene = None,
-    contacts: Contacts = None,
-    within: Within = None,
-    speed_limit: Speed = None,
-    overwrite: Overwrite = False,
-    allow_outside: Outside = False,
+    source: option.Recording,
+    output: Annotated[Path | None, option.output("RECORDING.clean with the extension of RECORDING")] = None,
+    figure: option.Figure = None,
+    map_file: option.Map = None,
+    write_map: option.WriteMap = False,
+    kind: option.Format = None,
+    fps: option.Fps = None,
+    scale: option.Scale = None,
+    scene: option.Scene = None,
+    contacts: option.Contacts = None,
+    within: option.Within = None,
+    speed_limit: option.Speed = None,
+    overwrite: option.Overwrite = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Make a recording physically plausible.
     Removes foot skate, penetration, floating and jumps, and stays close to the recording."""
-    place = _map(map_file, write_map)
+    place = maps.map_of(map_file, writes=write_map)
     recording = clean_command.Source(
         source, figure, kind, fps, scale, scene, contacts, place, write_map, False, speed_limit
     )
@@ -618,24 +486,24 @@ def clean(
 @app.command(rich_help_panel="Recordings")
 def retarget(
     source: Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion of a skeleton, e.g. a BVH file")],
-    to: Annotated[str, _value("MODEL", "Target figure: name of a shipped figure, or MJCF file")],
-    output: Annotated[Path | None, _output("RECORDING.MODEL.npz")] = None,
-    map_file: Map = None,
-    write_map: WriteMap = False,
-    kind: Format = None,
-    fps: Fps = None,
-    scale: Scale = None,
-    scene: Scene = None,
-    contacts: Contacts = None,
-    within: Within = None,
-    speed_limit: Speed = None,
-    overwrite: Overwrite = False,
-    allow_outside: Outside = False,
+    to: Annotated[str, value("MODEL", "Target figure: name of a shipped figure, or MJCF file")],
+    output: Annotated[Path | None, option.output("RECORDING.MODEL.npz")] = None,
+    map_file: option.Map = None,
+    write_map: option.WriteMap = False,
+    kind: option.Format = None,
+    fps: option.Fps = None,
+    scale: option.Scale = None,
+    scene: option.Scene = None,
+    contacts: option.Contacts = None,
+    within: option.Within = None,
+    speed_limit: option.Speed = None,
+    overwrite: option.Overwrite = False,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Transfer a skeleton's motion to a figure, and clean it.
     Joints stay within the figure's ranges, and its limbs do not collide."""
     target = output or Path(f"{formats.stem(source)}.{Path(to).stem}.npz")
-    place = _map(map_file, write_map)
+    place = maps.map_of(map_file, writes=write_map)
     recording = clean_command.Source(source, to, kind, fps, scale, scene, contacts, place, write_map, True, speed_limit)
     _clean(recording, target, within, overwrite)
 
@@ -643,31 +511,31 @@ def retarget(
 @app.command(rich_help_panel="Batch")
 def batch(
     clips: Annotated[list[str] | None, typer.Argument(help="Clips, recordings, folders or glob patterns")] = None,
-    output: Annotated[Path, _value("DIR", "Folder for results and manifest", True, "-o", "--output")] = Path("batch"),
-    listed: Annotated[str | None, _value("FILE", "More clips, one per line; - is stdin", "none", "--list")] = None,
+    output: Annotated[Path, value("DIR", "Folder for results and manifest", True, "-o", "--output")] = Path("batch"),
+    listed: Annotated[str | None, value("FILE", "More clips, one per line; - is stdin", "none", "--list")] = None,
     workers: Annotated[
-        int | None, _number("N", "Number of processes on this machine", 1, 1000, "one per core", kind=int)
+        int | None, number("N", "Number of processes on this machine", 1, 1000, "one per core", kind=int)
     ] = None,
-    scheduler: Annotated[str | None, _value("tcp://HOST:PORT", "Address of a Dask cluster to run on", "none")] = None,
-    to: Annotated[str, _value("FORMAT", "npz, or one of `dynsplines formats`")] = "npz",
-    fps: Rate = None,
-    limit_time: Annotated[float, _number("SECONDS", "Time limit for solving each clip", 0.1, 10**6)] = 3600.0,
+    scheduler: Annotated[str | None, value("tcp://HOST:PORT", "Address of a Dask cluster to run on", "none")] = None,
+    to: Annotated[str, value("FORMAT", "npz, or one of `dynsplines formats`")] = "npz",
+    fps: option.Rate = None,
+    limit_time: Annotated[float, number("SECONDS", "Time limit for solving each clip", 0.1, 10**6)] = 3600.0,
     limit_memory: Annotated[
-        float | None, _number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share")
+        float | None, number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share")
     ] = None,
     measure: Annotated[
-        bool, _flag("--report/--no-report", "Measure every motion at 1 kHz, which takes longer than solving")
+        bool, flag("--report/--no-report", "Measure every motion at 1 kHz, which takes longer than solving")
     ] = False,
-    retry_failed: Annotated[bool, _flag("--retry-failed", "Retry clips that failed in an earlier run")] = False,
-    strict: Strict = False,
-    clean_all: Annotated[bool, _flag("--clean", "Clean recordings, see `dynsplines clean`")] = False,
-    onto: Annotated[str | None, _value("MODEL", "Retarget recordings to this figure", "none", "--retarget")] = None,
-    figure: Figure = None,
-    map_file: Map = None,
-    kind: Format = None,
-    scene: Scene = None,
-    within: Within = None,
-    allow_outside: Outside = False,
+    retry_failed: Annotated[bool, flag("--retry-failed", "Retry clips that failed in an earlier run")] = False,
+    strict: option.Strict = False,
+    clean_all: Annotated[bool, flag("--clean", "Clean recordings, see `dynsplines clean`")] = False,
+    onto: Annotated[str | None, value("MODEL", "Retarget recordings to this figure", "none", "--retarget")] = None,
+    figure: option.Figure = None,
+    map_file: option.Map = None,
+    kind: option.Format = None,
+    scene: option.Scene = None,
+    within: option.Within = None,
+    allow_outside: option.Outside = False,
 ) -> None:
     """Solve many clips in parallel.
     Uses all cores, or a Dask cluster. Repeat the command to resume an interrupted run."""
@@ -679,11 +547,6 @@ def batch(
     )
     with terminal.Progress() as progress:
         tally = batches.run(clips or [], output, progress, options)
-        if cleaning is not None:
-            recordings.tell(tally, progress)
-        for line in [*([] if cleaning is not None else tally.violations), *tally.failures()]:
-            progress.say(line)
-        progress.say(f"{output}: {tally.line}")
     if tally.failed:
         raise typer.Exit(1)
     _judge(tally.wrong, strict)
@@ -710,13 +573,6 @@ def _edit(edit: "files.Edit", output: Path | None, overwrite: bool, fresh: bool,
         _conclude(progress, target, violations, target)
 
 
-def _map(place: Path | None, writes: bool) -> Path | None:
-    """Return the file of --map; raises UserError for --write-map without one."""
-    if writes and place is None:
-        raise UserError("--write-map: name the file, --map FILE")
-    return place if writes else maps.map_of(place)
-
-
 def _clean(recording: "clean_command.Source", target: Path | None, within: float | None, overwrite: bool) -> None:
     with terminal.Progress() as progress:
         clean_command.run(recording, target, within=within, overwrite=overwrite, progress=progress)
@@ -727,20 +583,8 @@ def _target(output: Path | None, name: str, kind: str, overwrite: bool = True) -
     target = output or Path(name)
     if target.suffix != Path(name).suffix:
         raise UserError(f"{target}: a {kind} file's name ends in {Path(name).suffix}")
-    outputs.check_target(target)
-    outputs.check_new(target, overwrite=overwrite)
+    outputs.check_target(target, overwrite=overwrite)
     return target
-
-
-def _renderer() -> "graphics.Graphics":
-    """Return the renderer to use; while a process tries it, import modules that do not load MuJoCo."""
-    from concurrent.futures import ThreadPoolExecutor
-
-    with ThreadPoolExecutor(1) as aside:
-        trial = aside.submit(graphics.choose)
-        for name in BEFORE_MUJOCO:
-            import_module(name, __package__)
-        return trial.result()
 
 
 def _conclude(progress: Any, target: Path, violations: "Sequence[violation.Violation]", file: object) -> None:

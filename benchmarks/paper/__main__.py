@@ -68,7 +68,7 @@ def main() -> None:
     """Run the command as `dynsplines` runs its own: the same answers to bad input and to signals."""
 
     def command() -> None:
-        from dynsplines.cli import run
+        from dynsplines.system.exit_status import run
 
         run(lambda: app(prog_name="python -m benchmarks.paper", standalone_mode=False))
 

@@ -28,7 +28,10 @@ PACKAGES = ("psutil", "distributed", "dask")
 
 
 def run(words: list[str], folder: Path, progress: Progress, options: Options) -> Tally:
-    """Solve every clip that the words name into a folder; raises UserError if a package is missing."""
+    """Solve every clip that the words name into a folder and report the results.
+
+    Raises UserError if a package is missing.
+    """
     try:
         from . import dispatch
 
@@ -40,4 +43,13 @@ def run(words: list[str], folder: Path, progress: Progress, options: Options) ->
         raise UserError(
             f"dynsplines batch needs '{error.name}'; install it: pip install 'dynamic-splines[batch]'"
         ) from None
-    return dispatch.run(words, folder, options, progress)
+    tally = dispatch.run(words, folder, options, progress)
+    lines = tally.violations
+    if options.cleaning is not None:
+        from . import recordings
+
+        lines = []
+        recordings.tell(tally, progress)
+    for line in (*lines, *tally.failures(), f"{folder}: {tally.line}"):
+        progress.say(line)
+    return tally

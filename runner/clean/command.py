@@ -30,7 +30,7 @@ from ..motion import Saved
 from ..scene import file_access
 from ..scene.assets import Scene
 from ..scene.compose import Step, compose
-from ..system.output import Replacement, check_new, check_target
+from ..system.output import Replacement, check_target
 from ..system.progress import Progress
 from .cleaning import Cleaned, cleaned
 from .comparison import Comparison, verdict
@@ -75,7 +75,7 @@ def run(
     check_target(target)
     if target.exists() and source.file.exists() and target.samefile(source.file):
         raise UserError(f"'{target}' is what is read; give another -o")
-    check_new(target, overwrite=overwrite)
+    check_target(target, overwrite=overwrite)
     result, saved = made(source, within, progress)
     table = Comparison(result).table()
     missed = () if within is None else tuple(_missed(result, within))

@@ -16,7 +16,7 @@ from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
 from ..exchange.motion_import import import_recording
 from ..motion import Saved
-from ..system.output import check_new
+from ..system.output import check_target
 from ..system.progress import Progress
 from ..system.quantity import length
 from . import thinning
@@ -83,7 +83,7 @@ def run(
     thinning.check(target)
     if target.exists() and source.exists() and target.samefile(source) and not overwrite:
         raise UserError(f"'{target}' is the input file; give another -o, or --overwrite")
-    check_new(target, overwrite=overwrite)
+    check_target(target, overwrite=overwrite)
     saved = recording.read(progress)
     result = thinning.thinned(saved, *bound, solve=solve, progress=progress)
     written = thinning.write(result, target, exact=exact, overwrite=overwrite)

@@ -13,7 +13,7 @@ import mujoco
 from ..errors import UserError, unknown
 from ..motion import Saved
 from ..system import size_limit
-from ..system.output import Replacement, check_new, check_target
+from ..system.output import Replacement, check_target
 from . import gaps, layouts, missing_input
 from .array_reader import names_in
 from .trajectory import ExportOptions, Recording, SampledTrajectory
@@ -243,8 +243,7 @@ def export(
     form, options = chosen(kind, target), read_options(target, options or ExportOptions())
     check_options(form, options)
     target = target or target_of(saved.name, form, options)
-    check_target(target)
-    check_new(target, overwrite=overwrite)
+    check_target(target, overwrite=overwrite)
     module = _module(form)
     trajectory = SampledTrajectory.of(saved, fps, options)
     others = _beside(module, trajectory, target)
@@ -252,7 +251,7 @@ def export(
         if other == target:
             raise UserError(f"'{target}' is the name of a file of the figure, too; give another -o")
         if not (other.is_file() and other.read_bytes() == content):
-            check_new(other, overwrite=overwrite)
+            check_target(other, overwrite=overwrite)
     assert module.write is not None, "a format that is written"
     with Replacement(target) as temporary:
         module.write(trajectory, temporary)
@@ -268,8 +267,7 @@ def export(
 
 def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = None, overwrite: bool = True) -> Path:
     """`export` by a writer of a program's own."""
-    check_target(target)
-    check_new(target, overwrite=overwrite)
+    check_target(target, overwrite=overwrite)
     with Replacement(target) as temporary:
         own.write(SampledTrajectory.of(saved, fps), temporary)
     return target

@@ -16,8 +16,11 @@ import platform
 import subprocess
 import sys
 import time
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import Literal
 
@@ -96,6 +99,15 @@ def choose() -> Graphics:
             return _settle(_kind_of(backend), backend, note)
     hint = _FASTER if sys.platform == "linux" else "slow"
     return _settle("software", None, "; ".join(part for part in (note, hint) if part))
+
+
+def choose_while_importing(names: Iterable[str]) -> Graphics:
+    """Choose a renderer as `choose` does, and meanwhile import modules that do not import mujoco."""
+    with ThreadPoolExecutor(1) as thread:
+        trial = thread.submit(choose)
+        for name in names:
+            import_module(name)
+        return trial.result()
 
 
 def do_without() -> None:

@@ -8,18 +8,30 @@ import socket
 import sys
 import webbrowser
 from collections.abc import Callable
+from importlib.util import find_spec
 
 from ..errors import UserError
 from .document import Document
 from .session import Session
 
+PACKAGES = ("starlette", "uvicorn", "websockets", "tomlkit")
 LOCAL = ("127.0.0.1", "localhost", "[::1]")
 TOKEN = 24  # [bytes] of chance in a token
 GRACE = 1  # [s] for pages to receive that the server ends
 
 
+def _say(line: str) -> None:
+    print(line, flush=True)
+
+
 def run(
-    document: Document, *, host: str, port: int, browser: bool, allow_remote: bool, say: Callable[[str], None]
+    document: Document,
+    *,
+    host: str,
+    port: int,
+    browser: bool,
+    allow_remote: bool,
+    say: Callable[[str], None] = _say,
 ) -> None:
     """Serves a document until Ctrl-C; raises UserError for a host or port that it cannot have."""
     check_host(host, allow_remote=allow_remote)
@@ -65,6 +77,13 @@ def _serve(session: Session, listening: socket.socket, token: str, hosts: frozen
         timeout_graceful_shutdown=GRACE,
     )
     uvicorn.Server(settings).run(sockets=[listening])
+
+
+def check_packages() -> None:
+    """Raise UserError if a package of the studio is missing."""
+    for name in PACKAGES:
+        if sys.modules.get(name) is None and (name in sys.modules or find_spec(name) is None):
+            raise UserError(f"the studio needs {name}: pip install 'dynamic-splines[studio]'")
 
 
 def check_host(host: str, *, allow_remote: bool) -> None:

@@ -6,7 +6,9 @@ import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import NoReturn
+from typing import NoReturn, cast
+
+import typer
 
 from ..errors import UserError, one_line
 from . import signals
@@ -15,6 +17,7 @@ STOPPED = 130  # the exit code of Ctrl-C
 INTERNAL = 4  # that of an internal error
 DEBUG = "DYNSPLINES_DEBUG"
 HOW = "what the same command prints as `dynsplines --debug ...`"
+UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 NO_ROOM = (  # the linker's, MuJoCo's, and Python's where it has no memory for the error itself
     "failed to map segment",
     "annot allocate memory",
@@ -54,6 +57,10 @@ def _ending(error: BaseException) -> tuple[int, str]:
     match error:
         case UserError():
             return 2, one_line(error)
+        case UsageError():
+            return 2, one_line(_usage(error))
+        case typer.Abort():
+            return signals.code(STOPPED), "stopped"
         case FileNotFoundError(filename=None) if _is_nowhere():
             return 2, "the folder that the command was started in is gone"
         case OSError():
@@ -67,6 +74,14 @@ def _ending(error: BaseException) -> tuple[int, str]:
     if isinstance(error, RuntimeError) and "can't start new thread" in str(error):
         return 2, "the system allows no more threads, or no more memory"
     return INTERNAL, one_line(f"internal error: {_place(error)}; please report it, with {HOW}")
+
+
+def _usage(error: typer.BadParameter) -> str:
+    """The message of a command line that typer rejects."""
+    if type(error) is typer.BadParameter and (parameter := getattr(error, "param", None)) is not None:
+        return f"{parameter.opts[0]} {error.message.removeprefix('Value error, ')}"
+    path = error.ctx.command_path if error.ctx else "dynsplines"
+    return f"{error.format_message()} (see `{path} --help`)"
 
 
 def _place(error: BaseException) -> str:

@@ -104,17 +104,13 @@ def real_target(target: Path) -> Path:
     return Path(os.path.realpath(target))
 
 
-def check_target(target: Path) -> None:
-    """Raise UserError unless the file can be created."""
+def check_target(target: Path, *, overwrite: bool = True) -> None:
+    """Raise UserError unless the file can be created, or may be overwritten."""
     real = real_target(target)
     if not real.parent.is_dir():
         raise UserError(f"cannot write '{target}': no folder '{real.parent if target.is_symlink() else target.parent}'")
     if not os.access(real.parent, os.W_OK):
         raise UserError(f"cannot write '{target}': the folder is not writable")
-
-
-def check_new(target: Path, *, overwrite: bool) -> None:
-    """Raise UserError if a file exists and overwriting was not allowed."""
     if target.exists() and not overwrite:
         raise UserError(f"'{target}' already exists; give another -o, or --overwrite")
 

@@ -20,7 +20,7 @@ ONLY_IN = {
     "imageio": {"runner/picture/film.py"},
     "threadpoolctl": {"solver/one_thread.py"},
     "tomllib": {"runner/clip/parse.py", "runner/studio/document.py", "runner/studio/edits/tables.py"},
-    "typer": {"runner/cli.py"},
+    "typer": {"runner/cli.py", "runner/cli_options.py", "runner/system/exit_status.py"},
     "pygltflib": {"runner/exchange/format/gltf.py", "runner/exchange/nodes/gltf_file.py"},
     "pxr": {"runner/exchange/format/usd.py", "runner/exchange/nodes/usd_file.py"},
     "starlette": {"runner/studio/server.py"},
@@ -151,6 +151,7 @@ STRATA = {
         inputs
         batch
         python studio
+        cli_options
         cli
         start
     """,

@@ -15,9 +15,14 @@ from .roles import ROLES
 HEADING = '# Bone map, by role: a body of the figure, a joint of the recording; "" for none.\n'
 
 
-def map_of(file: Path | None) -> Path | None:
-    """Return the file of a map, given by its path, or by its name if it ships. Raises UserError if there is neither."""
-    if file is None or file.exists() or file.suffix or len(file.parts) > 1:
+def map_of(file: Path | None, *, writes: bool = False) -> Path | None:
+    """Return the file of a map, given by its path, or by its name if it ships. Raises UserError if there is neither.
+
+    writes  the map is written to the file, which need not exist
+    """
+    if writes and file is None:
+        raise UserError("--write-map: name the file, --map FILE")
+    if writes or file is None or file.exists() or file.suffix or len(file.parts) > 1:
         return file
     try:
         return models.map_file(str(file))

@@ -1,0 +1,130 @@
+"""The options of the commands: each with its unit, range and default.
+
+Annotations are objects, because typer evaluates annotations in text slowly. Modules are imported on first use.
+"""
+
+import math
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from .picture import graphics
+from .scene import file_access
+
+
+def flag(*words: str, **more: Any) -> Any:
+    """Return an option without a value; the last of `words` is its help, the others are its names."""
+    return typer.Option(*words[:-1], help=words[-1], **more)
+
+
+def value(metavar: str, help: str, default: str | bool = True, *names: str, **more: Any) -> Any:
+    """Return an option; `default` is the text that describes a computed default."""
+    return typer.Option(*names, metavar=metavar, help=help, show_default=default, **more)
+
+
+def number(
+    metavar: str,
+    help: str,
+    least: float = -math.inf,
+    most: float = math.inf,
+    default: str | bool = True,
+    *names: str,
+    kind: type = float,
+) -> Any:
+    """Return an option of a finite number from `least` to `most`; the ranges of click accept nan."""
+    span = f"{least:g} to {most}" if most < math.inf else f"{least:g} or more" if least > -math.inf else ""
+
+    def parsed(text: object) -> float:
+        try:
+            value = kind(text)
+        except (ValueError, OverflowError):
+            value = math.nan
+        if not (least <= value <= most and math.isfinite(value)):
+            raise typer.BadParameter(f"{text}: give a {'whole ' * (kind is int)}number{span and f', {span}'}")
+        return value
+
+    return value(metavar, f"{help}{span and f', {span}'}", default, *names, parser=parsed)
+
+
+def seconds(help: str, default: str | bool = True, *names: str) -> Any:
+    """Return an option of a time or a duration."""
+    return number("SECONDS", help, -math.inf, math.inf, default, *names)
+
+
+def output(default: str) -> Any:
+    """Return the option of the output file."""
+    return value("FILE", "Write to this file", default, "-o", "--output")
+
+
+def size(text: str) -> tuple[int, int]:
+    """Return width and height [pixels] from text such as "1280x720"."""
+    sides = text.lower().split("x")
+    if len(sides) != 2 or not all(side.isascii() and side.isdigit() and len(side) < 10 for side in sides):
+        raise typer.BadParameter(f"{text}: give WIDTHxHEIGHT in pixels, such as 1280x720")
+    width, height = map(int, sides)
+    if not (16 <= width <= 3840 and 16 <= height <= 2160):
+        raise typer.BadParameter(f"{text}: give 16x16 to 3840x2160")
+    return width, height
+
+
+def quantity(kind: str, help: str, *names: str) -> Any:
+    """Return an option of a length or a speed with its unit."""
+
+    def parsed(text: str) -> float:
+        from .system import quantity  # on first use
+
+        return getattr(quantity, kind)(text, names[0])
+
+    return value(kind.upper(), help, "none", *names, parser=parsed)
+
+
+def _prepare(context: typer.Context, allow: bool) -> bool:
+    """Apply --allow-outside until the command ends, and import MuJoCo without graphics unless the command draws."""
+    context.with_resource(file_access.allowed(allow))
+    if context.command.name != "render":
+        graphics.do_without()
+    return allow
+
+
+Part = StrEnum("Part", ["before", "after", "keys"])
+Only = Annotated[
+    Part | None,
+    value("before|after|keys", "Render only the motion before or after solving, or the keyframes", "both"),
+]
+Anything = "Name of a shipped clip, or a file: clip (.toml), model (.xml) or motion"
+Source = Annotated[str, typer.Argument(metavar="CLIP|MOTION.npz", help=Anything)]
+Clip = Annotated[str, typer.Argument(metavar="CLIP", help="Name of a shipped clip, or a .toml or .xml file")]
+Recording = Annotated[
+    Path, typer.Argument(metavar="RECORDING", help="Motion, or a recording in a format that `import` reads")
+]
+Overwrite = Annotated[bool, flag("--overwrite", "Overwrite an existing output file")]
+Strict = Annotated[bool, flag("--strict", "Exit with code 3 if the motion has violations")]
+NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve again instead of using the cached solution")]
+Outside = Annotated[bool, flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
+AsJson = Annotated[bool, flag("--json", "Print JSON")]
+SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose before the motion")]
+Repeat = Annotated[int | None, number("N", "Repeat a loop N times without a seam", 1, default="once", kind=int)]
+Rate = Annotated[float | None, number("HZ", "Samples per second", 0.01, 100_000, "the clip's, or 30")]
+Figure = Annotated[
+    str | None, value("MODEL", "Figure of the recording: name of a shipped figure, or MJCF file", "the file's")
+]
+Format = Annotated[str | None, value("FORMAT", "Format of the recording", "by the file's extension", "--from")]
+Fps = Annotated[float | None, number("HZ", "Frames per second of the recording", 0.01, 1000, "the file's")]
+Scale = Annotated[float | None, number("METRES", "Length unit of the file, e.g. 0.01 for cm", 1e-6, 10**6, "inferred")]
+Scene = Annotated[Path | None, value("FILE", "TOML file with the [scene] of the recording", "a flat floor")]
+Within = Annotated[
+    float | None,
+    quantity(
+        "length", "Largest distance limbs may move from the recording, e.g. 3cm", "--max-displacement", "--within"
+    ),
+]
+Speed = Annotated[float | None, quantity("speed", "Largest joint speed, e.g. 20rad/s or 1200deg/s", "--speed-limit")]
+Contacts = Annotated[Path | None, value("FILE", "TOML file with [[contact]] tables", "inferred")]
+WriteMap = Annotated[bool, flag("--write-map", "Write the inferred bone map to the file given by --map")]
+Model = Annotated[str | None, value("MODEL", "Figure of --keys: name of a shipped figure, or MJCF file", "the clip's")]
+Keys = Annotated[str | None, value("FILE", ".npz with time (K,) and qpos (K, nq) of --model", "the clip's")]
+Edited = Annotated[Path | None, output("SOURCE_EDIT.npz, or .toml of a clip")]
+OverSource = Annotated[bool, flag("--overwrite", "Allow -o to overwrite the input file")]
+Map = Annotated[Path | None, value("FILE", "Bone map: TOML file, or the shipped g1 or human", "inferred", "--map")]
