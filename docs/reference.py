@@ -14,62 +14,73 @@ from dynsplines.clip.kinds import KINDS
 
 PAGE = Path(__file__).parent / "clip.md"
 MARKS = "<!-- {}: written by docs/reference.py -->\n\n", "\n<!-- end -->\n"
+HEADINGS = {"the clip": "The top level", "a rotation": "A rotation"}  # of tables without a name in the file
 ROTATION = {
-    "rotvec": "axis times angle, degrees",
-    "euler": "intrinsic angles about the axes of `order`, degrees",
-    "order": 'axes of `euler`, default "xyz"',
-    "quat": "w, x, y, z",
-    "heading": "degrees about the vertical, applied last; only for rotations in the world",
+    "rotvec": "axis times angle, in degrees",
+    "euler": "angles about the axes of `order`, in degrees, each about an axis rotated by those before",
+    "order": 'the axes of `euler`; default "xyz"',
+    "quat": "a quaternion w, x, y, z",
+    "heading": "an angle about the vertical axis, in degrees, applied last; only for rotations in the world",
 }
 OBSTACLE = {
-    "name": "its name in messages",
-    "body": "the free body that it belongs to; positions are then in that body's axes",
-    "mass": "kg, of a part of a free body",
-    "color": "red, green, blue, opacity, each from 0 to 1",
-    "position": "m, of its centre",
+    "name": "the name in messages",
+    "body": "the movable object that this obstacle is a part of; positions are then in the axes of the object",
+    "mass": "the mass of this part of an object, in kg",
+    "color": "red, green, blue and opacity, each from 0 to 1",
+    "position": "the centre, in metres",
     "rotation": "a rotation",
 }
-BAR = {"radius": "m", "length": "m, about `position`", "from": "m, one end", "to": "m, the other"} | OBSTACLE
+BAR = {
+    "radius": "the radius, in metres",
+    "length": "the length, in metres, with `position` as the centre",
+    "from": "one end, in metres; use `from` and `to`, or `position` and `length`",
+    "to": "the other end, in metres",
+} | OBSTACLE
 TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "the clip": (
         table.ClipTable,
         {
-            "figure": "name of a shipped figure, or path to MJCF",
-            "fps": "samples per second of outputs",
-            "keyframe": "two or more, in order of time",
-            "scene": "obstacles and objects",
-            "contact": "points at rest for an interval",
+            "figure": "the name of a shipped figure, or the path of an MJCF or URDF file",
+            "fps": "samples per second of the output",
+            "keyframe": "the keyframes, at least two, in order of time",
+            "scene": "obstacles and movable objects",
+            "contact": "points that stay at rest for an interval",
             "hold": "hands that hold a body for an interval",
-            "recording": "a motion to follow; keyframes edit it",
-            "penalty": "soft constraints that differ from the defaults",
-            "solve": "settings of the search",
+            "recording": "a recorded motion that the clip follows",
+            "penalty": "changes to soft constraints",
+            "solve": "settings of the solver",
         },
     ),
     "[[keyframe]]": (
         table.KeyframeTable,
         {
-            "time": "s",
-            "root": "the articulated tree on legs, or else the first free body",
-            "roots": "other free bodies and robots, by the name of their joint or body",
-            "joints": "by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
-            "sites": "target positions of sites, feet, geoms and bodies by name",
-            "bodies": "target orientations or positions by name",
-            "others": "unspecified joints and root: free, at rest, as in the keyframe before, or as in a `<key>` of "
-            'the model, "key:NAME"',
+            "time": "in seconds",
+            "root": "the pose of the root, see [the root](#the-root)",
+            "roots": "the poses of other free bodies and robots, by the name of their joint or body",
+            "joints": "joints by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
+            "sites": "target positions of sites, feet, geoms and bodies, by name",
+            "bodies": "target orientations or positions of bodies, by name",
+            "others": 'all joints that are not named, see [below](#unspecified-degrees-of-freedom); also "key:NAME"',
         },
     ),
-    "root, roots.NAME": (table.RootTable, {"position": "m, in the world", "rotation": "a rotation in the world"}),
+    "root, roots.NAME": (
+        table.RootTable,
+        {"position": "in the world, in metres", "rotation": "a rotation in the world"},
+    ),
     "a rotation": (table.RotationTable, ROTATION),
     "sites.NAME": (
         table.SiteTable,
-        {"position": "m, in the world; short form: `[x, y, z]`", "by": "solved as a pose, or left to the search"},
+        {
+            "position": "in the world, in metres; short form: `sites.NAME = [x, y, z]`",
+            "by": "how the target is reached, by inverse kinematics or by the search",
+        },
     ),
     "bodies.NAME": (
         table.BodyTable,
         {
-            "flat": "whether its sole is parallel to the ground",
-            "position": "m, in the world: of its origin, or of the point `at`",
-            "at": "m, in the body's axes",
+            "flat": "`true` makes the sole parallel to the ground",
+            "position": "in the world, in metres, for the origin of the body or the point `at`",
+            "at": "a point in the axes of the body, in metres",
         }
         | ROTATION,
     ),
@@ -77,9 +88,9 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         table.ContactTable,
         {
             "point": "a site, foot, geom or body",
-            "from": "s",
-            "to": "s",
-            "position": "m, default: that of the keyframes in between",
+            "from": "the start, in seconds",
+            "to": "the end, in seconds",
+            "position": "in the world, in metres; default: the position in the keyframes of this interval",
         },
     ),
     "[[hold]]": (
@@ -87,52 +98,64 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         {
             "hand": "a site, foot, geom or body",
             "body": "the held body",
-            "from": "s",
-            "to": "s",
-            "position": "m, in that body's axes, default: that of the keyframes",
+            "from": "the start, in seconds",
+            "to": "the end, in seconds",
+            "position": "in the axes of the held body, in metres; default: the position in the keyframes",
         },
     ),
     "[scene] step": (
         table.StepTable,
-        {"x": "m, of its front face", "height": "m", "length": "m, along x", "width": "m, along y", "y": "m"},
+        {
+            "x": "the front face, in metres",
+            "height": "in metres",
+            "length": "along x, in metres",
+            "width": "along y, in metres",
+            "y": "the centre, in metres",
+        },
     ),
-    "[[scene.box]]": (table.BoxTable, {"size": "m, full edge lengths along x, y and z"} | OBSTACLE),
-    "[[scene.sphere]]": (table.SphereTable, {"radius": "m"} | OBSTACLE),
+    "[[scene.box]]": (table.BoxTable, {"size": "the full edge lengths along x, y and z, in metres"} | OBSTACLE),
+    "[[scene.sphere]]": (table.SphereTable, {"radius": "the radius, in metres"} | OBSTACLE),
     "[[scene.capsule]], [[scene.cylinder]]": (table.BarTable, BAR),
     "[recording]": (
         table.RecordingTable,
         {
-            "file": "a motion (.npz), a recording (.bvh, ...) or a clip, relative to the clip; or a shipped clip",
-            "repeat": "number of repetitions of a loop",
-            "from": "s of the recording, start of the used part",
-            "to": "s",
-            "at": "s of the clip, start of the used part; default: as in the recording",
-            "speed": "speed factor",
-            "times": "pairs of times, s of the recording and of the clip, instead of `at` and `speed`",
-            "weight": "weight of the recording",
-            "blend": "s before and after every keyframe; the recording is unchanged elsewhere",
+            "file": "a motion (.npz), a recording (.bvh, ...) or a clip, relative to this clip; or a shipped clip",
+            "repeat": "how many times a loop is repeated",
+            "from": "the start of the used part, in seconds of the recording",
+            "to": "the end of the used part, in seconds of the recording",
+            "at": "the start of the used part, in seconds of the clip; default: as in the recording",
+            "speed": "the speed factor",
+            "times": "pairs of a time in the recording and a time in the clip, instead of `at` and `speed`",
+            "weight": "the weight of the recording, relative to the soft constraints",
+            "blend": "the time before and after a keyframe in which the recording changes, in seconds",
         },
     ),
     "[solve]": (
         table.SolveTable,
         {
-            "coordinates": "of the spline: quaternions of bodies in the world, or of joints",
-            "ends": "of the spline: free; at rest at both ends or at one, the default where the figure stands on all "
-            "feet or repeats the neighbouring keyframe; or a loop's",
-            "travel": "m, displacement of a loop's root per period; default: that of the keyframes",
-            "turn": "degrees, rotation of a loop's root per period; default: that of the keyframes",
-            "variable": "initial number of variable frames between two keyframes",
-            "frames": "maximum number of variable frames",
-            "criterion": 'of inserting frames: "weak", "residual", "objective", "resolution"',
-            "threshold": "of the criterion",
-            "optimiser": 'of NLopt, for the last stage: "lbfgs", "slsqp", "ccsaq", "tnewton", "var2"; or "none"',
-            "evaluations": "maximum number of evaluations of the objective in a round",
-            "tolerance": "relative decrease at which the search ends",
-            "quadrature": "of the objective's integral",
-            "samples": 'per panel, or in total with "uniform"',
+            "coordinates": "the coordinates of the spline",
+            "ends": "the ends of the motion, see [ends](#ends)",
+            "travel": "the displacement of the root in one cycle of a loop, in metres; default: as in the keyframes",
+            "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
+            "variable": "variable frames in each segment at the start of the search; default 2, or 3 in a long clip",
+            "frames": "the maximum number of variable frames; default: 3 per segment, or 10 per second if that is more",
+            "criterion": 'where frames are inserted: "weak" (the default), "residual", "objective" or "resolution"',
+            "threshold": "the value of the criterion below which no frame is inserted; default 0.001",
+            "optimiser": 'the NLopt algorithm of the last stage: "lbfgs" (the default), "slsqp", "ccsaq", "tnewton", '
+            '"var2", or "none"',
+            "evaluations": "the maximum number of evaluations of the objective in each round; default 250",
+            "tolerance": "the relative decrease of the objective at which the search ends; default 0.001",
+            "quadrature": "the quadrature rule of the objective",
+            "samples": 'samples per panel, default 3; with "uniform" in the whole clip, default 100',
         },
     ),
 }
+
+
+def choices(field: FieldInfo) -> list[str]:
+    """The texts that a key may have."""
+    within = [choice for part in get_args(field.annotation) if part is not float for choice in (part, *get_args(part))]
+    return list(dict.fromkeys(choice for choice in within if isinstance(choice, str)))
 
 
 def default(field: FieldInfo) -> str:
@@ -142,11 +165,13 @@ def default(field: FieldInfo) -> str:
     value = field.default
     if value is None or value in ([], {}) or isinstance(value, table.Table):
         return ""
-    words = f'"{value}"' if isinstance(value, str) else f"{value:g}"
-    within = [choice for part in get_args(field.annotation) if part is not float for choice in (part, *get_args(part))]
-    choices = [choice for choice in within if isinstance(choice, str)]
-    others = [f'"{choice}"' for choice in choices if choice != value]
-    return words + (f"; or {', '.join(others)}" if others else "")
+    return f'"{value}"' if isinstance(value, str) else f"{value:g}"
+
+
+def meaning(text: str, field: FieldInfo) -> str:
+    """The text on a key, and its choices if there are several."""
+    several = [f'"{choice}"' for choice in choices(field)]
+    return f"{text}: {', '.join(several)}" if len(several) > 1 else text
 
 
 def keys() -> Iterator[str]:
@@ -155,15 +180,19 @@ def keys() -> Iterator[str]:
         fields = {field.alias or key: field for key, field in schema.model_fields.items()}
         if fields.keys() != texts.keys():
             raise ValueError(f"{name}: {sorted(fields.keys() ^ texts.keys())}")
-        yield f"| `{name}` | | |" if name not in ("the clip", "a rotation") else f"| {name} | | |"
+        yield f"### {HEADINGS.get(name) or ', '.join(f'`{part}`' for part in name.split(', '))}"
+        yield ""
+        yield "| key | value | default |"
         yield "|---|---|---|"
-        yield from (f"| `{key}` | {text} | {default(fields[key])} |" for key, text in texts.items())
+        yield from (
+            f"| `{key}` | {meaning(text, fields[key])} | {default(fields[key])} |" for key, text in texts.items()
+        )
         yield ""
 
 
 def kinds() -> Iterator[str]:
     """The soft constraints."""
-    yield "| `kind` | part | default weight | penalised quantity | options |"
+    yield "| `kind` | part | weight | penalised quantity | options |"
     yield "|---|---|---|---|---|"
     for kind in KINDS.values():
         options = ", ".join(f"`{name}` ({text})" for name, text in kind.choices().items())

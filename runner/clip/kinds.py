@@ -90,24 +90,28 @@ class Options(Table):
 class CollisionOptions(Options):
     """The distance from surfaces, the points of the soles, and whether limbs collide with each other."""
 
-    margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(default=None, description="m, of body and self")
-    points: list[str] | None = Field(default=None, description="sites, of soles")
+    margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(
+        default=None, description="distance to keep, m; of body and self"
+    )
+    points: list[str] | None = Field(default=None, description="sites instead of heels and toes")
     self: StrictBool | None = Field(default=None, description="true or false")
 
 
 class Reach(Options):
     """The height above a surface up to which a point counts."""
 
-    reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m")
+    reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m, height that counts as near")
 
 
 class LimitOptions(Options):
     """The limits of knees and elbows, whether joint ranges are hard, and the limit of joint speed."""
 
-    bend_joints: list[str] | None = Field(default=None, description="joints")
-    least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(default=None, description="degrees")
-    sideways: Angle | None = Field(default=None, description="degrees")
-    twist: Angle | None = Field(default=None, description="degrees")
+    bend_joints: list[str] | None = Field(default=None, description="ball joints that are knees or elbows")
+    least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(
+        default=None, description="smallest angle, degrees; default 0"
+    )
+    sideways: Angle | None = Field(default=None, description="largest angle, degrees; default 8")
+    twist: Angle | None = Field(default=None, description="largest angle, degrees; default 8")
     range: Literal["soft", "hard"] | None = Field(default=None, description="'soft' or 'hard'")
     speed: Annotated[Real, Field(gt=0, le=100_000)] | None = Field(default=None, description="degrees/s")
 
@@ -115,31 +119,31 @@ class LimitOptions(Options):
 class UprightOptions(Options):
     """Bodies to keep upright, besides the trunk, and the axis in them that is vertical."""
 
-    bodies: list[str] | None = Field(default=None, description="bodies")
+    bodies: list[str] | None = Field(default=None, description="bodies to keep upright")
     axis: tuple[Number, Number, Number] | None = Field(
-        default=None, description="in the bodies' axes, default: vertical at rest"
+        default=None, description="their upward axis; default: upward at rest"
     )
 
 
 class FlightOptions(Options):
     """The intervals of flight, and the weight of the moment."""
 
-    intervals: list[tuple[Number, Number]] | None = Field(default=None, description="[from, to] in s")
+    intervals: list[tuple[Number, Number]] | None = Field(default=None, description="flights, [from, to] in s")
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = Field(
-        default=None, description="weight of the moment relative to the force"
+        default=None, description="weight of the moment relative to the force; default 0"
     )
 
 
 class SupportOptions(Options):
     """The friction of the ground."""
 
-    friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient")
+    friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient; default 0.8")
 
 
 class CycleOptions(Options):
     """The duration of a cycle."""
 
-    period: Annotated[Real, Field(gt=0, le=60)] | None = Field(default=None, description="s")
+    period: Annotated[Real, Field(gt=0, le=60)] | None = Field(default=None, description="duration of a cycle, s")
 
 
 @dataclass(frozen=True)
@@ -458,9 +462,9 @@ KINDS = {
         Kind(
             "collision",
             (
-                Part(30.0, "depth of heels and toes, or points, in any static geom", _soles, "soles"),
+                Part(30.0, "depth of heels and toes in static geoms", _soles, "soles"),
                 Part(
-                    30.0, "depth of every geom of the figure in static geoms and in grasped objects",
+                    30.0, "depth of all geoms of the figure in static geoms and held objects",
                     _body, "body",
                 ),
                 Part(
@@ -473,10 +477,10 @@ KINDS = {
         Kind(
             "attach",
             (
-                Part(0.3, "displacement of soles at the same position in neighbouring keyframes", _stance, "stance"),
-                Part(750.0, "displacement of the points of [[contact]]s", _contact, "contact"),
+                Part(0.3, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
+                Part(750.0, "movement of [[contact]] points", _contact, "contact"),
                 Part(
-                    750.0, "displacement of the sites of [[hold]]s on the held body",
+                    750.0, "movement of [[hold]] sites relative to the held body",
                     lambda context, options: HoldPenalty(context.holds) if context.holds else None, "hold",
                 ),
                 Part(
@@ -488,11 +492,11 @@ KINDS = {
         Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), Reach),
         Kind(
             "grounded",
-            (Part(0.3, "height of the lowest point between keyframes that touch the ground", _grounded),), Reach,
+            (Part(0.3, "height of the lowest point, between keyframes that touch the ground", _grounded),), Reach,
         ),
         Kind(
             "posture",
-            (Part(0.7, "angular velocity of joints, relative to acceleration", lambda context, options: Posture()),),
+            (Part(0.7, "angular velocity of joints", lambda context, options: Posture()),),
         ),
         Kind(
             "limits",
@@ -500,7 +504,7 @@ KINDS = {
                 Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend"),
                 Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range"),
                 Part(
-                    10.0, "motion of joints between neighbouring keyframes that give them the same value",
+                    10.0, "movement of joints between two keyframes with the same joint value",
                     _overshoot, "overshoot",
                 ),
                 Part(100.0, "speed of hinges and ball joints beyond a limit", _speed, "speed", "speed"),
@@ -514,18 +518,21 @@ KINDS = {
         Kind(
             "upright",
             (
-                Part(1.0, "tilt of a trunk relative to its posed tilt", _trunk, "trunk"),
-                Part(30.0, "tilt of bodies, such as a head or a tray, from the vertical", _bodies, "bodies", "bodies"),
+                Part(1.0, "tilt of the trunk, relative to its tilt in the keyframes", _trunk, "trunk"),
+                Part(30.0, "tilt of other bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
             ),
             UprightOptions,
         ),
-        Kind("flight", (Part(3.0, "force on the figure in flight", _flight),), FlightOptions),
-        Kind("support", (Part(0.01, "force and moment that feet in contact cannot supply", _support),), SupportOptions),
+        Kind("flight", (Part(3.0, "force on the figure during flights, except gravity", _flight),), FlightOptions),
+        Kind(
+            "support",
+            (Part(0.01, "force and moment that feet on the ground cannot supply", _support),), SupportOptions,
+        ),
         Kind(
             "peak",
             (
                 Part(
-                    0.01, "eighth power of joints' angular acceleration",
+                    0.01, "peaks of angular acceleration of joints",
                     lambda context, options: PeakAcceleration(),
                 ),
             ),
@@ -534,7 +541,7 @@ KINDS = {
             "cycle",
             (
                 Part(
-                    0.1, "deviation of joints from the gait cycle of the keyframes",
+                    0.1, "deviation from the gait cycle of the keyframes",
                     lambda context, options: None if context.gait_cycle is None
                     else Cycle(context.figure, context.gait_cycle),
                 ),
@@ -546,7 +553,7 @@ KINDS = {
             (
                 Part(
                     1.0,
-                    "joint torques by inverse dynamics: inertia, gravity, armature; no passive or contact forces",
+                    "joint torques from inertia, gravity and armature, without contact and passive forces",
                     lambda context, options: Torque(),
                 ),
             ),
