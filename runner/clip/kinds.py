@@ -100,7 +100,7 @@ class CollisionOptions(Options):
 class Reach(Options):
     """The height above a surface up to which a point counts."""
 
-    reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m, height that counts as near")
+    reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m")
 
 
 class LimitOptions(Options):
@@ -137,7 +137,7 @@ class FlightOptions(Options):
 class SupportOptions(Options):
     """The friction of the ground."""
 
-    friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient; default 0.8")
+    friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient")
 
 
 class CycleOptions(Options):
