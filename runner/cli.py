@@ -86,7 +86,7 @@ app = typer.Typer(
     cls=_Panels,
     help="Compute smooth motion of an articulated figure through sparse keyframes.\n\n"
     "A clip is a file of keyframes; a motion (.npz) is its solution.\n\n"
-    "Start with `dynsplines render run_and_step`. `dynsplines COMMAND --help` lists a command's options.",
+    "To start, run `dynsplines render run_and_step`. `dynsplines COMMAND --help` lists the options of a command.",
     add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
@@ -111,7 +111,7 @@ def _print_version(wanted: bool) -> None:
 
 @app.callback()
 def _options(
-    debug: Annotated[bool, flag("--debug", "Print a traceback on an internal error")] = False,
+    debug: Annotated[bool, flag("--debug", "Print the traceback of an internal error")] = False,
     version: Annotated[bool, flag("--version", "Print the version", is_eager=True, callback=_print_version)] = False,
 ) -> None:
     if debug:
@@ -120,13 +120,13 @@ def _options(
 
 @app.command("new", rich_help_panel="Create")
 def new_clip(
-    model: Annotated[str, typer.Argument(metavar="MODEL", help="MJCF file, or name of a shipped figure")],
+    model: Annotated[str, typer.Argument(metavar="MODEL", help="MJCF or URDF file, or name of a shipped figure")],
     output: Annotated[Path | None, option.output("MODEL.toml")] = None,
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Write a commented starting clip for a model.
-    It contains the model's keyframes; without any, a pose and a movement. Comments list joints, sites and options."""
+    """Write a clip for a model, with comments.
+    Its keyframes are those of the model, or else a pose and a movement. Comments list joints, sites and options."""
     target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
     text = starter.starter(model, target, lambda note: print(f"note: {note}", file=sys.stderr))
     with outputs.Replacement(target) as temporary:
@@ -169,14 +169,16 @@ def render(
     source: option.Source = "",
     output: Annotated[Path | None, option.output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
     only: option.Only = None,
-    ghosts: Annotated[bool, flag("--ghosts", "Draw all frames in one picture, with keyframes darkest")] = False,
-    size: Annotated[Any, value("WIDTHxHEIGHT", "Width and height in pixels", parser=option.size)] = "1280x720",
+    ghosts: Annotated[bool, flag("--ghosts", "Draw all frames in one picture, keyframes darkest")] = False,
+    size: Annotated[
+        Any, value("WIDTHxHEIGHT", "Width and height of the picture in pixels", parser=option.size)
+    ] = "1280x720",
     fps: Annotated[float | None, number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
     camera: Annotated[
         str, value("NAME", "Camera: side, left, front, three_quarter, back, or a camera of the model")
     ] = "side",
     slow: Annotated[float, number("FACTOR", "Slow-motion factor", 0.01, 1000)] = 1.0,
-    at: Annotated[float | None, seconds("Render a single frame at this time", "all")] = None,
+    at: Annotated[float | None, seconds("Time of a single frame", "all frames")] = None,
     workers: Annotated[
         int | None, number("N", "Number of rendering processes", 1, 60, "1; without OpenGL one per core", kind=int)
     ] = None,
@@ -188,7 +190,7 @@ def render(
     allow_outside: option.Outside = False,
 ) -> None:
     """Render a clip or a motion as a video or a picture.
-    The extension of -o selects .mp4, .webm or .gif, or .png for a contact sheet. A clip is solved first."""
+    The extension of -o selects a video (.mp4, .webm, .gif) or a picture (.png). A clip is solved first."""
     target = output or Path(f"{_name(source, model, keys)}.{'png' if ghosts or at is not None else 'mp4'}")
     width, height = size
     film.check_target(target, width, height)
@@ -213,18 +215,24 @@ def render(
 @app.command(rich_help_panel="Create")
 def studio(
     source: Annotated[
-        str, typer.Argument(metavar="CLIP|MOTION|RECORDING|MODEL.xml", help=option.Anything)
+        str,
+        typer.Argument(
+            metavar="CLIP|MOTION|RECORDING|MODEL.xml",
+            help="Shipped clip, clip (.toml), motion or recording to edit, or model (.xml) for a new clip",
+        ),
     ] = "run_and_step",
     figure: option.Figure = None,
-    port: Annotated[int, number("PORT", "TCP port, 0 for a free one", 0, 65535, kind=int)] = 0,
+    port: Annotated[int, number("PORT", "TCP port; 0 selects a free one", 0, 65535, kind=int)] = 0,
     host: Annotated[
-        str, value("ADDRESS", "Address to listen on; --allow-remote permits non-local addresses")
+        str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")
     ] = "127.0.0.1",
     browser: Annotated[bool, flag("--browser/--no-browser", "Open the page in a browser")] = True,
-    allow_remote: Annotated[bool, flag("--allow-remote", "Let other machines edit the clip and write files")] = False,
+    allow_remote: Annotated[
+        bool, flag("--allow-remote", "Allow other machines to edit the clip and write files")
+    ] = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Edit and solve a clip live in the browser."""
+    """Edit a clip in the browser while it is solved."""
     launch.check_packages()
     launch.check_host(host, allow_remote=allow_remote)
     document = sources.opened(source, figure=figure)
@@ -301,7 +309,7 @@ def trim(
     fresh: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Keep only a time interval of a motion, without altering it."""
+    """Cut a motion to a time interval."""
     _edit(files.trimmed(first, last), output, overwrite, fresh, source)
 
 
@@ -315,8 +323,8 @@ def join(
     fresh: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Append one motion to another, with a transition.
-    The second motion is translated and rotated to continue from the end of the first."""
+    """Append a motion to another one, with a transition.
+    The second motion is moved and rotated, so that it continues from the end of the first one."""
     _edit(files.joined(transition), output, overwrite, fresh, first, second)
 
 
@@ -324,12 +332,14 @@ def join(
 def thin(
     source: Annotated[str, typer.Argument(metavar="MOTION", help="Motion (.npz), recording, or clip")],
     output: Annotated[Path | None, option.output("SOURCE_thin.toml")] = None,
-    max_error: Annotated[str, value("LENGTH", "Largest position error of any body or site")] = "2cm",
+    max_error: Annotated[str, value("LENGTH", "Largest position error of any body, site or limb tip")] = "2cm",
     max_angle: Annotated[float, number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
     solve: Annotated[
-        bool, flag("--solve", "Bound the error of the solved motion instead of the spline through the keyframes")
+        bool, flag("--solve", "Apply the bounds to the solved motion, not only to the spline through the keyframes")
     ] = False,
-    exact: Annotated[bool, flag("--exact", "Write a clip whose solution is the spline through its keyframes")] = False,
+    exact: Annotated[
+        bool, flag("--exact", "Write a clip that stays the spline through its keyframes when it is solved")
+    ] = False,
     skip_rest: option.SkipRest = False,
     figure: option.Figure = None,
     kind: option.Format = None,
@@ -338,7 +348,7 @@ def thin(
     fresh: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Reduce a motion to few keyframes within an error bound.
+    """Reduce a motion to a few keyframes within an error bound.
     The extension of -o selects a clip (.toml) or a motion (.npz)."""
     recording = thin_files.ToThin(source, figure, kind, fps, fresh, skip_rest)
     bound = thin_files.bound(max_error, max_angle)
@@ -357,7 +367,7 @@ def report(
     allow_outside: option.Outside = False,
 ) -> None:
     """Measure a motion before and after solving.
-    Measures penetration, joint ranges, foot skate, torques and distance from the optimum, sampled at 1 kHz."""
+    The report contains penetration, joint ranges, foot skate, torques and the distance from the optimum."""
     from rich.console import Console
 
     measured = _measured(source, model, keys, fresh).report
@@ -379,8 +389,8 @@ def plot(
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Plot charts of a motion and of its optimization.
-    Charts: foot height, unit magnitude, Euler-Lagrange deviation, and penalties per evaluation.
+    """Draw charts of a motion and of its search.
+    The charts are foot height, quaternion length, Euler-Lagrange deviation, and penalties per evaluation.
     The extension of -o selects .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
@@ -394,19 +404,22 @@ def plot(
 @app.command(rich_help_panel="Exchange")
 def export(
     source: option.Source,
-    to: Annotated[str | None, value("FORMAT", "Format, see `dynsplines formats`", "by the extension of -o")] = None,
+    to: Annotated[
+        str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "by the extension of -o")
+    ] = None,
     output: Annotated[Path | None, option.output("SOURCE with the format's extension")] = None,
     fps: option.Rate = None,
     columns: Annotated[
-        str, value("COLUMNS", "Extra columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
+        str, value("COLUMNS", "Further columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
     ] = "",
-    simulate: Annotated[bool, flag("--simulate", "With mjcf: write a scene with actuators, for simulation")] = False,
+    simulate: Annotated[bool, flag("--simulate", "With mjcf: write a model with actuators, to simulate")] = False,
     repeat: option.Repeat = None,
     overwrite: option.Overwrite = False,
     fresh: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Export a motion to a format that other programs read."""
+    """Write a motion in the format of another program.
+    A clip is solved first."""
     form, options = formats.chosen(to, output), trajectory.ExportOptions(simulate, quantities.named(columns))
     formats.check_options(form, options)
     target = output or formats.target_of(formats.stem(Path(source)), form, options)
@@ -421,9 +434,7 @@ def export(
 
 @app.command("import", rich_help_panel="Exchange")
 def import_motion(
-    source: Annotated[
-        Path, typer.Argument(metavar="FILE", help="Recorded motion, in a format of `dynsplines formats`")
-    ],
+    source: Annotated[Path, typer.Argument(metavar="FILE", help="Recording in a format of `dynsplines formats`")],
     figure: option.Figure = None,
     kind: option.Format = None,
     fps: option.Fps = None,
@@ -434,8 +445,8 @@ def import_motion(
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Import a recorded motion and report its violations.
-    Every sample becomes a keyframe. The motion is not solved."""
+    """Read a recording and report its violations.
+    Every sample becomes a keyframe. The motion is not changed."""
     target = _target(output, f"{formats.stem(source)}.npz", "motion")
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is the input file; give another -o")
@@ -451,7 +462,7 @@ def import_motion(
 
 @app.command("formats", rich_help_panel="Exchange")
 def list_formats() -> None:
-    """List the formats that export writes and import reads."""
+    """List the formats of export and import."""
     for form in formats.FORMATS:
         uses = " and ".join(word for word, can in (("reads", form.reads), ("writes", form.writes)) if can)
         print(f"{form.name:12} {form.ending:15} {uses:16} {form.description}")
@@ -474,8 +485,8 @@ def clean(
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Make a recording physically plausible.
-    Removes foot skate, penetration, floating and jumps, and stays close to the recording."""
+    """Remove foot skate, penetration and jumps from a recording.
+    The result stays close to the recording."""
     place = maps.map_of(map_file, writes=write_map)
     recording = clean_command.Source(
         source, figure, kind, fps, scale, scene, contacts, place, write_map, False, speed_limit
@@ -485,7 +496,7 @@ def clean(
 
 @app.command(rich_help_panel="Recordings")
 def retarget(
-    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="Motion of a skeleton, e.g. a BVH file")],
+    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="Recording of a skeleton, e.g. a BVH file")],
     to: Annotated[str, value("MODEL", "Target figure: name of a shipped figure, or MJCF file")],
     output: Annotated[Path | None, option.output("RECORDING.MODEL.npz")] = None,
     map_file: option.Map = None,
@@ -500,8 +511,8 @@ def retarget(
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Transfer a skeleton's motion to a figure, and clean it.
-    Joints stay within the figure's ranges, and its limbs do not collide."""
+    """Transfer the motion of a skeleton to a figure, and clean it.
+    The result respects joint ranges and avoids collisions of limbs."""
     target = output or Path(f"{formats.stem(source)}.{Path(to).stem}.npz")
     place = maps.map_of(map_file, writes=write_map)
     recording = clean_command.Source(source, to, kind, fps, scale, scene, contacts, place, write_map, True, speed_limit)
@@ -511,24 +522,26 @@ def retarget(
 @app.command(rich_help_panel="Batch")
 def batch(
     clips: Annotated[list[str] | None, typer.Argument(help="Clips, recordings, folders or glob patterns")] = None,
-    output: Annotated[Path, value("DIR", "Folder for results and manifest", True, "-o", "--output")] = Path("batch"),
+    output: Annotated[Path, value("DIR", "Folder of the results and the manifest", True, "-o", "--output")] = Path(
+        "batch"
+    ),
     listed: Annotated[str | None, value("FILE", "More clips, one per line; - is stdin", "none", "--list")] = None,
     workers: Annotated[
         int | None, number("N", "Number of processes on this machine", 1, 1000, "one per core", kind=int)
     ] = None,
     scheduler: Annotated[str | None, value("tcp://HOST:PORT", "Address of a Dask cluster to run on", "none")] = None,
-    to: Annotated[str, value("FORMAT", "npz, or one of `dynsplines formats`")] = "npz",
+    to: Annotated[str, value("FORMAT", "Format of the results: npz, or one of `dynsplines formats`")] = "npz",
     fps: option.Rate = None,
     limit_time: Annotated[float, number("SECONDS", "Time limit for solving each clip", 0.1, 10**6)] = 3600.0,
     limit_memory: Annotated[
-        float | None, number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share")
+        float | None, number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share of the memory")
     ] = None,
     measure: Annotated[
-        bool, flag("--report/--no-report", "Measure every motion at 1 kHz, which takes longer than solving")
+        bool, flag("--report/--no-report", "Measure every motion; this takes longer than solving")
     ] = False,
-    retry_failed: Annotated[bool, flag("--retry-failed", "Retry clips that failed in an earlier run")] = False,
+    retry_failed: Annotated[bool, flag("--retry-failed", "Solve clips again that failed in an earlier run")] = False,
     strict: option.Strict = False,
-    clean_all: Annotated[bool, flag("--clean", "Clean recordings, see `dynsplines clean`")] = False,
+    clean_all: Annotated[bool, flag("--clean", "Clean recordings, as `dynsplines clean` does")] = False,
     onto: Annotated[str | None, value("MODEL", "Retarget recordings to this figure", "none", "--retarget")] = None,
     figure: option.Figure = None,
     map_file: option.Map = None,
@@ -538,7 +551,7 @@ def batch(
     allow_outside: option.Outside = False,
 ) -> None:
     """Solve many clips in parallel.
-    Uses all cores, or a Dask cluster. Repeat the command to resume an interrupted run."""
+    It uses all cores or a Dask cluster. To resume an interrupted batch, repeat the command."""
     cleaning = recordings.asked(
         clean=clean_all, onto=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, within=within
     )

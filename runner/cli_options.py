@@ -45,7 +45,7 @@ def number(
             raise typer.BadParameter(f"{text}: give a {'whole ' * (kind is int)}number{span and f', {span}'}")
         return value
 
-    return value(metavar, f"{help}{span and f', {span}'}", default, *names, parser=parsed)
+    return value(metavar, f"{help}{span and f' ({span})'}", default, *names, parser=parsed)
 
 
 def seconds(help: str, default: str | bool = True, *names: str) -> Any:
@@ -91,40 +91,64 @@ def _prepare(context: typer.Context, allow: bool) -> bool:
 Part = StrEnum("Part", ["before", "after", "keys"])
 Only = Annotated[
     Part | None,
-    value("before|after|keys", "Render only the motion before or after solving, or the keyframes", "both"),
+    value(
+        "before|after|keys",
+        "Render only the motion before solving, after solving, or the keyframes",
+        "before and after",
+    ),
 ]
-Anything = "Name of a shipped clip, or a file: clip (.toml), model (.xml) or motion"
-Source = Annotated[str, typer.Argument(metavar="CLIP|MOTION.npz", help=Anything)]
-Clip = Annotated[str, typer.Argument(metavar="CLIP", help="Name of a shipped clip, or a .toml or .xml file")]
+Source = Annotated[
+    str,
+    typer.Argument(
+        metavar="CLIP|MOTION.npz",
+        help="Name of a shipped clip, or a file: clip (.toml), MJCF with keyframes (.xml) or motion (.npz)",
+    ),
+]
+Clip = Annotated[
+    str,
+    typer.Argument(
+        metavar="CLIP", help="Name of a shipped clip, or a file: clip (.toml) or MJCF with keyframes (.xml)"
+    ),
+]
 Recording = Annotated[
-    Path, typer.Argument(metavar="RECORDING", help="Motion, or a recording in a format that `import` reads")
+    Path, typer.Argument(metavar="RECORDING", help="Motion (.npz), or a file in a format that `import` reads")
 ]
 Overwrite = Annotated[bool, flag("--overwrite", "Overwrite an existing output file")]
 Strict = Annotated[bool, flag("--strict", "Exit with code 3 if the motion has violations")]
-NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve again instead of using the cached solution")]
+NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve the clip again, even if its solution is in the cache")]
 Outside = Annotated[bool, flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
 AsJson = Annotated[bool, flag("--json", "Print JSON")]
-SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose before the motion")]
-Repeat = Annotated[int | None, number("N", "Repeat a loop N times without a seam", 1, default="once", kind=int)]
-Rate = Annotated[float | None, number("HZ", "Samples per second", 0.01, 100_000, "the clip's, or 30")]
+SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose or rest pose before the motion")]
+Repeat = Annotated[int | None, number("N", "Number of cycles of a loop", 1, default="1", kind=int)]
+Rate = Annotated[float | None, number("HZ", "Samples per second of the output", 0.01, 100_000, "the clip's, or 30")]
 Figure = Annotated[
-    str | None, value("MODEL", "Figure of the recording: name of a shipped figure, or MJCF file", "the file's")
+    str | None, value("MODEL", "Figure of the recording: name of a shipped figure, or MJCF file", "that of the file")
 ]
-Format = Annotated[str | None, value("FORMAT", "Format of the recording", "by the file's extension", "--from")]
-Fps = Annotated[float | None, number("HZ", "Frames per second of the recording", 0.01, 1000, "the file's")]
-Scale = Annotated[float | None, number("METRES", "Length unit of the file, e.g. 0.01 for cm", 1e-6, 10**6, "inferred")]
-Scene = Annotated[Path | None, value("FILE", "TOML file with the [scene] of the recording", "a flat floor")]
+Format = Annotated[
+    str | None, value("FORMAT", "Format of the recording, see `dynsplines formats`", "by its extension", "--from")
+]
+Fps = Annotated[float | None, number("HZ", "Frames per second of the recording", 0.01, 1000, "that of the file")]
+Scale = Annotated[
+    float | None, number("METRES", "Length unit of the recording in metres, e.g. 0.01 for cm", 1e-6, 10**6, "inferred")
+]
+Scene = Annotated[
+    Path | None, value("FILE", "TOML file with a [scene] table: obstacles in the recording", "a flat floor")
+]
 Within = Annotated[
     float | None,
-    quantity(
-        "length", "Largest distance limbs may move from the recording, e.g. 3cm", "--max-displacement", "--within"
-    ),
+    quantity("length", "Largest displacement of pelvis, hands and feet, e.g. 3cm", "--max-displacement", "--within"),
 ]
 Speed = Annotated[float | None, quantity("speed", "Largest joint speed, e.g. 20rad/s or 1200deg/s", "--speed-limit")]
-Contacts = Annotated[Path | None, value("FILE", "TOML file with [[contact]] tables", "inferred")]
-WriteMap = Annotated[bool, flag("--write-map", "Write the inferred bone map to the file given by --map")]
-Model = Annotated[str | None, value("MODEL", "Figure of --keys: name of a shipped figure, or MJCF file", "the clip's")]
-Keys = Annotated[str | None, value("FILE", ".npz with time (K,) and qpos (K, nq) of --model", "the clip's")]
-Edited = Annotated[Path | None, output("SOURCE_EDIT.npz, or .toml of a clip")]
-OverSource = Annotated[bool, flag("--overwrite", "Allow -o to overwrite the input file")]
-Map = Annotated[Path | None, value("FILE", "Bone map: TOML file, or the shipped g1 or human", "inferred", "--map")]
+Contacts = Annotated[
+    Path | None, value("FILE", "TOML file with [[contact]] tables: the stances of the recording", "detected")
+]
+WriteMap = Annotated[bool, flag("--write-map", "Write the inferred bone map to the file of --map")]
+Model = Annotated[str | None, value("MODEL", "Figure of --keys: name of a shipped figure, or MJCF file", "none")]
+Keys = Annotated[
+    str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
+]
+Edited = Annotated[Path | None, output("SOURCE_EDIT.npz; .toml if SOURCE is a .toml file")]
+OverSource = Annotated[bool, flag("--overwrite", "Overwrite the input file, if it is also the output file")]
+Map = Annotated[
+    Path | None, value("FILE", "Bone map: a TOML file, or the shipped map g1 or human", "inferred", "--map")
+]
