@@ -25,7 +25,7 @@ from ..clip.tracking.recording import RecordedPath
 from ..errors import UserError
 from ..exchange import formats, gaps
 from ..exchange.motion_import import read_recording
-from ..exchange.skeleton import maps, retarget
+from ..exchange.skeleton import maps
 from ..motion import Saved
 from ..scene import file_access
 from ..scene.assets import Scene
@@ -169,11 +169,11 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
         if source.map is not None:
             raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
         return _Read.of(load_motion(source.file))
-    chosen = retarget.Map()
+    chosen = maps.Map()
     if source.map is not None and not source.writes_map:
         write_endings = file_of(source.map, MapTable)
-        chosen = retarget.Map(write_endings.figure, write_endings.recording)
-    with retarget.by(chosen) as met, gaps.allowed():
+        chosen = maps.Map(write_endings.figure, write_endings.recording)
+    with maps.using(chosen) as met, gaps.allowed():
         try:
             take = read_recording(
                 source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress
@@ -193,7 +193,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
     return _Read(take.name, scene, take.time, take.qpos, take.fps)
 
 
-def _write_map(target: Path, used: retarget.AppliedMap, progress: Progress) -> None:
+def _write_map(target: Path, used: maps.AppliedMap, progress: Progress) -> None:
     """Write the map that was used, for editing."""
     with Replacement(target) as temporary:
         temporary.write_text(maps.text_of(used), encoding="utf-8")

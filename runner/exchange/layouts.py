@@ -313,9 +313,9 @@ def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
         if turns_root and base.bodies is not None:
             continue
         places, signs = np.array(axes).T
-        matrix, turn = np.zeros((3, 3)), np.zeros(4)
+        matrix = np.zeros((3, 3))
         matrix[np.arange(3), places] = signs
-        mujoco.mju_mat2Quat(turn, matrix.ravel())
+        turn = quat.from_matrix(matrix)
         qpos = base.qpos.copy()
         for start in model.jnt_qposadr[model.jnt_type == FREE]:
             qpos[:, start : start + 3] = signs * qpos[:, start + places]

@@ -16,7 +16,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ..skeleton import bvh_file, captured_figure, hierarchy, retarget
+from ..skeleton import bvh_file, captured_figure, hierarchy, maps, retarget
 from ..skeleton.bvh_file import Joint, Skeleton, written
 from ..skeleton.captured_skeleton import CapturedSkeleton
 from ..skeleton.hinge_joints import angles
@@ -51,7 +51,7 @@ def recording(
     notes: tuple[str, ...] = (),
 ) -> Recording:
     """Read a skeleton's motion, of any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`."""
-    return of_captured(CapturedSkeleton.of(skeleton, scale, retarget.chosen().recording), rate, path, model, notes)
+    return of_captured(CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording), rate, path, model, notes)
 
 
 def of_captured(

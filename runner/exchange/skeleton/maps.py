@@ -1,18 +1,55 @@
-"""Maps from roles to bodies of a figure and joints of recordings: the files written, and those that ship."""
+"""Maps from roles to bodies of a figure and joints of recordings: the map in use, files written, and shipped ones."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from dynsplines import models
 
 from ...clip.text import written
 from ...errors import UserError
-from .retarget import NEEDED, AppliedMap
-from .roles import ROLES
+from .roles import NEEDED, ROLES
 
 HEADING = '# Bone map, by role: a body of the figure, a joint of the recording; "" for none.\n'
+
+
+@dataclass(frozen=True)
+class Map:
+    """Bone map: the name of a body of the figure, and of a joint of the recording, by role; "" for none."""
+
+    figure: Mapping[str, str] = field(default_factory=dict)
+    recording: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class AppliedMap(Map):
+    """A map as it was used, and the names that it may have: bodies of the figure, joints of the recording."""
+
+    bodies: Sequence[str] = ()
+    joints: Sequence[str] = ()
+
+
+_mapping: ContextVar[tuple[Map, list[AppliedMap]] | None] = ContextVar("mapping", default=None)
+
+
+@contextmanager
+def using(chosen: Map) -> Iterator[list[AppliedMap]]:
+    """Retarget recordings with a map in this block; yields the maps as they were used."""
+    used = list[AppliedMap]()
+    before = _mapping.set((chosen, used))
+    try:
+        yield used
+    finally:
+        _mapping.reset(before)
+
+
+def current() -> tuple[Map, list[AppliedMap]]:
+    """Return the map to use, and the list to which it is added as it was used."""
+    return _mapping.get() or (Map(), [])
 
 
 def map_of(file: Path | None, *, writes: bool = False) -> Path | None:

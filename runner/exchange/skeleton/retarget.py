@@ -12,9 +12,7 @@ has them, to scale.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from contextvars import ContextVar
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -27,31 +25,21 @@ from dynsplines.solver.figure.root import Root
 
 from ...errors import UserError
 from .. import missing_input
-from . import hierarchy
+from . import hierarchy, maps
 from .branches import completed
 from .captured_skeleton import CapturedSkeleton
 from .limbs import Limb, bend
-from .roles import apply_bone_map, lineage, roles
+from .roles import NEEDED, ONWARD, apply_bone_map, lineage, roles
 from .root_motion import carrying, shifted
-from .up_axis import standing_turn
+from .up_axis import standing_turn, unit
 
-NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")
-NEXT = {
-    "upper_arm": "forearm",
-    "forearm": "hand",
-    "thigh": "shin",
-    "shin": "foot",
-    "foot": "toe",
-    "clavicle": "upper_arm",
-}
+NEXT = {**ONWARD, "foot": "toe", "clavicle": "upper_arm"}
 BENT = 0.15  # mean sine of an elbow's or knee's bend that tells its axis
 LOWEST = 2.0  # per cent of the images whose soles may be in the ground
 LEVEL = 0.001  # [m] that soles may be off the ground and be left there
 LISTED = 12
-ROOT_TURN, ROOT_MOVE = (
-    5.0,
-    0.05,
-)  # [degrees, m] of a root's motion beyond its slides and hinges from which on it is noted
+ROOT_TURN = 5.0  # [degrees] of a root's motion beyond its slides and hinges from which on it is noted
+ROOT_MOVE = 0.05  # [m] likewise
 LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
@@ -99,7 +87,7 @@ class _Standing:
         if len(hierarchy.joints(self.model, self._below(f"{side}_shin", f"{side}_foot"))) > 1:
             return np.zeros(3)
         first, thigh = self.joint_of(f"{side}_thigh"), self.place[self.roles[f"{side}_thigh"]]
-        down = _unit(self.place[self.roles[f"{side}_shin"]] - thigh)
+        down = unit(self.place[self.roles[f"{side}_shin"]] - thigh)
         return (thigh - first) - down * (down @ (thigh - first))
 
     def _below(self, upper: str, lower: str) -> list[int]:
@@ -142,50 +130,14 @@ class _Standing:
         return quat.rotated(self.turn[body], points[np.argmax(np.linalg.norm(points, axis=1))])
 
 
-@dataclass(frozen=True)
-class Map:
-    """Bone map: the name of a body of the figure, and of a joint of the recording, by role; "" for none."""
-
-    figure: Mapping[str, str] = field(default_factory=dict)
-    recording: Mapping[str, str] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class AppliedMap(Map):
-    """A map as it was used, and the names that it may have: bodies of the figure, joints of the recording."""
-
-    bodies: Sequence[str] = ()
-    joints: Sequence[str] = ()
-
-
-_mapping: ContextVar[tuple[Map, list[AppliedMap]] | None] = ContextVar("mapping", default=None)
-
-
-@contextmanager
-def by(chosen: Map) -> Iterator[list[AppliedMap]]:
-    """In here recordings come on to figures by a map, where that says anything; gives those that were used."""
-    used = list[AppliedMap]()
-    before = _mapping.set((chosen, used))
-    try:
-        yield used
-    finally:
-        _mapping.reset(before)
-
-
-def chosen() -> Map:
-    """The map by which recordings come on to figures."""
-    now = _mapping.get()
-    return Map() if now is None else now[0]
-
-
 def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
     """qpos (T, nq) of the figure, and notes; where is how errors call the file."""
-    standing, (chosen, used) = _Standing.of(model), _mapping.get() or (Map(), [])
+    standing, (chosen, used) = _Standing.of(model), maps.current()
     names = hierarchy.names(model)
     standing = replace(standing, roles=apply_bone_map(standing.roles, chosen.figure, names, "figure"))
     captured = replace(captured, bone_map=chosen.recording)
     used.append(
-        AppliedMap(
+        maps.AppliedMap(
             {role: names[body] for role, body in standing.roles.items()},
             {role: captured.names[joint] for role, joint in captured.roles.items()},
             names[1:],
@@ -327,29 +279,19 @@ def _leg(place: Mapping[str, Array]) -> float:
     return total
 
 
-def _unit(vector: Array) -> Array:
-    return vector / max(float(np.linalg.norm(vector)), 1e-12)
-
-
 def _frame(first: Array, second: Array) -> Array:
     """(3, 3) columns: the first direction, the second made perpendicular to it, and their cross product."""
-    x = _unit(first)
-    y = _unit(second - x * (x @ second))
+    x = unit(first)
+    y = unit(second - x * (x @ second))
     return np.stack([x, y, np.cross(x, y)], axis=-1)
-
-
-def _quaternion(matrix: Array) -> Array:
-    out = np.zeros(4)
-    mujoco.mju_mat2Quat(out, np.ascontiguousarray(matrix).ravel())
-    return out
 
 
 def swing(start: Array, end: Array, otherwise: Array) -> Array:
     """(4,) the shortest rotation of one direction to another; about `otherwise` where they are opposite."""
-    start, end = _unit(start), _unit(end)
+    start, end = unit(start), unit(end)
     axis, cosine = np.cross(start, end), float(start @ end)
     if cosine < -0.999999:
-        return quat.from_rotation_vector(np.pi * _unit(otherwise - start * (start @ otherwise)))
+        return quat.from_rotation_vector(np.pi * unit(otherwise - start * (start @ otherwise)))
     return quat.normalised(np.append(1 + cosine, axis))
 
 
@@ -417,7 +359,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
             up = place[:, above] - middle if above is not None else np.tile([0.0, 0, 1], (len(place), 1))
         theirs = _frame(_seen(captured, role, across), _seen(captured, role, up))
         mine = _frame(np.array([0.0, 1, 0]), np.array([0.0, 0, 1]))
-        out[role], lateral[limb] = _quaternion(theirs @ mine.T), across
+        out[role], lateral[limb] = quat.from_matrix(theirs @ mine.T), across
     for side in ("left", "right"):
         for upper, lower, sign in (("thigh", "shin", 1.0), ("upper_arm", "forearm", -1.0)):
             pair = [f"{side}_{upper}", f"{side}_{lower}"]
@@ -430,7 +372,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
                 axis = bend if is_bent else lateral.get(upper, np.tile([0.0, 1, 0], (len(bend), 1)))
                 axis = axis - direction * np.sum(axis * direction, axis=1, keepdims=True)
                 theirs = _frame(_bone(captured, role), _seen(captured, role, axis))
-                out[role] = _quaternion(theirs @ _frame(standing.bone(role), np.array([0.0, 1, 0])).T)
+                out[role] = quat.from_matrix(theirs @ _frame(standing.bone(role), np.array([0.0, 1, 0])).T)
         if f"{side}_foot" in shared and side in captured.feet:
             out[f"{side}_foot"] = _flat(captured, standing, side)
     for role in shared:
@@ -441,7 +383,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
 
 def _world(captured: CapturedSkeleton, role: str) -> Array:
     """(T, 3) a bone's direction in the world."""
-    return quat.rotated(captured.rotation[:, captured.roles[role]], _unit(_bone(captured, role)))
+    return quat.rotated(captured.rotation[:, captured.roles[role]], unit(_bone(captured, role)))
 
 
 def _flat(captured: CapturedSkeleton, standing: _Standing, side: str) -> Array:
@@ -451,7 +393,7 @@ def _flat(captured: CapturedSkeleton, standing: _Standing, side: str) -> Array:
     ahead = (captured.at(toe, end)[low] - captured.position[low, ankle]) * [1, 1, 0]
     mine = standing.bone(f"{side}_foot") * [1, 1, 0]
     mine = mine if np.linalg.norm(mine) > 1e-3 else np.array([1.0, 0, 0])
-    turn = _quaternion(_frame(ahead, up) @ _frame(mine, up).T)
+    turn = quat.from_matrix(_frame(ahead, up) @ _frame(mine, up).T)
     return quat.product(quat.conjugate(captured.rotation[low, ankle]), turn)
 
 

@@ -61,6 +61,7 @@ EITHER = {
 ONWARD = {"upper_arm": "forearm", "forearm": "hand", "thigh": "shin", "shin": "foot", "foot": "toe"}  # along a limb
 KNOWN = {word for words in WORDS.values() for word in words} | set(EITHER)
 ROLES = ("pelvis", "chest", *MIDDLE, *(f"{side}_{role}" for side in ("left", "right") for role in WORDS))
+NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")  # for retargeting
 AXES = {"pitch", "roll", "yaw"}  # robots have a body for each: hip pitch, hip roll, hip yaw
 FILLING = {"link", "joint", "body", "jnt", "bone", "bind", *AXES}
 PREFIX = re.compile(

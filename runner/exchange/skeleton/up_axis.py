@@ -71,12 +71,12 @@ def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[
     if None in thighs or None in ends:
         return none, ()
     hips, feet = (place[np.array(bodies, int)].mean(axis=0) for bodies in (thighs, ends))
-    up = _unit(hips - feet) + (_unit(place[tops].mean(axis=0) - hips) if tops else 0.0)
-    leftward = _unit(place[thighs[0]] - place[thighs[1]])
+    up = unit(hips - feet) + (unit(place[tops].mean(axis=0) - hips) if tops else 0.0)
+    leftward = unit(place[thighs[0]] - place[thighs[1]])
     turns = Rotation.create_group("O")
-    score = turns.apply(_unit(up))[:, 2] + turns.apply(leftward)[:, 1]
+    score = turns.apply(unit(up))[:, 2] + turns.apply(leftward)[:, 1]
     best = int(np.argmax(score))
-    if score[best] - (_unit(up)[2] + leftward[1]) < CLEARLY:
+    if score[best] - (unit(up)[2] + leftward[1]) < CLEARLY:
         return none, ()
     turn = turns[best]
     was_up = turn.inv().apply([0, 0, 1])
@@ -88,5 +88,6 @@ def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[
     return turn.as_quat(scalar_first=True), notes
 
 
-def _unit(vector: Array) -> Array:
+def unit(vector: Array) -> Array:
+    """Return a vector (3,) of length 1, or zero."""
     return vector / max(float(np.linalg.norm(vector)), 1e-12)

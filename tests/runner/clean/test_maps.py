@@ -12,7 +12,7 @@ from dynsplines import cli, solving
 from dynsplines.clean import command as clean_command
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats, gaps
-from dynsplines.exchange.skeleton import retarget
+from dynsplines.exchange.skeleton import maps, retarget
 from dynsplines.exchange.skeleton.bvh_file import read
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.scene.compose import figure_spec
@@ -57,7 +57,7 @@ def test_a_map_of_limbs_is_enough(walk, tmp_path, on_reference):
     bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=on_reference)
     model = figure_spec("human").compile()
     expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)[0]), model, "walk.bvh")
-    with retarget.by(retarget.Map(recording=bone_map)), gaps.allowed():
+    with maps.using(maps.Map(recording=bone_map)), gaps.allowed():
         found = formats.recording(tmp_path / "a.bvh", model=model)
     assert np.ptp(expected[:, 0]) > 0.3
     np.testing.assert_allclose(found.qpos, expected, atol=1e-5)

@@ -15,7 +15,7 @@ from dynsplines import models, motion
 from dynsplines.edit.edits import repeated
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
+from dynsplines.exchange.skeleton import bvh_file, hierarchy, maps, retarget
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.exchange.trajectory import Bodies
@@ -151,11 +151,11 @@ def test_the_map_of_the_human_that_ships_says_what_is_found_without_it(files):
     captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
     model = mujoco.MjModel.from_xml_string(models.figure_text("human"))
     said = {name: tomllib.loads(models.map_file(name).read_text(encoding="utf-8")) for name in models.maps()}
-    with retarget.by(retarget.Map()) as found:
+    with maps.using(maps.Map()) as found:
         retarget.onto(captured, model, "walk.bvh")
     assert said["human"] == {"figure": dict(found[0].figure)}
     assert set(said["human"]["figure"]) < set(said["g1"]["figure"])
-    with retarget.by(retarget.Map(said["human"]["figure"])) as again:
+    with maps.using(maps.Map(said["human"]["figure"])) as again:
         retarget.onto(captured, model, "walk.bvh")
     assert again[0].figure == found[0].figure
 
@@ -183,7 +183,7 @@ def test_how_large_it_is_is_told_by_the_parts_that_both_have(files):
     captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
     scales = []
     for text in (ANDROID, ANDROID.replace("_ankle_pitch_link", "_mount").replace("_ankle_roll_link", "_base")):
-        with retarget.by(retarget.Map()) as used:
+        with maps.using(maps.Map()) as used:
             _, notes = retarget.onto(captured, mujoco.MjModel.from_xml_string(text), "walk.bvh")
         scales.append(float(notes[0].split()[2].rstrip(",")))
     assert "left_foot" not in used[0].figure and "left_foot" in used[0].recording
