@@ -17,10 +17,11 @@ from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_column
 from .table import ClipTable, KeyframeTable, RootTable, RotationTable, Table
 
 DIGITS = 9  # after the point, of angles in degrees: 1e-11 rad, more than conversions there and back keep
+TomlTable = dict[str, Any]  # a table as a file has it, of keys that its reader checks
 BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def tables(table: Table) -> dict[str, Any]:
+def tables(table: Table) -> TomlTable:
     """Return the keys of a table that are set, in the file's notation, including nested tables."""
     return table.model_dump(exclude_unset=True, by_alias=True)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import base64
-from typing import Any
+from typing import NotRequired, TypedDict
 
 import mujoco
 import numpy as np
@@ -25,8 +25,33 @@ KINDS = {
 }
 
 
-def drawn(model: mujoco.MjModel, reach: float) -> dict[str, Any]:
-    """The visible parts of a model: "pieces", and the "meshes" and "pictures" that they refer to by number.
+class DrawnPiece(TypedDict):
+    """A geom: its shape in the axes of its body, lengths in metres; numbers of its mesh and its picture."""
+
+    name: str
+    body: int
+    kind: str
+    size: list[float]
+    position: list[float]
+    rotation: list[float]
+    colour: list[float]
+    gloss: float
+    still: bool
+    picture: NotRequired[int]
+    repeat: NotRequired[list[float]]
+    mesh: NotRequired[int]
+
+
+class Drawn(TypedDict):
+    """The visible parts of a model, and the meshes and pictures that they refer to by number."""
+
+    pieces: list[DrawnPiece]
+    meshes: list[dict[str, str]]
+    pictures: list[str]
+
+
+def drawn(model: mujoco.MjModel, reach: float) -> Drawn:
+    """The visible parts of a model.
 
     reach  [m] from its middle to which a plane without end is drawn
     """
@@ -52,9 +77,9 @@ def _short(array: Array) -> list[float]:
 
 def _piece(
     model: mujoco.MjModel, piece: Piece, reach: float, meshes: dict[int, int], pictures: dict[int, int]
-) -> dict[str, Any]:
+) -> DrawnPiece:
     """A geom; meshes and pictures that it is the first to use get a number there."""
-    out: dict[str, Any] = {
+    out: DrawnPiece = {
         "name": piece.name, "body": piece.body, "kind": KINDS.get(piece.kind, "mesh"), "size": _short(piece.size),
         "position": _short(piece.position), "rotation": _short(hierarchy.xyzw(piece.rotation)),
         "colour": _short(piece.colour), "gloss": round(piece.gloss, 4), "still": is_still(model, piece),

@@ -17,7 +17,7 @@ from dynsplines.solver.figure.figure import Figure, FigureError
 
 from .. import recordings
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
-from ..clip.text import keyframe_tables, tables, written
+from ..clip.text import TomlTable, keyframe_tables, tables, written
 from ..errors import UserError, renamed_arguments
 from ..scene import file_access
 from ..scene.compose import first_line, quietly
@@ -104,7 +104,7 @@ def build(
     with file_access.allowed(allow_outside):
         spec, called = spec_of(figure)
         posed = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
-        raw: dict[str, Any] = {"figure": called, "fps": float(fps)}
+        raw: TomlTable = {"figure": called, "fps": float(fps)}
         raw |= {
             key: _plain(value) for key, value in (("scene", scene), ("solve", solve), ("recording", recording)) if value
         }
@@ -125,10 +125,10 @@ def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
         raise UserError(f"{called}: {first_line(error)}") from None
 
 
-def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
+def _table(key: Keyframe, figure: Figure | None) -> TomlTable:
     """The keyframe as a table of a clip's file; `figure` is needed for qpos."""
     entries = {"root": key.root, "joints": key.joints, "sites": key.sites, "bodies": key.bodies, "roots": key.roots}
-    out: dict[str, Any] = {"time": _plain(key.time)}
+    out: TomlTable = {"time": _plain(key.time)}
     out |= {name: _plain(value) for name, value in entries.items() if value}
     if key.others != "free":
         out["others"] = key.others
@@ -147,14 +147,14 @@ def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
     )
 
 
-def _roots(whole: dict[str, Any], table: dict[str, Any]) -> dict[str, Any]:
+def _roots(whole: TomlTable, table: TomlTable) -> TomlTable:
     """The configuration's entries for further free bodies, overridden by the given ones."""
     mine, theirs = whole.get("roots", {}), table.get("roots", {})
     names = list(dict.fromkeys([*mine, *theirs]))
     return {"roots": {name: mine.get(name, {}) | theirs.get(name, {}) for name in names}} if names else {}
 
 
-def _penalty(kind: str, table: float | Table) -> dict[str, Any]:
+def _penalty(kind: str, table: float | Table) -> TomlTable:
     return {"kind": kind} | (_plain(table) if isinstance(table, Mapping) else {"weight": float(table)})
 
 

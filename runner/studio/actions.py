@@ -6,17 +6,33 @@ import asyncio
 import time
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict
 
 from ..errors import UserError, unknown
 from .revision_map import renumbered
 from .session import Session
 
 if TYPE_CHECKING:
-    from .posing import Grip, Poser
+    from ..clip.text import TomlTable
+    from .posing import BodyEntry, Grip, PoseEdit, PoseEntries, Poser
+    from .solver import Message
 
 AT = 1e-6  # [s] a time within this of a keyframe counts as its time
 RESTS = 0.1  # [s] pause of a drag after which its edit is solved speculatively
+
+
+class Bodies(TypedDict):
+    """Positions (nbody · 3) [m] and rotations (nbody · 4), xyzw, of all bodies."""
+
+    position: list[float]
+    rotation: list[float]
+
+
+class Dragged(Bodies):
+    """A pose of a drag, its distance from the mouse [m], and how long it took [ms]."""
+
+    missed: float
+    ms: float
 
 
 class Actions:
@@ -54,7 +70,7 @@ class Actions:
         plant: bool = True,
         alone: bool = False,
         partial: bool = False,
-    ) -> dict[str, Any]:
+    ) -> dict[str, list[str]]:
         """Grab a point of a body at a time of the clip; alone: move only its limb.
 
         partial  the value that `drop` will use
@@ -66,7 +82,7 @@ class Actions:
         self._grip, self._home, self._last, self._body = grip, qpos, qpos, int(body)
         return {"planted": [goal.name for goal in grip.planted]}
 
-    async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
+    async def drag(self, *, position: Sequence[float]) -> Dragged:
         """The pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
         if self._grip is None:
             raise UserError("no limb is grabbed; press the mouse on one first")
@@ -79,7 +95,7 @@ class Actions:
         self._rests()
         return {**bodies, "missed": round(pose.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
-    async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> dict[str, Any]:
+    async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> Bodies:
         """The pose with one joint rotated, as `drag` returns it."""
         self._moves_on(time, partial)
         poser, turned = await self.poser(), (float(time), joint)
@@ -107,7 +123,7 @@ class Actions:
             self._release()
         return "" if edit is None else await self.session.edit(*edit)
 
-    def _meant(self, poser: Poser) -> tuple[str, dict[str, Any], int | None] | None:
+    def _meant(self, poser: Poser) -> tuple[str, Message, int | None] | None:
         """The edit that ending the drag now would make, as `Session.edit` takes it; None where nothing has moved."""
         home, last, index = self._home, self._last, self.key_at(self._time)
         entries = poser.keyframe_entries(last, home)
@@ -160,7 +176,7 @@ class Actions:
         row = self._row(index)
         return [name for group in ("sites", "bodies") for name in row.get(group, {})]
 
-    def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: dict[str, Any]) -> dict[str, Any]:
+    def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: PoseEntries) -> PoseEdit:
         """The joints of a keyframe that were moved, and the targets that these override.
 
         The other joints that such a target determined, of its limb and the root, are specified as in the pose (nq,).
@@ -172,16 +188,21 @@ class Actions:
             decided |= {poser.root}
         free = {link.name for link in poser.figure.links[1:] if not fixed[link.qpos]}
         instead = poser.select_joints(poser.keyframe_entries(qpos), decided - names - free)
-        joined = {group: {**instead.get(group, {}), **entries.get(group, {})} for group in ("joints", "root", "roots")}
-        return {"places": places, "joints": joined.pop("joints"), **{k: v for k, v in joined.items() if v}}
+        out: PoseEdit = {"places": places, "joints": {**instead["joints"], **entries["joints"]}}
+        root: BodyEntry = {**instead.get("root", {}), **entries.get("root", {})}
+        if root:
+            out["root"] = root
+        if roots := {**instead.get("roots", {}), **entries.get("roots", {})}:
+            out["roots"] = roots
+        return out
 
-    def _whole_limb(self, poser: Poser, entries: dict[str, Any], qpos: Any) -> dict[str, Any]:
+    def _whole_limb(self, poser: Poser, entries: PoseEntries, qpos: Any) -> PoseEntries:
         """The moved joints with all other joints of the dragged or rotated limb."""
         limb = poser.limb_names(self._body)
         limb_joints = {name: value for name, value in poser.keyframe_entries(qpos)["joints"].items() if name in limb}
         return {**entries, "joints": {**limb_joints, **entries["joints"]}}
 
-    def _kept_free(self, index: int, entries: Any, home: Any, last: Any, poser: Poser) -> Any:
+    def _kept_free(self, index: int, entries: PoseEntries, home: Any, last: Any, poser: Poser) -> PoseEntries:
         """Remove joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
         moved = _named(poser.keyframe_entries(last, home), poser)
@@ -231,14 +252,15 @@ class Actions:
         """Leave joints of a keyframe to the optimiser, along with the targets that determine them."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
-        entries: dict[str, Any] = {"joints": {}, "root": {}, "roots": {}}
-        whole = {"position": "free", "rotation": "free"}
+        entries: PoseEntries = {"joints": {}}
+        whole: BodyEntry = {"position": "free", "rotation": "free"}
         for link in poser.figure.links[1:]:
             if link.name == poser.root and link.name in joints:
                 entries["root"] = whole
+            elif link.name in joints and link.kind.name == "FREE":
+                entries.setdefault("roots", {})[link.name] = whole
             elif link.name in joints:
-                is_body = link.kind.name == "FREE"
-                entries["roots" if is_body else "joints"][link.name] = whole if is_body else "free"
+                entries["joints"][link.name] = "free"
         arguments = self._let_go(key, set(joints), self._state(key), poser, entries)
         words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
         return await self.session.edit("set_pose", {"key": key, **arguments, "words": words}, revision)
@@ -298,12 +320,12 @@ class Actions:
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
 
-    def _now(self, revision: int | None, **indices: Any) -> dict[str, Any]:
+    def _now(self, revision: int | None, **indices: Any) -> Message:
         """Convert indices of a revision into those of the present one."""
         request = {name: list(value) if name == "keys" else value for name, value in indices.items()}
         return renumbered(self.session.document, revision, request)
 
-    def _row(self, index: int) -> dict[str, Any]:
+    def _row(self, index: int) -> TomlTable:
         rows = self.session.document.tree_rows()
         if not 0 <= index < len(rows):
             raise UserError(unknown("keyframe", str(index + 1), [str(i + 1) for i in range(len(rows))]))
@@ -334,18 +356,18 @@ def prepared(session: Session) -> Poser:
     return poser
 
 
-def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
+def _bodies(poser: Poser, qpos: Any) -> Bodies:
     from .paths import poses
 
     position, rotation, _ = poses(poser.figure.model, qpos[None])
     return {"position": position[0].round(5).ravel().tolist(), "rotation": rotation[0].round(6).ravel().tolist()}
 
 
-def _named(entries: dict[str, Any], poser: Poser) -> set[str]:
+def _named(entries: PoseEntries, poser: Poser) -> set[str]:
     """The names of the joints in an edit."""
     root = {poser.root} if poser.root is not None and entries.get("root") else set()
     return {*entries["joints"], *entries.get("roots", {}), *root}
 
 
-def _plain(row: Any) -> dict[str, Any]:
+def _plain(row: TomlTable) -> TomlTable:
     return {key: value for key, value in row.items() if value is not None}

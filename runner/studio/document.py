@@ -11,12 +11,13 @@ from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 from ..errors import UserError
 from ..system.output import Replacement
 
 if TYPE_CHECKING:
+    from ..clip.text import TomlTable
     from .edits.tables import Blocks
 
 MOST_SINCE = 200  # revisions kept for pages that refer to an older one
@@ -24,9 +25,20 @@ FILMS = (".mp4", ".webm", ".gif", ".png")  # endings of what is rendered
 Packed = tuple[str, bytes]  # what was done, and the text before it or after it, compressed
 
 
-def parsed(text: str) -> dict[str, Any]:
+def parsed(text: str) -> TomlTable:
     """A text that is known to be TOML, as plain tables."""
     return tomllib.loads(text)
+
+
+class DocumentState(TypedDict):
+    """A document for pages, without its tables: `undo` and `redo` describe the edits that they would change."""
+
+    name: str
+    file: str | None
+    dirty: bool
+    revision: int
+    undo: str | None
+    redo: str | None
 
 
 @dataclass
@@ -50,7 +62,7 @@ class Document:
     _back: list[Packed] = field(default_factory=list)
     _forth: list[Packed] = field(default_factory=list)
     _seen: deque[tuple[int, bytes]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
-    _plain: tuple[int, dict[str, Any]] | None = None  # a revision as plain tables
+    _plain: tuple[int, TomlTable] | None = None  # a revision as plain tables
 
     @property
     def is_dirty(self) -> bool:
@@ -72,7 +84,7 @@ class Document:
         """Description of the edit that redo would apply."""
         return self._forth[-1][0] if self._forth else None
 
-    def told(self) -> dict[str, Any]:
+    def told(self) -> DocumentState:
         """The state of the document for pages, without its tables."""
         return {
             "name": self.name,
@@ -94,7 +106,7 @@ class Document:
             parsed_text[1] if parsed_text is not None and parsed_text[0] == self.revision else None,
         )
 
-    def tree_rows(self) -> list[dict[str, Any]]:
+    def tree_rows(self) -> list[TomlTable]:
         """The [[keyframe]] tables as plain ones; of a text that has none, none."""
         if self._plain is None or self._plain[0] != self.revision:
             self._plain = self.revision, parsed(self.text)

@@ -2,18 +2,40 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TypedDict
 
 from ..clip.constraints import chosen, weight_factors
 from ..clip.kinds import KINDS
 from ..clip.parse import table_of
 from ..clip.table import ClipTable
-from ..clip.text import tables
+from ..clip.text import TomlTable, tables
 from .document import FILMS
 
 
-def outline(text: str, where: str) -> dict[str, Any]:
-    """A clip's text as the page has it; raises UserError for one that no clip can be."""
+class Outline(TypedDict):
+    """A clip's text as the page has it; tables are as in the file."""
+
+    figure: str
+    fps: float
+    keys: list[TomlTable]
+    contacts: list[TomlTable]
+    holds: list[TomlTable]
+    weights: dict[str, float]
+    options: dict[str, TomlTable]
+    obstacles: list[TomlTable]
+    solve: TomlTable
+    recording: TomlTable | None
+
+
+class Formats(TypedDict):
+    """What can be written: formats with name, ending and description, and endings of films."""
+
+    formats: list[dict[str, str]]
+    films: list[str]
+
+
+def outline(text: str, where: str) -> Outline:
+    """A clip's text for the page; raises UserError for one that no clip can be."""
     table = table_of(text, where)
     content = tables(table)
     scene = content.get("scene", {})
@@ -49,7 +71,7 @@ def weights(table: ClipTable, where: str) -> dict[str, float]:
     return listed
 
 
-def kinds() -> list[dict[str, Any]]:
+def kinds() -> list[dict[str, object]]:
     """The terms of soft constraints, a row each."""
     return [
         {"kind": kind["kind"], **part}
@@ -58,7 +80,7 @@ def kinds() -> list[dict[str, Any]]:
     ]
 
 
-def formats() -> dict[str, Any]:
+def formats() -> Formats:
     """The formats that can be written."""
     from ..exchange.formats import FORMATS  # only here: the figure is on the page by now
 
@@ -70,5 +92,5 @@ def formats() -> dict[str, Any]:
     return {"formats": rows, "films": list(FILMS)}
 
 
-def _key(row: dict[str, Any]) -> dict[str, Any]:
+def _key(row: TomlTable) -> TomlTable:
     return {"others": "free", **row}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import struct
-from typing import Any
+from collections.abc import Mapping
 
 import mujoco
 import numpy as np
@@ -29,7 +29,7 @@ def rate_of(duration: float) -> float:
     return RATE if duration * RATE <= MOST_SAMPLES else MOST_SAMPLES / duration
 
 
-def packed(figure: Figure, timeline: Timeline, header: dict[str, Any]) -> bytes:
+def packed(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> bytes:
     """A timeline's motion with a header, to which start, rate and count of the samples are added."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     rate = rate_of(last - first)
@@ -46,7 +46,7 @@ def packed(figure: Figure, timeline: Timeline, header: dict[str, Any]) -> bytes:
     return framed(full_header, *poses(figure.model, qpos))
 
 
-def framed(header: dict[str, Any], *arrays: Array | NDArray[np.float32]) -> bytes:
+def framed(header: Mapping[str, object], *arrays: Array | NDArray[np.float32]) -> bytes:
     """A header and arrays in one piece."""
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % WIDTH)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Literal, NotRequired, TypedDict
 
 import mujoco
 import numpy as np
@@ -43,6 +43,31 @@ STANDS = 0.03  # [m] height below which a sole stands on the ground
 SHORT = 0.002  # [m] by which a limb that does not reach misses
 MOVED = 1e-5  # [rad, m] by which a joint differs that was moved
 DIGITS = 3  # after the point, of degrees: 2e-5 rad; places have two more
+
+
+Rotation = dict[str, list[float]]  # {"rotvec": [x, y, z]}, degrees
+Free = Literal["free"]
+
+
+class BodyEntry(TypedDict, total=False):
+    """A keyframe's entry of a free body: position [m] and rotation."""
+
+    position: list[float] | Free
+    rotation: Rotation | Free
+
+
+class PoseEntries(TypedDict):
+    """Entries of a keyframe: joints [degrees or m] by name, the root, and further free bodies by their joints."""
+
+    joints: dict[str, float | Rotation | Free]
+    root: NotRequired[BodyEntry]
+    roots: NotRequired[dict[str, BodyEntry]]
+
+
+class PoseEdit(PoseEntries):
+    """Entries of a keyframe, and the sites and bodies whose targets they override."""
+
+    places: list[str]
 
 
 @dataclass(frozen=True)
@@ -243,31 +268,28 @@ class Poser:
         out[start : start + 4] = quat.normalised(there)
         return out
 
-    def keyframe_entries(self, qpos: Array, home: Array | None = None) -> dict[str, Any]:
-        """Return the entries of a keyframe for a pose: of all joints, or of those that differ from `home`.
-
-        {"joints"}, and {"root"} and {"roots"} if there are entries of the first free body and of others
-        """
-        joints: dict[str, Any] = {}
-        root: dict[str, Any] = {}
-        roots: dict[str, Any] = {}
+    def keyframe_entries(self, qpos: Array, home: Array | None = None) -> PoseEntries:
+        """Return the entries of a keyframe for a pose: of all joints, or of those that differ from `home`."""
+        out: PoseEntries = {"joints": {}}
         for index, link in enumerate(self.figure.links[1:], start=1):
             columns = entries(self.figure, index)
             if home is not None and np.abs(qpos[columns] - home[columns]).max() < MOVED:
                 continue
             if link.kind is JointKind.FREE:
                 place = [round(float(x), DIGITS + 2) for x in qpos[columns][:3]]
-                table = {"position": place, "rotation": _short(qpos[columns][3:])}
+                body: BodyEntry = {"position": place, "rotation": _short(qpos[columns][3:])}
                 if link.name == self.root:
-                    root = table
+                    out["root"] = body
                 else:
-                    roots[link.name] = table
+                    out.setdefault("roots", {})[link.name] = body
             elif link.kind is JointKind.BALL:
-                joints[link.name] = _short(qpos[columns])
+                out["joints"][link.name] = _short(qpos[columns])
             else:
                 value = float(qpos[link.qpos])
-                joints[link.name] = round(np.degrees(value) if link.kind is JointKind.HINGE else value, DIGITS + 1)
-        return {"joints": joints, **({"root": root} if root else {}), **({"roots": roots} if roots else {})}
+                out["joints"][link.name] = round(
+                    np.degrees(value) if link.kind is JointKind.HINGE else value, DIGITS + 1
+                )
+        return out
 
     @cached_property
     def root(self) -> str | None:
@@ -277,13 +299,14 @@ class Poser:
             return None
         return self.figure.links[root.link].name
 
-    def select_joints(self, entries: dict[str, Any], names: Collection[str]) -> dict[str, Any]:
+    def select_joints(self, entries: PoseEntries, names: Collection[str]) -> PoseEntries:
         """Return the entries of the named joints and free bodies."""
-        selected = {
-            group: {k: v for k, v in entries.get(group, {}).items() if k in names} for group in ("joints", "roots")
-        }
-        root = {"root": entries["root"]} if self.root in names and "root" in entries else {}
-        return {"joints": selected["joints"], **root, **({"roots": selected["roots"]} if selected["roots"] else {})}
+        out: PoseEntries = {"joints": {name: value for name, value in entries["joints"].items() if name in names}}
+        if self.root in names and "root" in entries:
+            out["root"] = entries["root"]
+        if roots := {name: body for name, body in entries.get("roots", {}).items() if name in names}:
+            out["roots"] = roots
+        return out
 
     def deciding_joints(self, place: str) -> tuple[set[str], set[str]]:
         """The joints that decide where a place is, of all and of its own limb; none of one that is not known."""
@@ -311,5 +334,5 @@ class Poser:
         mujoco.mj_comPos(self.figure.model, self.data)
 
 
-def _short(quaternion: Array) -> dict[str, list[float]]:
+def _short(quaternion: Array) -> Rotation:
     return {"rotvec": [round(x, DIGITS) + 0.0 for x in rotation(quaternion).rotvec or ()]}

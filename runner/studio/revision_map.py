@@ -13,11 +13,12 @@ from typing import Any
 
 from ..errors import UserError
 from .document import Document, parsed
+from .solver import Message
 
 BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` is of these tables
 
 
-def renumbered(document: Document, revision: int | None, request: Mapping[str, Any], edit: str = "") -> dict[str, Any]:
+def renumbered(document: Document, revision: int | None, request: Mapping[str, Any], edit: str = "") -> Message:
     """A page's arguments, with indices of a revision replaced by present ones; raises UserError for unknown ones."""
     arguments = dict(request)
     if revision is None or revision == document.revision:

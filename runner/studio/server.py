@@ -27,6 +27,7 @@ from ..errors import UserError, one_line
 from .actions import Actions, prepared
 from .files import Files
 from .session import Session
+from .solver import Message
 
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
@@ -164,7 +165,7 @@ class _Page:
                 else:
                     await self.socket.send_text(message if isinstance(message, str) else message.decode())
 
-    async def _answer(self, message: dict[str, Any]) -> None:
+    async def _answer(self, message: Message) -> None:
         """Perform a page's request; the answer describes the edit, or the reason for its rejection."""
         number = message.pop("id", None)
         try:
@@ -182,7 +183,7 @@ class _Page:
             answer = {"is": "answer", "id": number, "ok": False, "words": words}
         self._put(json.dumps(answer))
 
-    async def _done(self, do: str, arguments: dict[str, Any]) -> Any:
+    async def _done(self, do: str, arguments: Message) -> Any:
         deed = self._deeds.get(do)
         if deed is None:
             raise UserError(f"'{do}': unknown request; reload the page")
@@ -223,7 +224,7 @@ class _Page:
     async def _offer(self, take: bool) -> str:
         return await self.session.take_offer(yes=bool(take))
 
-    async def _files(self) -> dict[str, Any]:
+    async def _files(self) -> dict[str, list[str]]:
         from dynsplines import models
 
         return {"files": await asyncio.to_thread(self.writer.listed), "shipped": list(models.clips())}

@@ -9,15 +9,17 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, one_line
 from . import startup_snapshot
 from .document import Document
 from .revision_map import renumbered
-from .solver import Solver
+from .solver import Message, Solver
 
-Message = dict[str, Any]
+if TYPE_CHECKING:
+    from ..clip.text import TomlTable
+
 Send = Callable[[str | bytes], None]
 VERDICT = 60.0  # [s] limit for loading an edited clip
 CATCHING_UP = 5.0  # [s] limit for waiting for a path of the present text
@@ -48,7 +50,7 @@ class Session:
         self.stages = 0
         self.settled: Callable[[], None] | None = None
         self.poser: tuple[int, Any] | None = None
-        self.clipboard: list[dict[str, Any]] = []
+        self.clipboard: list[TomlTable] = []
         self.offer = document.kept()
         self.status: Message = {"is": "status", "state": "loading"}
         self.outline: Message = {}

@@ -14,7 +14,7 @@ from ..scene.file_access import is_allowed
 from ..system.workers import ctrl_c_blocked
 from .solving.process import entry
 
-Message = dict[str, Any]
+Message = dict[str, Any]  # JSON between pages, server and solver: "do" names a request, "is" an answer
 SHORT = 0.2  # [s] for an idle process
 PATIENCE = 5.0  # [s] limit for a process to end
 MOST_LOSSES = 5  # crashes in a row, without an answer, after which it is not restarted

@@ -19,7 +19,6 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
 
 import mujoco
 import numpy as np
@@ -128,7 +127,7 @@ def _our_rotation(part: Array, name: str, path: Path) -> Array:
     return np.concatenate([rotation[:, :1], ours(rotation[:, 1:])], 1)
 
 
-def _parsed(path: Path) -> dict[str, Any]:
+def _parsed(path: Path) -> dict[str, object]:
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except (ValueError, RecursionError) as error:

@@ -12,7 +12,7 @@ import lzma
 import pickle
 import pickletools
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -164,6 +164,6 @@ def one_motion(found: ArrayReader) -> ArrayReader:
     return ArrayReader(found.where, {str(key): value for key, value in next(iter(entries.values())).items()})
 
 
-def dump(entries: dict[str, Any], target: Path) -> None:
+def dump(entries: Mapping[str, object], target: Path) -> None:
     """Writes a dict so that any numpy reads it: version 2 moved what a pickle names, and keeps the old name as well."""
     target.write_bytes(pickle.dumps(entries, protocol=3).replace(b"cnumpy._core.", b"cnumpy.core."))

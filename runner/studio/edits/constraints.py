@@ -18,7 +18,7 @@ def set_contact(
     tree: Blocks, *, point: str, begin: float, end: float, index: int | None = None, position: Any = None
 ) -> str:
     """A new contact of a point from one time to another [s], or an old one, by number, at other times."""
-    entries: dict[str, Any] = {"point": point, **_span(begin, end, f"the contact of {point}")}
+    entries: dict[str, object] = {"point": point, **_span(begin, end, f"the contact of {point}")}
     if position is not None:
         entries["position"] = numbers(position, f"where {point} rests")
     _put(tree, "contact", entries, index)

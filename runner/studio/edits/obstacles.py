@@ -3,13 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, TypedDict
 
 from ...errors import UserError
 from .tables import Blocks, add, item, numbers, put
 
 EDITS = ("add_obstacle", "set_obstacle", "delete_obstacle")
-NEW: dict[str, dict[str, Any]] = {
+
+
+class Obstacle(TypedDict, total=False):
+    """The entries of a new obstacle [m]."""
+
+    x: float
+    height: float
+    position: list[float]
+    size: list[float]
+    length: float
+    radius: float
+
+
+NEW: dict[str, Obstacle] = {
     "step": {"x": 0.5, "height": 0.2},
     "box": {"position": [0.6, 0.0, 0.2], "size": [0.4, 0.4, 0.4]},
     "sphere": {"position": [0.6, 0.0, 0.2], "radius": 0.2},
@@ -22,7 +35,7 @@ def add_obstacle(tree: Blocks, *, kind: str, at: list[float] | None = None) -> s
     """Add an obstacle near a position [m]; there is at most one step."""
     if kind not in NEW:
         raise UserError(f"no obstacle '{kind}'; there are: {', '.join(NEW)}")
-    entries = dict(NEW[kind])
+    entries = NEW[kind].copy()
     if at is not None and "position" in entries:
         entries["position"] = [*numbers(at, "the position", 2), entries["position"][2]]
     if kind != "step":

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -29,7 +29,25 @@ DIGITS = 3  # after the point: what is drawn is less fine
 SIZE = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}  # degrees of freedom
 
 
-def curves(clip: Clip, found: Solution) -> dict[str, Any]:
+Series = dict[str, str | list[float]]  # "name", and values "after" and "before"
+
+
+class Group(TypedDict):
+    """Series of one unit."""
+
+    name: str
+    unit: str
+    series: list[Series]
+
+
+class Curves(TypedDict):
+    """What is drawn over time [s]."""
+
+    time: list[float]
+    groups: list[Group]
+
+
+def curves(clip: Clip, found: Solution) -> Curves:
     """Groups with a name, a unit and series, each with a name and values after and before, at times [s].
 
     E is computed per segment between frames, as steps: the value per second of each.
@@ -40,7 +58,7 @@ def curves(clip: Clip, found: Solution) -> dict[str, Any]:
     if found.timeline is not found.raw:
         sides["before"] = found.raw
     by_side = {side: _side(clip, timeline, time) for side, timeline in sides.items()}
-    groups = []
+    groups: list[Group] = []
     for name, unit in (("angle", "°"), ("speed", "°/s"), ("height of feet", "m"), ("torque", "N m")):
         names = list(by_side["after"][name])
         series = [{"name": label, **{side: by_side[side][name].get(label, []) for side in by_side}} for label in names]
@@ -50,7 +68,7 @@ def curves(clip: Clip, found: Solution) -> dict[str, Any]:
     return {"time": time.round(4).tolist(), "groups": groups}
 
 
-def _deviation(clip: Clip, sides: dict[str, Timeline], time: Array) -> list[dict[str, Any]]:
+def _deviation(clip: Clip, sides: dict[str, Timeline], time: Array) -> list[Group]:
     """How far a path is from the Euler-Lagrange equation, as |R|; and what another frame in the middle of a segment
     promises to lower E by, which is where the solver inserts one."""
     objective, size, promise = clip.problem.objective, {}, {}
@@ -110,7 +128,7 @@ def _heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
     return {point.name: _rounded(row, 4) for point, row in zip(points, height, strict=True)}
 
 
-def _by_term(clip: Clip, found: Solution, time: Array) -> list[dict[str, Any]]:
+def _by_term(clip: Clip, found: Solution, time: Array) -> list[Series]:
     """The contribution of every term to E per second, between frames."""
     objective, edges = clip.problem.objective, found.timeline.times
     by_term: dict[str, dict[str, list[float]]] = {}

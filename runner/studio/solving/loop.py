@@ -17,7 +17,7 @@ from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from queue import Empty, SimpleQueue
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypedDict
 
 import numpy as np
 
@@ -38,6 +38,7 @@ from ...scene.file_access import allowed
 from ...system.cache_folder import place as cache
 from .. import paths
 from ..outline import formats, kinds, outline
+from ..solver import Message
 from .speculation import Speculation
 from .stage import stage
 
@@ -49,7 +50,6 @@ IDLE = 1.0  # [s] idle time after which a suspect result is searched again from 
 DEARER = 3.0  # factor over the E before, above which a result is suspect
 SOONEST = 0.04  # [s] minimum interval between paths sent
 QUICK = 0.3  # [s] clips that take longer to load are not solved speculatively: an edit would have to wait
-Message = dict[str, Any]
 
 
 def serve(line: Line, outside: bool) -> None:
@@ -496,7 +496,15 @@ def _bare(timeline: Timeline) -> Timeline:
     return Timeline(timeline.frames, timeline.end_slope, timeline.ends)
 
 
-def _course(improvement: Improvement) -> dict[str, Any]:
+class Course(TypedDict):
+    """How far a search has come: evaluations, E, and its terms."""
+
+    evaluation: int
+    value: float
+    parts: dict[str, float]
+
+
+def _course(improvement: Improvement) -> Course:
     return {
         "evaluation": improvement.evaluation,
         "value": float(improvement.value),
@@ -508,7 +516,7 @@ def _plain(parts: dict[str, float]) -> dict[str, float]:
     return {name: float(value) for name, value in parts.items()}
 
 
-def _shape(clip: Clip) -> dict[str, Any]:
+def _shape(clip: Clip) -> dict[str, object]:
     """Data of the loaded clip beyond its text: complete keyframes, contacts, holds and inferred flights."""
     support = clip.context.support
     return {
@@ -549,7 +557,7 @@ def _same(a: Frame, b: Frame) -> bool:
     return np.array_equal(a.fixed, b.fixed) and np.allclose(a.state[a.fixed], b.state[b.fixed], rtol=0, atol=1e-9)
 
 
-def _but_keys(clip: Clip) -> dict[str, Any]:
+def _but_keys(clip: Clip) -> dict[str, object]:
     table = table_of(clip.text, clip.context.where)
     return table.model_copy(update={"keyframe": [], "contact": []}).model_dump()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, NotRequired, TypedDict
 
 import mujoco
 import numpy as np
@@ -41,7 +41,36 @@ def stage(clip: Clip) -> bytes:
     return json.dumps(description, separators=(",", ":")).encode()
 
 
-def _joint(figure: Figure, index: int) -> dict[str, Any]:
+class JointRow(TypedDict):
+    """A joint: its kind, its place in qpos, its body, its range [degrees or m], its axis and anchor there [m]."""
+
+    name: str
+    kind: str
+    qpos: int
+    body: int
+    range: list[float] | None
+    axis: list[float]
+    anchor: list[float]
+
+
+class PointRow(TypedDict):
+    """A point on a body, at an offset [m]; a sole has a radius [m]."""
+
+    name: str
+    body: int
+    offset: list[float]
+    radius: NotRequired[float]
+
+
+class LimbRow(TypedDict):
+    """A row of the timeline: the joints of a limb, and the body at its end, which is dragged."""
+
+    name: str
+    joints: list[str]
+    end: int
+
+
+def _joint(figure: Figure, index: int) -> JointRow:
     """A joint: its name and kind, its position in qpos, its range in degrees or metres."""
     link, model = figure.links[index], figure.model
     limits = None
@@ -59,9 +88,9 @@ def _joint(figure: Figure, index: int) -> dict[str, Any]:
     }
 
 
-def _sites(figure: Figure) -> list[dict[str, Any]]:
+def _sites(figure: Figure) -> list[PointRow]:
     model = figure.model
-    entries = []
+    entries: list[PointRow] = []
     for name in posable_sites(model):
         site = model.site(name).id
         body = int(model.site_bodyid[site])
@@ -70,7 +99,7 @@ def _sites(figure: Figure) -> list[dict[str, Any]]:
     return entries
 
 
-def _sole(figure: Figure, point: Any) -> dict[str, Any]:
+def _sole(figure: Figure, point: Any) -> PointRow:
     from dynsplines.solver.posing import PointGoal
 
     goal = PointGoal.of(figure, point)
@@ -78,16 +107,14 @@ def _sole(figure: Figure, point: Any) -> dict[str, Any]:
     return {"name": point.name, "body": goal.index, "offset": offset, "radius": round(float(point.radius), 5)}
 
 
-def limbs(figure: Figure) -> list[dict[str, Any]]:
+def limbs(figure: Figure) -> list[LimbRow]:
     """The figure's limbs, each the joints up to where another one branches off, and the trunk: rows of the timeline.
 
     A free body other than the figure's own root has a row of its own.
-
-    end  the body at its end, which is dragged
     """
     parents = figure.tables.parents
     carries = {int(parents[i]) for i in range(1, len(figure.links))}
-    rows: list[dict[str, Any]] = []
+    rows: list[LimbRow] = []
     assigned: set[int] = set()
     for i in range(1, len(figure.links)):
         if i in carries or figure.links[i].kind is JointKind.FREE:
@@ -103,8 +130,9 @@ def limbs(figure: Figure) -> list[dict[str, Any]]:
     if trunk:
         names = [figure.links[i].name for i in trunk]
         rows.insert(0, {"name": "root and trunk", "joints": names, "end": int(figure.links[trunk[0]].body)})
-    remaining = [figure.links[i] for i in bodies]
-    return rows + [{"name": link.name, "joints": [link.name], "end": int(link.body)} for link in remaining]
+    for link in (figure.links[i] for i in bodies):
+        rows.append({"name": link.name, "joints": [link.name], "end": int(link.body)})
+    return rows
 
 
 def _root(figure: Figure) -> int:

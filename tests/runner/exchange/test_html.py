@@ -78,7 +78,8 @@ def test_its_pieces_are_the_visible_geoms_where_mujoco_has_them(take, content):
 def test_before_is_there_only_where_it_differs(saved, content):
     assert content["before"] is None
     told = html.content(SampledTrajectory.of(saved))
-    before, after = (numbers(told[side]["position"], 3) for side in ("before", "after"))
+    assert told["before"] is not None
+    before, after = (numbers(side["position"], 3) for side in (told["before"], told["after"]))
     assert 1e-4 < np.abs(before - after).max() < 1
     assert [key["partial"] for key in told["keys"]] == [False, True, False]
     np.testing.assert_allclose([key["time"] for key in told["keys"]], [0, 0.2, 0.41], atol=1e-12)
@@ -155,8 +156,9 @@ def test_in_a_browser_it_plays_and_its_slider_moves_the_figure(tab, saved):
     np.testing.assert_allclose(page.evaluate("player.place('left_shin')"), take.bodies.position[at, body], atol=1e-5)
     page.keyboard.press("1")
     assert until(page, "player.which === 'before' && player.settled")
-    raw = html.content(take)["before"]["position"]
-    raw = numbers(raw, 3).reshape(-1, take.model.nbody, 3)[at, body]
+    before = html.content(take)["before"]
+    assert before is not None
+    raw = numbers(before["position"], 3).reshape(-1, take.model.nbody, 3)[at, body]
     np.testing.assert_allclose(page.evaluate("player.place('left_shin')"), raw, atol=1e-5)
     assert [url for url in heard if url != target.as_uri() and not url.startswith(("data:", "blob:"))] == []
 
