@@ -1,4 +1,4 @@
-"""dynamic-splines: smooth motion of a MuJoCo figure through a few keyframes. This module is the Python API.
+"""Smooth motion of a MuJoCo figure through a few keyframes. This module is the Python API.
 
     from dynsplines import load, inbetween
 
@@ -11,7 +11,7 @@ inbetween                        -> Motion its solution
 load_motion, import_motion       -> Motion from files
 UserError                                  raised for every error that the caller can correct
 
-Names are imported on first use: `import dynsplines` takes a moment, the first name a few tenths of a second.
+Names are imported on first use, so `import dynsplines` itself is fast.
 """
 
 from typing import TYPE_CHECKING
@@ -45,7 +45,7 @@ else:
     }
 
     def __getattr__(name):
-        """A name of the API from the module that has it (PEP 562)."""
+        """Return a name of the API from its module (PEP 562)."""
         from importlib import import_module
 
         if name not in _HOMES:

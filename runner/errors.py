@@ -1,6 +1,6 @@
-"""UserError: an error the user can correct, in one line with the place, the problem and the alternatives.
+"""UserError: an error that the user can correct, in one line with the place, the problem and the alternatives.
 
-Former names of public attributes and arguments raise errors, too, that give the present ones.
+Former names of public attributes and arguments raise errors with the present names.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING, ClassVar, ParamSpec, TypeVar
 Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
 
-LONGEST_WORD = 300  # letters; a path is hardly longer
-LONGEST = 4000  # letters of an error; a person's joints are 700
+LONGEST_WORD = 300  # maximum number of letters in a word of an error; paths are rarely longer
+LONGEST = 4000  # maximum number of letters of an error; the names of a humanoid's joints have 700
 CUT = "…"
 
 
 class UserError(Exception):
-    """Bad input. The command line prints it without a traceback and exits with code 2.
+    """Invalid input. The command line prints it without a traceback and exits with code 2.
 
-    Words and names from files can be of any length; of very long ones the message keeps the begin and the end.
+    Words and names from files can have any length. Very long ones are shortened in the middle.
     """
 
     def __init__(self, text: object = "") -> None:
@@ -30,7 +30,7 @@ class UserError(Exception):
 
 
 def shortened(text: str) -> str:
-    """Readable text, for any quoted content."""
+    """Return a text with very long words shortened."""
     if len(text) <= LONGEST_WORD:
         return text
     text = re.sub(rf"\S{{{LONGEST_WORD + 1},}}", lambda word: _middle_out(word[0], LONGEST_WORD), text)
@@ -42,7 +42,7 @@ def _middle_out(text: str, most: int) -> str:
 
 
 def one_line(text: object) -> str:
-    """Text with unprintable characters escaped, so that a message is one line for any file content."""
+    """Return a text with unprintable characters escaped, so that a message is one line for any file content."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in shortened(str(text)))
 
 
@@ -56,7 +56,7 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> str:
 
 
 class Renames:
-    """Base of public classes: reading a renamed attribute raises an AttributeError that gives its present name."""
+    """Base of public classes. Reading a renamed attribute raises an AttributeError with its present name."""
 
     RENAMED: ClassVar[Mapping[str, str]] = {}
 
@@ -71,7 +71,7 @@ class Renames:
 
 
 def renamed_arguments(**successors: str) -> Callable[[Callable[Arguments, Result]], Callable[Arguments, Result]]:
-    """Return a decorator of public functions: a renamed argument raises a TypeError that gives its present name."""
+    """Return a decorator of public functions, for which a renamed argument raises a TypeError with its present name."""
 
     def decorated(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
         @wraps(function)

@@ -1,4 +1,4 @@
-"""The input of a command, a clip or a saved motion: loaded, solved, played several times, measured."""
+"""The input of a command, a clip or a saved motion: loaded, solved, repeated, measured."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def load(
 
 
 def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]:
-    """Return the first and the last time [s] of a source that is played `repeat` times.
+    """Return the first and the last time [s] of a source that is repeated `repeat` times.
 
     Raises UserError for a repeated source that is not a loop, or lasts too long.
     """
@@ -53,11 +53,12 @@ def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]
 def solved(
     source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True, fresh: bool = False
 ) -> tuple[Saved, Sequence[Violation]]:
-    """Return the motion of a source, played `repeat` times, and its violations; none if it is not solved.
+    """Return the motion of a source, repeated `repeat` times, and its violations.
 
-    fresh  solve a clip even if the cache holds its motion
+    Without `solve` the clip's raw spline is returned, without violations. With `fresh` a clip is solved even if its
+    solution is cached.
     """
-    from . import solve_cache, solving  # only here: a clip that is refused is not solved
+    from . import solve_cache, solving  # imported here because rejected clips do not need it
     from .measure import violation
 
     violations: Sequence[Violation] | None = None if solve else ()
@@ -69,7 +70,7 @@ def solved(
     else:
         out = solving.unsolved(source).saved(progress, with_report=False)
     if repeat is not None:
-        from .edit import edits  # only here: few commands repeat
+        from .edit import edits  # imported here because few commands repeat
 
         reason = f"one period was solved and is played {repeat} times"
         out = replace(edits.repeated(out, repeat), search=out.search | {"stopped because": reason})
@@ -79,14 +80,14 @@ def solved(
 
 
 def measured(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
-    """Return the motion of a source with its report, measured unless its file holds it; `fresh` as for `solved`."""
-    from . import solve_cache  # only here, as above
+    """Return the motion of a source with its report, measured unless its file contains it; `fresh` as for `solved`."""
+    from . import solve_cache  # imported here, as above
     from .measure import violation
 
     if not isinstance(source, Saved):
         return solve_cache.solved(source, progress, fresh=fresh).saved(progress)
     if not source.report:
-        from .edit import edits  # only here, likewise
+        from .edit import edits  # imported here, as above
 
         return edits.measured(source, progress, "not searched: imported")
     if "violations" in source.report:
@@ -96,7 +97,7 @@ def measured(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -
 
 @contextmanager
 def complete_report(name: str) -> Iterator[None]:
-    """Raise UserError for the report of a motion file that lacks entries, while it is printed or drawn."""
+    """Raise UserError if the report of a motion file lacks entries, while it is printed or drawn."""
     try:
         yield
     except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:

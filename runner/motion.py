@@ -1,14 +1,14 @@
-"""MOTION.npz: a solved clip as plain arrays, no pickles; everything `report`, `plot` and `render` need to run again.
+"""MOTION.npz: a solved clip as plain arrays, without pickles, with everything that `report`, `plot` and `render` need.
 
 fps, time (T,)                      time[i] = t0 + i / fps
-qpos (T, nq), qvel, qacc (T, nv)    unit and sign-continuous quaternions; MuJoCo's conventions
+qpos (T, nq), qvel, qacc (T, nv)    MuJoCo's conventions; unit quaternions of continuous sign
 raw_qpos, raw_qvel, raw_qacc        the same of the raw spline
 key_time (K,), key_qpos (K, nq), key_fixed and key_posed (K, nq)
 frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and raw_* of the same
-asset_names (A,), asset_0 … (B,) uint8  the files that the model refers to, by name; left out where there are none
+asset_names (A,), asset_0 … (B,) uint8  the files to which the model refers, by name, if any
 joint_names, body_names, mjcf, clip, trace, search, report, name, coordinates, ends, format_version
 
-report is {} until the motion is measured; search holds data that only the search has: why it ended
+report is {} until the motion is measured. search contains data that cannot be computed later, such as the stop reason.
 """
 
 from __future__ import annotations
@@ -37,16 +37,16 @@ from .system import archive as archive_sizes
 from .system.output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
-AT_ONCE = 4000  # samples whose kinematics are held at once
-MOST_SAMPLES = 1_000_000
-PLACES = ("qpos", "frame_state", "time")  # names of arrays that end so: metres, radians, quaternions, seconds
-FARTHEST = 1e9  # of any of them: squares and cubes of such numbers are still numbers
+AT_ONCE = 4000  # samples whose kinematics are in memory at once
+MOST_SAMPLES = 1_000_000  # maximum number of samples of a motion
+PLACES = ("qpos", "frame_state", "time")  # endings of names of arrays that `FARTHEST` limits
+FARTHEST = 1e9  # [m, rad, s] maximum entry, whose powers do not overflow
 NEEDED = (
     "format_version", "fps", "time", "qpos", "qvel", "qacc", "raw_qpos", "raw_qvel", "raw_qacc", "key_time", "key_qpos",
     "key_fixed", "frame_time", "frame_state", "frame_fixed", "end_slope", "raw_frame_time", "raw_frame_state",
     "raw_frame_fixed", "raw_end_slope", "mjcf", "clip", "trace", "report", "name", "coordinates", "ends",
 )  # fmt: skip
-Arrays = dict[str, np.ndarray]  # by the names in a file
+Arrays = dict[str, np.ndarray]  # by name
 TEXTS = ("mjcf", "clip", "trace", "report", "name", "coordinates", "ends")
 
 
@@ -74,7 +74,7 @@ FORMER = {  # names in the search of files of version 0.2, and their present one
     "STUCK": "NO_PROGRESS",
 }
 
-# of a search: its evaluations, its time [s], why it ended by name and in words, the stances and penalties that it had
+# evaluations of a search, its duration [s], its stop reason by name and in words, its stances and custom penalties
 Search = TypedDict(
     "Search",
     {
@@ -91,10 +91,19 @@ Search = TypedDict(
 
 @dataclass(frozen=True)
 class Saved:
-    """A solved clip: both timelines, the figure they are for, and what is known of them.
+    """A solved clip: both timelines, the figure, and its measurements.
 
-    report  what was measured; empty if nothing was
-    search  what a search left, see `work.Solved.search`; of a motion that none has made, the words for that
+    Attributes:
+        name: The name of the motion.
+        text: The clip's text, or "".
+        scene: The model and its files.
+        fps: Samples per second [1/s].
+        keys: The keyframes.
+        timeline: The motion.
+        raw: The raw spline.
+        trace: The evaluations that lowered E.
+        report: The measurements; empty before they are made.
+        search: Data of the search, see `solving.Solved.search`; for a motion that was not searched, the reason.
     """
 
     name: str
@@ -116,7 +125,7 @@ class Saved:
 
 
 def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
-    """A timeline's motion at t0 + i / fps, i = 0 … floor(duration · fps)."""
+    """Return a timeline's motion at t0 + i / fps, i = 0 … floor(duration · fps)."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     count = sample_count(last - first, fps)
     time, path = first + np.arange(count) / fps, path_of(timeline)
@@ -126,12 +135,12 @@ def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
 
 
 def _configurations(samples: Samples) -> tuple[Array, Array, Array]:
-    """qpos, qvel and qacc in chunks: the samples of a long motion, with derived arrays, would fill the memory."""
+    """Return qpos, qvel and qacc of a chunk of samples."""
     return samples.figure.to_qpos(samples.y), *velocities(samples)
 
 
 def sample_count(duration: float, fps: float) -> int:
-    """floor(duration · fps) + 1; raises UserError for more than memory is made for."""
+    """Return floor(duration · fps) + 1. Raises UserError for too many samples."""
     count = int(np.floor(duration * fps + 1e-9)) + 1
     if count > MOST_SAMPLES:
         raise UserError(f"{duration:g} s at {fps:g} samples a second are over {MOST_SAMPLES:,}; lower the rate")
@@ -139,12 +148,12 @@ def sample_count(duration: float, fps: float) -> int:
 
 
 def samples_at(figure: Figure, path: Curve, time: Array) -> Samples:
-    """The figure's motion along a path."""
+    """Return the figure's motion along a path."""
     return Samples(figure, *(path.at(time, order) for order in range(3)), t=time)
 
 
 def continuous(figure: Figure, qpos: Array) -> Array:
-    """qpos (T, nq) with every quaternion on its predecessor's hemisphere."""
+    """Return qpos (T, nq) with every quaternion on its predecessor's hemisphere."""
     out = qpos.copy()
     for columns in figure.tables.quaternion_columns.T:
         out[:, columns] = quat.aligned(out[:, columns])
@@ -152,13 +161,13 @@ def continuous(figure: Figure, qpos: Array) -> Array:
 
 
 def key_configurations(figure: Figure, timeline: Timeline, times: Array) -> Array:
-    """qpos (K, nq) of the motion at the keyframes, with the path's signs."""
+    """Return qpos (K, nq) of the motion at the keyframes, with the path's signs."""
     path = path_of(timeline)
     return figure.to_qpos(path.at(times))
 
 
 def save(saved: Saved, target: Path) -> None:
-    """Writes MOTION.npz whole or not at all."""
+    """Write MOTION.npz atomically."""
     figure, model = saved.figure, saved.figure.model
     after, raw = (sampled(figure, timeline, saved.fps) for timeline in (saved.timeline, saved.raw))
     key_time = np.array([key.time for key in saved.keys])
@@ -198,14 +207,14 @@ def save(saved: Saved, target: Path) -> None:
 
 
 def _timeless(entries: Mapping[str, object]) -> dict[str, object]:
-    """Return the entries without the time of a search: the same command writes the same bytes."""
+    """Return the entries without the duration of the search, so that the same command writes the same bytes."""
     return {name: value for name, value in entries.items() if name != "seconds"}
 
 
 def write_arrays(target: Path, arrays: Mapping[str, Any]) -> None:
-    """Writes an .npz of plain arrays by their names; raises TypeError for objects, which would be pickled.
+    """Write an .npz of plain arrays by name. Raises TypeError for objects, which would be pickled.
 
-    Without `allow_pickle`, an argument since NumPy 2.1 that older versions take for the name of an array.
+    It does not use `allow_pickle`, which exists since NumPy 2.1; older versions would store it as an array.
     """
     plain: dict[str, Any] = {name: np.asarray(array) for name, array in arrays.items()}
     pickled = [name for name, array in plain.items() if array.dtype.hasobject]
@@ -216,7 +225,7 @@ def write_arrays(target: Path, arrays: Mapping[str, Any]) -> None:
 
 
 def asset_arrays(scene: Scene) -> Arrays:
-    """The files that a scene refers to, as arrays by name."""
+    """Return the files to which a scene refers, as arrays by name."""
     if not scene.assets:
         return {}
     files = {f"asset_{i}": np.frombuffer(data, np.uint8) for i, data in enumerate(scene.assets.values())}
@@ -224,7 +233,7 @@ def asset_arrays(scene: Scene) -> Arrays:
 
 
 def assets_in(data: Mapping[str, np.ndarray]) -> dict[str, bytes]:
-    """The files by name; raises ValueError."""
+    """Return the files by name. Raises ValueError."""
     names = data.get("asset_names", np.array([], str))
     if names.ndim != 1 or names.dtype.kind != "U":
         raise ValueError("'asset_names' is not a list of names")
@@ -235,12 +244,12 @@ def assets_in(data: Mapping[str, np.ndarray]) -> dict[str, bytes]:
 
 
 def is_motion(source: str) -> bool:
-    """Whether a command's argument names a motion file rather than a clip."""
+    """Return whether a command's argument names a motion file, not a clip."""
     return Path(source).suffix.lower() == ".npz"
 
 
 def load(source: Path) -> Saved:
-    """Reads MOTION.npz; raises UserError if it is missing, cut short, or another kind of file."""
+    """Return a motion from MOTION.npz. Raises UserError if it is missing, damaged, or another kind of file."""
     data = read_arrays(source)
     missing = [name for name in NEEDED if name not in data]
     if missing:
@@ -262,7 +271,7 @@ def load(source: Path) -> Saved:
 
 
 def read_arrays(source: Path) -> Arrays:
-    """The arrays of an .npz by name; raises UserError if it is missing, damaged, or holds pickled objects."""
+    """Return the arrays of an .npz by name. Raises UserError if it is missing, damaged, or contains pickled objects."""
     if not source.is_file():
         raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
     with source.open("rb") as stream:
@@ -275,7 +284,7 @@ def read_arrays(source: Path) -> Arrays:
                 data = {name: archive[name] for name in archive.files}
         except UserError:
             raise
-        except Exception as error:  # a damaged zip raises nearly anything
+        except Exception as error:  # a damaged zip may raise any exception
             if "allow_pickle" in str(error):
                 raise UserError(f"{source}: it holds pickled objects, which are never loaded") from None
             raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
@@ -286,12 +295,12 @@ def read_arrays(source: Path) -> Arrays:
 
 
 def _check(saved: Saved, data: Arrays) -> None:
-    """Raises ValueError if a motion's parts contradict each other: a file from elsewhere, or changed by hand."""
+    """Raise ValueError if a motion's parts contradict each other, as in a file from elsewhere or edited by hand."""
     model, times, keys = saved.figure.model, data["time"].size, data["key_time"].size
     shapes = {"time": (times,), "key_time": (keys,)}
     shapes |= {f"{prefix}qpos": (times, model.nq) for prefix in ("", "raw_")}
     shapes |= {f"{prefix}{part}": (times, model.nv) for prefix in ("", "raw_") for part in ("qvel", "qacc")}
-    optional = {"key_qpos", "key_fixed", "key_posed"} & data.keys()  # older files have nothing posed
+    optional = {"key_qpos", "key_fixed", "key_posed"} & data.keys()  # older files have no "key_posed"
     shapes |= dict.fromkeys(sorted(optional), (keys, model.nq))
     _check_arrays(data, shapes)
     if not saved.fps > 0:
@@ -309,7 +318,7 @@ def _check(saved: Saved, data: Arrays) -> None:
 
 
 def _check_arrays(data: Arrays, shapes: Mapping[str, tuple[int, ...]]) -> None:
-    """Raises ValueError for arrays of other shapes, and for entries that are not finite or too large."""
+    """Raise ValueError for arrays of other shapes, and for entries that are not finite or too large."""
     for name, shape in shapes.items():
         if data[name].shape != shape:
             raise ValueError(f"'{name}' is {data[name].shape}, not {shape}")

@@ -1,6 +1,7 @@
-"""Clips with the recording that they follow: a clip among these is solved, a file of another program is cleaned.
+"""Clips with the recording that they follow. A clip as a recording is solved first, a file of another program is
+cleaned.
 
-That comes before loading, which reads and builds but does not search.
+This precedes loading, which does not search.
 """
 
 from __future__ import annotations
@@ -30,10 +31,10 @@ def load(
     fps: float | None = None,
     unmet: list[str] | None = None,
 ) -> Clip:
-    """Return a clip as `clip.load.load` does, after the motion that it follows, if any.
+    """Return a clip like `clip.load.load`, after the motion that it follows, if any.
 
     Raises:
-        UserError: also for a recording that cannot be read, and for a clip that follows itself.
+        UserError: Also for a recording that cannot be read, and for a clip that follows itself.
     """
     file = None if model is not None or keys is not None else read(source)
     if not isinstance(file, Parsed):
@@ -53,8 +54,12 @@ def from_text(
 ) -> Clip:
     """Return the clip of a TOML text, see `clip.load.from_parsed`, after the motion that it follows, if any.
 
-    where   the name of the clip in errors
-    folder  start of relative paths
+    Args:
+        text: The text.
+        name: The name of the clip.
+        where: The label in errors; None: NAME.toml.
+        folder: The folder of relative paths.
+        fps: See `clip.load.from_parsed`; also `spec` and `like`.
     """
     return _loaded(parse(text, name, where or f"{name}.toml", folder), (), fps=fps, spec=spec, like=like)
 
@@ -76,13 +81,15 @@ def _loaded(
 
 
 def recorded(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> RecordedPath | None:
-    """Return the motion that a clip follows; None without a recording.
+    """Return the motion that a clip follows; None if it follows none.
 
-    figure_file  where the figure is now, if not where the clip has it
-    following    the clips that lead to this one, each of which follows the next
+    Args:
+        source: The parsed clip.
+        figure_file: The present path of the figure, if it has moved.
+        following: The chain of clips that leads to this one.
 
     Raises:
-        UserError: for a recording that cannot be read, and for a clip that follows itself.
+        UserError: For a recording that cannot be read, and for a clip that follows itself.
     """
     if source.table.recording is None:
         return None
@@ -100,7 +107,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
     figure = figure_file or source.table.figure
     if figure_file is None and figure not in models.figures() and source.folder is not None:
         figure = str(source.folder / figure)
-    from .clean import command  # only here: it reads many formats
+    from .clean import command  # imported here because it imports many formats
 
     try:
         return command.moving(file, figure, source.table.scene)
@@ -109,7 +116,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
 
 
 def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) -> RecordedPath:
-    """The motion of a clip that ships or of a clip's file."""
+    """Return the motion of a shipped clip or of a clip's file."""
     if identity in following:
         raise UserError(f"{where}: '{source}' follows itself")
     try:
@@ -124,7 +131,7 @@ def _shipped(name: str) -> RecordedPath:
 
 
 def _solution(source: str, following: tuple[str, ...]) -> RecordedPath:
-    from dynsplines.solver.inbetween import inbetween  # only here: most clips follow no other
+    from dynsplines.solver.inbetween import inbetween  # imported here because most clips follow no other clip
 
     file = read(source)
     clip = _loaded(file, following) if isinstance(file, Parsed) else clips.load(source)

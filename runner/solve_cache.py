@@ -1,12 +1,12 @@
-"""Solved clips kept from one command to the next: what nothing has changed of is not searched again.
+"""A cache of solved clips: a clip is solved again only if its inputs have changed.
 
-They are stored in the user's cache folder, independent of the folders of clips and motions; in
-DYNSPLINES_CACHE=FOLDER if that is set, nowhere with DYNSPLINES_CACHE=off. A file is named for everything the search
-depends on: keyframes and settings, the scene with every file of its model, this program's own text and the libraries
-that it counts with. So an old file is never wrong, only unused, and the ones that were not used for longest go.
+The cache is in the user's cache folder, in DYNSPLINES_CACHE=FOLDER if that is set, or disabled by DYNSPLINES_CACHE=off.
+The name of a file is a hash of everything on which the search depends: keyframes and settings, the scene with all files
+of its model, the text of this program, and the versions of numerical libraries. An old file is therefore never wrong,
+only unused; the least recently used files are deleted.
 
-A file holds plain arrays, which are checked before use: a damaged file, or one that does not pass
-through the clip's keyframes, counts as missing. If caching fails, the clip is solved.
+A file contains plain arrays, which are checked before use. A damaged file, or one that does not pass through the
+clip's keyframes, counts as missing. If caching fails, the clip is solved.
 """
 
 from __future__ import annotations
@@ -41,20 +41,18 @@ from .system.cache_folder import make_room, place
 from .system.output import Replacement
 from .system.progress import Progress
 
-FORMAT = 1  # of the kept file
-MOST_BYTES = 200_000_000  # of all files together; a clip of some seconds takes 50 to 200 kB
-OWN = re.compile(r"[0-9a-f]{40}\.npz|\.[0-9a-f]{40}\.\w+\.partial\.npz")  # a solved clip, or one that was being written
+FORMAT = 1  # version of the file format
+MOST_BYTES = 200_000_000  # [bytes] of all files together; a clip of some seconds takes 50 to 200 kB
+# names of solved clips, and of temporary files
+OWN = re.compile(r"[0-9a-f]{40}\.npz|\.[0-9a-f]{40}\.\w+\.partial\.npz")
 LIBRARIES = ("mujoco", "numpy", "scipy", "nlopt")
-UNMET = 1e-9  # [m, rad] by which a motion may miss a keyframe: rounding
-SMALLEST = 1e-6  # length of a quaternion that can still be normalised
-APART = ("figure", "fps")  # keys of a clip on which its solution does not depend: the scene holds the figure
+UNMET = 1e-9  # [m, rad] rounding tolerance of keyframes
+SMALLEST = 1e-6  # [1] minimum norm of a quaternion
+APART = ("figure", "fps")  # keys of a clip on which its solution does not depend; the scene contains the figure
 
 
 def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
-    """A clip solved, or loaded from the cache if nothing that it depends on has changed.
-
-    fresh  solve it whatever is kept
-    """
+    """Return the solution of a clip, from the cache if its inputs have not changed; `fresh` ignores the cache."""
     folder = place()
     if folder is None:
         return solving.solve(clip, progress)
@@ -71,14 +69,14 @@ def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
 
 
 def saved(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
-    """Return a saved motion as it is, or that of a clip, without a report; `fresh` as for `solved`."""
+    """Return a saved motion unchanged, or that of a clip without a report; `fresh` as for `solved`."""
     if isinstance(source, Saved):
         return source
     return solved(source, progress, fresh=fresh).saved(progress, with_report=False)
 
 
 def key_of(clip: Clip) -> str:
-    """40 hexadecimal digits that are others for anything else that the search depends on."""
+    """Return a hash of all inputs of the search, as 40 hexadecimal digits."""
     digest = hashlib.blake2b(digest_size=20)
     for part in _parts(clip):
         digest.update(len(part).to_bytes(8, "big"))
@@ -108,7 +106,7 @@ def _parts(clip: Clip) -> Iterator[bytes]:
 
 @lru_cache(maxsize=1)
 def _program() -> str:
-    """The version of the solver: the text of this program, and the libraries' versions."""
+    """Return the version of the solver: a hash of this program, and the versions of libraries."""
     digest = hashlib.blake2b(str(FORMAT).encode(), digest_size=20)
     for folder in (Path(solver.__file__).parent, Path(__file__).parent):
         for file in sorted(folder.rglob("*.py")):
@@ -120,12 +118,12 @@ def _program() -> str:
 def _version(library: str) -> str:
     try:
         return version(library)
-    except PackageNotFoundError:  # run from where it lies
+    except PackageNotFoundError:  # the package is not installed
         return "?"
 
 
 def write(found: Solved, file: Path) -> None:
-    """Keeps a solved clip, whole or not at all, and lets others go that were not used for longest."""
+    """Write a solved clip atomically, and delete the least recently used ones if there are too many."""
     motion = found.motion
     timeline = motion.timeline
     with suppress(OSError, UserError):
@@ -147,20 +145,20 @@ def write(found: Solved, file: Path) -> None:
 
 
 def read(file: Path, clip: Clip) -> Solved | None:
-    """The cached solution of a clip; None if it is missing or invalid."""
+    """Return the cached solution of a clip; None if it is missing or invalid."""
     if not file.is_file():
         return None
     try:
         solution = _restored(clip, read_arrays(file), file.stem)
-    except Exception:  # of a damaged file nearly anything
+    except Exception:  # a damaged file may raise any exception
         return None
     with suppress(OSError):
-        os.utime(file)  # so that it stays
+        os.utime(file)  # marks it as recently used
     return solution
 
 
 def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
-    """Raise an exception for data that is not a solution of the clip."""
+    """Return a solution. Raises an exception for data that is not a solution of the clip."""
     raw = clip.problem.raw
     timeline = _timeline(raw, data)
     seconds, evaluations = float(data["seconds"]), int(data["evaluations"])
@@ -183,7 +181,7 @@ def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
 
 
 def _timeline(raw: Timeline, data: Mapping[str, Any]) -> Timeline:
-    """The raw timeline's frames where it has them, moved, and variable ones between."""
+    """Return the raw timeline's frames, moved, with variable frames in between."""
     times, states = data["time"], data["state"]
     at = np.searchsorted(times, raw.times)
     if times.ndim != 1 or not np.array_equal(times[at], raw.times):

@@ -1,4 +1,4 @@
-"""The main job between clip and picture: solve a clip, report on it, keep the result."""
+"""The main work between clip and output: solve a clip, and report on it."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from .motion import Saved, Search
 from .system import size_limit
 from .system.progress import Progress
 
-# [bytes] of a search for every pair of a frame's numbers; short clips of chains of hinges take 1100 to 1500
+# [bytes] memory of a search per pair of a frame's entries; short clips of chains of hinges take 1100 to 1500
 PAIR = 2000
-NUMBER = 500_000  # [bytes] of one without matrices for every number; 380,000 where all of a chain is in the floor
+NUMBER = 500_000  # [bytes] memory of a search without matrices per entry of a frame; 380,000 were measured at most
 
 
 @contextmanager
 def _unhurried() -> Iterator[threading.Event]:
-    """Ctrl-C only sets the event in here, so that what has been solved is not lost."""
+    """Make Ctrl-C only set the event in this block, so that the solution is not lost."""
     interrupted = threading.Event()
     if threading.current_thread() is not threading.main_thread():
         yield interrupted
@@ -42,7 +42,7 @@ def _unhurried() -> Iterator[threading.Event]:
 
 @dataclass(frozen=True)
 class Solved:
-    """A solved clip and how long the solve took [s], where that is known."""
+    """A solved clip, and the duration of the search [s], if known."""
 
     clip: Clip
     motion: Solution
@@ -55,7 +55,7 @@ class Solved:
 
     @property
     def search(self) -> Search:
-        """The entries of a search that cannot be measured later; empty without a search."""
+        """The data of a search that cannot be measured later; empty without a search."""
         motion = self.motion
         if motion.timeline is motion.raw and motion.stop is Stop.CONVERGED:
             return {}
@@ -70,7 +70,7 @@ class Solved:
         return search
 
     def saved(self, progress: Progress, with_report: bool = True) -> Saved:
-        """The content of a motion file; the report takes some seconds, and Ctrl-C skips it."""
+        """Return the content of a motion file. The report takes some seconds, and Ctrl-C skips it."""
         clip, motion = self.clip, self.motion
         data = {}
         with _unhurried() as interrupted:
@@ -84,7 +84,7 @@ class Solved:
                     if interrupted.is_set():
                         raise KeyboardInterrupt
 
-                from .measure.curves import curves  # only here: most commands measure nothing
+                from .measure.curves import curves  # imported here because most commands measure nothing
                 from .measure.report import report
 
                 drawn = curves(clip, motion)
@@ -108,9 +108,12 @@ def _check_size(clip: Clip) -> None:
 
 
 def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> Solved:
-    """Solve a clip, reporting every improvement. Ctrl-C stops and keeps the best path.
+    """Solve a clip and report every improvement. Ctrl-C stops the search and returns the best path.
 
-    stop_after  evaluations after which to stop and keep the best path
+    Args:
+        clip: The clip.
+        progress: The receiver of reports.
+        stop_after: The number of evaluations after which to stop; None: no limit.
     """
     tell_notes(clip, progress)
     _check_size(clip)
@@ -136,13 +139,13 @@ def tell_notes(clip: Clip, progress: Progress) -> None:
 
 
 def course(motion: Solution) -> str:
-    """The course of a search, in a few words; empty without a search."""
+    """Return a short description of a search; "" without a search."""
     if not motion.trace:
         return ""
     return f"evaluation {motion.evaluations}, objective {motion.trace[0][2]:.4g} -> {motion.trace[-1][2]:.4g}"
 
 
 def unsolved(clip: Clip) -> Solved:
-    """A clip as its raw spline, for looking at keyframes."""
+    """Return a clip as its raw spline, to inspect keyframes."""
     problem = clip.problem
     return Solved(clip, Solution(problem.figure, problem.plain_objective, problem.raw, problem.raw), 0.0)

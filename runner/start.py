@@ -1,4 +1,4 @@
-"""Where the command begins: signals are heeded before anything is imported that takes time."""
+"""The start of the command: signal handlers are set before any slow import."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from .system import signals
 
-STOPPED = 130  # the exit code of Ctrl-C
+STOPPED = 130  # exit code of Ctrl-C
 
 
 def _dynsplines() -> None:
@@ -17,7 +17,7 @@ def _dynsplines() -> None:
 
 
 def main(command: Callable[[], None] = _dynsplines) -> None:
-    """Run a command, `dynsplines` unless another one is named; its imports are its first part."""
+    """Run a command, by default `dynsplines`, which begins with its imports."""
     signals.heed()
     try:
         command()
@@ -32,7 +32,7 @@ def main(command: Callable[[], None] = _dynsplines) -> None:
     except Exception:
         if not signals.was_asked():
             raise
-        _stopped()  # an import that is interrupted can end in any error
+        _stopped()  # an interrupted import may raise any exception
 
 
 def _stopped() -> None:

@@ -1,14 +1,14 @@
-"""Thousands of clips, solved by processes of this machine or at the workers of a Dask cluster.
+"""Batches: thousands of clips, solved by processes of this machine or by the workers of a Dask cluster.
 
 inputs      the clips that a command names, and the files that each needs
 task        a clip as it is sent to a worker, the options and limits of the batch, and the outcome
 manifest    the state of every clip, in a file that survives the end of the program
 solving     the work on a clip: its files in, the files of its motion out
-worker      processes that do it, one clip after another, within limits
-workers     those of this machine, as an executor
-cluster     those at the workers of a Dask cluster
+worker      worker processes with limits
+workers     the processes of this machine, as an executor
+cluster     the workers of a Dask cluster, as an executor
 recordings  batches of recordings: their options and their summary
-dispatch    every clip is solved once, few at a time
+dispatch    the assignment of clips to workers
 """
 
 from __future__ import annotations
@@ -28,10 +28,7 @@ PACKAGES = ("psutil", "distributed", "dask")
 
 
 def run(words: list[str], folder: Path, progress: Progress, options: Options) -> Tally:
-    """Solve every clip that the words name into a folder and report the results.
-
-    Raises UserError if a package is missing.
-    """
+    """Solve every clip that the words name into a folder. Raises UserError if a package is missing."""
     try:
         from . import dispatch
 

@@ -1,6 +1,6 @@
 """The workers of a Dask cluster. Each of its threads waits for a process that solves the clips.
 
-Anyone who can reach a Dask scheduler can run code on its workers; protecting it is up to the settings of Dask.
+Anyone who can reach a Dask scheduler can run code on its workers. Dask's settings must protect it.
 """
 
 from __future__ import annotations
@@ -23,20 +23,20 @@ from .task import Limits, Outcome
 from .worker import Do, Pool
 from .workers import Workers
 
-CONNECT_SECONDS = 10  # [s] until a cluster is reported as missing
-CLOSE_SECONDS = 10  # [s] that a client has to end
-AHEAD = 2  # clips handed over for each thread: the next one is there when one is done
-LARGE = {"distributed.admin.large-graph-warning-threshold": "1TB"}  # the meshes of a clip have to be sent
+CONNECT_SECONDS = 10  # [s] time limit of the connection to a cluster
+CLOSE_SECONDS = 10  # [s] time limit of closing a client
+AHEAD = 2  # clips submitted per thread, so that the next one is available when one is done
+LARGE = {"distributed.admin.large-graph-warning-threshold": "1TB"}  # no warnings about the size of meshes
 
 
 class _Processes(WorkerPlugin):
-    """The processes of one Dask worker, as many as it has threads; they end with the batch or the worker."""
+    """The processes of one Dask worker, as many as it has threads. They end with the batch or the worker."""
 
     def __init__(self, name: str) -> None:
         self.name = name
 
     def setup(self, worker: Worker) -> None:
-        current_process().daemon = False  # a Dask worker is a daemon, which may start no processes
+        current_process().daemon = False  # a Dask worker is a daemon, which may not start processes
         memory = worker.memory_manager.memory_limit
         share = memory / worker.state.nthreads / 2**20 if memory else None
         self.pool = Pool(Path(worker.local_directory), share)
@@ -46,7 +46,7 @@ class _Processes(WorkerPlugin):
 
 
 def _run(batch: str, do: Do, task: object, limits: Limits) -> Outcome:
-    """Run a clip at a Dask worker, by the processes for this batch."""
+    """Run a clip at a Dask worker, in the processes for this batch."""
     worker = get_worker()
     outcome = cast(_Processes, worker.plugins[batch]).pool.run(do, task, limits)
     return replace(outcome, worker=worker.address)
@@ -54,7 +54,7 @@ def _run(batch: str, do: Do, task: object, limits: Limits) -> Outcome:
 
 @contextmanager
 def connected(address: str, progress: Progress) -> Iterator[Workers]:
-    """The workers of the scheduler at an address; raises UserError if it does not answer, or they lack this package."""
+    """Yield the workers of a scheduler. Raises UserError if it does not answer, or the workers lack this package."""
     batch = f"dynsplines-{uuid.uuid4().hex[:12]}"
     with dask.config.set(LARGE):
         try:

@@ -1,4 +1,4 @@
-"""The clips of a batch are solved once each, few at a time, and the state of each is recorded in the manifest."""
+"""The assignment of clips to workers: each is solved once, few at a time, and its state is recorded in the manifest."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from .task import Options, Outcome, Result, Task
 from .worker import Do
 from .workers import Workers, local
 
-TRIES = 3  # of a clip whose process or Dask worker ends, in one run
-TICK_SECONDS = 0.5  # [s] between two looks at the folder and the workers
-READING_EVERY = 500  # clips, between two lines of progress
+TRIES = 3  # attempts per run for a clip whose process or Dask worker ends
+TICK_SECONDS = 0.5  # [s] interval of checks of the folder and the workers
+READING_EVERY = 500  # clips per line of progress
 
 
 @dataclass(frozen=True)
 class Tally:
-    """The entries of all clips of a batch at its end, and how many of them this run has solved."""
+    """The entries of all clips of a batch at its end, and the number of clips that this run has solved."""
 
     entries: tuple[Entry, ...]
     solved: int
@@ -45,7 +45,7 @@ class Tally:
 
     @property
     def wrong(self) -> list[Entry]:
-        """Solved clips with violations, worst first, each by the ratio of its worst violation to the bound."""
+        """Solved clips with violations, worst first, by the ratio of the worst violation to its bound."""
 
         def severity(entry: Entry) -> tuple[float, str]:
             return entry.violations[0]["amount"] / entry.violations[0]["bound"], entry.clip
@@ -66,20 +66,20 @@ class Tally:
         return [f"{share}; worst: {entry.clip}: {entry.violations[0]['text']}" for entry in wrong]
 
     def failures(self, most: int = 50) -> list[str]:
-        """Return a line for each failed clip, up to a number of clips."""
+        """Return a line for each failed clip, up to `most` clips."""
         lines = [f"failed: {entry.clip}: {entry.error}" for entry in self.failed[:most]]
         more = len(self.failed) - most
         return [*lines, f"... and {more} more; the manifest has them all"] if more > 0 else lines
 
 
 def run(words: list[str], folder: Path, options: Options, progress: Progress, *, do: Do = solved) -> Tally:
-    """Solve every clip that the words name into a folder, and resume a batch that was stopped there.
+    """Solve every clip that the words name into a folder, or resume a batch there.
 
-    A clip that fails is recorded and stops nothing; Ctrl-C stops the batch and leaves no incomplete file. Raises
+    A clip that fails is recorded, and the batch continues. Ctrl-C stops the batch and leaves no incomplete file. Raises
     UserError for words that name no clip, and for a folder that another batch uses.
     """
     clips = sources(words, options.listed, recordings=options.cleaning is not None)
-    if options.cleaning is not None:  # the outputs are recordings too
+    if options.cleaning is not None:  # outputs are recordings too
         clips = [source for source in clips if source.path is None or not lies_in(source.path, folder)]
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -105,7 +105,7 @@ def run(words: list[str], folder: Path, options: Options, progress: Progress, *,
 
 
 class Batch:
-    """The clips that are waiting and those that the workers have."""
+    """The clips that are waiting and those that are running."""
 
     def __init__(self, manifest: Manifest, options: Options, progress: Progress, do: Do) -> None:
         self.manifest, self.options, self.progress, self.do = manifest, options, progress, do
@@ -151,7 +151,7 @@ class Batch:
         return names
 
     def _is_final(self, before: Entry) -> bool:
-        """Whether a failed clip would fail again: not if its process was lost, or its limit has changed."""
+        """Return whether a failed clip would fail again: not if its process was lost, or its limit has changed."""
         if before.state != "failed" or before.cause == "lost" or self.options.retry_failed:
             return False
         if before.cause == "time":
@@ -159,7 +159,7 @@ class Batch:
         return before.cause == "error" or self.options.limits.megabytes in (None, before.bound)
 
     def solve(self, workers: Workers) -> None:
-        """Solve all clips that are waiting; raises UserError if the workers or the folder are gone."""
+        """Solve all clips that are waiting. Raises UserError if the workers or the folder no longer exist."""
         while self.waiting or self.running:
             if not self.manifest.path.exists():
                 raise UserError(
@@ -172,7 +172,7 @@ class Batch:
             for future in wait(self.running, TICK_SECONDS, FIRST_COMPLETED).done:
                 try:
                     outcome = future.result()
-                except (Exception, CancelledError) as error:  # of Dask: a worker or the scheduler has ended
+                except (Exception, CancelledError) as error:  # a worker or the scheduler of Dask has ended
                     workers.count()
                     outcome = Outcome("lost", f"{type(error).__name__}: {one_line(error)}")
                 name, source = self.running.pop(future)
@@ -201,10 +201,10 @@ class Batch:
         self.manifest.record([begun], firmly=False)
 
     def _finish(self, name: str, outcome: Outcome) -> None:
-        """Write the files of a clip that was solved, and record its state.
+        """Write the files of a solved clip, and record its state.
 
-        The manifest has the hashes before the files are written: if the program is killed before it records the end,
-        the next run recognises the files.
+        The manifest contains the hashes before the files are written. If the program is killed in between, the next run
+        recognises the files.
         """
         above = PurePosixPath(name).parent
         files = {(above / name).as_posix(): content for name, content in outcome.files.items()}
@@ -232,7 +232,8 @@ class Batch:
         self.failed += bool(outcome.cause)
 
     def _check(self, files: Mapping[str, bytes]) -> None:
-        """Raises UserError for a file where another clip has a different one, or a link leads out of the folder."""
+        """Raise UserError if a file differs from another clip's file of the same name, or a link leads out of the
+        folder."""
         for name, content in list(files.items())[1:]:
             check_below(self.folder, name)
             if self.written.get(name, digest_of(content)) != digest_of(content):

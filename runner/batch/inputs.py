@@ -1,4 +1,4 @@
-"""The clips or recordings that a command names, and the files that each needs at a worker, which shares no disk."""
+"""The clips or recordings that a command names, and the files that each needs at a worker without a shared disk."""
 
 from __future__ import annotations
 
@@ -28,8 +28,9 @@ Contents = dict[Path, bytes]  # of files
 class Source:
     """A clip to solve, or a recording to clean.
 
-    path   its file; None for a shipped clip
-    name   of its output, without a suffix: its path below the folder that the command names, or its stem
+    Attributes:
+        path: Its file; None for a shipped clip.
+        name: The name of its output without extension: its path in the named folder, or its stem.
     """
 
     path: Path | None
@@ -46,12 +47,15 @@ class Source:
 
 
 def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool = False) -> list[Source]:
-    """Return what the words name, names, files, folders and patterns, in their order and without duplicates.
+    """Return the clips that names, files, folders and patterns denote, in order and without duplicates.
 
-    listed      a file of such words, one a line; "-" is the standard input
-    recordings  the words name recordings: any files, and in folders those with the suffix of a motion or a format
+    Raises UserError for words that denote nothing.
 
-    Raises UserError for what does not exist.
+    Args:
+        words: The words.
+        listed: A file of such words, one per line; "-" is the standard input.
+        recordings: Whether they denote recordings. Folders then contribute files with the extension of a motion or
+            format.
     """
     unique: dict[object, Source] = {}
     for word in (*words, *(_lines(listed) if listed else ())):
@@ -68,9 +72,9 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
 
 
 def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:
-    """Give every source a unique name: with as many of the folders above it as necessary, or a number.
+    """Return the sources with unique names, by prefixing folders as far as necessary, or by a number.
 
-    taken  names that are in use; case does not count, as on some disks
+    `taken` are names in use; case is ignored, as on some disks.
     """
     names, growing = [source.name for source in fresh], True
     while growing:
@@ -92,12 +96,14 @@ def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:
 
 
 def files_of(source: Source, figures: dict[Path, Contents], cleaning: Cleaning | None = None) -> Files:
-    """Read a clip and all files that it refers to; those that are missing are left to the worker to report.
-
-    figures   the files of the models read before, by the path of the model
-    cleaning  options if it is a recording
+    """Return a clip with all files to which it refers. The worker reports missing ones.
 
     Raises OSError, and UserError for a model that refers to files outside its folder.
+
+    Args:
+        source: The clip or recording.
+        figures: A cache of the files of models, by the path of the model.
+        cleaning: The options of a recording.
     """
     path, others = source.path, dict[str, Path]()
     if path is None:
@@ -125,7 +131,7 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Cleaning |
 def _clip_files(path: Path, figures: dict[Path, Contents], before: tuple[Path, ...]) -> tuple[Contents, Path | None]:
     """Return a clip with its figure and the recording or clip that it follows; and the figure if its path is absolute.
 
-    before  the clips that follow this one
+    `before` are the clips that follow this one.
     """
     files, absolute = {path: path.read_bytes()}, None
     named, recording = clip.references(files[path].decode("utf-8", errors="replace"))
@@ -160,7 +166,7 @@ def _lines(listed: str) -> list[str]:
 
 
 def _named(word: str, recordings: bool) -> Iterator[Source]:
-    """A shipped clip, a file, or those in a folder or of a pattern whose suffix is that of a clip or a recording."""
+    """Yield a shipped clip, a file, or files in a folder or of a pattern with the extension of a clip or recording."""
     path = Path(word)
     if not recordings and word in models.clips():
         yield Source(None, PurePosixPath(word))
@@ -193,13 +199,13 @@ def _source(file: Path, root: Path, recordings: bool) -> Source:
 
 
 def _is_recording(file: Path) -> bool:
-    """Whether a suffix is that of a motion, or of a format that can be read."""
+    """Return whether the extension is that of a motion, or of a format that can be read."""
     form = formats.by_ending(file)
     return form.reads if form is not None else file.suffix.lower() == ".npz"
 
 
 def _absolute(path: Path) -> Path:
-    """An absolute path that does not follow links: a clip that is a link is named after the link."""
+    """Return an absolute path without following links: a clip that is a link is named after the link."""
     return Path(os.path.normpath(path.absolute()))
 
 

@@ -1,7 +1,7 @@
 """The state of every clip of a batch, in a file of JSON lines in the folder of the results.
 
-A line is appended whenever the state of a clip changes, and the last line about a clip counts: a program that is killed
-loses one line at most. The file is rewritten, whole or not at all, with one line a clip when a batch begins and ends.
+A line is appended whenever the state of a clip changes, and the last line of a clip counts. A killed program loses at
+most one line. When a batch begins and ends, the file is rewritten atomically with one line per clip.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from ..system.output import Replacement
 from .task import Result
 
 NAME = "manifest.jsonl"
-VERSION = 1  # of the file's form
-EMPTY = ("", None, 0, (), {})  # values of fields that are left out
+VERSION = 1  # version of the file's format
+EMPTY = ("", None, 0, (), {})  # values of omitted fields
 HEADER = re.compile(rb'\{"dynsplines batch": (\d+)\}')
 
 
 def _below(name: str) -> str:
-    """A path that leads down from the manifest's folder; raises ValueError for others."""
+    """Return a path inside the manifest's folder. Raises ValueError for others."""
     parts = name.replace("\\", "/").split("/")
     if PurePosixPath(name).is_absolute() or PureWindowsPath(name).drive or ".." in parts or "\0" in name:
         raise ValueError(f"'{name}' is not a path in this folder")
@@ -43,12 +43,15 @@ Below = Annotated[str, AfterValidator(_below)]
 class Entry(Result):
     """A clip, its state, and its last result.
 
-    clip      its name, which is unique, and that of its output but for the suffix
-    source    its path relative to the manifest's folder; "shipped:NAME" for a shipped clip
-    input     a hash of everything that the output depends on; empty before it has been read
-    attempts  how often it was begun
-    output, size, sha256  the file in the manifest's folder, its size in bytes, and its hash
-    beside    further files of the output, with their hashes; several clips may share one
+    Attributes:
+        clip: Its unique name, also that of its output without extension.
+        source: Its path relative to the manifest's folder; "shipped:NAME" for a shipped clip.
+        input: A hash of everything on which the output depends; "" before it has been read.
+        attempts: The number of attempts.
+        output: The file in the manifest's folder.
+        size: The size of this file [bytes].
+        sha256: The hash of this file.
+        beside: Further files of the output, with their hashes; several clips may share one.
     """
 
     clip: Below
@@ -72,7 +75,7 @@ class Entry(Result):
         return {self.output: self.sha256, **self.beside} if self.output else {}
 
     def holds(self, folder: Path) -> bool:
-        """Whether all files of the output exist with every byte that was written."""
+        """Return whether all files of the output exist unchanged."""
         try:
             if not self.output or (folder / self.output).stat().st_size != self.size:
                 return False
@@ -90,7 +93,7 @@ def digest_of(data: bytes) -> str:
 
 
 def check_below(folder: Path, name: str) -> None:
-    """Raises UserError if a link leads a file out of the manifest's folder."""
+    """Raise UserError if a link leads a file out of the manifest's folder."""
     if not lies_in(folder / name, folder):
         where = os.path.realpath(folder / name)
         raise UserError(f"'{folder / name}' leads out of the folder, to '{where}'; remove the link")
@@ -102,11 +105,11 @@ class Manifest:
 
     path: Path
     entries: dict[str, Entry] = field(default_factory=dict)
-    _whole: bool = False  # the file ends with a whole line
+    _whole: bool = False  # whether the file ends with a complete line
 
     @classmethod
     def of(cls, folder: Path) -> Manifest:
-        """Read a manifest, or begin an empty one; raises UserError for an invalid file."""
+        """Read a manifest, or begin an empty one. Raises UserError for an invalid file."""
         check_below(folder, NAME)
         path = folder / NAME
         return cls(path, _read(path) if path.exists() else {})
@@ -114,7 +117,8 @@ class Manifest:
     def record(self, entries: Iterable[Entry], *, firmly: bool = True) -> None:
         """Append a line for each entry.
 
-        firmly  wait until the line is on the disk; other lines survive the end of this program, not of the machine
+        With `firmly`, wait until the lines are on the disk. Other lines survive the end of this program, not of the
+        machine.
         """
         if not self._whole:
             self.rewrite()
@@ -131,14 +135,14 @@ class Manifest:
         self.entries |= {entry.clip: entry for entry in entries}
 
     def rewrite(self) -> None:
-        """Write one line a clip, whole or not at all."""
+        """Write one line per clip, atomically."""
         with Replacement(self.path) as temporary, temporary.open("wb") as stream:
             stream.write(f"{json.dumps({'dynsplines batch': VERSION})}\n".encode())
             stream.write("".join(entry.line() for entry in self.entries.values()).encode())
         self._whole = True
 
     def close(self) -> None:
-        """Queue the clips that are running, and rewrite the file, unless its folder has been removed."""
+        """Queue the running clips, and rewrite the file, unless its folder has been removed."""
         running = [entry for entry in self.entries.values() if entry.state == "running"]
         self.entries |= {entry.clip: replace(entry, state="queued") for entry in running}
         if self.path.exists():

@@ -1,4 +1,4 @@
-"""A batch of recordings: the request, and its measurements before and after, with the worst recordings first."""
+"""A batch of recordings: its options, and its measurements before and after, with the worst recordings first."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .task import Cleaning
 if TYPE_CHECKING:
     from .dispatch import Tally
 
-WORST = 10  # recordings that are named
+WORST = 10  # maximum number of listed recordings
 
 
 def asked(
@@ -35,7 +35,7 @@ def asked(
     scene: Path | None,
     within: str | float | None,
 ) -> Cleaning | None:
-    """The cleaning options of the command; None for clips. Raises UserError for contradicting options."""
+    """Return the cleaning options of the command; None for clips. Raises UserError for contradicting options."""
     if clean and onto is not None:
         raise UserError("--clean and --retarget: give one of them; --retarget also cleans")
     more = {"--figure": figure, "--map": map_file, "--from": kind, "--scene": scene, "--max-displacement": within}
@@ -69,7 +69,7 @@ def tell(tally: Tally, progress: Progress) -> None:
 
 
 def table(good: Iterable[Entry]) -> Table:
-    """The median recording and the worst, before and after, of everything that was measured."""
+    """Return a table of all measurements, before and after, of the median recording and the worst."""
     measured = [entry for entry in good if entry.figures]
     out = Table(box=None, pad_edge=False)
     for heading in (f"{len(measured)} recordings", "median before", "after", "worst before", "after"):
@@ -82,7 +82,7 @@ def table(good: Iterable[Entry]) -> Table:
 
 
 def worst(wrong: Iterable[Entry]) -> Iterator[str]:
-    """A line each on the recordings with violations, which are given with the worst first: ten of them."""
+    """Yield a line for each recording with violations, up to ten, in the order of `wrong`."""
     wrong = list(wrong)
     for entry in wrong[:WORST]:
         yield f"{entry.clip}: {'; '.join(violation['text'] for violation in entry.violations)}"

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 
 def solved(task: Task, folder: Path) -> Outcome:
-    """Return the files of the motion, and its violations; MuJoCo's warnings are among the notes.
+    """Return the files of the motion, and its violations, with MuJoCo's warnings among the notes.
 
-    folder  an empty one for the clip's files. Raises UserError for an invalid clip.
+    `folder` is an empty one for the clip's files. Raises UserError for an invalid clip.
     """
     if task.program != program():
         raise UserError(f"the worker has dynamic-splines {program()}, not {task.program}; install the same")

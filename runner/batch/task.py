@@ -21,8 +21,10 @@ NPZ = "npz"
 class Files:
     """A clip and the files that it needs, by their paths in a common folder.
 
-    clip    the path of the clip; a name without a suffix is that of a shipped clip
-    others  the paths of files that replace those of the clip or of the command: "figure", "scene", "map"
+    Attributes:
+        clip: The path of the clip; a name without extension is that of a shipped clip.
+        files: Contents by path.
+        others: Paths of files that replace those of the clip or of the command: "figure", "scene", "map".
     """
 
     clip: str
@@ -30,7 +32,7 @@ class Files:
     others: Mapping[str, str] = field(default_factory=dict)
 
     def digest(self, *options: object) -> str:
-        """Return a hash of the files and the options that the motion depends on."""
+        """Return a hash of the files and the options on which the motion depends."""
         digest = hashlib.sha256(repr((self.clip, *sorted(self.others.items()), *options)).encode())
         for name, data in sorted(self.files.items()):
             digest.update(f"\n{name}\n{len(data)}\n".encode())
@@ -40,9 +42,12 @@ class Files:
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of one clip: [s] of wall-clock time, and [MB] of resident memory; an idle process has about 220.
+    """Limits of one clip.
 
-    megabytes  None: an equal share of the memory of the machine or the Dask worker
+    Attributes:
+        seconds: Wall-clock time [s].
+        megabytes: Resident memory [MB], of which an idle process has about 220. None: an equal share of the memory of
+            the machine or the Dask worker.
     """
 
     seconds: float = 3600.0
@@ -53,11 +58,13 @@ class Limits:
 class Cleaning:
     """Options of a batch of recordings.
 
-    figure      name of a shipped figure, or path of an MJCF file
-    scene, map  paths of TOML files, as of the command `clean`
-    kind        format, where the suffix does not specify it
-    within      [m] largest displacement of hands, feet and pelvis
-    apart       separate the limbs too, for another figure
+    Attributes:
+        figure: The name of a shipped figure, or the path of an MJCF file.
+        scene: The path of a TOML file, as for the command `clean`.
+        map: The path of a TOML file, as for the command `clean`.
+        kind: The format, if the extension does not specify it.
+        within: The largest displacement of hands, feet and pelvis [m].
+        apart: Whether to avoid self-collision, for another figure.
     """
 
     figure: str | None = None
@@ -70,15 +77,18 @@ class Cleaning:
 
 @dataclass(frozen=True)
 class Options:
-    """The options of a batch; raises UserError for invalid ones.
+    """The options of a batch. Raises UserError for invalid ones.
 
-    listed        a file with more clips, one a line
-    workers       processes of this machine; None: one a core
-    scheduler     address of a Dask cluster to use instead
-    to, fps       format, and samples per second if not those of the clip
-    report        measure every motion in full
-    retry_failed  solve clips again that have failed and not changed
-    cleaning      options for recordings; None for clips
+    Attributes:
+        listed: A file with more clips, one per line.
+        workers: The number of processes of this machine; None: one per core.
+        scheduler: The address of a Dask cluster to use instead.
+        to: The format of the output.
+        fps: Samples per second [1/s]; None: those of the clip.
+        limits: The limits of each clip.
+        report: Whether to measure every motion in full.
+        retry_failed: Whether to solve unchanged clips again that have failed.
+        cleaning: Options of recordings; None for clips.
     """
 
     listed: str | None = None
@@ -100,7 +110,7 @@ class Options:
 
     @property
     def suffix(self) -> str:
-        """The suffix of the output; raises UserError for an unknown format."""
+        """The extension of the output. Raises UserError for an unknown format."""
         return ".npz" if self.to == NPZ else formats.writer(self.to).ending
 
     def digest(self, files: Files) -> str:
@@ -112,9 +122,12 @@ class Options:
 class Task:
     """A clip to solve, or a recording to clean.
 
-    output         name of the file to write
-    allow_outside  allow models to refer to files outside their folder, which are in `files`
-    program        version of this program at the sender
+    Attributes:
+        files: Its files.
+        output: The name of the file to write.
+        options: The options of the batch.
+        allow_outside: Whether models may refer to files outside their folder, which are in `files`.
+        program: The version of this program at the sender.
     """
 
     files: Files
@@ -125,7 +138,7 @@ class Task:
 
 
 def _violation(table: dict[str, Any]) -> dict[str, Any]:
-    """A violation as a table; raises ValueError where a batch cannot print and compare it."""
+    """Return a violation as a table. Raises ValueError for values that a batch cannot print and compare."""
     numbers = [table.get(name) for name in ("amount", "bound")]
     if not isinstance(table.get("text"), str) or not all(isinstance(x, int | float) and x > 0 for x in numbers):
         raise ValueError(f"'violations' has {table!r}")
@@ -136,13 +149,15 @@ def _violation(table: dict[str, Any]) -> dict[str, Any]:
 class Result:
     """The measurements of a clip's motion, or its error.
 
-    seconds   of the last attempt
-    worker    address of the Dask worker
-    cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker ended)
-    bound     the limit of a failure by time [s] or memory [MB]
-    violations  violations, worst first, as tables
-    notes     what the output's format cannot store, and warnings
-    figures   of a recording: values before and after cleaning, by quantity and unit
+    Attributes:
+        cause: Of a failure: "error", "time", "memory" or "lost" (its process or worker ended).
+        error: The message.
+        bound: The limit of a failure by time [s] or memory [MB].
+        seconds: The duration of the last attempt [s].
+        worker: The address of the Dask worker.
+        violations: The violations, worst first, as tables.
+        figures: Values of a recording before and after cleaning, by quantity and unit.
+        notes: Content that the output's format cannot store, and warnings.
     """
 
     cause: str = ""
@@ -160,7 +175,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Outcome(Result):
-    """A result, and the files of the motion by name: the output first, then those that belong to it, such as meshes."""
+    """A result, and the files of the motion by name: the output first, then files that belong to it, such as meshes."""
 
     files: Mapping[str, bytes] = field(default_factory=dict)
 

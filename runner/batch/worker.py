@@ -1,4 +1,4 @@
-"""Worker processes that solve clips; one that exceeds a limit is ended, and another one starts for the next clip."""
+"""Worker processes that solve clips. If a clip exceeds a limit, its process is ended, and another one starts."""
 
 from __future__ import annotations
 
@@ -27,16 +27,17 @@ Do = Callable[[Any, Path], Outcome]
 Process = Worker[None, tuple[Do, object, Path], Outcome]
 
 READY = Outcome()
-START = Limits(120.0)  # of a process that imports its modules
-WATCH_SECONDS = 0.1  # [s] between two looks at the clock and at memory
-IDLE_SECONDS = 120.0  # [s] without a clip, after which a process ends: its batch may have been killed elsewhere
+START = Limits(120.0)  # limits of a process while it imports its modules
+WATCH_SECONDS = 0.1  # [s] interval of checks of time and memory
+IDLE_SECONDS = 120.0  # [s] without a clip after which a process ends, because its batch may have been killed
 
 
 class Pool:
-    """Worker processes, one for every thread that calls `run` at the same time; each serves one clip after another.
+    """Worker processes, one for every thread that calls `run` at the same time. Each serves one clip after another.
 
-    folder     for temporary files
-    megabytes  [MB] limit of a clip whose limits specify none
+    Attributes:
+        folder: For temporary files.
+        megabytes: The memory limit of a clip whose limits specify none [MB].
     """
 
     def __init__(self, folder: Path, megabytes: float | None = None) -> None:
@@ -45,7 +46,7 @@ class Pool:
         self._stopped = threading.Event()
 
     def run(self, do: Do, task: object, limits: Limits) -> Outcome:
-        """Return the outcome of do(task, an empty folder) in a process."""
+        """Return the outcome of do(task, empty folder) in a process."""
         if limits.megabytes is None:
             limits = replace(limits, megabytes=self._megabytes)
         with tempfile.TemporaryDirectory(dir=self._folder, ignore_cleanup_errors=True) as place:
@@ -64,7 +65,7 @@ class Pool:
         return replace(outcome, seconds=round(time.monotonic() - begin, 3))
 
     def stop(self) -> None:
-        """End all processes: idle ones now, the others within `WATCH_SECONDS` with the outcome "lost"."""
+        """End all processes: idle ones now, the others within WATCH_SECONDS with the outcome "lost"."""
         self._stopped.set()
         while process := self._idle_process():
             process.stop()
@@ -97,7 +98,7 @@ class Pool:
 
 @contextmanager
 def _prepared(folder: Path) -> Iterator[None]:
-    """Prepare a worker process: linear algebra in one thread, no graphics, imports, and no garbage among them."""
+    """Prepare a worker process: one thread of linear algebra, no graphics, imports excluded from garbage collection."""
     os.chdir(folder)
     os.environ.update({**dict.fromkeys(THREADS, "1"), "MUJOCO_GL": "disable"})
     from .. import motion, recordings, solving  # noqa: F401
@@ -111,7 +112,7 @@ def _ready(task: object, folder: Path) -> Outcome:
 
 
 def _outcome(_: None, clip: tuple[Do, Any, Path]) -> Outcome:
-    """Return the outcome of do(task, folder), also if it raises an error, and return its memory to the system."""
+    """Return the outcome of do(task, folder), also if it raises an error, and release its memory."""
     do, task, folder = clip
     try:
         outcome = do(task, folder)
@@ -125,5 +126,5 @@ def _outcome(_: None, clip: tuple[Do, Any, Path]) -> Outcome:
         outcome = Outcome("error", f"{type(error).__name__}: {one_line(error)} ({place})")
     gc.collect()
     if hasattr(libc := ctypes.CDLL(None), "malloc_trim"):
-        libc.malloc_trim(0)  # glibc would keep twice the memory that is in use
+        libc.malloc_trim(0)  # otherwise glibc retains twice the used memory
     return outcome

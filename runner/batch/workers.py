@@ -1,4 +1,4 @@
-"""What solves the clips of a batch: threads of this machine with a process each, or the workers of a Dask cluster."""
+"""Executors of clips: threads of this machine with a process each, or the workers of a Dask cluster."""
 
 from __future__ import annotations
 
@@ -15,15 +15,17 @@ from ..system.scratch import scratch
 from .task import Outcome
 from .worker import Pool
 
-CGROUP = ("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes")  # of a container
+CGROUP = ("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes")  # a container's limits
 
 
 @dataclass(frozen=True)
 class Workers:
     """An executor of clips.
 
-    submit  (do, task, limits) -> future outcome
-    count   number of clips to hand over at a time; 0: there are no workers yet. Raises UserError if they are gone
+    Attributes:
+        submit: (do, task, limits) -> future outcome.
+        count: Returns the number of clips to submit at a time, 0 while there are no workers. Raises UserError if they
+            are lost.
     """
 
     submit: Callable[..., Future[Outcome]]
@@ -32,7 +34,7 @@ class Workers:
 
 @contextmanager
 def local(count: int) -> Iterator[Workers]:
-    """Start `count` processes on this machine; they end with the block."""
+    """Start `count` processes on this machine, which end with the block."""
     with scratch() as folder, ThreadPoolExecutor(count) as threads:
         pool = Pool(folder, _memory() / count)
         try:
@@ -43,7 +45,7 @@ def local(count: int) -> Iterator[Workers]:
 
 
 def _memory() -> float:
-    """Return the memory of this machine, or of the container that it is [MB]."""
+    """Return the memory of this machine, or of the container [MB]."""
     size = psutil.virtual_memory().total
     for path in CGROUP:
         with suppress(OSError, ValueError):  # "max" without a limit

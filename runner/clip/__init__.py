@@ -1,6 +1,6 @@
 """A clip file and the problem that it specifies: parse, pose, build.
 
-load          the three stages in order, from a file, a text, arrays, a model or a solved motion
+load          the three stages in order, from a file, text, arrays, a model or a solved motion
 parse         first stage: TOML text into checked tables
 pose          second stage: keyframe tables into keyframes of a figure
 build         last stage: keyframes into a problem with soft constraints
@@ -11,10 +11,10 @@ file          a motion as a clip's file
 mirror        left and right exchanged in a clip's tables
 context       the inputs of soft constraints, inferred from keyframes and tables
 kinds         the kinds of soft constraint
-constraints   the soft constraints of a clip: defaults, and the changes of its [[penalty]] tables
+constraints   the soft constraints of a clip: defaults, and changes by [[penalty]] tables
 contacts      the [[contact]] and [[hold]] tables
 obstacles     the obstacles and objects of [scene]
-starter       a clip to begin with, for any model
-posing/       places, roots and feet of keyframes
-tracking/     a clip that follows a recording, and whose keyframes edit it
+starter       a starting clip for any model
+posing/       positions, roots and feet of keyframes
+tracking/     a clip that follows a recording
 """

@@ -1,4 +1,4 @@
-"""Last stage of loading: keyframes of a figure become a problem with soft constraints, ready to solve."""
+"""Last stage of loading: keyframes of a figure become a problem with soft constraints."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ from .tracking.recording import TrackedRecording
 
 CustomPenalties = Sequence[tuple[Penalty, float]]
 
-# the ends of a spline that is at rest at its start and its end, and a note on it
+# end conditions of the spline, and a note on them, by whether the figure is at rest at its start and its end
 AT_REST = {
     (True, True): ("clamped", "begins and ends at rest, like its first and last keyframes"),
     (True, False): ("clamped start", "begins at rest, like its first keyframe"),
     (False, True): ("clamped end", "ends at rest, like its last keyframe"),
 }
 FREE_NOTE = "; [solve] ends = 'free' leaves the speed there open"
-AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop in a period
-NEXT = 1e-6  # [s] by which a saved keyframe may differ from its time in the text
+AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop per period
+NEXT = 1e-6  # [s] maximum difference of a saved keyframe from its time in the text
 
 
 @dataclass(frozen=True, repr=False)
@@ -85,17 +85,17 @@ class Clip(Renames):
 
     @property
     def authored_keys(self) -> tuple[Frame, ...]:
-        """The keyframes of the clip's text: without the frames of a recording that it follows."""
+        """The keyframes of the clip's text, without the frames of a recording that it follows."""
         return edits_of(self.keys, table_of(self.text, self.context.where)) if self.has_recording else self.keys
 
     @property
     def has_recording(self) -> bool:
-        """Whether it follows a recording, so that most of its frames are not keyframes of its text."""
+        """Whether the clip follows a recording, so that most of its frames are not keyframes of its text."""
         return "recording" in self.text and table_of(self.text, self.context.where).recording is not None
 
     @property
     def stances(self) -> list[dict[str, object]]:
-        """The stances of a clip that follows a recording, as a motion's file contains them; none of others."""
+        """The stances of a clip that follows a recording, as stored in a motion's file; empty for other clips."""
         return stances_of(self.context.contacts.given) if self.has_recording else []
 
     @property
@@ -110,8 +110,7 @@ class Clip(Renames):
 
     @property
     def ends(self) -> str:
-        """The end conditions of the spline: "free", "clamped" (at rest; "clamped start", "clamped end": there alone) or
-        "periodic" (a loop)."""
+        """The end conditions of the spline: "free", "clamped", "clamped start", "clamped end" or "periodic"."""
         return self.problem.ends
 
     @property
@@ -145,12 +144,11 @@ class Clip(Renames):
 def build(
     source: Parsed, scene: Scene, figure: Figure, keys: Sequence[Frame], placed: Sequence[Placed], fps: float
 ) -> Clip:
-    """Return the clip of keyframes, qpos (nq,) and mask each.
-
-    placed  points whose places are left to the search
+    """Return the clip of keyframes, qpos (nq,) and mask each; `placed` are points whose positions the search
+    determines.
 
     Raises:
-        UserError: for keyframes that make no timeline, and for tables that do not fit the figure.
+        UserError: For keyframes that form no timeline, and for tables that do not fit the figure.
     """
     table, solve = source.table, source.table.solve
     slope = np.zeros((2, figure.width)) if solve.ends.startswith("clamped") else None
@@ -182,10 +180,16 @@ def build_following(
 ) -> Clip:
     """Return a clip whose keyframes edit a recording.
 
-    known  the stances that a file contains, see `Clip.stances`; None to infer them
+    Args:
+        source: The parsed clip.
+        scene: The figure in its scene.
+        recording: The recording.
+        edits: The keyframes.
+        fps: Samples per second [1/s] of outputs.
+        known: The stances that a file contains, see `Clip.stances`; None: they are inferred.
 
     Raises:
-        UserError: for tables that do not fit the figure or the recording.
+        UserError: For tables that do not fit the figure or the recording.
     """
     figure, where = recording.recorded.figure, source.where
     ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
@@ -209,7 +213,7 @@ def _check_timeline(problem: Problem, where: str) -> None:
 
 
 def edits_of(keys: Sequence[Frame], table: ClipTable) -> tuple[Frame, ...]:
-    """Return the keys at times of a clip's keyframe tables."""
+    """Return the frames at the times of a clip's keyframe tables."""
     times = [row.time for row in table.keyframe]
     return tuple(key for key in keys if np.isclose(key.time, times, rtol=0, atol=NEXT).any())
 
@@ -235,10 +239,10 @@ def radians(degrees: float | None) -> float | None:
 
 
 def with_custom_penalties(clip: Clip, added: CustomPenalties) -> Clip:
-    """Return the clip with custom soft constraints, each with its weight, after those that it has.
+    """Return the clip with custom soft constraints, each with its weight, appended to its penalties.
 
     Raises:
-        UserError: for an entry that is no soft constraint with a weight, and for a name that exists already.
+        UserError: For an entry that is not a pair of a soft constraint and a weight, and for a name that exists.
     """
     names = {penalty.name for penalty, _ in clip.penalties} | {k.term(part) for k in KINDS.values() for part in k.parts}
     where = f"{clip.name}: custom_penalties"
@@ -257,7 +261,7 @@ def with_custom_penalties(clip: Clip, added: CustomPenalties) -> Clip:
 
 
 def _too_many(problem: Problem) -> Iterator[str]:
-    """A note on an optimiser that inserts no frames with this number of unknowns."""
+    """Yield a note on an optimiser that is impractical for this number of unknowns."""
     settings = problem.settings
     times = np.array([key.time for key in problem.keys])
     about = settings.beginning(times, in_windows=False).size * problem.figure.width

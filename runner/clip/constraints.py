@@ -1,4 +1,4 @@
-"""A clip's soft constraints: the defaults of every kind, and the changes of its [[penalty]] tables."""
+"""A clip's soft constraints: the defaults of every kind, and the changes by its [[penalty]] tables."""
 
 from __future__ import annotations
 
@@ -30,16 +30,17 @@ from .table import PenaltyTable
 from .table_errors import describe
 from .text import assignment, tables
 
-CARRIED = ("flight", "support", "peak")  # on by default where contacts determine the ground's support
-LINEAR_WEIGHT_CARRIED = 0.45  # of acceleration.linear there, which flight and support then cover
+CARRIED = ("flight", "support", "peak")  # kinds that are on by default only if the ground's support is known
+LINEAR_WEIGHT_CARRIED = 0.45  # [1] weight of acceleration.linear with these kinds, which penalise similar errors
 NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
 DEEP = 0.02  # [m] penetration of a sole point in a keyframe above which a note is printed
 
 
 def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
-    """The options of every kind that is listed.
+    """Return the options of every listed kind.
 
-    Raises UserError for unknown kinds, parts and options, for wrong values, and for kinds that are listed twice.
+    Raises:
+        UserError: For unknown kinds, parts and options, wrong values, and kinds that are listed twice.
     """
     numbers: dict[str, int] = {}
     options: dict[str, Options] = {}
@@ -75,7 +76,7 @@ def _unknown_option(kind: Kind, option: str) -> str:
 
 
 def _check_weight(kind: Kind, options: Options, here: str) -> None:
-    """Raises UserError for weights of parts that the kind does not have, or that are off."""
+    """Raise UserError for weights of parts that the kind does not have, or that are off."""
     if not isinstance(options.weight, dict):
         return
     parts = {part.name: part for part in kind.parts if part.name}
@@ -91,7 +92,7 @@ def _check_weight(kind: Kind, options: Options, here: str) -> None:
 
 
 def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
-    """The error for a kind of older clip files, with the table that replaces it and those of the same new kind."""
+    """Return the error for a kind of older clip files, with the table that replaces it and its siblings."""
     new = RENAMED[entry.kind]
     table, replaced = _replacement(new.kind, entries)
     lines = ", ".join(assignment(*item) for item in tables(table).items())
@@ -108,8 +109,8 @@ def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
 
 
 def replaced(rows: Sequence[Mapping[str, object]]) -> list[PenaltyTable] | None:
-    """Return the tables of kinds that exist now in place of [[penalty]] tables of an older clip; None for no change."""
-    entries = [PenaltyTable.model_validate({"weight": 1, **row}) for row in rows]  # the default of all kinds then
+    """Return present tables in place of [[penalty]] tables of an older clip; None if there is no change."""
+    entries = [PenaltyTable.model_validate({"weight": 1, **row}) for row in rows]  # the default weight of older files
     if not any(entry.kind in RENAMED for entry in entries) or any(_now(entry).kind not in KINDS for entry in entries):
         return None
     kinds = dict.fromkeys(_now(entry).kind for entry in entries)
@@ -117,14 +118,14 @@ def replaced(rows: Sequence[Mapping[str, object]]) -> list[PenaltyTable] | None:
 
 
 def _now(entry: PenaltyTable) -> Renamed:
-    """The replacement of an older entry whose kind still has its name: the first part of that kind."""
+    """Return the replacement of an older entry; for a kind that has the same name, its first part."""
     if entry.kind in RENAMED or entry.kind not in KINDS:
         return RENAMED.get(entry.kind, Renamed(entry.kind))
     return Renamed(entry.kind, KINDS[entry.kind].parts[0].name, {name: name for name in KINDS[entry.kind].choices()})
 
 
 def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[PenaltyTable, list[PenaltyTable]]:
-    """The table of a kind that replaces entries of an older clip, in which weights were 1 by default; and these."""
+    """Return the table of a kind that replaces entries of an older clip, and these entries (default weight 1)."""
     replaced = [entry for entry in entries if _now(entry).kind == kind]
     weights: dict[str, object] = {}
     options: dict[str, object] = {}
@@ -133,7 +134,7 @@ def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[PenaltyTab
         default = next((part.weight for part in KINDS[kind].parts if part.name == old.part), None)
         if isinstance(weight, dict):
             weights |= weight
-        elif weight not in (None, default) or entry.kind == "root":  # whose default depends on the clip
+        elif weight not in (None, default) or entry.kind == "root":  # the default of "root" depends on the clip
             weights[old.part] = weight
         options |= {
             **old.requires,
@@ -153,10 +154,10 @@ class Constraints:
 
 
 def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
-    """Return the soft constraints of a clip's keyframes and of the options of the kinds that it lists.
+    """Return the soft constraints of a clip's keyframes and of the kinds that it lists.
 
     Raises:
-        UserError: for options that do not fit the figure.
+        UserError: For options that do not fit the figure.
     """
     options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | dict(listed)
     notes = context.lacking
@@ -174,7 +175,7 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
 
 
 def _carried(kind: Kind) -> Kind:
-    """A kind with the weights of a figure of which it is known what carries it."""
+    """Return a kind with the weights for a figure whose support by the ground is known."""
     if kind.name != "acceleration":
         return kind
     parts = [replace(part, weight=LINEAR_WEIGHT_CARRIED) if part.name == "linear" else part for part in kind.parts]
@@ -199,7 +200,7 @@ def _weight(kind: str, options: Options, part: str = "") -> float:
 
 
 def _with_options(context: Context, options: Mapping[str, Options], listed: Container[str]) -> Context:
-    """The context with the options that concern several kinds: points of soles, limbs, flights, the cycle."""
+    """Return the context with the options that affect several kinds: points of soles, limbs, flights, the cycle."""
     collision, limits, flight, cycle = (options[kind] for kind in ("collision", "limits", "flight", "cycle"))
     assert isinstance(collision, CollisionOptions) and isinstance(limits, LimitOptions)
     assert isinstance(flight, FlightOptions) and isinstance(cycle, CycleOptions)
@@ -214,7 +215,7 @@ def _with_options(context: Context, options: Mapping[str, Options], listed: Cont
 
 
 def _deep(context: Context, contacts: Sequence[Contact]) -> Iterator[str]:
-    """A line on keyframes with a foot deep inside a geom: the motion meets them all the same."""
+    """Yield a note on keyframes with a foot deep inside a geom, which the motion meets nevertheless."""
     for contact in contacts:
         if contact.allowed is None or not contact.allowed.excess.any():
             continue
@@ -235,7 +236,7 @@ def _deep(context: Context, contacts: Sequence[Contact]) -> Iterator[str]:
 
 
 def posing_bends(figure: Figure, listed: Mapping[str, Options]) -> BendLimits | None:
-    """Return the limits of knees and elbows in a pose: those of the motion, or None where their penalty is off."""
+    """Return the limits of knees and elbows in a pose: those of the motion, or None if their penalty is off."""
     options = listed.get("limits", LimitOptions())
     assert isinstance(options, LimitOptions)
     names = options.bend_joints
@@ -244,14 +245,14 @@ def posing_bends(figure: Figure, listed: Mapping[str, Options]) -> BendLimits | 
 
 
 def listed_flights(listed: Mapping[str, Options]) -> tuple[tuple[float, float], ...]:
-    """Return (first, last) [s] of every flight in the tables."""
+    """Return the interval (first, last) [s] of every flight in the tables."""
     options = listed.get("flight", FlightOptions())
     assert isinstance(options, FlightOptions)
     return tuple(options.intervals or ())
 
 
 def weight_factors(listed: Mapping[str, Options]) -> dict[str, float]:
-    """Return the factors of the weights of terms, by their names, of a clip that follows a recording."""
+    """Return factors of the weights of terms, by name, for a clip that follows a recording."""
     factors: dict[str, float] = {}
     for name, options in listed.items():
         weight, kind = options.weight, KINDS[name]

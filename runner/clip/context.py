@@ -225,7 +225,7 @@ class Context:
         """Return the support schedule of the kinematic tree below one free joint; None without a free joint.
 
         Args:
-            intervals: The flights given in the clip [s]; None: they are inferred from the keyframes.
+            intervals: The flights specified in the clip [s]; None: they are inferred from the keyframes.
             asked: Whether the clip requests `flight`. Without surfaces, the whole clip is then one flight.
 
         Raises:
@@ -259,9 +259,9 @@ class Context:
         """Return the gait cycle of the keyframes; None if they form none.
 
         Args:
-            period: The period [s] given in the clip; None: the period is inferred.
-            asked: Whether the clip requests a cycle. If not, a cycle is inferred only if it is unambiguous. If so and
-                no period is given, the likeliest cycle is used.
+            period: The period [s] specified in the clip; None: the period is inferred.
+            asked: Whether the clip requests a cycle. If not, only an unambiguous cycle is inferred. If it does without
+                a period, the likeliest cycle is used.
         """
         gait = Gait(self.figure, self.keys, self.points, self.surfaces)
         if not asked:

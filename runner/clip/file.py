@@ -1,4 +1,4 @@
-"""A motion as a clip's file: its source tables, or its keyframes as tables, with the scene's files next to it."""
+"""A motion as a clip's file: its source tables, or its keyframes as tables, with the files of the scene next to it."""
 
 from __future__ import annotations
 
@@ -19,15 +19,19 @@ from .parse import Parsed, table_of
 from .table import ClipTable, SolveTable
 from .text import keyframe_tables, written
 
-OF_MOTIONS = ("figure", "fps", "scene")  # tables of a clip with a recording that hold for its motion alone, too
-AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leaves the raw spline as it is
+OF_MOTIONS = ("figure", "fps", "scene")  # tables of a clip with a recording that also apply without the recording
+AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] keys that return the raw spline unchanged
 
 
 def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, overwrite: bool) -> list[Path]:
-    """Write a clip, .toml, and return the files written, including the scene of a figure that is not shipped.
+    """Write a clip (.toml) and return the files written, including the scene of a figure that is not shipped.
 
-    note   the comment at its head
-    exact  its [solve] leaves the spline through its keyframes as it is
+    Args:
+        saved: The motion.
+        target: The file.
+        note: A comment for the first lines.
+        exact: Whether the [solve] table returns the spline through the keyframes unchanged.
+        overwrite: Whether to overwrite a different scene next to the clip.
     """
     check(target)
     if exact or not _follows_shipped(saved):
@@ -64,8 +68,10 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
 
 
 def standing_alone(saved: Saved) -> Saved:
-    """Return a motion that follows a recording as an independent clip: every frame is a complete keyframe, and the
-    recording is no longer referenced. Other motions are returned unchanged."""
+    """Return a motion that follows a recording as an independent clip, without a reference to the recording.
+
+    Every frame becomes a complete keyframe. Other motions are returned unchanged.
+    """
     table = table_of(saved.text, saved.name) if saved.text else None
     if table is None or table.recording is None:
         return saved
@@ -79,31 +85,31 @@ def standing_alone(saved: Saved) -> Saved:
 
 
 def _follows_shipped(saved: Saved) -> bool:
-    """Whether the recording that a motion follows, if any, is found from everywhere."""
+    """Return whether the recording that a motion follows, if any, is a shipped clip."""
     recording = table_of(saved.text, saved.name).recording if saved.text else None
     return recording is None or recording.file in models.clips()
 
 
 def searching(solve: SolveTable) -> SolveTable:
-    """Return a [solve] table for a search: without the keys that leave the spline as it is."""
+    """Return a [solve] table for a search: without the keys that return the spline unchanged."""
     is_spline = all(getattr(solve, key) == value for key, value in AS_SPLINE.items())
     return solve.without(*AS_SPLINE) if is_spline else solve
 
 
 def check(target: Path) -> None:
-    """Raises UserError unless a clip can be written there."""
+    """Raise UserError unless a clip can be written to the target."""
     if target.suffix != ".toml":
         raise UserError(f"{target}: a clip's name ends in .toml")
     check_target(target)
 
 
 def shipped_scene(scene: Scene) -> str:
-    """The shipped figure that a scene is, on the bare stage, or none."""
+    """Return the name of the shipped figure whose scene this is; "" for other scenes."""
     return next((name for name in models.figures() if compose(figure_spec(name)).mjcf == scene.mjcf), "")
 
 
 def _tells_scene(saved: Saved) -> bool:
-    """Whether the tables alone define the motion's scene; files that they refer to may be missing."""
+    """Return whether the tables alone define the motion's scene. Files to which they refer may be missing."""
     try:
         return scene_of(Parsed.of(saved.text, saved.name, saved.name)).mjcf == saved.mjcf
     except UserError:
@@ -111,10 +117,10 @@ def _tells_scene(saved: Saved) -> bool:
 
 
 def _solve_table(saved: Saved) -> SolveTable:
-    """The [solve] table of a motion's ends and coordinates."""
+    """Return the [solve] table of a motion's ends and coordinates."""
     return SolveTable.unchecked(coordinates=saved.figure.coordinates, **_ends(saved), **around(saved).given)
 
 
 def _ends(saved: Saved) -> dict[str, str]:
-    """The ends of a motion as a key of [solve]; none of ends that are held by other keyframes."""
+    """Return the ends of a motion as a key of [solve]; empty for ends that other keyframes hold."""
     return {"ends": saved.timeline.ends} if saved.timeline.ends != "held" else {}

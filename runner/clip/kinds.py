@@ -1,4 +1,4 @@
-"""The kinds of soft constraint in clip files, a record each: its parts with their weights, and its options.
+"""The kinds of soft constraint in clip files. Each has a record with its parts, their weights, and its options.
 
 A new kind is a class in the solver and a record here.
 """
@@ -63,19 +63,21 @@ from .contacts import moving_bodies
 from .context import Context
 from .table import Angle, Number, Real, Table
 
-HARD, HARD_TRAVEL = float(np.radians(0.05)), 5e-5  # [rad, m] that a keyframe may be beyond a hard range
-BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
-RAW_UNIT = 0.1  # of the raw spline's squared deviations from unit length, summed over joints, that are believed
-BODY = "collision.body"  # the term of the body's contacts with surfaces
+HARD, HARD_TRAVEL = float(np.radians(0.05)), 5e-5  # [rad], [m] tolerance of keyframes beyond a hard range
+BEND_BOUND = 8.0  # [degrees] default bound; the soft constraint then rarely exceeds 10°
+RAW_UNIT = 0.1  # [1] `most` of `UnitMagnitude`: limit of the raw spline's mean squared deviation, all joints together
+BODY = "collision.body"  # name of the term of the body's contacts with surfaces
 
 
 Weight = Annotated[Real, Field(ge=0, le=1e9)]
 
 
 class Options(Table):
-    """The options of a [[penalty]] table besides its kind. None: the default.
+    """The options of a [[penalty]] table besides its kind; None means the default.
 
-    weight  of the first part, which scales the other parts alike; or a table with weights of parts
+    Attributes:
+        weight: The weight of the first part, which scales the other parts in proportion; or a table of the parts'
+            weights.
     """
 
     weight: (
@@ -150,11 +152,12 @@ class CycleOptions(Options):
 class Part:
     """A term of E that a kind of soft constraint adds.
 
-    weight    default α in E
-    quantity  what it keeps small
-    build     from a clip's context and the options of its table; None if the clip has nothing to penalise
-    name      in a table of weights, and of the term: KIND.NAME. Empty for the only part of a kind
-    option    the option that switches it on; None: always on
+    Attributes:
+        weight: The default α in E.
+        quantity: The penalised quantity.
+        build: Returns the penalty for a clip's context and the options of its table; None if it does not apply.
+        name: The key in a table of weights; the term is KIND.NAME. Empty for the only part of a kind.
+        option: The option that switches it on; None: always on.
     """
 
     weight: float
@@ -168,7 +171,11 @@ class Part:
 class Kind:
     """A kind of soft constraint in clip files.
 
-    is_default  whether it is on in clips that do not list it
+    Attributes:
+        name: The name in clip files.
+        parts: The terms of E.
+        options: The schema of its table.
+        is_default: Whether it is on in clips that do not list it.
     """
 
     name: str
@@ -177,12 +184,12 @@ class Kind:
     is_default: bool = True
 
     def choices(self) -> dict[str, str]:
-        """The options besides the weight, with the unit or the values of each."""
+        """Return the options besides the weight, with their units or values."""
         fields = self.options.model_fields.items()
         return {name: info.description or "" for name, info in fields if name != "weight"}
 
     def described(self) -> dict[str, Any]:
-        """The kind, its parts and its options as plain tables."""
+        """Return the kind, its parts and its options as plain tables."""
         parts = [
             {
                 "part": part.name,
@@ -196,11 +203,11 @@ class Kind:
         return {"kind": self.name, "parts": parts, "options": self.choices()}
 
     def term(self, part: Part) -> str:
-        """The name of a part in E."""
+        """Return the name of a part in E."""
         return f"{self.name}.{part.name}" if part.name else self.name
 
     def weights(self, options: Options) -> dict[str, float]:
-        """The weights of all parts that are on, by the parts' names."""
+        """Return the weights of all active parts, by the parts' names."""
         weight, first = options.weight, self.parts[0].weight
         on = [part for part in self.parts if part.option is None or getattr(options, part.option)]
         if isinstance(weight, dict):
@@ -220,14 +227,18 @@ def _bend(context: Context, options: LimitOptions) -> Penalty | None:
 
 
 def bend_limits(bends: tuple[Bend, ...], options: LimitOptions) -> BendLimits:
-    """Limits of knees and elbows."""
+    """Return the limits of knees and elbows."""
     sideways, twist = options.sideways or BEND_BOUND, options.twist or BEND_BOUND
     least, sideways, twist = np.radians([options.least_bend or 0.0, sideways, twist])
     return BendLimits(bends, float(least), float(sideways), float(twist))
 
 
 def _body(context: Context, options: CollisionOptions) -> Penalty:
-    """The body's corners out of floors and steps, all of its skin out of surfaces that are round, thin or raised."""
+    """Return the penalty of the body in surfaces.
+
+    The body's corners are tested against floors and steps, and spheres that fill it against round, thin or raised
+    surfaces.
+    """
     figure, margin = context.figure, options.margin or 0.0
     ground = tuple(s for s in context.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
@@ -239,8 +250,10 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
 
 
 def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
-    """The figure's corners out of the objects that it holds. They are near its hands all the time, so that all of its
-    skin would take ten times as long."""
+    """Return the contacts of the figure's corners with the objects that it holds.
+
+    Spheres that fill the figure would take ten times as long, because these objects are always near its hands.
+    """
     points = context.exclude_grasped(body_points(context.figure))
     objects = [(link, surfaces_on(context.figure, link)) for link in context.grasped]
     return tuple(
@@ -257,7 +270,7 @@ def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
 def _contacts(
     context: Context, points: tuple[Point, ...], surfaces: tuple[Surface, ...], margin: float
 ) -> tuple[Contact, ...]:
-    """Points out of surfaces, without those of links that are bolted to a surface."""
+    """Return contacts of points with surfaces, except those of links that overlap a surface by design."""
     links = bolted_links(context.figure)
     groups: dict[frozenset[int], list[Surface]] = {}
     for surface in surfaces:
@@ -270,7 +283,7 @@ def _contacts(
 
 
 def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
-    """The links that are in a static geom by design, by the name that surfaces have for the geom."""
+    """Return the links that overlap a static geom by design, by the name of its surface."""
     links: dict[str, set[int]] = {}
     for body, geom in bolted(figure.model):
         links.setdefault(geom_name(figure.model, geom), set()).add(int(figure.body_link[body]))
@@ -296,11 +309,11 @@ def _no_slip(context: Context, options: Reach) -> Penalty | None:
 
 
 def _grounded(context: Context, options: Reach) -> Penalty | None:
-    """The lowest point of soles or body stays down between keyframes that are down, except in flights."""
+    """Return the penalty on the height of the lowest point between keyframes on the ground, except in flights."""
     if not context.points and not context.figure.tables.free_links.size:
         return None
     points, support = context.exclude_grasped((*context.points, *body_points(context.figure))), context.support
-    if support is not None:  # then there may be other free bodies
+    if support is not None:  # there may be other free bodies
         points = hanging(context.figure, support.root, points)
     aloft = () if support is None else support.flights
     figure, keys, surfaces = context.figure, context.keys, context.surfaces
@@ -311,7 +324,8 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:
-    """Closed loops [m²], and joints that follow others [rad² or m²]: a degree off counts like 17 mm."""
+    """Return the penalty of closed loops [m²] and coupled joints [rad² or m²]. An error of 1° costs as much as one of
+    17 mm."""
     loops, followers = closures(context.figure), couplings(context.figure)
     parts = list[Penalty]()
     if loops:
@@ -352,12 +366,12 @@ def _range(context: Context, options: LimitOptions) -> Penalty | None:
 
 
 def _inside(joint: Range) -> float:
-    """[rad, m] how far inside a hard range the search stays, so that little is left to move back."""
+    """Return the margin [rad, m] of the search inside a hard range, so that the final projection is small."""
     return min(0.005 if joint.kind is JointKind.SLIDE else np.radians(0.5), 0.05 * (joint.high - joint.low))
 
 
 def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
-    """Raises UserError for a keyframe that is beyond a hard range."""
+    """Raise UserError for a keyframe that is beyond a hard range."""
     allowed = JointRange(tuple(joints)).allowing(context.figure, context.keys).allowed
     assert allowed is not None, "of some joints"
     for joint, excess in zip(joints, allowed.excess.max(axis=0), strict=True):
@@ -400,9 +414,11 @@ def _bodies(context: Context, options: UprightOptions) -> Penalty | None:
 class Renamed:
     """A kind of older clip files.
 
-    kind, part  what it is now
-    options     new names of its options; without those that are gone
-    requires    options that are needed
+    Attributes:
+        kind: The present kind.
+        part: The present part.
+        options: New names of its options, without those that no longer exist.
+        requires: Options that the present kind needs.
     """
 
     kind: str

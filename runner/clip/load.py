@@ -1,8 +1,8 @@
 """A clip file (TOML, degrees, names) becomes a problem: figure, keyframes, soft constraints, settings.
 
-Three stages, each of which passes its result on: `parse` (text), `pose` (keyframes of a figure), `build` (problem).
-Also accepted as a clip: an MJCF file with <keyframe> elements, and a figure with an .npz of times and configurations.
-A solved motion leads to its clip as well. Nothing is solved here: see `recordings` for clips that follow others.
+The three stages are `parse` (text), `pose` (keyframes of a figure) and `build` (problem). Other inputs are an MJCF file
+with <keyframe> elements, a figure with an .npz of times and configurations, and a solved motion. Nothing is solved
+here; `recordings` loads clips that follow others.
 """
 
 from __future__ import annotations
@@ -47,13 +47,18 @@ def load(
     fps: float | None = None,
     unmet: list[str] | None = None,
 ) -> Clip:
-    """Return a clip by the name of a shipped one, of a TOML or MJCF file, or of a figure and an .npz of keyframes.
+    """Return the clip of a shipped name, of a TOML or MJCF file, or of a figure and an .npz of keyframes.
 
-    figure_file  where a TOML clip's figure is now, if not where the clip has it
-    unmet        gets a line for every place that no pose was found for, which is an error otherwise
+    Args:
+        source: The name or path.
+        model: The figure of `keys`.
+        keys: An .npz of keyframes.
+        figure_file: The present path of a TOML clip's figure, if it has moved.
+        fps: Samples per second [1/s] of outputs, instead of the clip's.
+        unmet: Receives a line for every unreachable position, which otherwise raises an error.
 
     Raises:
-        UserError: in one line that names the file, the keyframe and the key.
+        UserError: In one line with the file, the keyframe and the key.
     """
     if keys is not None or model is not None:
         if keys is None or model is None:
@@ -80,8 +85,12 @@ def from_text(
 ) -> Clip:
     """Return the clip of a TOML text, see `from_parsed`.
 
-    where   the name of the clip in errors
-    folder  start of relative paths
+    Args:
+        text: The text.
+        name: The name of the clip.
+        where: The label of the clip in errors; None: NAME.toml.
+        folder: The folder of relative paths.
+        fps: See `from_parsed`; also `spec`, `unmet` and `like`.
     """
     source = parse(text, name, where or f"{name}.toml", folder)
     return from_parsed(source, fps=fps, spec=spec, unmet=unmet, like=like)
@@ -99,14 +108,17 @@ def from_parsed(
 ) -> Clip:
     """Return the clip of a parsed text.
 
-    figure_file  where the figure is now, if not where the text has it
-    spec         the figure itself, whatever its name in the text
-    unmet        gets a line for every place that no pose was found for, which is an error otherwise
-    like         the clip that this one was edited from: its figure and scene are reused if the text has the same
-    recording    the motion that the text follows, if any
+    Args:
+        source: The parsed text.
+        figure_file: The present path of the figure, if it has moved.
+        fps: Samples per second [1/s] of outputs, instead of the clip's.
+        spec: The figure, instead of the one that the text names.
+        unmet: Receives a line for every unreachable position, which otherwise raises an error.
+        like: A clip from which this one was edited. Its figure and scene are reused if the text has the same.
+        recording: The motion that the text follows, if any.
 
     Raises:
-        UserError: in one line that names the clip, the keyframe and the key.
+        UserError: In one line with the clip, the keyframe and the key.
     """
     table, where = source.table, source.where
     if like is not None and _has_ground(like, table):
@@ -130,7 +142,7 @@ def scene_of(source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec
     """Return a clip's figure in its scene.
 
     Raises:
-        UserError: for a figure or obstacles that make no model, and for keyframes that name joints or <key>s it lacks.
+        UserError: For a figure or obstacles that do not compile, and for keyframes with unknown joints or <key>s.
     """
     table, where = source.table, source.where
     step = table.scene.step
@@ -155,7 +167,7 @@ def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
     """Return the figure of a scene.
 
     Raises:
-        UserError: for a model that the solver cannot move.
+        UserError: For a model that the solver does not support.
     """
     try:
         return Figure(scene.model(), coordinates)
@@ -164,7 +176,7 @@ def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
 
 
 def _has_ground(clip: Clip, table: ClipTable) -> bool:
-    """Whether a clip's text has the same figure in the same scene."""
+    """Return whether a clip's text has the same figure in the same scene."""
     if not clip.text:
         return False
     old = table_of(clip.text, clip.context.where)
@@ -177,9 +189,9 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
 
 
 def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) -> None:
-    """Raises UserError for a joint that the figure lacks, before its meshes are read, if it has any."""
+    """Raise UserError for an unknown joint before the figure's meshes are read."""
     if not (spec.meshes or spec.hfields or spec.skins):
-        return  # it is compiled in a moment
+        return  # compilation is fast and reports the joint
     names = spec_joint_names(spec)
     for number, row in enumerate(rows, start=1):
         for name in row.joints:
@@ -188,7 +200,7 @@ def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str
 
 
 def _model_keys(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) -> list[str]:
-    """The names of the model's <key> elements that keyframes refer to; raises UserError for one that it lacks."""
+    """Return the names of the model's <key> elements in keyframes. Raise UserError for unknown ones."""
     names, references = [key.name for key in spec.keys], dict[str, None]()
     for number, row in enumerate(rows, start=1):
         name = row.model_key
@@ -200,7 +212,7 @@ def _model_keys(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) 
 
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:
-    """An MJCF file whose <keyframe> elements, with their times, are the keyframes."""
+    """Return the clip of an MJCF file whose <keyframe> elements, with their times, are the keyframes."""
     try:
         spec = figure_spec(str(path))
     except UserError as error:
@@ -211,7 +223,7 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
 def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> Clip:
     """Return the clip of a model whose <keyframe> elements, with their times, are the keyframes."""
     try:
-        spec.assets = dict(taken_along(spec))  # MuJoCo 3.2.7 keeps meshes of such names
+        spec.assets = dict(taken_along(spec))  # MuJoCo 3.2.7 caches meshes by these names
     except UserError as error:
         raise UserError(_placed(error, where)) from None
     configurations = [np.array(key.qpos) for key in spec.keys]
@@ -228,7 +240,7 @@ def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> 
             at = called(i + 1, time[i])
             raise UserError(f"{where}: {at}: qpos has {values.size} numbers, not the figure's {model.nq}")
         if values.size:
-            qpos[i] = values  # as in the file: MuJoCo turns a zero quaternion into no rotation
+            qpos[i] = values  # the values in the file: MuJoCo replaces a zero quaternion by the identity
     try:
         scene = compose(spec, bare=model)
     except UserError as error:
@@ -237,7 +249,7 @@ def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> 
 
 
 def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
-    """A figure and an .npz with time (K,) and qpos (K, nq), or key_time and key_qpos, which win."""
+    """Return the clip of a figure and an .npz with key_time (K,) and key_qpos (K, nq), or else time and qpos."""
     arrays = read_arrays(keys)
     names = ("key_time", "key_qpos") if {"key_time", "key_qpos"} <= arrays.keys() else ("time", "qpos")
     for name in names:
@@ -254,17 +266,23 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
 
 
 def _placed(error: UserError, where: str) -> str:
-    """An error that names its place, once."""
+    """Return an error message with its label, once."""
     return str(error) if where in str(error) else f"{where}: {error}"
 
 
 def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, where: str) -> Clip:
-    """Return the clip of whole keyframes from arrays, time (K,) [s] and qpos (K, nq), everything else by default.
+    """Return the clip of complete keyframes from arrays, with defaults for everything else.
 
-    scene  figure and stage, complete
+    Args:
+        name: The name of the clip.
+        scene: The figure in its scene.
+        time: Times, (K,) [s].
+        qpos: Configurations, (K, nq).
+        fps: Samples per second [1/s] of outputs; None: the default.
+        where: The label in errors.
 
     Raises:
-        UserError: for arrays that do not fit the figure.
+        UserError: For arrays that do not fit the figure.
     """
     figure = figure_of(scene, where)
     if time.ndim != 1 or qpos.shape != (time.size, figure.width):
@@ -282,7 +300,7 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
 
 
 def load_motion(path: Path) -> Saved:
-    """Return a motion from its file, older kinds of penalty in its clip's text replaced by those that exist now."""
+    """Return a motion from its file, with older kinds of penalty in its clip's text replaced by present ones."""
     saved = read_motion(path)
     text = renewed(saved.text)
     return saved if text is saved.text else replace(saved, text=text)
@@ -291,22 +309,24 @@ def load_motion(path: Path) -> Saved:
 def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     """Return the clip that a saved motion solves, with the keyframes and the ends of the motion itself.
 
-    contacts  whether contacts and holds of its text still apply, and places that are left to the search
+    Args:
+        saved: The motion.
+        contacts: Whether contacts and holds of its text, and positions left to the search, still apply.
     """
     source, placed = Parsed.of(saved.text, saved.name, saved.name), list[Placed]()
     source = source.with_solve(solve_of(saved, source.table.solve), [key.time for key in saved.keys])
     if contacts:
         places = Places(saved.figure, soles_of(saved.figure, saved.keys))
         placed = [point for row in source.table.keyframe for point in wanted(places, row, saved.name).placed]
-    else:  # they are those of the clip that it was
+    else:  # the tables apply to the clip before its edits
         source = replace(source, table=source.table.model_copy(update={"contact": [], "hold": []}))
     return build(source, saved.scene, saved.figure, saved.keys, placed, saved.fps)
 
 
 def clip_from_motion(saved: Saved) -> Clip:
-    """Return the clip that a saved motion solves, with the contacts and the places of its text.
+    """Return the clip that a saved motion solves, with the contacts and positions of its text.
 
-    The contacts of a motion that is too far from them for any clip are kept for measuring.
+    Contacts that the motion misses by too much for a clip are stored for measurements only.
     """
     source = Parsed.of(saved.text, saved.name, saved.name)
     if source.table.recording is not None:
@@ -325,7 +345,7 @@ def clip_from_motion(saved: Saved) -> Clip:
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
-    """Return the same clip with other keyframes; contacts, gait and poses are inferred again."""
+    """Return the clip with other keyframes. Contacts, gait and poses are inferred again."""
     source = Parsed.of(clip.text, clip.name, clip.name)
     source = source.with_solve(source.table.solve, [key.time for key in keys])
     times = {key.time for key in keys}

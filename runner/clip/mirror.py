@@ -1,4 +1,5 @@
-"""Left and right exchanged in a clip's tables, in the notation of the file: angles stay angles, free stays free."""
+"""Left and right exchanged in a clip's tables, in the notation of the file: angles remain angles, "free" remains
+"free"."""
 
 from __future__ import annotations
 
@@ -42,12 +43,12 @@ Placed = TypeVar("Placed", bound=Table)
 Obstacle = TypeVar("Obstacle", BoxTable, SphereTable, BarTable)
 Turned = TypeVar("Turned", bound=RotationTable)
 
-NEAR = 0.02  # of a figure's size: how far a point may be from the image of its partner
+NEAR = 0.02  # [1] maximum distance of a point from the image of its partner, relative to the figure's size
 
 
 @dataclass(frozen=True)
 class _Sides:
-    """A figure's names, and what is on the other side of each."""
+    """A figure's names, and their counterparts on the other side."""
 
     places: Places
     mirror: Mirror
@@ -61,11 +62,10 @@ class _Sides:
         return self.places.figure
 
     def link(self, name: str) -> int:
-        """The link of this name."""
         return next(i for i, link in enumerate(self.figure.links) if i and link.name == name)
 
     def other(self, name: str) -> str:
-        """The site, foot, geom, body or joint on the other side; itself in the middle, or where the figure lacks it."""
+        """Return the site, foot, geom, body or joint on the other side, or the same name if there is none."""
         body, other = self.places.body(name), other_side(name)
         if body is None:
             return name
@@ -82,7 +82,7 @@ class _Sides:
         return counterpart
 
     def _nearest(self, name: str, names: list[str]) -> str | None:
-        """The name of the point nearest to a point's mirror image, on its partner link; None without any."""
+        """Return the name of the point nearest to a point's mirror image on its partner link; None if there is none."""
         point = self._point(name)
         partner, image = self.mirror.partner[point.link], self.mirror.reflection[point.link] @ point.position
         away = {
@@ -94,22 +94,22 @@ class _Sides:
         return best if best is not None and away[best] <= NEAR * self.mirror.size else None
 
     def _point(self, name: str) -> Point:
-        """A site, a foot, the middle of a geom or the origin of a body."""
+        """Return a site, a foot, the middle of a geom or the origin of a body."""
         point = self.places.point(name)
         assert point is not None
         return point
 
     def reflection(self, name: str) -> Array:
-        """(3, 3) from the frame of a body to that of the body on the other side."""
+        """Return the reflection (3, 3) from the frame of a body to that of the body on the other side."""
         body, other = self.places.body(name), self.places.body(self.other(name))
         return WORLD if body is None or other is None else self.mirror.of_bodies(body, other)
 
 
 def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTable:
-    """Return a clip's tables for the mirrored figure; step and obstacles, which have places, change sides as well.
+    """Return a clip's tables for the mirrored figure. Step and obstacles are mirrored as well.
 
     Raises:
-        UserError: for a clip without a mirror image.
+        UserError: For a clip without a mirror image.
     """
     for others in dict.fromkeys(row.others for row in clip.keyframe):
         _check_symmetric(others, figure, mirror)
@@ -133,14 +133,14 @@ def mirrored_keyframe(row: KeyframeTable, figure: Figure, mirror: Mirror) -> Key
     """Return one keyframe's table for the mirrored figure.
 
     Raises:
-        UserError: for a keyframe without a mirror image.
+        UserError: For a keyframe without a mirror image.
     """
     _check_symmetric(row.others, figure, mirror)
     return _keyframe(row, _Sides.of(figure, mirror))
 
 
 def _check_symmetric(others: str, figure: Figure, mirror: Mirror) -> None:
-    """Raises UserError where what a keyframe does not name is as in a pose that is not symmetric."""
+    """Raise UserError if unspecified joints come from a pose that is not symmetric."""
     if others != "rest" and not others.startswith(KEY):
         return
     qpos = figure.model.qpos0 if others == "rest" else figure.model.key(others.removeprefix(KEY)).qpos
@@ -150,7 +150,7 @@ def _check_symmetric(others: str, figure: Figure, mirror: Mirror) -> None:
 
 
 def _is_symmetric(qpos: Array, mirror: Mirror) -> bool:
-    """Whether a configuration (nq,) is the mirror image of itself."""
+    """Return whether a configuration (nq,) is its own mirror image."""
     image = mirror.configurations(qpos)
     for link in mirror.figure.links[1:]:
         columns = quaternion_columns(link)
@@ -160,7 +160,6 @@ def _is_symmetric(qpos: Array, mirror: Mirror) -> bool:
 
 
 def _scene(scene: SceneTable) -> SceneTable:
-    """The obstacles on the other side."""
     step = None if scene.step is None else scene.step.changed(y=0.0 - scene.step.y)
     return scene.changed(
         step=step,
@@ -177,17 +176,16 @@ def _obstacle(row: Obstacle, *places: str) -> Obstacle:
 
 
 def _solve(solve: SolveTable) -> SolveTable:
-    """The displacement of a loop on the other side."""
     return _placed(solve, "travel").changed(turn=None if solve.turn is None else 0.0 - solve.turn)
 
 
 def _placed(row: Placed, *names: str) -> Placed:
-    """A table with the places (3,) of some keys on the other side."""
+    """Return a table with the positions (3,) of some keys mirrored."""
     return row.changed(**{name: _signed(place, POLAR) for name in names if (place := getattr(row, name)) is not None})
 
 
 def _penalty(entry: PenaltyTable, sides: _Sides) -> PenaltyTable:
-    """A penalty for the points, joints and bodies of the other side, an axis of these in their frames there."""
+    """Return a penalty for the points, joints and bodies of the other side, with its axis in their frames."""
     options = dict(entry.options)
     for key in ("points", "bend_joints", "bodies"):
         if options.get(key):
@@ -215,20 +213,17 @@ def _keyframe(row: KeyframeTable, sides: _Sides) -> KeyframeTable:
 
 
 def _further_root(name: str, table: RootTable, sides: _Sides) -> tuple[str, RootTable]:
-    """The name and the table of another free joint."""
     link, mirror = sides.link(name), sides.mirror
     return sides.figure.links[mirror.partner[link]].name, _root(table, mirror.reflection[link])
 
 
 def _root(table: RootTable, reflection: Array) -> RootTable:
-    """The place of a free joint on the other side."""
     position = table.position if table.position == "free" else _signed(table.position, POLAR)
     rotation_ = table.rotation if table.rotation == "free" else _in_world(table.rotation, reflection)
     return table.changed(position=position, rotation=rotation_)
 
 
 def _body(table: BodyTable, reflection: Array) -> BodyTable:
-    """The rotation and the place of a body, or of a point in its frame, for the one on the other side."""
     at = None if table.at is None else tuple((reflection @ np.array(table.at)).tolist())
     return _placed(_in_world(table, reflection), "position").changed(at=at)
 
@@ -238,7 +233,6 @@ def _site(value: SiteTable | Axes) -> SiteTable | tuple[float | str, ...]:
 
 
 def _joint(name: str, value: RotationTable | float | str, sides: _Sides) -> tuple[str, RotationTable | float | str]:
-    """The entry of a joint, for its partner."""
     mirror, number = sides.mirror, sides.link(name)
     partner = sides.figure.links[mirror.partner[number]]
     if isinstance(value, RotationTable):
@@ -251,7 +245,7 @@ def _joint(name: str, value: RotationTable | float | str, sides: _Sides) -> tupl
 
 
 def _in_world(table: Turned, reflection: Array) -> Turned:
-    """A rotation R in the world as S R Mᵀ, for the reflection M of its frame."""
+    """Return a rotation R in the world as S R Mᵀ, for the reflection M of its frame."""
     if np.array_equal(reflection, WORLD) or not table.is_rotation:
         return _rotation(table)
     matrix = WORLD @ quat.matrices(quaternion_of(table)) @ reflection.T
@@ -259,7 +253,7 @@ def _in_world(table: Turned, reflection: Array) -> Turned:
 
 
 def _in_parent(table: RotationTable, reflection: Array) -> RotationTable:
-    """A ball joint's rotation: about an axis and by an angle that the reflection M of its frame takes to the other."""
+    """Return a ball joint's rotation about the reflected axis, for the reflection M of its frame."""
     if np.array_equal(reflection, WORLD):
         return _rotation(table)
     quaternion = quaternion_of(table)
@@ -271,7 +265,7 @@ def _with_rotation(table: Turned, quaternion: Array) -> Turned:
 
 
 def _rotation(table: Turned) -> Turned:
-    """A rotation vector and a quaternion by their entries, Euler angles by their axes."""
+    """Return a rotation mirrored in its notation, for frames aligned with the world."""
     signs = [AXIAL["xyz".index(letter)] for letter in table.order or "xyz"]
     return table.changed(
         rotvec=None if table.rotvec is None else _signed(table.rotvec, AXIAL),
@@ -282,5 +276,5 @@ def _rotation(table: Turned) -> Turned:
 
 
 def _signed(values: Sequence[float | str], signs: Sequence[float] | Array) -> tuple[float | str, ...]:
-    """Numbers with signs changed; "free" stays, and a zero has no sign."""
+    """Return numbers with changed signs; "free" is unchanged, and zero has no sign."""
     return tuple(x if isinstance(x, str) else float(sign) * x + 0.0 for x, sign in zip(values, signs, strict=True))

@@ -1,7 +1,7 @@
-"""Obstacles and objects of a clip's [scene]; an object rests where it was placed until a hand grasps it.
+"""Obstacles and objects of a clip's [scene]. An object stays where it was placed until a hand grasps it.
 
-A keyframe that does not place an object has it where the keyframe before has it, or the first ones where the first
-that places it does, unless a [[hold]] has carried it in between: then it is free whatever `others` is.
+A keyframe that does not place an object has it where the previous keyframe has it. The first keyframes have it where
+the first keyframe that places it does. If a [[hold]] moves it in between, it is free, whatever `others` is.
 """
 
 from __future__ import annotations
@@ -37,15 +37,15 @@ def _obstacle(kind: str, name: str, table: BoxTable | SphereTable | BarTable) ->
 
 
 def objects(scene: SceneTable) -> tuple[str, ...]:
-    """Return the names of the bodies that a scene's tables make."""
+    """Return the names of the bodies that a scene's tables define."""
     parts = (*scene.box, *scene.sphere, *scene.capsule, *scene.cylinder)
     return tuple(dict.fromkeys(part.body for part in parts if part.body is not None))
 
 
 def lying(table: ClipTable) -> list[KeyframeTable]:
-    """Return a clip's keyframes with the places of objects that nothing has moved since the keyframe before.
+    """Return a clip's keyframes with the positions of objects that nothing has moved since the previous keyframe.
 
-    In a clip that follows a recording the recording places them.
+    In a clip that follows a recording, the recording places them.
     """
     rows = list(table.keyframe)
     for name in objects(table.scene) if table.recording is None else ():
@@ -61,7 +61,7 @@ def lying(table: ClipTable) -> list[KeyframeTable]:
 
 
 def _first(table: ClipTable, name: str) -> RootTable:
-    """The initial position of an object: that of the first keyframe that places it, unless it is held before."""
+    """Return the initial position of an object: that of the first keyframe that places it, unless it is held before."""
     row = next((row for row in table.keyframe if name in row.roots), None)
     if row is None or _is_carried(table, name, table.keyframe[0].time, row.time):
         return FREE
@@ -69,6 +69,6 @@ def _first(table: ClipTable, name: str) -> RootTable:
 
 
 def _is_carried(table: ClipTable, name: str, first: float, last: float) -> bool:
-    """Whether something holds an object at a time between two."""
+    """Return whether an object is held at any time of an interval."""
     holds = (hold for hold in table.hold if hold.body == name)
     return any(max(hold.start, first) < min(hold.end, last) - ROUNDING for hold in holds)

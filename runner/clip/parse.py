@@ -28,13 +28,13 @@ from .tracking.penalties import WEIGHTS
 
 Tables = TypeVar("Tables", bound=Table)
 
-LONGEST_PANEL = 0.05  # [s] of Gauss's rule
-POINTS = 3  # of Gauss's rule in a panel: exact for fifth powers of time
-TOLERANCE = 1e-3  # relative progress of E at which a search ends
-FRAME_SECONDS = 0.1  # [s] a variable frame at least in the budget of a clip with long segments
-SHORTEST = 0.001  # [s] between neighbouring keyframes
-UNEVEN = 10_000  # largest ratio of adjacent distances between keyframes: the spline overshoots by as much
-LONGEST = 600.0  # [s] from the first keyframe to the last
+LONGEST_PANEL = 0.05  # [s] longest panel of Gauss's rule
+POINTS = 3  # nodes per panel of Gauss's rule, exact for polynomials of degree 5
+TOLERANCE = 1e-3  # [1] default progress relative to E at which a search ends
+FRAME_SECONDS = 0.1  # [s] of a clip per variable frame, the minimum of the default budget
+SHORTEST = 0.001  # [s] minimum distance of neighbouring keyframes
+UNEVEN = 10_000  # [1] maximum ratio of adjacent distances between keyframes; the spline overshoots in proportion
+LONGEST = 600.0  # [s] maximum duration
 
 EMPTY = "the clip is empty; it needs a figure and two [[keyframe]] tables"
 
@@ -43,11 +43,14 @@ EMPTY = "the clip is empty; it needs a figure and two [[keyframe]] tables"
 class Parsed:
     """A clip's text and its tables, validated as far as possible without its figure.
 
-    text      empty for a clip that has none: keyframes of an MJCF file or of arrays
-    where     the name of the clip in errors
-    folder    start of relative paths
-    options   of the kinds of soft constraint that are listed, by kind
-    settings  of the search
+    Attributes:
+        name: The name of the clip.
+        text: The TOML text; empty for keyframes of an MJCF file or of arrays.
+        where: The label of the clip in errors.
+        table: The tables.
+        options: The options of the listed kinds of soft constraint.
+        settings: The settings of the search.
+        folder: The folder of relative paths.
     """
 
     name: str
@@ -60,10 +63,10 @@ class Parsed:
 
     @classmethod
     def of(cls, text: str, name: str, where: str, folder: Path | None = None) -> Parsed:
-        """Return a text with its tables, of a saved motion too; without a text those of a clip that specifies nothing.
+        """Return a text with its tables, also of a saved motion. Without a text the tables are empty.
 
         Raises:
-            UserError: for a text that does not fit the tables.
+            UserError: For a text that does not fit the tables.
         """
         table = table_of(text, where) if text else ClipTable(figure="")
         settings = settings_of(table.solve, [row.time for row in table.keyframe], where)
@@ -79,7 +82,7 @@ def parse(text: str, name: str, where: str, folder: Path | None = None) -> Parse
     """Return a clip's text with its tables.
 
     Raises:
-        UserError: for tables that fit no figure.
+        UserError: For tables that fit no figure.
     """
     if not text:
         raise UserError(f"{where}: {EMPTY}")
@@ -95,7 +98,7 @@ def read(source: str) -> Parsed | Path:
     """Return a shipped clip or a TOML file, parsed, or the path of an MJCF file.
 
     Raises:
-        UserError: for a name of neither, and for a file that cannot be read.
+        UserError: For other names, and for a file that cannot be read.
     """
     if source in models.clips():
         return parse(models.clip_text(source), source, f"{source}.toml")
@@ -126,19 +129,19 @@ def _text_of(file: Path) -> str:
 
 @lru_cache(maxsize=4)
 def table_of(text: str, where: str) -> ClipTable:
-    """Return the tables of a clip's TOML text, the same ones for the same text: do not change them.
+    """Return the tables of a clip's TOML text. They are cached and shared, so callers must not change them.
 
     Raises:
-        UserError: for a text that does not fit the tables.
+        UserError: For a text that does not fit the tables.
     """
     return _tables(text, where, ClipTable)
 
 
 def file_of(source: Path, kind: type[Tables]) -> Tables:
-    """Return the tables of another TOML file: scene and contacts of a recording, a bone map.
+    """Return the tables of another TOML file: scene and contacts of a recording, or a bone map.
 
     Raises:
-        UserError: for a file that does not fit the tables.
+        UserError: For a file that does not fit the tables.
     """
     return _tables(_text_of(source), source.name, kind)
 
@@ -150,7 +153,7 @@ def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
         raise UserError(f"{where}: not valid TOML: {error}") from None
     except RecursionError:
         raise UserError(f"{where}: not valid TOML: nested too deeply") from None
-    except ValueError:  # what Python calls too many digits for an integer
+    except ValueError:  # Python's limit of digits in an integer
         raise UserError(f"{where}: not valid TOML: a number of thousands of digits") from None
     if kind is ClipTable and not raw:
         raise UserError(f"{where}: {EMPTY}")
@@ -163,7 +166,7 @@ def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
 
 
 def renewed(text: str) -> str:
-    """Return a clip's text with the kinds of penalty that older versions had replaced by those that exist now."""
+    """Return a clip's text with older kinds of penalty replaced by present ones."""
     try:
         raw = tomllib.loads(text)
         now = replaced(raw.get("penalty", []))
@@ -173,7 +176,7 @@ def renewed(text: str) -> str:
 
 
 def references(text: str) -> tuple[str | None, str | None]:
-    """Return the figure and the recording that a clip's TOML text names; None for each that it lacks."""
+    """Return the figure and the recording that a clip's TOML text names, or None for each."""
     try:
         raw = tomllib.loads(text)
     except (ValueError, RecursionError):
@@ -184,7 +187,7 @@ def references(text: str) -> tuple[str | None, str | None]:
 
 
 def _misplaced(table: ClipTable) -> Iterator[str]:
-    """A line on everything that only a clip without a recording can have."""
+    """Yield a line for every table or key that only a clip without a recording can have."""
     if table.hold:
         yield "[[hold]] is for clips of keyframes; one that follows a recording has none"
     if table.solve.model_fields_set - {"coordinates"}:
@@ -199,15 +202,15 @@ def _misplaced(table: ClipTable) -> Iterator[str]:
 
 
 def called(number: int, time: float) -> str:
-    """Return the name of a keyframe in errors, by its number from 1 on and its time [s]."""
+    """Return the label of a keyframe in errors, for its number from 1 on and its time [s]."""
     return f"keyframe {number} (t = {time:g} s)"
 
 
 def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
-    """Check that the times (K,) [s] of keyframes rise, by steps that are not too short or too uneven.
+    """Check that the times (K,) [s] of keyframes rise, by steps that are neither too short nor too uneven.
 
     Raises:
-        UserError: where they do not, and for fewer than `fewest` or more seconds than a report covers.
+        UserError: If they do not, or there are fewer than `fewest`, or the clip is too long.
     """
     if len(times) < fewest:
         raise UserError(f"{where}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
@@ -232,10 +235,10 @@ def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
 def settings_of(solve: SolveTable, times: Sequence[float], where: str) -> Settings:
     """Return the settings of the search for keyframes at times (K,) [s].
 
-    The default budget of variable frames is three a segment, or one a tenth of a second if that is more.
+    The default budget of variable frames is 3 per segment, or one per 0.1 s if that is more.
 
     Raises:
-        UserError: for an unknown criterion or optimiser, or too many samples.
+        UserError: For an unknown criterion or optimiser, or too many samples.
     """
     try:
         return _settings(solve, times)

@@ -33,8 +33,10 @@ from .table import ROTATION, KeyframeTable, RotationTable
 class Posed:
     """The keyframes of a clip, qpos (nq,) and mask each.
 
-    placed  points whose places are left to the search
-    missed  a line on each place that no pose was found for; there the keyframe is as near as possible
+    Attributes:
+        keys: The keyframes.
+        placed: Points whose positions the search determines.
+        missed: A line for each unreachable position; the keyframe is then as near as possible.
     """
 
     keys: list[Frame]
@@ -45,10 +47,13 @@ class Posed:
 def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None) -> Posed:
     """Return the keyframes of a clip.
 
-    base  returns qpos (nq,) at a time [s] for the unspecified degrees of freedom of keyframes that edit a recording
+    Args:
+        source: The parsed clip.
+        figure: The figure.
+        base: Returns qpos (nq,) at a time [s], for unspecified degrees of freedom of keyframes that edit a recording.
 
     Raises:
-        UserError: for tables that do not fit the figure.
+        UserError: For tables that do not fit the figure.
     """
     where, rows = source.where, lying(source.table)
     places = [f"{where}: {called(number, row.time)}" for number, row in enumerate(rows, start=1)]
@@ -62,7 +67,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
     stander, missed = stander_of(source, figure), list[str]()
     if any(want.goals for want in wants):
         for k, (row, want, here) in enumerate(zip(rows, wants, places, strict=True)):
-            partial = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # holds what is solved by now
+            partial = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # "hold" uses solved keyframes
             keys[k] = _based(partial, base)
             if want.goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
@@ -77,7 +82,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
 
 
 def stander_of(source: Parsed, figure: Figure) -> Stander:
-    """Return what poses the feet of a clip's partial keyframes."""
+    """Return the object that poses the feet of a clip's partial keyframes."""
     table, options = source.table, source.options
     return Stander(
         figure,
@@ -92,19 +97,19 @@ def stander_of(source: Parsed, figure: Figure) -> Stander:
 
 
 def _based(key: Frame, base: Callable[[float], Array] | None) -> Frame:
-    """A keyframe with its unspecified degrees of freedom as in what it edits."""
+    """Return a keyframe with its unspecified degrees of freedom as in the recording that it edits."""
     if base is None:
         return key
     return Frame(key.time, np.where(key.fixed, key.state, base(key.time)), key.fixed, ~key.fixed)
 
 
 def _later(key: Frame, base: Callable[[float], Array], by: int) -> Frame:
-    """A keyframe, or what it edits a second later or earlier."""
+    """Return a keyframe, or the pose of the recording `by` seconds later."""
     return key if not by else Frame.key(key.time + by, base(key.time))
 
 
 def _wanted(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]) -> list[Wanted]:
-    """The places in each keyframe; feet are inferred from the keyframes that fix every joint."""
+    """Return the target positions in each keyframe. Feet are inferred from complete keyframes."""
     places = Places(figure)
     if any(row.sites or row.bodies for row in rows):
         keys: list[Frame] = []
@@ -115,15 +120,15 @@ def _wanted(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str])
 
 
 def soles_of(figure: Figure, keys: Sequence[Frame]) -> tuple[Point, ...]:
-    """Return the sole points of a figure in its complete keyframes, of qpos (nq,)."""
+    """Return the sole points of a figure in its complete keyframes of qpos (nq,)."""
     whole = [key.state for key in keys if key.is_key]
     return sole_points(figure, np.reshape(whole, (-1, figure.width)))
 
 
 def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], where: str) -> Frame:
-    """The qpos and mask of a keyframe; unspecified degrees of freedom are free, at rest, or as in the keyframe before.
+    """Return the qpos and mask of a keyframe. Unspecified degrees of freedom are free, at rest, or as in `before`.
 
-    loose  links whose joints are free whatever `others` is
+    The joints of the links `loose` are free whatever `others` is.
     """
     qpos = np.array(figure.model.qpos0)
     fixed = np.full(figure.width, row.others == "rest" or row.model_key is not None)

@@ -34,14 +34,14 @@ from .posing.pose_report import floor_height, lifts, lowest_point, violations
 from .table import KEY, KeyframeTable, RotationTable
 from .text import keyframe_tables, rotation, tables, written
 
-APART = 0.5  # [s] between keyframes whose times do not rise
-STRAIGHT = 0.99  # share of a slide's travel along the axis that the comment names
-TOLD = 5e-4  # [m] above which a raised pose is reported
-MOVED = np.radians(40)  # how far the one joint goes that moves
-ROOM = 0.6  # of what a joint has to its bound, it goes at most so far
-FLEXED = 0.35  # of a figure's size, how far a slide goes at most
-DIGITS = 6  # of angles in degrees and of metres
-WIDE = 110
+APART = 0.5  # [s] distance of keyframes if the model's times do not rise
+STRAIGHT = 0.99  # [1] component of a slide's direction from which a comment names the axis
+TOLD = 5e-4  # [m] displacement above which a raised pose is reported
+MOVED = np.radians(40)  # [rad] rotation of the one joint that moves
+ROOM = 0.6  # [1] maximum motion of a joint, relative to the distance to its bound
+FLEXED = 0.35  # [1] maximum motion of a slide, relative to the figure's size
+DIGITS = 6  # decimal places of degrees and metres
+WIDE = 110  # characters per line of comments
 AT_REST = "Where these are in the first keyframe, in metres; in a keyframe such a line puts them somewhere:"
 ALL_COUNT = "Nothing of this model collides (contype, conaffinity): all of its geoms count as solid."
 NO_FEET = "nothing was found; name sites heel or toe, or give points"
@@ -68,9 +68,15 @@ PENALTIES = """\
 
 
 def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: None) -> str:
-    """The TOML text of a clip for a shipped figure or an MJCF file, to be written to a target; raises UserError.
+    """Return the TOML text of a clip for a shipped figure or an MJCF file.
 
-    tell  receives a note for each violation of the keyframes, and for each change; the text contains them too
+    Args:
+        source: The name or path of the figure.
+        target: The path to which the text will be written.
+        tell: Receives a note for each violation of the keyframes, and for each change. The text contains them too.
+
+    Raises:
+        UserError: The figure cannot be loaded.
     """
     with quietly():
         spec = figure_spec(source)
@@ -129,9 +135,9 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
 
 
 def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
-    """Times (K,) [s] and qpos (K, nq) of a model's own <keyframe> elements, K = 0 without any.
+    """Return times (K,) [s] and qpos (K, nq) of a model's own <keyframe> elements, K = 0 if there are none.
 
-    Where the times do not rise they are half a second apart.
+    If the times do not rise, they are replaced by steps of half a second.
     """
     configurations = [np.array(key.qpos) for key in spec.keys]
     try:
@@ -155,12 +161,12 @@ def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
 
 
 def _path(source: str, target: Path) -> str:
-    """A model's path as written in the clip: relative to the clip's folder."""
+    """Return a model's path relative to the clip's folder."""
     return Path(os.path.relpath(Path(source).resolve(), target.resolve().parent)).as_posix()
 
 
 def _within(figure: Figure) -> Array:
-    """The rest pose, (nq,), within the joints' ranges."""
+    """Return the rest pose (nq,) within the joints' ranges."""
     qpos = np.array(figure.model.qpos0)
     for joint in joint_ranges(figure):
         if joint.kind is not JointKind.BALL:
@@ -170,7 +176,7 @@ def _within(figure: Figure) -> Array:
 
 
 def _stood(figure: Figure, pose: Array, on_feet: bool) -> Array:
-    """A pose, (nq,), with a free figure's lowest point on the highest floor, and on top of its pedestal."""
+    """Return a pose (nq,) with a free figure's lowest point on the highest floor, and on top of its pedestal."""
     qpos, floor = np.array(pose), floor_height(figure.model)
     for root, column, up in lifts(figure):
         low = lowest_point(figure, qpos, root)
@@ -180,7 +186,7 @@ def _stood(figure: Figure, pose: Array, on_feet: bool) -> Array:
 
 
 def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array, list[str]]:
-    """A pose (nq,) moved onto the model's equality constraints where that is possible, with notes."""
+    """Return a pose (nq,) moved onto the model's equality constraints if possible, with notes."""
     gaps = equalities.open(qpos)
     if not gaps:
         return qpos, []
@@ -202,20 +208,20 @@ def _dofs(link: Link) -> slice:
 
 
 def _settled(figure: Figure, qpos: Array) -> Array:
-    """A pose (nq,) with the joints that follow others where these take them."""
+    """Return a pose (nq,) with coupled joints at the values that their drivers determine."""
     out = np.array(qpos)
     follow(figure, out, np.ones(figure.width, bool), lambda _: False)
     return out
 
 
 def _without_followers(figure: Figure, row: KeyframeTable) -> KeyframeTable:
-    """A keyframe without the joints that follow others, so that they stay right when it is edited."""
+    """Return a keyframe without coupled joints, so that they stay consistent when it is edited."""
     names = {coupling.name for coupling in couplings(figure)}
     return row.changed(joints={name: value for name, value in row.joints.items() if name not in names})
 
 
 def _raised(figure: Figure, qpos: Array) -> Array:
-    """A pose (nq,) with free parts raised out of the floor and on top of their pedestal."""
+    """Return a pose (nq,) with free parts raised out of the floor and on top of their pedestal."""
     out, floor = np.array(qpos), floor_height(figure.model)
     for root, column, up in lifts(figure):
         low = lowest_point(figure, out, root)
@@ -245,19 +251,19 @@ def _mount(figure: Figure, qpos: Array, root: int) -> None:
 
 
 def _depth(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> float:
-    """[m] of one geom in another."""
+    """Return the penetration depth of one geom in another [m]."""
     return -mujoco.mj_geomDistance(model, data, geom, solid, TOUCHING, None)
 
 
 def _top(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> float:
-    """[m] how high the box about a geom reaches."""
+    """Return the height of the top of a geom's bounding box [m]."""
     middle, half = np.split(model.geom_aabb[geom], 2)
     turn = data.geom_xmat[geom].reshape(3, 3)
     return float(data.geom_xpos[geom, 2] + turn[2] @ middle + np.abs(turn[2]) @ half)
 
 
 def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
-    """(n, K) [m] the lowest height of each point in poses (K, nq)."""
+    """Return the lowest height of each point in poses (K, nq), (n, K) [m]."""
     state = figure.to_state(qpos)
     links, positions, radii = arrays_of(points)
     places, _ = Samples.still(figure, state).links.points(links, positions)
@@ -265,7 +271,7 @@ def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
 
 
 def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:
-    """Two more keyframes: one joint moved, and back again."""
+    """Return two more keyframes: one joint moved, and moved back."""
     link, value = _telling(figure, qpos)
     back = _joint(link, qpos)
     if isinstance(back, RotationTable):
@@ -285,7 +291,6 @@ def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:
 
 
 def _joint(link: Link, qpos: Array) -> RotationTable | float:
-    """The entry of a joint in a keyframe."""
     columns = quaternion_columns(link)
     if columns is not None:
         return rotation(qpos[columns])
@@ -293,7 +298,6 @@ def _joint(link: Link, qpos: Array) -> RotationTable | float:
 
 
 def _loops(figure: Figure) -> set[int]:
-    """The links of closed loops."""
     path, links = figure.tables.path > 0, set()
     for closure in closures(figure):
         links |= set(np.flatnonzero(path[closure.one.link] != path[closure.two.link]).tolist())
@@ -301,7 +305,7 @@ def _loops(figure: Figure) -> set[int]:
 
 
 def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
-    """The joint that is seen best when it moves, but for those that carry half the figure, and where it goes to."""
+    """Return the joint whose motion is most visible, except those that carry half the figure, and its target value."""
     model, data = figure.model, mujoco.MjData(figure.model)
     after = {coupling.follower for coupling in couplings(figure)}
     loops = _loops(figure)
@@ -338,7 +342,7 @@ def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
 
 
 def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
-    """Possible values of a joint [rad or m], in either direction."""
+    """Return possible values of a joint [rad or m], in either direction."""
     if link.kind is JointKind.BALL:
         high = float(figure.model.jnt_range[link.joint].max()) if figure.model.jnt_limited[link.joint] else np.pi
         return [min(MOVED, ROOM * high), -min(MOVED, ROOM * high)]
@@ -351,7 +355,7 @@ def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
 
 
 def _shift(model: mujoco.MjModel, data: mujoco.MjData, before: Array, after: Array) -> float:
-    """[m] how far the farthest geom goes from one pose to another."""
+    """Return the largest displacement of a geom between two poses [m]."""
     places = []
     for qpos in (before, after):
         data.qpos[:] = qpos
@@ -361,7 +365,7 @@ def _shift(model: mujoco.MjModel, data: mujoco.MjData, before: Array, after: Arr
 
 
 def _size(figure: Figure, qpos: Array) -> float:
-    """[m] of a figure from end to end."""
+    """Return the extent of a figure [m]."""
     data = mujoco.MjData(figure.model)
     data.qpos[:] = qpos
     mujoco.mj_kinematics(figure.model, data)
@@ -370,7 +374,6 @@ def _size(figure: Figure, qpos: Array) -> float:
 
 
 def _rounded(value: Any) -> Any:
-    """Numbers of a table with as many digits as one would write."""
     if isinstance(value, dict):
         return {key: (entry if key == "rotvec" else _rounded(entry)) for key, entry in value.items()}
     if isinstance(value, list | tuple):
@@ -398,12 +401,10 @@ def _head(source: str, own: bool, count: int, raised: float, settled: float) -> 
 
 
 def _noted(notes: Sequence[str]) -> str:
-    """Notes, in comments."""
     return "\n".join(f"# {line}" for note in notes for line in textwrap.wrap(f"NOTE: {note}", WIDE))
 
 
 def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
-    """The names of the figure's parts, in comments."""
     model = figure.model
     lines = ["# Joints, as keyframes name them:"]
     for link in figure.links[1:]:
@@ -427,7 +428,7 @@ def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
 
 
 def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
-    """Positions of feet, sites and ends of other limbs in a pose (nq,), as in a keyframe, in comments."""
+    """Return comments with the positions of feet, sites and ends of other limbs in a pose (nq,)."""
     places = Places(figure, soles)
     names = [*(point.name for point in soles), *posable_sites(figure.model)]
     points = [point for name in dict.fromkeys(names) if (point := places.point(name)) is not None and point.link]
@@ -450,7 +451,7 @@ def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
 
 
 def _ends(figure: Figure) -> list[int]:
-    """The last body of every limb: hands, heads, tips of fingers."""
+    """Return the last body of every limb: hands, heads, tips of fingers."""
     carries = set(figure.tables.parents.tolist())
     return [link.body for i, link in enumerate(figure.links) if i and i not in carries]
 
@@ -472,7 +473,7 @@ def _joint_line(figure: Figure, link: Link) -> str:
 
 
 def _along(link: Link) -> str:
-    """The world axis that a slide moves along at rest, in words; empty if none."""
+    """Return the world axis of a slide at rest, in words; "" for an oblique axis."""
     direction = quat.rotated(link.turn, link.axis)
     axis = int(np.abs(direction).argmax())
     return f" along {'-' if direction[axis] < 0 else ''}{'xyz'[axis]}" if abs(direction[axis]) > STRAIGHT else ""

@@ -1,4 +1,4 @@
-"""The tables of a clip's file: their keys, the values of these, and what has to go together."""
+"""The tables of a clip's file: keys, values, and combinations of keys."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ Axis = Number | Literal["free"]
 Share = Annotated[Real, Field(ge=0, le=1)]
 Place = tuple[Number, Number, Number]
 Axes = tuple[Axis, Axis, Axis]
-KEY = "key:"  # before the name of a <key> of the model
+KEY = "key:"  # prefix of the name of a <key> of the model
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
-SHORTEST_BAR = 1e-4  # [m] from end to end
+SHORTEST_BAR = 1e-4  # [m] minimum distance of a bar's ends
 ModelKey = Annotated[str, Strict(), Field(pattern=f"^{KEY}.+")]
 
 
 class Table(BaseModel):
-    """Some keys of a clip's file, and no others."""
+    """A table of a clip's file, which accepts no other keys."""
 
     model_config = ConfigDict(extra="forbid", strict=False)
 
@@ -39,16 +39,16 @@ class Table(BaseModel):
 
     @property
     def given(self) -> Mapping[str, object]:
-        """The values of the keys that are not left out."""
+        """The values of the keys that are set."""
         return {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
 
     def changed(self, **values: object) -> Self:
-        """Return a copy with other values, unchecked; a key that is left out stays so unless its value changes."""
+        """Return a copy with other values, unchecked. An unset key stays unset unless its value changes."""
         changes = {k: v for k, v in values.items() if k in self.model_fields_set or v != getattr(self, k)}
         return self.model_copy(update=changes)
 
     def without(self, *names: str) -> Self:
-        """Return a copy that leaves keys out."""
+        """Return a copy with these keys unset."""
         fields = type(self).model_fields
         out = self.model_copy(update={name: fields[name].get_default(call_default_factory=True) for name in names})
         out.model_fields_set.difference_update(names)
@@ -56,7 +56,7 @@ class Table(BaseModel):
 
 
 class RotationTable(Table):
-    """A rotation in one of several notations, turned by a heading about the vertical."""
+    """A rotation in one of several notations, followed by a heading about the vertical."""
 
     rotvec: tuple[Number, Number, Number] | None = None
     euler: list[Number] | None = None
@@ -75,7 +75,7 @@ class RotationTable(Table):
         return self.heading is not None and self.model_fields_set.isdisjoint({"rotvec", "euler", "quat", "order"})
 
     def check_rotation(self) -> None:
-        """Raises ValueError unless it is one rotation."""
+        """Raise ValueError unless there is exactly one rotation."""
         notations = [name for name in ("rotvec", "euler", "quat") if getattr(self, name) is not None]
         if self.is_heading:
             return
@@ -94,7 +94,7 @@ class RotationTable(Table):
 
     @model_validator(mode="after")
     def check(self) -> Self:
-        """Raises ValueError for keys that do not go together."""
+        """Raise ValueError for an invalid combination of keys."""
         self.check_rotation()
         return self
 
@@ -122,7 +122,7 @@ class BodyTable(RotationTable):
 
     @model_validator(mode="after")
     def check(self) -> Self:
-        """Raises ValueError unless it has a position, is flat, or has a rotation."""
+        """Raise ValueError unless it has a position, is flat, or has a rotation."""
         if self.at is not None and self.position is None:
             raise ValueError("'at' is a point of the body; give its target as position = [x, y, z]")
         if self.flat is not None and self.is_rotation:
@@ -147,7 +147,7 @@ class KeyframeTable(Table):
 
     @property
     def model_key(self) -> str | None:
-        """The name of the model's <key> that the rest is as in, if it is."""
+        """The name of the model's <key> for unspecified joints, if any."""
         return self.others.removeprefix(KEY) if self.others.startswith(KEY) else None
 
 
@@ -170,13 +170,13 @@ class _ObstacleTable(Table):
     rotation: RotationTable | None = None
 
     def check_place(self) -> None:
-        """Raises ValueError for an obstacle without a place."""
+        """Raise ValueError for an obstacle without a position."""
         if self.position is None and self.body is None:
             raise ValueError("'position' is missing")
 
     @model_validator(mode="after")
     def check(self) -> Self:
-        """Raises ValueError for keys that do not go together."""
+        """Raise ValueError for an invalid combination of keys."""
         self.check_place()
         if self.mass is not None and self.body is None:
             raise ValueError("'mass' is for parts of a body that moves; name it by body = '...'")
@@ -237,17 +237,17 @@ class PenaltyTable(Table):
 
     @classmethod
     def of(cls, kind: str, **options: Any) -> PenaltyTable:
-        """A penalty table with the given entries."""
+        """Return a penalty table with these entries."""
         return cls.model_validate({"kind": kind, **options})
 
     @property
     def options(self) -> Mapping[str, Any]:
-        """The options by name, unchecked: `constraints.chosen` checks them."""
+        """The options by name, unchecked; `constraints.chosen` checks them."""
         return dict(self.model_extra or {})
 
 
 class ContactTable(Table):
-    """A point that rests, from one time to another [s]."""
+    """A point that rests in an interval [s]."""
 
     point: str
     start: Number = Field(alias="from")
@@ -256,12 +256,12 @@ class ContactTable(Table):
 
     @property
     def subject(self) -> str:
-        """The point or hand, which can be at one place at a time only."""
+        """The point, which can be at one position at a time only."""
         return self.point
 
 
 class HoldTable(Table):
-    """A site that keeps its position on a body between two times [s]."""
+    """A site that is fixed on a body in an interval [s]."""
 
     hand: str
     body: str
@@ -271,14 +271,15 @@ class HoldTable(Table):
 
     @property
     def subject(self) -> str:
-        """Holders that can grasp one object at a time."""
+        """The hand, which can hold one object at a time only."""
         return self.hand
 
 
 class StanceTable(Table):
-    """A stance that was inferred from a recording, in a motion's file: times [s], and the plane under the point.
+    """A stance inferred from a recording, in a motion's file: interval [s], and the plane below the point.
 
-    on  a point of the plane and its normal
+    Attributes:
+        on: A point of the plane and its normal, (6,).
     """
 
     point: str
@@ -288,7 +289,7 @@ class StanceTable(Table):
 
 
 class SolveTable(Table):
-    """Ends of the spline and settings of the search; None: chosen automatically."""
+    """End conditions of the spline and settings of the search; None: chosen automatically."""
 
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "clamped start", "clamped end", "periodic"] = "free"
@@ -306,13 +307,18 @@ class SolveTable(Table):
 
 
 class RecordingTable(Table):
-    """A motion that was recorded, which keyframes edit: what of it, when, and how much it counts.
+    """A recorded motion that keyframes edit.
 
-    file    a motion (.npz), a recording (.bvh, ...), a clip (.toml) or the name of one that ships
-    repeat  how often a loop comes
-    start, end  [s] what of it is used;  at  [s] when that begins in the clip;  speed  times as fast
-    times   [s, s] moments of the recording and when they come in the clip, in place of at and speed
-    weight  how much it counts;  blend  [s] before and after every keyframe, outside of which nothing is changed
+    Attributes:
+        file: A motion (.npz), a recording (.bvh, ...), a clip (.toml) or the name of a shipped clip.
+        repeat: The number of repetitions of a loop.
+        start: The start of the used part [s].
+        end: The end of the used part [s].
+        at: The time of this start in the clip [s].
+        speed: The speed factor.
+        times: Pairs of a time of the recording and of the clip [s], instead of `at` and `speed`.
+        weight: The factor on the weight of the recording [1].
+        blend: The time before and after every keyframe [s] outside which the recording is unchanged.
     """
 
     file: str
@@ -327,7 +333,7 @@ class RecordingTable(Table):
 
     @model_validator(mode="after")
     def check(self) -> Self:
-        """Raises ValueError for keys that do not go together."""
+        """Raise ValueError for an invalid combination of keys."""
         if self.times is not None and (self.at is not None or self.speed is not None):
             raise ValueError("give times, or at and speed, not both")
         moments = self.times or []
@@ -345,14 +351,14 @@ class SurroundingsTable(Table):
 
 
 class MapTable(Table):
-    """Bone map, by role: bodies of a figure, joints of a recording; "" for none."""
+    """A bone map by role: bodies of a figure, joints of a recording; "" for none."""
 
     figure: dict[str, str] = {}
     recording: dict[str, str] = {}
 
 
 class ClipTable(Table):
-    """All of a clip's file."""
+    """The whole file of a clip."""
 
     figure: str
     fps: Annotated[Real, Field(ge=0.01, le=1000)] = 30.0

@@ -1,4 +1,4 @@
-"""Errors of a clip's tables in terms of its file: the place, what is wrong there, and what belongs there."""
+"""Errors of a clip's tables in terms of its file: the place, the problem, and the expected value."""
 
 from __future__ import annotations
 
@@ -36,10 +36,13 @@ def describe(
     inside: tuple[int | str, ...] = (),
     root: type[Table] = ClipTable,
 ) -> str:
-    """Return a line on the first error of a validation: its place in the file and what belongs there.
+    """Return a line on the first error of a validation: its place in the file and the expected value.
 
-    inside  the location in `raw` of the table that was validated
-    root    the tables of the whole file
+    Args:
+        error: The error.
+        raw: The content of the file.
+        inside: The location in `raw` of the table that was validated.
+        root: The type of the whole file's table.
     """
     complaints = error.errors()
     telling = ("finite_number", "extra_forbidden")
@@ -68,9 +71,10 @@ def describe(
 
 
 def _walked(location: tuple[int | str, ...], raw: object) -> tuple[list[str], list[str], object]:
-    """The keys of an error's location, the numbered tables around it, and the value there.
+    """Return the keys of an error's location, the labels of numbered tables around it, and the value there.
 
-    pydantic's locations also contain the names of alternatives, unknown to users: a key is what the file has there.
+    Locations of pydantic also contain names of alternatives, which users do not know. Only keys of the file are
+    returned.
     """
     names: list[str] = []
     words: list[str] = []
@@ -95,7 +99,7 @@ def _walked(location: tuple[int | str, ...], raw: object) -> tuple[list[str], li
 
 
 def _role(words: list[str], names: list[str]) -> str:
-    """The kind of an entry by its key; joints are entries by name."""
+    """Return the kind of an entry by its key; joints are entries by name."""
     if words and words[0].startswith("penalty") and names and names[0] in _OF_PENALTIES:
         return _OF_PENALTIES[names[0]]
     if len(names) == 2 and names[0] in _NAMED:
@@ -112,7 +116,7 @@ def _role(words: list[str], names: list[str]) -> str:
 
 
 def _schema(words: list[str], names: list[str], root: type[Table]) -> type[Table]:
-    """The table that contains an unknown key."""
+    """Return the table that contains an unknown key."""
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][1]
     if names:
@@ -121,7 +125,7 @@ def _schema(words: list[str], names: list[str], root: type[Table]) -> type[Table
 
 
 def _shown(value: object) -> str:
-    """A value of the file as a message shows it: short."""
+    """Return a short form of a value for a message."""
     if isinstance(value, dict):
         return "a table"
     if isinstance(value, bool):

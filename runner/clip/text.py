@@ -16,18 +16,18 @@ from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_column
 
 from .table import ClipTable, KeyframeTable, RootTable, RotationTable, Table
 
-DIGITS = 9  # after the point, of angles in degrees: 1e-11 rad, more than conversions there and back keep
+DIGITS = 9  # decimal places of degrees, finer than the rounding of conversions (1e-11 rad)
 TomlTable = dict[str, Any]  # a table as a file has it, of keys that its reader checks
 BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def tables(table: Table) -> TomlTable:
-    """Return the keys of a table that are set, in the file's notation, including nested tables."""
+    """Return the set keys of a table, in the file's notation, including nested tables."""
     return table.model_dump(exclude_unset=True, by_alias=True)
 
 
 def written(clip: ClipTable | Mapping[str, object]) -> str:
-    """Return the TOML text of a clip, keyframes last; entries of a table inside a table stand on one line."""
+    """Return the TOML text of a clip, keyframes last. A table inside a table is on one line."""
     plain = tables(clip) if isinstance(clip, ClipTable) else clip
     head = [(key, value) for key, value in plain.items() if not _is_table(value)]
     blocks = ["\n".join(assignment(key, value) for key, value in head)]
@@ -44,7 +44,7 @@ def _is_table(value: object) -> bool:
 
 
 def _rows(row: Mapping[str, object]) -> list[str]:
-    """The lines of a table; each joint, site and body, and each part of the root, has a separate line."""
+    """Return the lines of a table. Each joint, site and body, and each part of the root, has a separate line."""
     lines = []
     for key, value in row.items():
         if key in ("root", "roots", "joints", "sites", "bodies") and isinstance(value, dict):
@@ -55,7 +55,7 @@ def _rows(row: Mapping[str, object]) -> list[str]:
 
 
 def assignment(key: str, value: object) -> str:
-    """KEY = VALUE in TOML."""
+    """Return KEY = VALUE in TOML."""
     return f"{_key(key)} = {_value(value)}"
 
 
@@ -80,7 +80,7 @@ def _value(value: object) -> str:
 
 
 def keyframe_tables(figure: Figure, keys: Sequence[Frame]) -> list[KeyframeTable]:
-    """Return the tables of keyframes, qpos and mask: rotations as rotation vectors, free entries left out."""
+    """Return the tables of keyframes, qpos and mask: rotations as rotation vectors, without free entries."""
     return [_keyframe(figure, key) for key in keys]
 
 
@@ -91,16 +91,15 @@ def rotation(quaternion: ArrayLike) -> RotationTable:
 
 
 def _angle(radians: float) -> float:
-    """Degrees without the noise of the conversion."""
     return round(float(np.degrees(radians)), DIGITS) + 0.0
 
 
 def _keyframe(figure: Figure, key: Frame) -> KeyframeTable:
-    """Unchecked: a state may exceed a file's limits, which loading reports."""
+    """Return the table of a keyframe, unchecked: a state may exceed a file's limits, which loading reports."""
     root: RootTable | None = None
     roots: dict[str, RootTable] = {}
     joints: dict[str, RotationTable | float] = {}
-    main_root = figure.root  # of several figures each is placed by its name
+    main_root = figure.root  # if there are several figures, each is placed by name
     first = None if main_root is None or main_root.is_ambiguous else figure.links[main_root.link]
     for link in figure.links[1:]:
         columns = quaternion_columns(link)

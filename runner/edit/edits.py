@@ -1,4 +1,4 @@
-"""Edits of saved motions, and of clips' tables: mirrored, retimed, trimmed, repeated, joined. They return new ones."""
+"""Edits of saved motions and of clips' tables: mirror, retime, trim, repeat, join. They return new objects."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ Span = tuple[float, float]  # [s]
 Row = TypeVar("Row", ContactTable, HoldTable)
 Edit = Callable[[ClipTable], ClipTable]
 
-FRAME_SECONDS = 0.025  # a variable frame of a transition, about: its ends leave no time to get out of the floor
-LEAST_FRAMES = 6
-TOLERANCE = 1e-5  # of E of a transition
+FRAME_SECONDS = 0.025  # [s] spacing of variable frames in a transition, short enough to avoid the floor near its ends
+LEAST_FRAMES = 6  # minimum number of variable frames in a transition
+TOLERANCE = 1e-5  # [1] tolerance of a transition's search, relative to E
 
 
 @contextmanager
 def _told(name: str) -> Iterator[None]:
-    """The reason why an edit of a motion is impossible, in one line with its name."""
+    """Raise errors of impossible edits as UserError in one line with the motion's name."""
     try:
         yield
     except (TimelineError, MirrorError) as error:
@@ -54,13 +54,13 @@ def _told(name: str) -> Iterator[None]:
 
 
 def mirror_of(found: Clip | Saved) -> Mirror:
-    """The mirror symmetry of a figure; raises UserError for a figure without left and right sides."""
+    """Return the mirror symmetry of a figure. Raises UserError for a figure without left and right sides."""
     with _told(found.name):
         return Mirror.of(found.figure)
 
 
 def mirrored(saved: Saved) -> Saved:
-    """Left and right exchanged, in the x-z plane; the scene stays."""
+    """Return the motion mirrored in the x-z plane, in the same scene."""
     mirror, saved = mirror_of(saved), standing_alone(saved)
     return replace(
         saved,
@@ -72,7 +72,7 @@ def mirrored(saved: Saved) -> Saved:
 
 
 def retimed(saved: Saved, speed: float) -> Saved:
-    """Played `speed` times as fast."""
+    """Return the motion at `speed` times the speed."""
     saved = standing_alone(saved)
     with _told(saved.name):
         timeline, raw = retime.retimed(saved.timeline, speed), retime.retimed(saved.raw, speed)
@@ -102,7 +102,6 @@ def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
 
 
 def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float) -> PenaltyTable:
-    """A penalty's table at another speed."""
     options = dict(penalty.options)
     if options.get("intervals"):
         options["intervals"] = [[later(first), later(last)] for first, last in options["intervals"]]
@@ -113,7 +112,7 @@ def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float)
 
 @dataclass(frozen=True)
 class Lasting:
-    """Contacts, holds and flights that a motion gets from another; flights None: at unknown times."""
+    """Contacts, holds and flights that a motion gets from another one; flights None: their times are unknown."""
 
     contacts: Sequence[ContactTable] = ()
     holds: Sequence[HoldTable] = ()
@@ -121,14 +120,14 @@ class Lasting:
 
 
 def check_interval(found: Clip | Saved, first: float, last: float) -> None:
-    """Raises UserError unless there is motion from `first` to `last` [s]."""
+    """Raise UserError unless the motion covers the interval from `first` to `last` [s]."""
     with _told(found.name):
         retime.check_interval((found.keys[0].time, found.keys[-1].time), first, last)
     check_times([first, last], found.name)
 
 
 def trimmed(saved: Saved, first: float, last: float) -> Saved:
-    """The part from `first` to `last` [s]; before is the raw spline through its keyframes."""
+    """Return the part from `first` to `last` [s], with the raw spline through its keyframes as `raw`."""
     check_interval(saved, first, last)
     saved = standing_alone(saved)
     timeline = retime.trimmed(saved.timeline, first, last)
@@ -139,7 +138,7 @@ def trimmed(saved: Saved, first: float, last: float) -> Saved:
 
 
 def repeated(saved: Saved, count: int) -> Saved:
-    """A loop played several times over."""
+    """Return a loop repeated several times."""
     if count == 1:
         return saved
     saved = standing_alone(saved)
@@ -168,7 +167,7 @@ def repeated(saved: Saved, count: int) -> Saved:
 
 
 def joined(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:
-    """The second motion from where the first ends, after a transition [s] that is solved as an in-between."""
+    """Return two motions in sequence, with a transition [s] that is solved as an in-between."""
     check_transition(transition)
     check_alike(before, after)
     before, after = standing_alone(before), standing_alone(after)
@@ -186,7 +185,7 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
         check_times([key.time for key in keys], "join")
     table, flown = _table(after), _flights(after)
     more = Lasting(
-        [row for row in _later(table.contact, shift) if row.position is None],  # a position has moved elsewhere
+        [row for row in _later(table.contact, shift) if row.position is None],  # specified positions no longer apply
         _later(table.hold, shift),
         None if flown is None else [(first + shift, last + shift) for first, last in flown],
     )
@@ -194,8 +193,10 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
 
 
 def _moved(figure: Figure, timeline: Timeline, key: Frame, place: join.Placement, shift: float) -> Frame:
-    """A keyframe of a motion that continues another: later, and rotated with its root. Free entries are as the motion
-    has them; where a rotated root was specified along single axes, its whole position is specified."""
+    """Return a keyframe of the second motion, shifted in time and rotated with its root.
+
+    Free entries are those of the motion. If single axes of a rotated root are fixed, its whole position becomes fixed.
+    """
     at = figure.to_qpos(path_of(timeline).at(np.array([key.time])))[0]
     fixed = key.fixed.copy()
     for columns in figure.tables.position_columns.T:
@@ -205,13 +206,13 @@ def _moved(figure: Figure, timeline: Timeline, key: Frame, place: join.Placement
 
 
 def check_transition(transition: float) -> None:
-    """Raises UserError for a transition [s] that takes no time, or too much."""
+    """Raise UserError for a transition [s] that is too short or too long."""
     if not SHORTEST <= transition <= LONGEST:
         raise UserError(f"a transition lasts {SHORTEST:g} to {LONGEST:g} s, not {transition:g}")
 
 
 def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, Frame], progress: Progress) -> Timeline:
-    """The in-between from the end of one timeline to the start of the other, weighed as in the first motion."""
+    """Return the in-between from the end of one timeline to the start of the other, with the first motion's weights."""
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = join.bridge(saved.figure, one, two, variable=count)
     text = _text(saved, _without_flights)
@@ -222,7 +223,7 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, F
 
 
 def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
-    """Raises UserError unless two motions are of one figure."""
+    """Raise UserError unless two motions are of one figure."""
     one, two = before.figure, after.figure
     names = [[link.name for link in figure.links[1:]] for figure in (one, two)]
     if names[0] != names[1]:
@@ -244,7 +245,7 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
 
 
 def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
-    """A motion with its report; `edit` is the reason why there was no search, where there was none."""
+    """Return a motion with its report; `edit` is the stop reason of motions without a search."""
     clip = clip_from_motion(saved)
     objective = clip.problem.plain_objective
     if clip.settings.renormalise:
@@ -256,13 +257,12 @@ def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
 
 
 def _key_on(figure: Figure, timeline: Timeline, number: int) -> Frame:
-    """A whole keyframe where a timeline has a frame."""
     frame = timeline.frames[number]
     return Frame.key(frame.time, figure.to_qpos(frame.state))
 
 
 def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: Lasting = Lasting()) -> Saved:
-    """A motion with free ends through other keyframes, before it the raw spline through them."""
+    """Return a motion with free ends and other keyframes, with the raw spline through these as `raw`."""
     raw = raw_timeline(saved.figure, list(keys))
     return replace(
         saved,
@@ -277,10 +277,10 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
 
 
 def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None, more: Lasting = Lasting()) -> str:
-    """The clip's text with other keyframes, its contacts, holds and flights, and more of them, cut to their time; no
-    flights where more exist at unknown times.
+    """Return the clip's text with other keyframes, and its contacts, holds and flights with those of `more`, cut to its
+    time.
 
-    solve  None: that of the clip with free ends
+    There are no flights if the times of those of `more` are unknown. With `solve` None the clip has free ends.
     """
     span = keys[0].time, keys[-1].time
 
@@ -297,7 +297,7 @@ def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None,
 
 
 def _flying(penalty: PenaltyTable, more: Sequence[Span] | None, span: Span) -> PenaltyTable:
-    """A penalty's table with more flights, if it lists flights, in a span [s]."""
+    """Return a penalty's table with more flights in a span [s], if it lists flights."""
     intervals = penalty.options.get("intervals")
     if intervals is None:
         return penalty
@@ -309,7 +309,6 @@ def _flying(penalty: PenaltyTable, more: Sequence[Span] | None, span: Span) -> P
 
 
 def _without_flights(clip: ClipTable) -> ClipTable:
-    """A clip's tables with the flights inferred from its keyframes."""
     return clip.changed(penalty=[_left_to_keyframes(row) for row in clip.penalty])
 
 
@@ -318,23 +317,22 @@ def _left_to_keyframes(penalty: PenaltyTable) -> PenaltyTable:
 
 
 def _flights(saved: Saved) -> list[Span] | None:
-    """The flights of a motion's text; None where they are inferred from its keyframes."""
+    """Return the flights of a motion's text; None if they are inferred from its keyframes."""
     listed = [row.options["intervals"] for row in _table(saved).penalty if row.options.get("intervals") is not None]
     return [(first, last) for intervals in listed for first, last in intervals] if any(listed) else None
 
 
 def _table(saved: Saved) -> ClipTable:
-    """The tables of a motion's text; without a text those of a clip that specifies nothing."""
+    """Return the tables of a motion's text; empty tables without a text."""
     return table_of(saved.text, saved.name) if saved.text else ClipTable(figure="")
 
 
 def _later(rows: Sequence[Row], shift: float) -> list[Row]:
-    """Contacts or holds a time [s] later."""
     return [row.changed(start=row.start + shift, end=row.end + shift) for row in rows]
 
 
 def _carried(contacts: Sequence[ContactTable], figure: Figure, seam: Seam, periods: int) -> list[ContactTable]:
-    """Contacts with their positions where a loop has them some periods later."""
+    """Return contacts with their positions some periods of a loop later."""
 
     def later(position: ArrayLike) -> tuple[float, ...]:
         return tuple(seam.moved_points(figure, np.array(position), periods).tolist())
@@ -343,11 +341,11 @@ def _carried(contacts: Sequence[ContactTable], figure: Figure, seam: Seam, perio
 
 
 def _cut(rows: Sequence[Row], first: float, last: float) -> list[Row]:
-    """The parts of contacts or holds between two times [s]."""
+    """Return the parts of contacts or holds between two times [s]."""
     cut = [row.changed(start=max(row.start, first), end=min(row.end, last)) for row in rows]
     return [row for row in cut if row.end - row.start >= SHORTEST]
 
 
 def _text(saved: Saved, edit: Edit) -> str:
-    """A motion's clip, edited; a motion that came from no clip has none."""
+    """Return a motion's clip text, edited; "" for a motion without one."""
     return written(edit(table_of(saved.text, saved.name))) if saved.text else ""

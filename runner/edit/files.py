@@ -1,4 +1,4 @@
-"""From files to an edit and back: motions or clips in, a new one out, never over what it came from unasked."""
+"""Edits of files: motions or clips in, a new one out. The source is overwritten only on request."""
 
 from __future__ import annotations
 
@@ -31,9 +31,13 @@ Violations = tuple[Violation, ...]
 
 @dataclass(frozen=True)
 class Edit:
-    """An edit: its verb for file names and reports, its effect on motions, and on a clip's tables if possible.
+    """An edit of files.
 
-    check  raises UserError for what cannot be done, before anything is solved
+    Attributes:
+        word: The verb for file names and reports.
+        motions: Edits motions.
+        clip: Edits a clip's tables; None if that is impossible.
+        check: Raises UserError for impossible edits, before anything is solved.
     """
 
     word: str
@@ -45,9 +49,9 @@ class Edit:
 def run(
     sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, fresh: bool = False, progress: Progress
 ) -> tuple[Path, Violations]:
-    """Apply an edit; return the target, a motion or by the ending .toml a clip, and the violations of a motion.
+    """Apply an edit; return the written motion or clip (.toml), and the violations of a motion.
 
-    fresh  clips are solved now, and not as they may have been before
+    With `fresh`, clips are solved even if their solution is cached.
     """
     direct = edit.clip is not None and not motion.is_motion(sources[0])
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
@@ -76,7 +80,7 @@ def run(
 
 
 def _is_sampled(found: Clip | Saved) -> bool:
-    """Whether keyframes are a recording's samples, which the user did not set and messages cannot refer to."""
+    """Return whether keyframes are samples of a recording, to which messages should not refer."""
     if isinstance(found, Clip):
         return found.has_recording
     follows = bool(found.text) and table_of(found.text, found.name).recording is not None
@@ -93,8 +97,10 @@ def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
 
 
 def _write_clip(table: ClipTable, source: str, target: Path) -> None:
-    """A clip's file made of another one's tables: the figure's path as seen from the new file. Raises UserError for
-    tables that are no clip, before anything is written."""
+    """Write a clip from another one's tables, with the figure's path relative to the new file.
+
+    Raises UserError for invalid tables before anything is written.
+    """
     if table.figure not in models.figures():
         figure = Path(source).parent / table.figure
         table = table.changed(figure=Path(os.path.relpath(figure, target.parent)).as_posix())
@@ -105,7 +111,7 @@ def _write_clip(table: ClipTable, source: str, target: Path) -> None:
 
 
 def mirrored() -> Edit:
-    """Left and right exchanged."""
+    """Return the edit that exchanges left and right."""
     return Edit(
         "mirrored",
         lambda saved, _: edits.mirrored(saved[0]),
@@ -115,7 +121,7 @@ def mirrored() -> Edit:
 
 
 def retimed(speed: float | None, duration: float | None) -> Edit:
-    """Faster, slower, or as long as is asked."""
+    """Return the edit that changes the speed or the duration."""
     if (speed is None) == (duration is None):
         raise UserError("give --speed, such as 1.5, or --duration, in seconds: one of them")
     for name, value in (("speed", speed), ("duration", duration)):
@@ -133,7 +139,7 @@ def retimed(speed: float | None, duration: float | None) -> Edit:
 
 
 def trimmed(first: float | None, last: float | None) -> Edit:
-    """Trim from one time to another; default: the motion's start or end."""
+    """Return the edit that trims from one time to another; default: the motion's start or end."""
     if first is None and last is None:
         raise UserError("give --from, --to, or both, in seconds")
 
@@ -149,7 +155,7 @@ def trimmed(first: float | None, last: float | None) -> Edit:
 
 
 def joined(transition: float) -> Edit:
-    """One after the other."""
+    """Return the edit that joins two motions."""
     edits.check_transition(transition)
 
     def both(saved: Sequence[Saved], progress: Progress) -> Saved:

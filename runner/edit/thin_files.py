@@ -22,15 +22,20 @@ from ..system.quantity import length
 from . import thinning
 from .thinning import ThinnedMotion
 
-ROUNDING = 1e-6  # of the bound, what a file's digits may add
+ROUNDING = 1e-6  # [1] tolerance of the bound for the rounding of numbers in a file
 
 
 @dataclass(frozen=True)
 class ToThin:
-    """A motion's file, and options that a file of another program may lack: figure, format, frame rate.
+    """A motion's file, and options that a file of another program may need.
 
-    fresh      a clip is solved now, and not as it may have been before
-    skip_rest  without the T-pose or rest pose before the motion
+    Attributes:
+        source: The file, or a shipped clip.
+        figure: The figure.
+        kind: The format.
+        fps: Samples per second [1/s].
+        fresh: Whether to solve a clip even if its solution is cached.
+        skip_rest: Whether to remove a T-pose or rest pose before the motion.
     """
 
     source: str
@@ -41,7 +46,7 @@ class ToThin:
     skip_rest: bool = False
 
     def read(self, progress: Progress) -> Saved:
-        """A saved motion as it is, a clip solved, any other file imported."""
+        """Return a saved motion, the solution of a clip, or an imported file."""
         return rest_pose_trim.told(self._read(progress), progress, skip=self.skip_rest)
 
     def _read(self, progress: Progress) -> Saved:
@@ -55,7 +60,7 @@ class ToThin:
 
 
 def bound(error: str, angle: float) -> tuple[float, float]:
-    """Metres and radians of the two options; raises UserError for invalid bounds."""
+    """Return the two options in metres and radians. Raises UserError for invalid bounds."""
     if not 0 < angle <= 180:
         raise UserError(f"--max-angle {angle:g}: give degrees, above 0 and up to 180")
     return length(error, "--max-error"), float(np.radians(angle))
@@ -71,10 +76,16 @@ def run(
     overwrite: bool,
     progress: Progress,
 ) -> Path:
-    """Thin a motion and write the result; a clip's file is read and solved again, and its deviations are reported.
+    """Thin a motion and write the result. A clip's file is read and solved again, to report its deviations.
 
-    solve  the solved motion keeps the bound, and not only the spline
-    exact  the clip's settings leave the spline as it is
+    Args:
+        recording: The input.
+        bound: The error bounds [m], [rad].
+        target: The output; None: SOURCE_thin.toml.
+        solve: Whether the bound applies to the solved motion, not only to the spline.
+        exact: Whether the clip's settings return the spline unchanged.
+        overwrite: Whether to overwrite an existing file.
+        progress: The receiver of reports.
     """
     if solve and exact:
         raise UserError("--solve bounds the solved motion, --exact writes a clip that is not searched: give one")
@@ -100,6 +111,6 @@ def run(
 
 
 def _as_solved(found: ThinnedMotion) -> str:
-    """The deviation of the motion that the clip's settings produce."""
+    """Return a line on the deviation of the motion that the clip's settings produce."""
     beyond = "; more than requested: use --solve to stay within it, or --exact to keep the spline"
     return f"solved with the clip's settings: {found.misses}{beyond if found.excess > 1 + ROUNDING else ''}"

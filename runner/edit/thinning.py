@@ -1,8 +1,8 @@
-"""`thin`: a recorded motion as few keyframes, with the error bound measured on the result.
+"""Thinning: a recorded motion reduced to few keyframes, with the error measured on the result.
 
-The in-between that has to keep the bound is the raw spline through the keyframes, or with `solve` the dynamic spline
-that the clip's own penalties make of them. The clip's settings are the ordinary ones, so that it is solved like any
-other when a keyframe is edited; how far that takes it from the recording is measured, too (`thin_files`).
+The bound applies to the raw spline through the keyframes, or with `solve` to the motion that the clip's penalties
+produce. The clip has ordinary settings, so that it is solved like any other after an edit. The deviation of that
+solution from the recording is also measured (`thin_files`).
 """
 
 from __future__ import annotations
@@ -30,18 +30,22 @@ from ..motion import Saved, save
 from ..system.output import check_target
 from ..system.progress import Progress
 
-RATE = 100.0  # instants a second, at least, that a motion between keyframes is looked at
-LOOSE = 4.0  # times the bound: what the spline keeps through keyframes of which the search is to make the rest
+RATE = 100.0  # [1/s] minimum sampling rate of a motion between keyframes
+LOOSE = 4.0  # [1] factor on the bound for the first selection of keyframes with `solve`, which the search refines
 
 
 @dataclass(frozen=True)
 class ThinnedMotion:
     """The result of thinning: the motion through the remaining keyframes, and its errors at the samples.
 
-    instants         how many there were
-    distance, angle  the largest misses [m, rad], each at its time [s]: of a body's origin, a site or a tip, of a link
-    slipped          the largest [m] of ends of limbs while they stand still
-    excess           the largest as a multiple of its bound; above 1, it is broken
+    Attributes:
+        motion: The motion.
+        instants: The number of samples.
+        distance: The largest error of a body's origin, a site or a tip [m].
+        angle: The largest error of a link [rad].
+        times: The times of both [s].
+        slipped: The largest error of ends of limbs while they are still [m].
+        excess: The largest error as a multiple of its bound; above 1 the bound is exceeded.
     """
 
     motion: Saved
@@ -59,7 +63,7 @@ class ThinnedMotion:
 
     @property
     def misses(self) -> str:
-        """The line's second half: how far it is off."""
+        """The second half of the line: the errors."""
         standing = f"; hands and feet that stand, {100 * self.slipped:.2g} cm" if self.slipped > 0 else ""
         return (
             f"at most {100 * self.distance.value:.3g} cm at {self.times[0]:.2f} s ({self.distance.name}), "
@@ -70,9 +74,9 @@ class ThinnedMotion:
 def thinned(
     saved: Saved, distance: float, angle: float, *, solve: bool = False, progress: Progress | None = None
 ) -> ThinnedMotion:
-    """A motion with the fewest keyframes found that keep it within `distance` [m] and `angle` [rad] of what it was.
+    """Return a motion with few keyframes that stays within `distance` [m] and `angle` [rad] of the original.
 
-    solve  the dynamic spline through the keyframes has to, and not only the raw one
+    With `solve` the bounds apply to the solved motion, not only to the raw spline.
     """
     progress, saved = progress or Progress(), clip_file.standing_alone(saved)
     recorded = recorded_of(saved, distance, angle)
@@ -96,7 +100,7 @@ def thinned(
 
 
 def measured(recorded: Recorded, motion: Saved) -> ThinnedMotion:
-    """The deviation of a motion from a recording."""
+    """Return the deviation of a motion from a recording."""
     worst = recorded.worst(motion.timeline)
     times = float(recorded.times[worst[0].instant]), float(recorded.times[worst[1].instant])
     slipped, excess = recorded.slipped(motion.timeline), float(recorded.excess(motion.timeline).max())
@@ -104,7 +108,8 @@ def measured(recorded: Recorded, motion: Saved) -> ThinnedMotion:
 
 
 def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
-    """The samples of a motion to compare with: a recording's samples, or a solved motion at RATE and its keyframes."""
+    """Return the samples of a motion for comparison: a recording's samples, or a solved motion at RATE and its
+    keyframes."""
     for value, what, example in ((distance, "metres", "0.02"), (angle, "radians", "0.1")):
         if not (np.isfinite(value) and value > 0):
             raise UserError(
@@ -131,7 +136,7 @@ def _instants(saved: Saved, keys: Array) -> Array:
 
 
 class _Text:
-    """A motion's clip text with other keyframes; none for a motion that came from no clip."""
+    """A motion's clip text with other keyframes; "" for a motion without one."""
 
     def __init__(self, saved: Saved) -> None:
         self.saved = saved
@@ -142,7 +147,7 @@ class _Text:
 
 
 def _with_keys(table: ClipTable, saved: Saved, keys: Sequence[Frame]) -> ClipTable:
-    """A clip's tables through other keyframes, with the contacts that are inside them."""
+    """Return a clip's tables with other keyframes, and the contacts within their time."""
     first, last = keys[0].time, keys[-1].time
     return table.changed(
         solve=clip_file.searching(table.solve).changed(**around(saved).given),
@@ -154,10 +159,9 @@ def _with_keys(table: ClipTable, saved: Saved, keys: Sequence[Frame]) -> ClipTab
 def write(
     found: ThinnedMotion, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False
 ) -> list[Path]:
-    """Write a thinned motion as a clip, .toml, or as a motion, .npz; return the files written.
+    """Write a thinned motion as a clip (.toml) or as a motion (.npz); return the files written.
 
-    exact  the clip's [solve] leaves the spline as it is
-    note   the comment at a clip's head, if it is to be another than the motion's line
+    With `exact` the clip's [solve] returns the spline unchanged. `note` replaces the comment at a clip's head.
     """
     check(target)
     saved = replace(found.motion, name=target.stem)
@@ -168,7 +172,7 @@ def write(
 
 
 def check(target: Path) -> None:
-    """Raises UserError unless a thinned motion can be written there."""
+    """Raise UserError unless a thinned motion can be written to the target."""
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: a thinned motion is written as a clip, .toml, or as a motion, .npz")
     check_target(target)

@@ -1,7 +1,7 @@
-"""A camera that follows the figure smoothly: where it looks from, for every image of the video.
+"""A camera that follows the figure smoothly: its position and direction for every video frame.
 
-x is forward, y left, z up. MuJoCo's free camera is meant: it looks along the azimuth (0 along +x, 90 along +y) and the
-elevation (negative is downward) at a point at a distance. Pure numpy; `stage` turns a `View` into MuJoCo's camera.
+x is forward, y left, z up. The values are those of MuJoCo's free camera. It looks at a point from a distance, along the
+azimuth (0 along +x, 90 along +y) and the elevation (negative is downward).
 """
 
 from __future__ import annotations
@@ -19,11 +19,12 @@ Array = NDArray[np.float64]
 class View:
     """One camera setting.
 
-    lookat     (3,) point in the middle of the image [m]
-    distance   from that point [m]
-    azimuth    [degrees]
-    elevation  [degrees]
-    fixed      a camera of the model to look through instead; the other entries are then unused
+    Attributes:
+        lookat: The point in the middle of the image, (3,) [m].
+        distance: The distance from this point [m].
+        azimuth: [degrees].
+        elevation: [degrees].
+        fixed: The name of a camera of the model, which is used instead of the other values.
     """
 
     lookat: tuple[float, float, float]
@@ -33,8 +34,7 @@ class View:
     fixed: str | None = None
 
 
-# Azimuth and elevation [degrees]. "side" stands at the figure's right, so forward goes from left to right; "left" on
-# its other side.
+# azimuth and elevation [degrees]; "side" is at the figure's right, so that forward is from left to right
 ANGLES: dict[str, tuple[float, float]] = {
     "side": (90.0, -8.0),
     "left": (-90.0, -8.0),
@@ -43,8 +43,8 @@ ANGLES: dict[str, tuple[float, float]] = {
     "back": (0.0, -10.0),
 }
 
-SMOOTHING_SECONDS = 0.5  # [s] over which a camera follows
-MARGIN = 1.06  # times the figure's extent that a picture shows
+SMOOTHING_SECONDS = 0.5  # [s] width of the smoothing of a camera's path
+MARGIN = 1.06  # [1] visible extent relative to the figure's
 
 
 def plan(
@@ -57,15 +57,17 @@ def plan(
     height: float = 1.8,
     cameras: Collection[str] = (),
 ) -> tuple[View, ...]:
-    """One setting an image, following the root along the floor without its jolts, at one distance that fits them all.
+    """Return one setting per video frame, which follow the root along the floor smoothly, at one distance for all.
 
-    root_path  (T, 3) the root's positions [m]; or (n, T, 3) for figures that share the camera, which follows their mean
-    fps        images a second
-    aspect     width / height of the image
-    view       "side", "left", "front", "three_quarter", "back", or one of `cameras`
-    fovy       the camera's vertical field of view [degrees]: the model's `visual/global/fovy`
-    height     of the figure [m]
-    cameras    names of the model's own cameras
+    Args:
+        root_path: The root's positions, (T, 3) [m]; or (n, T, 3) for figures that share the camera, which follows their
+            mean.
+        fps: Video frames per second [1/s].
+        aspect: Width / height of the image.
+        view: "side", "left", "front", "three_quarter", "back", or one of `cameras`.
+        fovy: The camera's vertical field of view [degrees], the model's `visual/global/fovy`.
+        height: The height of the figure [m].
+        cameras: Names of the model's cameras.
     """
     paths = _paths(root_path)
     if view in cameras:
@@ -87,7 +89,7 @@ def still(
     height: float = 1.8,
     cameras: Collection[str] = (),
 ) -> View:
-    """A fixed setting with the figure in view all along its path. Arguments as in `plan`."""
+    """Return a fixed setting that shows the figure along its whole path. The arguments are those of `plan`."""
     paths = _paths(root_path)
     if view in cameras:
         return _through(view)
@@ -99,12 +101,9 @@ def still(
 
 
 def smoothed(path: Array, fps: float, seconds: float = SMOOTHING_SECONDS) -> Array:
-    """A path through a Gaussian of this width (its standard deviation is half of it).
+    """Return a path (T, d) filtered by a Gaussian whose standard deviation is half of `seconds`.
 
-    Beyond its ends the path continues as its own point reflection, so a uniform motion is unchanged and the first
-    and last points stay where they are.
-
-    path  (T, d)
+    The path is continued at both ends by point reflection, so that uniform motion and both end points are unchanged.
     """
     sigma = seconds / 2 * fps
     reach = int(np.ceil(3 * sigma))
@@ -117,7 +116,7 @@ def smoothed(path: Array, fps: float, seconds: float = SMOOTHING_SECONDS) -> Arr
 
 
 def axes(azimuth: float, elevation: float) -> Array:
-    """(3, 3) rows: the camera's right, up and forward directions in the world. Angles in degrees."""
+    """Return the camera's right, up and forward directions in the world as rows (3, 3), for angles in degrees."""
     a, e = np.radians(azimuth), np.radians(elevation)
     right = np.array([np.sin(a), -np.cos(a), 0.0])
     forward = np.array([np.cos(a) * np.cos(e), np.sin(a) * np.cos(e), np.sin(e)])
@@ -125,7 +124,6 @@ def axes(azimuth: float, elevation: float) -> Array:
 
 
 def _paths(root_path: ArrayLike) -> Array:
-    """(n, T, 3) from (T, 3) or (n, T, 3)."""
     paths = np.asarray(root_path, dtype=np.float64)
     if paths.ndim == 2:
         paths = paths[None]
@@ -145,7 +143,7 @@ def _through(name: str) -> View:
 
 
 def _vertical(paths: Array, height: float) -> tuple[float, float]:
-    """Lowest and highest point to show [m]: from under the feet to over the head, and never far below the floor."""
+    """Return the lowest and highest visible z [m]: from below the feet to above the head, not far below the floor."""
     low, high = float(paths[..., 2].min()), float(paths[..., 2].max())
     floor = min(-0.05, low - 0.15 * height) if low > 0 else -np.inf
     return max(low - 0.58 * height, floor), high + 0.53 * height
@@ -156,7 +154,8 @@ def _middle(paths: Array, height: float) -> float:
 
 
 def _corners(paths: Array, height: float) -> Array:
-    """(T, 8 n, 3) corners of a box round every figure: an arm's reach to each side, from lowest to highest point."""
+    """Return the corners of a box around every figure, (T, 8 n, 3): an arm's reach to each side, lowest to highest
+    point."""
     low, high = _vertical(paths, height)
     reach = 0.4 * height
     boxes = [
@@ -169,7 +168,7 @@ def _corners(paths: Array, height: float) -> Array:
 
 
 def _distance(offsets: Array, aspect: float, azimuth: float, elevation: float, fovy: float) -> float:
-    """The shortest distance [m] at which all offsets (..., 3) from the look-at point are within the image."""
+    """Return the shortest distance [m] at which all offsets (..., 3) from the look-at point are within the image."""
     right, up, forward = np.moveaxis(offsets @ axes(azimuth, elevation).T, -1, 0)
     tan = np.tan(np.radians(fovy) / 2)
     needed = np.maximum(np.abs(right) / (tan * aspect), np.abs(up) / tan) * MARGIN - forward

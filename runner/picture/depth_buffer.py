@@ -1,4 +1,4 @@
-"""Triangles seen from a camera or a light: which is nearest in every pixel, and at what depth."""
+"""The nearest triangle in every pixel, and its depth, seen from a camera or a light."""
 
 from __future__ import annotations
 
@@ -10,17 +10,19 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Ints = NDArray[np.intp]
 
-AT_ONCE = 20_000  # faces whose pixels are in memory at a time
+AT_ONCE = 20_000  # faces whose pixels are in memory at once
 
 
 class Eye(NamedTuple):
     """A perspective projection, of a camera or a light.
 
-    position       (3,)    [m]
-    axes           (3, 3)  rows right, down, forward
-    focus          [pixels] from the middle, of a ray at 45 degrees
-    width, height  [pixels]
-    near           [m] nearest depth that is seen
+    Attributes:
+        position: (3,) [m].
+        axes: Rows right, down, forward, (3, 3).
+        focus: The distance from the middle of a ray at 45 degrees [pixels].
+        width: [pixels].
+        height: [pixels].
+        near: The smallest visible depth [m].
     """
 
     position: Array
@@ -31,23 +33,23 @@ class Eye(NamedTuple):
     near: float
 
     def project(self, points: Array) -> Array:
-        """(..., 3) pixels from the left and from the top, both times the depth, and the depth [m]."""
+        """Return pixels from the left and from the top, both times the depth, and the depth [m], (..., 3)."""
         out = (points - self.position) @ self.axes.T
         out[..., 0] = out[..., 0] * self.focus + out[..., 2] * (self.width / 2)
         out[..., 1] = out[..., 1] * self.focus + out[..., 2] * (self.height / 2)
         return out
 
     def rays(self, x: Array, y: Array) -> Array:
-        """(n, 3) directions through pixels, one unit deep each."""
+        """Return directions through pixels, with unit depth, (n, 3)."""
         across, down = (x - self.width / 2) / self.focus, (y - self.height / 2) / self.focus
         return np.stack([across, down, np.ones_like(across)], axis=-1) @ self.axes
 
 
 class Faces:
-    """Triangles as an eye sees them: (m, 3) line functions of their edges and of 1 / depth, in pixels."""
+    """Triangles in a projection: linear functions (m, 3) of pixels for their edges and for 1 / depth."""
 
     def __init__(self, eye: Eye, points: Array) -> None:
-        """points (m, 3, 3) counterclockwise from outside; those that look away from the eye are hidden."""
+        """Project points (m, 3, 3), counterclockwise from outside. Back faces are hidden."""
         corners = eye.project(points)
         edges = np.cross(np.roll(corners, -2, axis=1), np.roll(corners, -1, axis=1))
         volume = np.einsum("mi,mi->m", corners[:, 0], edges[:, 0])
@@ -58,12 +60,12 @@ class Faces:
         self._size = np.array([eye.width, eye.height])
 
     def weights(self, face: Ints, x: Array, y: Array) -> Array:
-        """(n, 3) shares of the corners at pixels on faces."""
+        """Return barycentric coordinates at pixels on faces, (n, 3)."""
         out = self.edges[face] @ np.stack([x, y, np.ones_like(x)], axis=-1)[..., None]
         return out[..., 0] / out.sum(axis=1)
 
     def cover(self, at: Array) -> tuple[Array, Ints]:
-        """(h, w) 1 / depth and number of the nearest face at a place (2,) in every pixel; 0 and -1 for none."""
+        """Return 1 / depth and index of the nearest face at an offset (2,) in every pixel, (h, w); else 0 and −1."""
         width, height = self._size
         nearest, winner = np.zeros(width * height), np.full(width * height, -1)
         low = np.clip(np.ceil(self._low - at), 0, self._size).astype(int)
@@ -95,7 +97,7 @@ class Faces:
 
 
 def _extent(corners: Array, near: float) -> tuple[Array, Array]:
-    """(m, 2) each: least and greatest pixels of triangles, of their part in front of the near plane."""
+    """Return the smallest and largest pixels of triangles in front of the near plane, (m, 2) each."""
     with np.errstate(divide="ignore", invalid="ignore"):
         places = np.where(corners[..., 2:] > near, corners[..., :2] / corners[..., 2:], np.nan)
         crossing = np.flatnonzero(np.isnan(places).any(axis=(1, 2)))
@@ -110,7 +112,7 @@ def _extent(corners: Array, near: float) -> tuple[Array, Array]:
 
 
 def _runs(lengths: Ints) -> tuple[Ints, Ints]:
-    """Index of the run and place in it, for every item of runs of these lengths (none where negative)."""
+    """Return the index of the run and the position in it, for every item of runs of these lengths."""
     lengths = np.maximum(lengths, 0)
     run = np.repeat(np.arange(len(lengths)), lengths)
     return run, np.arange(len(run)) - np.repeat(np.cumsum(lengths) - lengths, lengths)

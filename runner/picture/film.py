@@ -1,8 +1,8 @@
-"""Video frames into a video, an animated GIF or a contact sheet; the ending of the target selects which.
+"""Video frames into a video, an animated GIF or a contact sheet, selected by the extension of the target.
 
-Images stream through: the clip is never in memory. A file appears under its name only when it is complete. Video is
-converted to and tagged as BT.709, so that players show the colours that were drawn, and encoded by one thread, so that
-equal images give equal bytes; not by the thread that draws, so that the next image is drawn meanwhile.
+Frames are streamed, so the clip is never in memory, and a file gets its name only when it is complete. Video is tagged
+as BT.709, so that players show the same colours. One thread encodes, so that equal frames result in equal bytes. It is
+not the drawing thread, so that the next frame is drawn meanwhile.
 """
 
 from __future__ import annotations
@@ -34,22 +34,22 @@ Picture = NDArray[np.uint8]
 Writer = Callable[[Path, Iterator[Picture], float], None]
 Item = TypeVar("Item")
 
-MOST_WAITING = 2  # images drawn and not yet encoded
-SHEET_PICTURES = 12
-SHEET_TILE = 480  # [pixels] of a contact sheet's images
-SHEET_MARGIN = 8  # [pixels] between them
-GIF_FPS = 50  # browsers slow a GIF down when its images are shorter than 0.02 s
+MOST_WAITING = 2  # maximum number of frames that wait for the encoder
+SHEET_PICTURES = 12  # maximum number of frames on a contact sheet
+SHEET_TILE = 480  # [pixels] longer side of a frame on a contact sheet
+SHEET_MARGIN = 8  # [pixels] between frames on a contact sheet
+GIF_FPS = 50  # [1/s] maximum rate of a GIF; browsers slow down faster ones
 
-_BT709 = 1  # the number that H.273 gives to BT.709, for primaries, transfer and matrix alike
+_BT709 = 1  # H.273's code of BT.709, for primaries, transfer and matrix
 _TV_RANGE = 1  # AVCOL_RANGE_MPEG
 
 
 class FilmError(UserError):
-    """The target or the frames cannot become a film; the message is one line with the remedy."""
+    """The target or the frames are invalid; the message is one line with the remedy."""
 
 
 def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
-    """Raise a FilmError if `write` could not write images of this size [pixels] there; writes nothing itself."""
+    """Raise a FilmError if `write` could not write frames of this size [pixels] to a path. Writes nothing."""
     target = Path(path)
     if target.suffix.lower() not in _WRITERS:
         raise FilmError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(_WRITERS)}")
@@ -67,12 +67,14 @@ def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
 
 
 def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float) -> None:
-    """Write the images to a file of the kind its ending names: .mp4, .webm, .gif, or .png for a contact sheet.
-
-    images  each (H, W, 3), all of one size
-    fps     images a second
+    """Write frames to a file: .mp4, .webm, .gif, or .png for a contact sheet.
 
     On failure, an existing file is unchanged and no temporary file remains.
+
+    Args:
+        path: The file.
+        images: Frames, each (H, W, 3), all of one size.
+        fps: Frames per second [1/s].
     """
     if not (math.isfinite(fps) and fps > 0):
         raise FilmError(f"{path}: {fps} images a second; it must be a positive number")
@@ -112,17 +114,16 @@ def _checked(target: Path, images: Iterable[Picture], shape: tuple[int, ...]) ->
 
 
 def _write_mp4(path: Path, images: Iterator[Picture], fps: float) -> None:
-    """H.264; the index stands at the front of the file, so a browser starts before it has all of it.
+    """Write H.264 with the index at the front of the file, so that a browser can start before it is loaded.
 
-    Without x264's macroblock tree: at widths such as 848 or 960 pixels its assembly reads uninitialised memory, and
-    equal images give other bytes. The tree would spare 3 to 10 % of a file of this quality.
+    x264's macroblock tree is disabled: at widths such as 848 or 960 pixels its assembly reads uninitialised memory, and
+    equal frames result in different bytes. The tree would save 3 to 10 % of the size.
     """
     codec = {"preset": "medium", "crf": "20", "mbtree": "0"}
     _encode(path, images, fps, "libx264", codec, {"movflags": "+faststart"})
 
 
 def _write_webm(path: Path, images: Iterator[Picture], fps: float) -> None:
-    """VP9 of constant quality."""
     codec = {"crf": "24", "b:v": "0", "deadline": "good", "cpu-used": "4", "row-mt": "0"}
     _encode(path, images, fps, "libvpx-vp9", codec, {})
 
@@ -135,7 +136,7 @@ def _encode(
     codec_options: dict[str, str],
     container_options: dict[str, str],
 ) -> None:
-    """Encode as yuv420p, BT.709 throughout."""
+    """Encode as yuv420p with BT.709."""
     import av
 
     rate = Fraction(fps).limit_denominator(65535)
@@ -158,7 +159,7 @@ def _encode(
 
 
 def _frames(images: Iterable[Picture], tick: Fraction) -> Iterator[av.VideoFrame]:
-    """The frames with their times, as copies, so that a renderer may reuse its buffer."""
+    """Yield the frames with their times, as copies, so that a renderer may reuse its buffer."""
     import av
 
     for index, image in enumerate(images):
@@ -168,7 +169,7 @@ def _frames(images: Iterable[Picture], tick: Fraction) -> Iterator[av.VideoFrame
 
 
 def _in_a_thread(work: Callable[[Item], None], items: Iterable[Item]) -> None:
-    """`work` on one item after the other while the next ones are made; an error of either ends both."""
+    """Run `work` on the items in another thread, while the next ones are made. An error of either ends both."""
     with ThreadPoolExecutor(1, "encoder") as thread:
         waiting: deque[Future[None]] = deque()
         for item in items:
@@ -180,9 +181,9 @@ def _in_a_thread(work: Callable[[Item], None], items: Iterable[Item]) -> None:
 
 
 def _write_gif(path: Path, images: Iterator[Picture], fps: float) -> None:
-    """A GIF with the one palette that suits the whole clip: still parts stay still, and the file stays small.
+    """Write a GIF with one palette for the whole clip, so that still parts stay still and the file is small.
 
-    The palette is known only at the end, so the images wait in a lossless file, not in memory.
+    The palette is known only at the end, so the frames are stored in a lossless file, not in memory.
     """
     step = math.ceil(fps / GIF_FPS - 1e-9)
     rate = Fraction(fps).limit_denominator(65535) / step
@@ -192,7 +193,7 @@ def _write_gif(path: Path, images: Iterator[Picture], fps: float) -> None:
 
 
 def _store(path: Path, images: Iterator[Picture], rate: Fraction) -> av.VideoFrame:
-    """Put the images into a lossless file; return the palette they share."""
+    """Write the frames to a lossless file, and return their palette."""
     import av.filter
 
     first = next(images)
@@ -215,7 +216,7 @@ def _store(path: Path, images: Iterator[Picture], rate: Fraction) -> av.VideoFra
 
 
 def _paint(path: Path, waiting: Path, palette: av.VideoFrame, rate: Fraction) -> None:
-    """Reduce the waiting images to the palette, one at a time, into a GIF that repeats for ever."""
+    """Convert the stored frames to the palette, one at a time, into a GIF that repeats forever."""
     import av.filter
 
     with av.open(str(waiting)) as source, av.open(str(path), "w", format="gif") as container:
@@ -246,7 +247,6 @@ def _paint(path: Path, waiting: Path, palette: av.VideoFrame, rate: Fraction) ->
 
 
 def _drain(graph: av.filter.Graph, stream: VideoStream, container: OutputContainer) -> None:
-    """Encode every picture that the filters have ready."""
     while True:
         try:
             picture = graph.vpull()
@@ -256,7 +256,7 @@ def _drain(graph: av.filter.Graph, stream: VideoStream, container: OutputContain
 
 
 def _write_sheet(path: Path, images: Iterator[Picture], fps: float) -> None:
-    """A contact sheet; a single image is written as it is."""
+    """Write a contact sheet, or a single frame."""
     first = next(images)
     second = next(images, None)
     sheet = first if second is None else _grid([_tile(image) for image in chain([first, second], images)])
@@ -264,24 +264,24 @@ def _write_sheet(path: Path, images: Iterator[Picture], fps: float) -> None:
 
 
 def sheet_picks(count: int) -> list[int]:
-    """The indices of the frames on a contact sheet: up to twelve, evenly spaced, with the first and the last."""
+    """Return the indices of the frames on a contact sheet: up to twelve, evenly spaced, with the first and the last."""
     return np.linspace(0, count - 1, min(count, SHEET_PICTURES)).round().astype(int).tolist()
 
 
 def _tile(image: Picture) -> Picture:
-    """The image no larger than a tile of the sheet."""
+    """Return a frame reduced to the size of a tile."""
     height, width = image.shape[:2]
     scale = SHEET_TILE / max(height, width)
     if scale >= 1:
         return image
     size = max(1, round(width * scale)), max(1, round(height * scale))
-    if (width, height) == (2 * size[0], 2 * size[1]):  # as `show.for_tiles` has it drawn: quicker, and as smooth
+    if (width, height) == (2 * size[0], 2 * size[1]):  # the size of `show.for_tiles`; this is faster and as smooth
         return np.asarray(Image.fromarray(image).reduce(2))
     return np.asarray(Image.fromarray(image).resize(size, Image.Resampling.LANCZOS))
 
 
 def _grid(tiles: list[Picture]) -> Picture:
-    """The tiles, in reading order, on white; columns such that the sheet is about as wide as a screen."""
+    """Return the tiles in reading order on white, with the number of columns that fits a screen best."""
     height, width = tiles[0].shape[:2]
     columns = min(range(1, len(tiles) + 1), key=lambda n: _misfit(n, len(tiles), width / height))
     rows = math.ceil(len(tiles) / columns)
@@ -294,7 +294,7 @@ def _grid(tiles: list[Picture]) -> Picture:
 
 
 def _misfit(columns: int, count: int, aspect: float) -> float:
-    """The deviation of a grid from 16:9, with a penalty for empty places."""
+    """Return the deviation of a grid from 16:9, with a penalty for empty places."""
     rows = math.ceil(count / columns)
     return abs(math.log(columns * aspect / rows / (16 / 9))) + 0.25 * (rows * columns - count)
 

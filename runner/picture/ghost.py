@@ -1,4 +1,4 @@
-"""A figure to be drawn in a given shade: the main figure of a picture, or one of several in the same picture."""
+"""A figure drawn in a given shade: the main figure of a picture, or one of several."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 class Ghost:
     """One more figure in a picture, as in the paper's figure 6: keyframes darkest, in-betweens lightest.
 
-    qpos     (nq,)  where it stands
-    shade    0 for the model's own colours, 1 for white
-    opacity  0 for invisible, 1 for solid
+    Attributes:
+        qpos: The configuration, (nq,).
+        shade: 0 for the model's colours, 1 for white.
+        opacity: 0 for invisible, 1 for opaque.
     """
 
     qpos: NDArray[np.float64] = field(repr=False)

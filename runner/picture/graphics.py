@@ -1,9 +1,9 @@
-"""Which renderer works on this machine: EGL, OSMesa, a display, or the CPU alone.
+"""Selection of the renderer: EGL, OSMesa, a display, or the CPU alone.
 
-MuJoCo reads MUJOCO_GL once, while it is imported, and a value that does not work makes that import raise. Some drivers
-even abort the process. So every candidate is tried in a child process, and `choose` must run before the first
-`import mujoco`. This file never imports mujoco itself. The renderer that worked is cached for a day, until the machine
-is restarted or a dependency changes: a trial takes as long as the rest of a short command.
+MuJoCo reads MUJOCO_GL once, during its import, and an unusable value makes the import fail. Some drivers even abort the
+process. Every candidate is therefore tried in a child process, and `choose` must run before the first `import mujoco`;
+this file never imports mujoco. A trial takes as long as the rest of a short command. The renderer that worked is
+therefore cached for a day, until the machine restarts or a dependency changes.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ from ..system.cache_folder import place
 Kind = Literal["egl", "osmesa", "display", "software"]
 
 OVERRIDE = "DYNSPLINES_RENDERER"
-PROBE_SECONDS = 60.0  # [s] that a renderer may take to draw a first image
-REMEMBERED = 24 * 3600.0  # [s] that a trial is believed: drivers are renewed while a machine runs
+PROBE_SECONDS = 60.0  # [s] time limit of a trial
+REMEMBERED = 24 * 3600.0  # [s] age up to which a trial is valid, because drivers can be updated at run time
 BOOT = Path("/proc/sys/kernel/random/boot_id")
 
 _NAMES: dict[Kind, str] = {
@@ -44,7 +44,7 @@ _SWITCHED_OFF = ("disable", "disabled", "off", "false", "0")
 _FASTER = "slow; `apt-get install libosmesa6` or `libegl1 libgl1` makes it faster"
 _IMPORTED = "mujoco was imported before a renderer was chosen, with one that does not work here"
 
-# A lit sphere in front of a black background: a context that draws nothing does not pass.
+# a lit sphere in front of a black background, which detects contexts that draw nothing
 _PROBE = """
 import mujoco
 mujoco.set_mju_user_warning(lambda text: None)
@@ -60,15 +60,16 @@ print("drawn" if image.max() > 60 and image.min() < 30 else "blank")
 
 
 class GraphicsError(UserError):
-    """The renderer requested by name does not work here."""
+    """The renderer requested by name does not work on this machine."""
 
 
 @dataclass(frozen=True)
 class Graphics:
     """The renderer to use.
 
-    kind  which one
-    line  one line for people, such as "renderer: EGL"
+    Attributes:
+        kind: The renderer.
+        line: A line for users, such as "renderer: EGL".
     """
 
     kind: Kind
@@ -76,10 +77,10 @@ class Graphics:
 
 
 def choose() -> Graphics:
-    """The fastest renderer that was seen to work, and MUJOCO_GL set for it.
+    """Return the fastest working renderer, and set MUJOCO_GL for it.
 
-    DYNSPLINES_RENDERER=software|egl|osmesa|display forces one. Otherwise a MUJOCO_GL of yours comes first; a value
-    that does not work is removed from this process's environment, since it would make `import mujoco` raise.
+    DYNSPLINES_RENDERER=software|egl|osmesa|display forces one. Otherwise a MUJOCO_GL of the environment is tried first.
+    If its value does not work, it is removed from this process's environment, because `import mujoco` would fail.
     """
     forced = os.environ.get(OVERRIDE, "").strip().lower()
     if forced:
@@ -111,13 +112,13 @@ def choose_while_importing(names: Iterable[str]) -> Graphics:
 
 
 def do_without() -> None:
-    """For a process that draws nothing: its `import mujoco` looks for no graphics, which is quicker and cannot fail."""
+    """Disable graphics for a process that draws nothing: its `import mujoco` is then faster and cannot fail."""
     if not _imported():
         os.environ["MUJOCO_GL"] = _SWITCHED_OFF[0]
 
 
 def _forced(name: str) -> Graphics:
-    """The renderer that DYNSPLINES_RENDERER names, or a GraphicsError."""
+    """Return the renderer of DYNSPLINES_RENDERER, or raise a GraphicsError."""
     name = "software" if name == "rays" else name  # its name up to 0.2
     if name not in _NAMES:
         raise GraphicsError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
@@ -139,14 +140,14 @@ def _forced(name: str) -> Graphics:
 
 
 def _after_import(backend: str) -> Graphics:
-    """Once mujoco is imported only the backend it took can draw."""
+    """Return the renderer of an imported mujoco, which can only use the backend of its import."""
     if backend not in _SWITCHED_OFF and _works(backend):
         return Graphics(_kind_of(backend), _line(_kind_of(backend)))
     return Graphics("software", _line("software", _IMPORTED))
 
 
 def _settle(kind: Kind, backend: str | None, note: str = "") -> Graphics:
-    """Set MUJOCO_GL to the working backend; the empty backend is MuJoCo's default and needs no variable."""
+    """Set MUJOCO_GL to the working backend. The empty backend is MuJoCo's default and needs no variable."""
     if backend:
         os.environ["MUJOCO_GL"] = backend
     else:
@@ -158,7 +159,7 @@ def _line(kind: Kind, note: str = "") -> str:
     return f"renderer: {_NAMES[kind]}" + (f" ({note})" if note else "")
 
 
-# What MUJOCO_GL must be for a window on the display: elsewhere than on Linux that is MuJoCo's default.
+# MUJOCO_GL for a window on the display, MuJoCo's default except on Linux
 _DISPLAY = "glfw" if sys.platform == "linux" else ""
 
 
@@ -167,7 +168,7 @@ def _kind_of(backend: str) -> Kind:
 
 
 def _candidates() -> tuple[str, ...]:
-    """Values of MUJOCO_GL worth a try without the user's wish, fastest first."""
+    """Return default values of MUJOCO_GL, fastest first."""
     return ("egl", "osmesa", "glfw") if sys.platform == "linux" else ("",)
 
 
@@ -176,7 +177,7 @@ def _imported() -> bool:
 
 
 def _imported_backend() -> str:
-    """The MUJOCO_GL that the imported mujoco uses, read from the module it loaded, not from the present environment."""
+    """Return the MUJOCO_GL of the imported mujoco, from the module that it loaded, not from the present environment."""
     for backend in ("egl", "osmesa", "glfw"):
         if f"mujoco.{backend}" in sys.modules:
             return backend
@@ -184,12 +185,12 @@ def _imported_backend() -> str:
 
 
 def _works(backend: str) -> bool:
-    """Whether MuJoCo draws a picture with this MUJOCO_GL; nothing is launched when its libraries are absent."""
+    """Return whether MuJoCo draws with this MUJOCO_GL. Without its libraries no process is started."""
     return _has_libraries(backend) and _draws(backend)
 
 
 def _has_libraries(backend: str) -> bool:
-    """A look that takes less than a millisecond: can it work at all?"""
+    """Return whether a backend's libraries exist, which takes less than a millisecond."""
     if sys.platform != "linux":
         return True
     if backend == "egl":
@@ -200,7 +201,7 @@ def _has_libraries(backend: str) -> bool:
 
 
 def _opens(*names: str) -> bool:
-    """Whether one of these shared libraries loads."""
+    """Return whether one of these shared libraries loads."""
     for name in names:
         try:
             ctypes.CDLL(name)
@@ -212,7 +213,7 @@ def _opens(*names: str) -> bool:
 
 @functools.cache
 def _draws(backend: str) -> bool:
-    """Whether it drew a short while ago, or else does now."""
+    """Return whether a recent trial succeeded, or else a new one does."""
     mark = _mark(backend)
     if mark is not None:
         with suppress(OSError):
@@ -229,7 +230,7 @@ def _draws(backend: str) -> bool:
 
 
 def _mark(backend: str) -> Path | None:
-    """The cache file of a backend that worked, named for everything it depends on; None where caching is off."""
+    """Return the cache file of a working backend, named for its dependencies; None if caching is off."""
     folder = place()
     try:
         boot = BOOT.read_text()
@@ -244,7 +245,7 @@ def _mark(backend: str) -> Path | None:
 
 
 def _version(package: str) -> str:
-    from importlib.metadata import PackageNotFoundError, version  # only here: it takes a moment
+    from importlib.metadata import PackageNotFoundError, version  # imported here because it is slow
 
     try:
         return version(package)
@@ -253,7 +254,7 @@ def _version(package: str) -> str:
 
 
 def _tried(backend: str) -> bool:
-    """Draw in a child process, which contains exceptions, aborts and hangs."""
+    """Return whether a child process can draw; it contains exceptions, aborts and hangs."""
     if not sys.executable:
         return False
     environment = {**os.environ, "MUJOCO_GL": backend}

@@ -1,4 +1,4 @@
-"""Pictures beside each other, and words on a picture. An image is (H, W, 3), uint8; sizes never change."""
+"""Pictures side by side, and captions. An image is (H, W, 3), uint8; sizes do not change."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ Place = Literal["top left", "top", "top right", "bottom left", "bottom", "bottom
 
 _PAPER = (250, 251, 252)  # red, green, blue
 _INK = (24, 30, 38)  # red, green, blue
-_OPACITY = 0.72  # of labels
-_SUPERSAMPLING = 4  # pixels a pixel, in either direction, that round a label's corners
+_OPACITY = 0.72  # [1] opacity of labels
+_SUPERSAMPLING = 4  # samples per pixel, in either direction, for the round corners of labels
 
 
 def side_by_side(left: Picture, right: Picture) -> Picture:
-    """Two pictures of equal height as one, (H, Wl + Wr, 3), with a fine line where they meet."""
+    """Return two pictures of equal height as one, (H, Wl + Wr, 3), with a fine line between them."""
     if left.shape[0] != right.shape[0]:
         raise ValueError(f"pictures side by side need one height, not {left.shape[0]} and {right.shape[0]}")
     both = np.concatenate([left, right], axis=1)
@@ -30,10 +30,9 @@ def side_by_side(left: Picture, right: Picture) -> Picture:
 
 
 def caption(image: Picture, text: str, *, place: Place = "top", size: int | None = None) -> Picture:
-    """The picture with a word in a pill, such as "before" or "0.80 s".
+    """Return the picture with a word on a rounded plate, such as "before" or "0.80 s".
 
-    size  height of the letters [pixels]; by default a thirtieth of the picture's height. Text too long for the picture
-          is set smaller.
+    `size` is the height of the letters [pixels], by default 1/30 of the picture's. Text that is too long is smaller.
     """
     height, width = image.shape[:2]
     if not text.strip() or min(height, width) < 24:
@@ -58,10 +57,10 @@ def caption(image: Picture, text: str, *, place: Place = "top", size: int | None
 
 @functools.lru_cache(maxsize=64)
 def _pill(text: str, letters: int) -> NDArray[np.float32]:
-    """(h, w, 4) rounded plate with its text: colour 0..255, alpha 0..1, edges smooth."""
+    """Return a rounded plate with its text, (h, w, 4): colour 0 to 255, alpha 0 to 1, with smooth edges."""
     font = ImageFont.load_default(letters)
     x0, _, right, _ = font.getbbox(text)
-    # The plate's height comes from letters that reach up and down, so plates of different words are alike.
+    # the height of these letters makes all plates equally high
     _, top, _, bottom = font.getbbox("Ahgy0")
     pad_x, pad_y = round(0.7 * letters), round(0.38 * letters)
     width, height = round(right - x0) + 2 * pad_x, round(bottom - top) + 2 * pad_y

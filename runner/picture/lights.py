@@ -1,4 +1,4 @@
-"""Lights of a scene, and the shadows that they cast: a shadow map each, of what is near the middle of the picture."""
+"""Lights of a scene and their shadow maps, each of the region near the middle of the picture."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from .depth_buffer import Eye, Faces
 Array = NDArray[np.float64]
 Floats = NDArray[np.float32]
 
-SUN_DISTANCE = 1000.0  # of a directional light's eye, relative to the radius of the region with shadows
-WIDEST = 2.0  # tangent of the half angle of a shadow map of a lamp amid the figures
+SUN_DISTANCE = 1000.0  # [1] distance of a directional light's eye, relative to the radius of the region with shadows
+WIDEST = 2.0  # tangent of the half angle of a shadow map for a light among the figures
 LIFT = 2.0  # [texels] offset of a shadow lookup above its surface, so that no surface shades itself
-SOFT_RIM = 0.02  # cosine of the angle at a spot's cone over which its light fades
+SOFT_RIM = 0.02  # difference of cosines over which a spot's light fades at its cone
 
 
 class Shadow(NamedTuple):
-    """A light's shadow map: its eye, and (height * width,) 1 / depth of the nearest surface."""
+    """A light's shadow map: its eye, and 1 / depth of the nearest surface, (height * width,)."""
 
     eye: Eye
     nearest: Array
 
     @classmethod
     def of(cls, light: Any, points: Array, centre: Array, radius: float, size: int) -> Shadow:
-        """The shadow map, size x size texels, of triangles (m, 3, 3) within a sphere [m]."""
+        """Return the shadow map, size x size texels, of triangles (m, 3, 3) within a sphere [m]."""
         if drawn_lamp(light) is Lamp.DIRECTIONAL:
             distance = SUN_DISTANCE * radius
             position = centre - distance * np.asarray(light.dir, float)
@@ -42,7 +42,8 @@ class Shadow(NamedTuple):
         return cls(eye, Faces(eye, points).cover(np.array([0.5, 0.5]))[0])
 
     def lit(self, points: Array, normals: Floats) -> Floats:
-        """(n,) share of the light that arrives at points (n, 3) of surfaces: smooth over a texel, 1 outside the map."""
+        """Return the share of the light that arrives at surface points (n, 3), (n,): interpolated over a texel, 1
+        outside."""
         eye = self.eye
         texel = np.linalg.norm(points - eye.position, axis=1, keepdims=True) / eye.focus
         x, y, depth = eye.project(points + LIFT * texel * normals).T
@@ -61,7 +62,7 @@ class Shadow(NamedTuple):
 
 
 class Light(NamedTuple):
-    """A lamp, as in MjvLight, and its shadow, if it casts one."""
+    """A light, as in MjvLight, with its shadow map, if it casts shadows."""
 
     kind: Lamp
     position: Array
@@ -74,16 +75,16 @@ class Light(NamedTuple):
 
     @classmethod
     def of(cls, light: Any, points: Array, centre: Array, radius: float, size: int) -> Light:
-        """A light of a scene (MjvLight); the rest as in `Shadow.of`."""
+        """Return a light of a scene (MjvLight); the other arguments are those of `Shadow.of`."""
         shadow = Shadow.of(light, points, centre, radius, size) if light.castshadow else None
         colours = light.ambient.copy(), light.diffuse.copy(), light.specular.copy()
         position, direction = np.array(light.pos, float), np.array(light.dir, np.float32)
         return cls(drawn_lamp(light), position, direction, float(np.radians(light.cutoff)), *colours, shadow)
 
     def shine(self, points: Array, normals: Floats, rays: Floats, sharpness: Floats) -> tuple[Floats, Floats | None]:
-        """(n,) share of the diffuse light, after Lambert, and of any specular light, after Blinn, at points (n, 3).
+        """Return the shares of diffuse light (Lambert) and of specular light (Blinn) at points (n, 3), (n,) each.
 
-        normals (n, 3) and rays (n, 3) from the eye are unit vectors; sharpness (n,) is Blinn's exponent
+        `normals` (n, 3) and `rays` (n, 3) from the eye are unit vectors; `sharpness` (n,) is Blinn's exponent.
         """
         towards, cone = self._towards(points)
         slope = np.einsum("ij,ij->i", normals, towards)
@@ -99,7 +100,8 @@ class Light(NamedTuple):
         return reached * slope, reached * np.maximum(cosine, 0) ** sharpness
 
     def _towards(self, points: Array) -> tuple[Floats, Floats]:
-        """(n, 3) unit directions to the light, and (n,) its strength there: less at the rim of a spot's cone."""
+        """Return unit directions to the light (n, 3), and its strength (n,), which decreases at the rim of a spot's
+        cone."""
         everywhere = np.ones(len(points), np.float32)
         if self.kind is Lamp.DIRECTIONAL:
             return np.broadcast_to(-self.direction, points.shape), everywhere

@@ -1,6 +1,6 @@
-"""A scene of MuJoCo drawn by the CPU alone: triangles in a depth buffer, four samples a pixel, and shadow maps.
+"""Software rendering of a MuJoCo scene: triangles in a depth buffer, four samples per pixel, and shadow maps.
 
-Light adds up as in MuJoCo's renderer: ambient, diffuse after Lambert, gloss after Blinn; distance fades into haze.
+The lighting is that of MuJoCo's renderer: ambient, diffuse (Lambert), specular (Blinn), and haze in the distance.
 """
 
 from __future__ import annotations
@@ -29,20 +29,22 @@ _KINDS = mujoco.mjtGeom
 PLANE = int(_KINDS.mjGEOM_PLANE)
 ROUND = (_KINDS.mjGEOM_SPHERE, _KINDS.mjGEOM_CAPSULE, _KINDS.mjGEOM_ELLIPSOID, _KINDS.mjGEOM_CYLINDER)
 DRAWN = {int(kind) for kind in (_KINDS.mjGEOM_PLANE, _KINDS.mjGEOM_HFIELD, _KINDS.mjGEOM_BOX, *ROUND, *MESHES)}
-FAR = 1000.0  # [m] to which a plane without end is drawn
-SAMPLES = np.array([[1, 5], [3, 1], [5, 7], [7, 3]]) / 8  # in a pixel: no two share a row or a column
-AT_ONCE = 30_000  # samples at a time: few enough for the processor's cache
+FAR = 1000.0  # [m] extent of an infinite plane
+SAMPLES = np.array([[1, 5], [3, 1], [5, 7], [7, 3]]) / 8  # positions in a pixel, in different rows and columns
+AT_ONCE = 30_000  # samples shaded at once, few enough for the processor's cache
 SHADOW_DETAIL = 1.6  # texels of a shadow map for each pixel of the picture's longer side
 SHADOW_MARGIN = 1.3  # radius of the region with shadows, relative to that of the region in view
-HAZE_START, HAZE_LENGTH = 9.0, 28.0  # [m]
+HAZE_START, HAZE_LENGTH = 9.0, 28.0  # [m] distance at which haze begins, and length scale of its increase
 
 
 class Surface(NamedTuple):
-    """Triangles.
+    """Triangles of a scene.
 
-    points, normals  (m, 3, 3)  of their corners
-    patch            (m,)       equal where the surface is smooth
-    geom             (m,)       index in a list of geoms
+    Attributes:
+        points: The corners, (m, 3, 3).
+        normals: The normals at the corners, (m, 3, 3).
+        patch: The smooth patch of each, (m,).
+        geom: The index of each in a list of geoms, (m,).
     """
 
     points: Array
@@ -52,7 +54,7 @@ class Surface(NamedTuple):
 
 
 class Hits(NamedTuple):
-    """Points (n, 3) of surfaces in a picture, unit normals, unit rays from the eye, distances, indices of geoms."""
+    """Surface points (n, 3) in a picture, unit normals, unit rays from the eye, distances, and indices of geoms."""
 
     points: Array
     normals: Floats
@@ -62,7 +64,8 @@ class Hits(NamedTuple):
 
 
 class Materials(NamedTuple):
-    """Materials by geom: colour (k, 3), emission (k,) and so on; planes with a texture: index, place, tint, pattern."""
+    """Materials by geom: colour (k, 3), emission (k,) and so on; for textured planes index, position, frame, tint,
+    pattern."""
 
     colour: Floats
     emission: Floats
@@ -83,7 +86,7 @@ class View(NamedTuple):
 
 
 class Raster:
-    """Draws a scene as `mujoco.Renderer` does."""
+    """A renderer with the interface of `mujoco.Renderer`."""
 
     def __init__(self, model: mujoco.MjModel, height: int, width: int, max_geom: int) -> None:
         self.scene = mujoco.MjvScene(model, max_geom)
@@ -94,10 +97,10 @@ class Raster:
         self._tint = cache(lambda material: texture_tint(model, material))
 
     def close(self) -> None:
-        """There is nothing to release."""
+        """Do nothing; there are no resources to release."""
 
     def render(self) -> Picture:
-        """(height, width, 3) the scene as it stands."""
+        """Return the present scene, (height, width, 3)."""
         geoms = [geom for geom in self.scene.geoms[: self.scene.ngeom] if geom.type in DRAWN and geom.rgba[3] > 0]
         eye, surface = self._eye(), self._surface(geoms)
         faces = Faces(eye, surface.points)
@@ -120,7 +123,7 @@ class Raster:
         return np.rint(image.clip(0, 1) * 255).astype(np.uint8).reshape(self._height, self._width, 3)
 
     def _colour(self, view: View, x: Array, y: Array, face: Ints, closeness: Array) -> Floats:
-        """(n, 3) colours at pixels where a face is seen, or the sky where its number is negative."""
+        """Return colours at pixels (n, 3), of the visible face, or of the sky where its index is negative."""
         rays = view.eye.rays(x, y)
         length = np.linalg.norm(rays, axis=1)
         rays /= length[:, None]
@@ -137,7 +140,7 @@ class Raster:
         return out
 
     def _eye(self) -> Eye:
-        """The camera of the scene, midway between those for the two eyes of a person."""
+        """Return the camera of the scene, midway between its two stereo cameras."""
         left_eye, right = self.scene.camera
         forward, up = np.array(left_eye.forward, float), np.array(left_eye.up, float)
         focus = self._height * left_eye.frustum_near / (left_eye.frustum_top - left_eye.frustum_bottom)
@@ -146,7 +149,7 @@ class Raster:
         return Eye(position, axes, focus, self._width, self._height, float(left_eye.frustum_near))
 
     def _shape_of(self, geom: int) -> Surface:
-        """A geom of the model in its frame."""
+        """Return a geom of the model in its frame."""
         shape = triangles(self._model, piece_of(self._model, geom), FAR)
         if self._model.geom_type[geom] == _KINDS.mjGEOM_HFIELD:
             field = self._model.geom_dataid[geom]
@@ -159,7 +162,7 @@ class Raster:
         return Surface(shape.points[faces], shape.normals[faces], patches[faces[:, 0]].astype(int), geoms)
 
     def _surface(self, geoms: list[Any]) -> Surface:
-        """All of the scene, in the world."""
+        """Return all triangles of the scene, in the world."""
         parts, patches = [Surface(*(np.empty((0, 3, 3)),) * 2, *(np.empty(0, int),) * 2)], 0
         for index, geom in enumerate(geoms):
             shape, turn = self._shape(geom.objid), np.asarray(geom.mat, float).T
@@ -169,7 +172,7 @@ class Raster:
         return Surface(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
     def _lights(self, eye: Eye, surface: Surface, geoms: list[Any]) -> list[Light]:
-        """The active lights, with shadows of objects near the figures."""
+        """Return the active lights, with shadows of objects near the figures."""
         moves = np.array([geom.category == mujoco.mjtCatBit.mjCAT_DYNAMIC for geom in geoms], bool)
         solid = np.array([geom.type != PLANE for geom in geoms], bool)[surface.geom]
         figures = surface.points[moves[surface.geom]].reshape(-1, 3)
@@ -199,7 +202,6 @@ class Raster:
         return Materials(colour, emission, specular, sharpness, is_still, patterns)
 
     def _shade(self, hits: Hits, view: View) -> Floats:
-        """(n, 3) colours."""
         looks = view.materials
         base = looks.colour[hits.geom]
         for index, origin, frame, tint, pattern in looks.patterns:
@@ -220,7 +222,7 @@ class Raster:
 
 
 def _sides(grid: Array, depth: float) -> Triangles:
-    """The sides of a height field, of its points (rows, columns, 3) down to a depth [m] below its zero."""
+    """Return the sides of a height field with points (rows, columns, 3), down to a depth [m] below its zero."""
     rim = np.concatenate([grid[0], grid[1:, -1], grid[-1, -2::-1], grid[-2:0:-1, 0]])  # counterclockwise from above
     after, down = np.roll(rim, -1, axis=0), [1.0, 1.0, 0.0]
     low, low_after = rim * down - [0, 0, depth], after * down - [0, 0, depth]

@@ -15,7 +15,7 @@ from .show import Look
 
 
 def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, progress: Progress) -> None:
-    """Write .mp4, .webm, .gif or .png; `asked` processes draw at most, None: one, or without OpenGL one a core."""
+    """Write .mp4, .webm, .gif or .png with at most `asked` processes; None: one, or without OpenGL one per core."""
     still = target.suffix.lower() == ".png"
     workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "software" else 1)
     try:

@@ -1,7 +1,7 @@
 """Colours of surfaces and of the sky, as red, green and blue in [0, 1], float32.
 
-Textures of planes are reduced to four quarters and a border line (MuJoCo's checkers and grids are just that) and are
-averaged over the area that a pixel covers. Other textures are reduced to their mean colour. Nothing mirrors.
+Textures of planes are reduced to four quarters and a border line, which describes MuJoCo's checkers and grids, and are
+averaged over the area of a pixel. Other textures are reduced to their mean colour. There are no reflections.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from ..scene.triangles import Piece, half_extent, picture_repeat, texels
 Array = NDArray[np.float64]
 Floats = NDArray[np.float32]
 
-SHARPEST = 128  # exponent at shininess 1, as in OpenGL
+SHARPEST = 128  # specular exponent at shininess 1, as in OpenGL
 SMALL = 8  # [texels] textures up to this size have no border line
-DAYLIGHT = np.array([[0.62, 0.72, 0.86], [0.9, 0.93, 0.97]], np.float32)  # zenith, horizon: of a model without sky
+DAYLIGHT = np.array([[0.62, 0.72, 0.86], [0.9, 0.93, 0.97]], np.float32)  # zenith and horizon of the default sky
 HAZE_RISE = 0.05  # sine of the angle above the horizon within which the haze thins
 
 
@@ -27,10 +27,11 @@ HAZE_RISE = 0.05  # sine of the angle above the horizon within which the haze th
 class Pattern:
     """The texture of a plane: four quarters and a border line, repeated.
 
-    repeat    (2,)       textures a metre
-    quarters  (2, 2, 3)  colours by half in x, half in y
-    line      (3,)       colour of the border
-    border    its width, as a share of the texture
+    Attributes:
+        repeat: Textures per metre, (2,).
+        quarters: Colours by half in x and half in y, (2, 2, 3).
+        line: The colour of the border, (3,).
+        border: The width of the border, relative to the texture.
     """
 
     repeat: Array
@@ -53,11 +54,12 @@ class Pattern:
         return cls(repeat, quarters, line, 1 / width if has_line else 0.0)
 
     def colour(self, local: Array, rays: Array, spacing: Array) -> Floats:
-        """(n, 3) mean colours of the patches that the pixels cover.
+        """Return mean colours of the patches that the pixels cover, (n, 3).
 
-        local    (n, 3)  where rays meet the plane, in its frame [m]
-        rays     (n, 3)  their unit directions, in its frame
-        spacing  (n,)    distance there of neighbouring rays, across themselves [m]
+        Args:
+            local: Points where rays meet the plane, in its frame, (n, 3) [m].
+            rays: Their unit directions in its frame, (n, 3).
+            spacing: The distance of neighbouring rays there, perpendicular to them, (n,) [m].
         """
         across, along, normal = np.abs(rays.T)
         flat = np.sqrt(across**2 + along**2) + 1e-9
@@ -77,7 +79,7 @@ class Pattern:
 
 
 def _share(position: Array, width: Array, start: float, length: float) -> Floats:
-    """(n,) which share of an interval of this width lies in [start, start + length], repeated with period 1."""
+    """Return the share of intervals of this width that is in [start, start + length], repeated with period 1, (n,)."""
 
     def covered(end: Array) -> Array:
         whole = np.floor(end)
@@ -88,15 +90,16 @@ def _share(position: Array, width: Array, start: float, length: float) -> Floats
 
 
 def texture_tint(model: mujoco.MjModel, material: int) -> Array:
-    """(3,) mean colour of a material's texture; white without one."""
+    """Return the mean colour of a material's texture, (3,); white without a texture."""
     texture = model.mat_texid[material, int(mujoco.mjtTextureRole.mjTEXROLE_RGB)] if material >= 0 else -1
     return texels(model, texture).mean(axis=(0, 1)) / 255 if texture >= 0 else np.ones(3)
 
 
 class Sky:
-    """The colour above the horizon, from the model's skybox, or daylight without one.
+    """The colour above the horizon, from the model's skybox, or daylight if it has none.
 
-    haze  (3,)  the colour into which the distance fades
+    Attributes:
+        haze: The colour into which the distance fades, (3,).
     """
 
     def __init__(self, model: mujoco.MjModel) -> None:
@@ -111,7 +114,7 @@ class Sky:
         self._profile = faces[4 if len(faces) == 6 else 0].mean(axis=1)  # a side of the box, from top to bottom
 
     def colour(self, directions: Array) -> Floats:
-        """(n, 3) by how steeply the unit directions rise; hazy at the horizon."""
+        """Return the colours of unit directions, by their elevation, with haze at the horizon, (n, 3)."""
         rise = directions[:, 2].astype(np.float32)
         steep = np.clip(rise / np.sqrt(np.maximum(1 - rise**2, 1e-6)), -1, 1)
         sky = self._profile[((1 - steep) / 2 * (len(self._profile) - 1)).astype(np.int32)]

@@ -1,4 +1,4 @@
-"""A motion as images: before | after side by side, one of them alone, the keyframes, or the paper's figure 6."""
+"""A motion as images: before and after side by side, one of them, the keyframes, or the paper's figure 6."""
 
 from __future__ import annotations
 
@@ -24,24 +24,30 @@ from .ghost import Ghost
 from .graphics import Graphics
 from .stage import Picture, Stage
 
-KEY_SECONDS = 0.5  # [s] that a film stays on a keyframe
-PIXELS_OF_A_PROCESS = 4_000_000  # the CPU draws as many in twice the time that a process takes to start
-SMOOTHING = 2  # times larger than a tile are its pictures drawn: four samples a pixel, as many as multisampling takes
+KEY_SECONDS = 0.5  # [s] duration of a keyframe in a video of keyframes
+PIXELS_OF_A_PROCESS = 4_000_000  # minimum number of pixels per process; drawing them takes twice its starting time
+SMOOTHING = 2  # [1] size of drawn pictures relative to tiles, which smooths edges like multisampling
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25  # of ghosts
-MAX_FRAMES = 100_000  # of a film: an hour at 30 frames per second
-BETWEEN_RATE = 15.0  # [1/s] in-betweens of a still
+MAX_FRAMES = 100_000  # maximum number of video frames, an hour at 30 frames per second
+BETWEEN_RATE = 15.0  # [1/s] rate of in-betweens in a still
 
 
 @dataclass(frozen=True)
 class Look:
     """The appearance of a rendered motion.
 
-    only    "" for before | after side by side, else "before", "after" or "keys"
-    ghosts  draw the keyframes, darkest, beside the moving figure; in a still, also variable frames and in-betweens
-    slow    how many times slower than life
-    at      only the image nearest to this time [s]
-    shrunk  how many times smaller it is shown than it is drawn
+    Attributes:
+        width: Of a video frame [pixels].
+        height: Of a video frame [pixels].
+        fps: Video frames per second [1/s].
+        only: "" for before and after side by side, else "before", "after" or "keys".
+        ghosts: Whether to draw the keyframes besides the moving figure; in a still, also variable frames and
+            in-betweens.
+        camera: The view or camera, see `camera.plan`.
+        slow: Slow-motion factor.
+        at: The time of a single frame [s].
+        shrunk: The factor by which it is shown smaller than drawn.
     """
 
     width: int = 1280
@@ -55,9 +61,10 @@ class Look:
     shrunk: float = 1.0
 
     def check(self, model: mujoco.MjModel, first: float, last: float, *, flags: str = "") -> None:
-        """Raise UserError for a camera, a time or a number of frames that a motion from `first` to `last` [s] lacks.
+        """Raise UserError for a camera, time or number of frames that is invalid for a motion from `first` to `last`
+        [s].
 
-        flags  what stands before the names in messages
+        `flags` is the prefix of names in messages.
         """
         cameras = [*ANGLES, *(name for i in range(model.ncam) if (name := model.camera(i).name))]
         if self.camera not in cameras:
@@ -73,7 +80,7 @@ class Look:
 
 @dataclass(frozen=True)
 class Pane:
-    """One picture of an image: where the figure stands, (nq,), and the words on it, above and in the lower corner."""
+    """One picture of an image: the configuration (nq,), the title above it, and the text in the lower corner."""
 
     qpos: Array
     title: str
@@ -82,7 +89,7 @@ class Pane:
 
 @dataclass(frozen=True)
 class Shot:
-    """One image to be drawn: pictures side by side, seen from one place."""
+    """One image to be drawn: pictures side by side, seen by one camera."""
 
     view: View
     panes: tuple[Pane, ...]
@@ -90,7 +97,7 @@ class Shot:
 
 
 class Lens(TypedDict):
-    """The arguments of a camera's plan that come from the model."""
+    """The arguments of a camera's plan that depend on the model."""
 
     fovy: float
     height: float
@@ -98,26 +105,26 @@ class Lens(TypedDict):
 
 
 def root_path(saved: Saved, qpos: Array) -> Array:
-    """(T, 3) where the figure is: its free root, or the middle of its bodies for a fixed one."""
+    """Return the positions of the figure, (T, 3): its free root, or the middle of its bodies if it is fixed."""
     return middles(saved.figure, qpos)
 
 
 def figure_height(saved: Saved) -> float:
-    """The height of the figure [m], for the camera's distance."""
+    """Return the height of the figure for the camera's distance [m]."""
     return height(saved.figure, saved.figure.to_qpos(np.concatenate([saved.raw.states, saved.timeline.states])))
 
 
 def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
-    """The number of frames that `images` returns."""
+    """Return the number of frames that `images` yields."""
     if look.only == "keys":
         return len(saved.keys) * (1 if still_keys else max(1, round(KEY_SECONDS * look.fps)))
     return 1 if look.at is not None else len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
 
 
 def for_tiles(look: Look, tile: int, graphics: Graphics) -> Look:
-    """The same look at the size of the tiles of a contact sheet.
+    """Return the look at the size of the tiles of a contact sheet.
 
-    tile  the longer side of one [pixels]; the CPU smooths edges itself, OpenGL's pictures are shrunk by half for that
+    `tile` is a tile's longer side [pixels]. Pictures of OpenGL are drawn twice as large, to smooth their edges.
     """
     longest = max(look.width, look.height)
     times = 1 if graphics.kind == "software" else SMOOTHING
@@ -136,10 +143,15 @@ def images(
     workers: int = 1,
     picks: Sequence[int] | None = None,
 ) -> Generator[Picture, None, None]:
-    """The frames of a video; `still_keys` returns each keyframe once. Independent of the number of workers.
+    """Yield the frames of a video, independent of the number of workers.
 
-    workers  processes that draw, at most: as many as there is work for
-    picks    which of the images of a still to draw, if not all
+    Args:
+        saved: The motion.
+        look: The appearance.
+        graphics: The renderer.
+        still_keys: Whether each keyframe is one frame.
+        workers: The maximum number of processes.
+        picks: Indices of the frames to draw; None: all.
     """
     keys = look.only == "keys"
     shots = _key_shots(saved, look) if keys else _moving_shots(saved, look)
@@ -193,7 +205,6 @@ def _plan(saved: Saved, look: Look, roots: Array, fps: float, panes: int) -> tup
 
 
 def _lens(saved: Saved) -> Lens:
-    """The data of the model that the camera's position depends on."""
     model = saved.figure.model
     return {
         "fovy": float(model.vis.global_.fovy),
@@ -213,10 +224,8 @@ def _key_ghosts(saved: Saved) -> tuple[Ghost, ...]:
 
 
 def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BETWEEN_RATE) -> Picture:
-    """One still: keyframes darkest, variable frames lighter, in-betweens lightest (figure 6 of the paper).
-
-    rate  in-betweens a second
-    """
+    """Return one still: keyframes darkest, variable frames lighter, in-betweens (`rate` [1/s]) lightest (paper, figure
+    6)."""
     figure = saved.figure
     timeline = saved.raw if look.only == "before" else saved.timeline
     keys = {key.time for key in saved.keys}

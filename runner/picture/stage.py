@@ -1,4 +1,4 @@
-"""Pictures of a figure in its scene: the same picture whether OpenGL or the CPU alone draws it."""
+"""Pictures of a figure in its scene, the same by OpenGL and by the CPU alone."""
 
 from __future__ import annotations
 
@@ -20,33 +20,36 @@ from .graphics import Graphics
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
 
-SMOOTH = 2.0  # times smaller: four pixels make one
-FULL = 720  # [pixels] high are pictures that need all of a scene's quality
-LEAST_SLICES, LEAST_STACKS = 9, 6  # of round shapes, round and along: with fewer, heads show their corners
-_SUN_DISTANCE = 6.0  # [m]; a directional light's shadows are drawn round the place it stands at
+SMOOTH = 2.0  # [1] reduction from which multisampling is unnecessary, because four pixels become one
+FULL = 720  # [pixels] height of pictures from which the full quality is used
+LEAST_SLICES, LEAST_STACKS = 9, 6  # minimum facets of round shapes, around and along; fewer are visible on heads
+_SUN_DISTANCE = 6.0  # [m] distance of a directional light from the camera's target, around which it casts shadows
 
 
 class Stage:
-    """A scene that takes pictures of its figure.
+    """A renderer of pictures of a figure in its scene.
 
         with Stage(scene, 1280, 720, choose()) as stage:
             image = stage.picture(qpos, view)
 
-    Call `graphics.choose` before anything imports mujoco, this file included.
+    Call `graphics.choose` before the first import of mujoco, and hence of this file.
     """
 
     def __init__(self, scene: Scene, width: int, height: int, graphics: Graphics, *, shrunk: float = 1.0) -> None:
-        """Open what draws.
+        """Open the renderer.
 
-        scene          the model
-        width, height  of the pictures [pixels]
-        shrunk         how many times smaller the pictures will be shown: OpenGL then spends less on invisible detail
+        Args:
+            scene: The model.
+            width: Width of the pictures [pixels].
+            height: Height of the pictures [pixels].
+            graphics: The renderer.
+            shrunk: The factor by which pictures are shown smaller. OpenGL then omits invisible detail.
         """
         if width < 1 or height < 1:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
         self.model = scene.spec().compile()
         flat = self.model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)
-        without_shadow(self.model, flat)  # a floor's own shadow is only specks of rounding on it
+        without_shadow(self.model, flat)  # a floor's shadow on itself is only rounding
         self._data = mujoco.MjData(self.model)
         self._option, self._perturb = mujoco.MjvOption(), mujoco.MjvPerturb()
         self._option.sitegroup[:] = 0
@@ -58,7 +61,7 @@ class Stage:
         else:
             _simplify(self.model.vis, height, shrunk)
             window = self.model.vis.global_
-            window.offwidth, window.offheight = width, height  # a larger buffer takes long to clear
+            window.offwidth, window.offheight = width, height  # larger buffers are slow to clear
             self._renderer = mujoco.Renderer(self.model, height, width, max_geom=most)
 
     def __enter__(self) -> Self:
@@ -70,21 +73,23 @@ class Stage:
         self.close()
 
     def close(self) -> None:
-        """Release the OpenGL context; no pictures after this."""
+        """Release the OpenGL context. No pictures can be drawn afterwards."""
         self._renderer.close()
 
     @property
     def cameras(self) -> tuple[str, ...]:
-        """Names of the model's own cameras."""
+        """The names of the model's cameras."""
         return tuple(self.model.camera(k).name for k in range(self.model.ncam))
 
     def picture(self, qpos: ArrayLike | None, view: View, *, ghosts: Sequence[Ghost] = ()) -> Picture:
-        """(height, width, 3) the figure and its ghosts, as seen from the view.
+        """Return the figure and its ghosts from a view, (height, width, 3).
 
-        Translucent figures are drawn solid and the picture is blended, so their inner parts do not shine through.
+        Translucent figures are drawn opaque and then blended, so that their inner parts do not shine through.
 
-        qpos    (nq,) of the main figure, or None for the ghosts alone
-        ghosts  more figures, in their own shades
+        Args:
+            qpos: The main figure, (nq,); None: only the ghosts.
+            view: The camera.
+            ghosts: More figures, each with its shade.
         """
         figures = list(ghosts) if qpos is None else [Ghost(np.asarray(qpos, dtype=np.float64)), *ghosts]
         for figure in figures:
@@ -105,7 +110,7 @@ class Stage:
         return np.rint(out).astype(np.uint8)
 
     def _draw(self, figures: Sequence[Ghost], view: View) -> Picture:
-        """The scene and these figures, all solid."""
+        """Return a picture of the scene and these figures, all opaque."""
         scene = self._renderer.scene
         self._pose(figures[0].qpos if figures else self.model.qpos0)
         still, moving = int(mujoco.mjtCatBit.mjCAT_STATIC), int(mujoco.mjtCatBit.mjCAT_DYNAMIC)
@@ -127,7 +132,7 @@ class Stage:
         mujoco.mj_camlight(self.model, self._data)
 
     def _aim_shadows(self, scene: mujoco.MjvScene, view: View) -> None:
-        """Shadows are drawn only near a directional light's place, so it comes along with the camera."""
+        """Move directional lights with the camera, because shadows are drawn only near a light's position."""
         if view.fixed is not None:
             return
         for light in scene.lights[: scene.nlight]:
@@ -147,10 +152,10 @@ class Stage:
 
 
 def _simplify(vis: mujoco.MjVisual, height: int, shrunk: float) -> None:
-    """Takes from the quality of pictures of this height [pixels] what is lost when they are shown smaller.
+    """Reduce the quality of pictures of this height [pixels] that are shown smaller.
 
-    Shrinking smooths edges as multisampling does, which costs software more than all the rest; on small figures round
-    shapes need fewer facets, and shadows fewer texels.
+    Shrinking smooths edges like multisampling, which is the most expensive part of software rendering. On small
+    figures, round shapes need fewer facets, and shadows fewer texels.
     """
     if shrunk < SMOOTH:
         return

@@ -126,7 +126,7 @@ def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
 
 
 def _table(key: Keyframe, figure: Figure | None) -> TomlTable:
-    """The keyframe as a table of a clip's file; `figure` is needed for qpos."""
+    """Return a keyframe as a table of a clip's file; `figure` is needed for qpos."""
     entries = {"root": key.root, "joints": key.joints, "sites": key.sites, "bodies": key.bodies, "roots": key.roots}
     out: TomlTable = {"time": _plain(key.time)}
     out |= {name: _plain(value) for name, value in entries.items() if value}
@@ -148,7 +148,7 @@ def _table(key: Keyframe, figure: Figure | None) -> TomlTable:
 
 
 def _roots(whole: TomlTable, table: TomlTable) -> TomlTable:
-    """The configuration's entries for further free bodies, overridden by the given ones."""
+    """Return the configuration's entries for further free bodies, overridden by those of the table."""
     mine, theirs = whole.get("roots", {}), table.get("roots", {})
     names = list(dict.fromkeys([*mine, *theirs]))
     return {"roots": {name: mine.get(name, {}) | theirs.get(name, {}) for name in names}} if names else {}
@@ -159,7 +159,7 @@ def _penalty(kind: str, table: float | Table) -> TomlTable:
 
 
 def _plain(value: Any) -> Any:
-    """Arrays, numpy's numbers and scipy's rotations as a file has them."""
+    """Return arrays, NumPy's numbers and SciPy's rotations as values of TOML."""
     if isinstance(value, Mapping):
         return {str(key): _plain(item) for key, item in value.items()}
     if isinstance(value, Rotation):

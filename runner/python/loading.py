@@ -1,4 +1,4 @@
-"""From files: `load` a clip, `load_motion` a solved motion, `import_motion` a recording of another program."""
+"""Clips and motions from files: `load` a clip, `load_motion` a solved motion, `import_motion` a recording."""
 
 from __future__ import annotations
 
@@ -95,8 +95,8 @@ def import_motion(
     Args:
         source: The recording.
         figure: Name of a shipped figure, or path of an MJCF file, if the recording contains no figure.
-        format: Name of the format (see `dynsplines formats`), if the file's ending is ambiguous; or a custom reader, an
-            object with read(path, model, fps).
+        format: Name of the format (see `dynsplines formats`), if the file's extension is ambiguous; or a custom reader,
+            an object with read(path, model, fps).
         fps: Samples per second [1/s], if the file has no rate.
         scale: Unit of length of the file [m], instead of the inferred one.
         skip_rest: Remove a T-pose, or the figure's rest pose, before the motion.

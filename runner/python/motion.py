@@ -1,4 +1,4 @@
-"""Motion, the result of in-betweening. It is immutable: every edit returns a new one."""
+"""Motion, the result of in-betweening. It is immutable: every edit returns a new motion."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from ..system.quantity import length
 if TYPE_CHECKING:
     from ..exchange.formats import Writer
 
-PLAYER_HEIGHT = 480  # pixels, in a notebook
+PLAYER_HEIGHT = 480  # [pixels] height of the player in a notebook
 
 
 @as_python_warnings()
@@ -68,7 +68,7 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
 
 
 class Report(dict[str, Any]):
-    """Measurements of a motion, a dict of plain numbers whose keys contain the unit. It is printed as two tables."""
+    """Measurements of a motion: a dict of plain numbers whose keys contain the unit, printed as two tables."""
 
     def __str__(self) -> str:
         out = io.StringIO()
@@ -174,7 +174,7 @@ class Motion(Renames):
 
     @cached_property
     def clip(self) -> Clip:
-        """The clip that was solved; warns of custom soft constraints, which files do not store."""
+        """The clip that was solved. A warning lists its custom soft constraints, which files do not store."""
         if self._solved is not None:
             return self._solved.clip
         if names := self.saved.search.get("custom penalties"):
@@ -243,7 +243,7 @@ class Motion(Renames):
 
     @property
     def _kept(self) -> Saved:
-        """The content of its file, with the report if it has been computed."""
+        """The content of its file, including the report if it has been computed."""
         return replace(self.saved, report=dict(self._report)) if "_report" in self.__dict__ else self.saved
 
     @property
@@ -370,15 +370,14 @@ class Motion(Renames):
 
         Args:
             path: Output file.
-            exact: Write a [solve] table that keeps the spline through the keyframes; otherwise solving the clip
-                searches.
+            exact: Write a [solve] table that reproduces this spline; otherwise solving the clip searches.
             overwrite: Overwrite a different scene next to the clip.
 
         Returns:
             The path of the file.
 
         Raises:
-            UserError: For another ending, or if the file cannot be written.
+            UserError: For another extension, or if the file cannot be written.
         """
         target = Path(path)
         if names := self.saved.search.get("custom penalties"):
@@ -526,7 +525,7 @@ class Motion(Renames):
 
     @as_python_warnings()
     def _repr_html_(self) -> str:
-        """A player of the motion before and after, for notebooks: a page without external content."""
+        """Return a player of the motion before and after, for notebooks: a page without external content."""
         from ..exchange.format.html import page
         from ..exchange.trajectory import SampledTrajectory
 

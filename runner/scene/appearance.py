@@ -1,4 +1,4 @@
-"""Materials for a model without any: a floor's grid, and alternating light and dark limbs, so that bends show."""
+"""Materials for a model without any: a grid on the floor, and alternating light and dark limbs, which show bends."""
 
 from __future__ import annotations
 
@@ -10,13 +10,16 @@ from dynsplines.solver.surface.touch import grounds, moves
 from .mujoco_versions import geoms_by_number
 
 GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's default colour of a geom
-HIDDEN = 3  # the first group of geoms that is not drawn
+HIDDEN = 3  # first group of geoms that is not drawn
 
 
 def dress(spec: mujoco.MjSpec, bare: mujoco.MjModel, prefix: str) -> None:
-    """The stage's materials for the geoms that have neither a colour nor a material.
+    """Assign the stage's materials to the geoms that have neither a colour nor a material.
 
-    bare  the spec compiled as it is, without the stage;  prefix  of the stage's names in what it will become
+    Args:
+        spec: The figure.
+        bare: The figure compiled without the stage.
+        prefix: The prefix of the stage's names.
     """
     floors, moving, depth = set(grounds(bare)), moves(bare), _depths(bare)
     for index, geom in enumerate(geoms_by_number(spec)):
@@ -31,7 +34,7 @@ def dress(spec: mujoco.MjSpec, bare: mujoco.MjModel, prefix: str) -> None:
 
 
 def _depths(model: mujoco.MjModel) -> list[int]:
-    """The number of moving bodies on the path from the world to each body: 0 for static ones."""
+    """Return the number of moving bodies on the chain from the world to each body, 0 for static ones."""
     depth = [0] * model.nbody
     for body in range(1, model.nbody):
         depth[body] = depth[model.body_parentid[body]] + int(model.body_jntnum[body] > 0)

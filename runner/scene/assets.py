@@ -1,7 +1,7 @@
-"""Files that a model refers to, meshes, images, height fields and skins, brought along as bytes.
+"""Files to which a model refers (meshes, images, height fields, skins), as bytes.
 
-MuJoCo finds them by name in a dictionary as well as on a disk, `MjModel.from_xml_string(text, assets)`. The names are
-made flat and unique here, so that neither the model's folder nor its compiler's settings matter any more.
+MuJoCo reads them by name from a dictionary, `MjModel.from_xml_string(text, assets)`, as well as from a disk. Names are
+made plain and unique here, so that the result does not depend on the model's folder or its compiler's settings.
 """
 
 from __future__ import annotations
@@ -21,29 +21,29 @@ from . import file_access, mjcf_size
 from .model_files import FOLDERS, Model, elements, is_there
 from .mujoco_versions import mesh_folder, texture_folder
 
-mujoco_warnings.install()  # whatever uses MuJoCo imports this module
+mujoco_warnings.install()  # here, because all code that uses MuJoCo imports this module
 
 Assets = Mapping[str, bytes]
-LONGEST = 255  # [bytes] of a file's name, on every disk
-ODD = re.compile(r"[\x00-\x1f\x7f/\\:*?\"<>|]")  # what some system does not have in names, or takes for a path
+LONGEST = 255  # [bytes] maximum length of a file's name on common file systems
+ODD = re.compile(r"[\x00-\x1f\x7f/\\:*?\"<>|]")  # characters that are not portable in names of files
 
 
 @dataclass(frozen=True)
 class Scene:
-    """A model whole and by itself: its MJCF text, and the files that the text refers to by name."""
+    """A self-contained model: its MJCF text, and the files to which the text refers by name."""
 
     mjcf: str
     assets: Assets = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        """Raises ValueError for names that are more than names: they become files beside others some day."""
+        """Raise ValueError for names that are not plain, because they are used as names of files later."""
         for name in self.assets:
             if not is_plain(name):
                 raise ValueError(f"its file '{name}' is not a plain file name")
 
     @classmethod
     def received(cls, mjcf: str, assets: Assets) -> Scene:
-        """A scene from an untrusted file; raises ValueError if it refers to any other files."""
+        """Return a scene from an untrusted file. Raises ValueError if it refers to any other files."""
         scene = cls(mjcf, assets)
         if file_access.is_allowed():
             return scene
@@ -59,21 +59,21 @@ class Scene:
         return scene
 
     def model(self) -> mujoco.MjModel:
-        """Compiled; raises ValueError, and UserError for one that would be too large."""
+        """Return the compiled model. Raises ValueError, and UserError if it would be too large."""
         mjcf_size.check(self.mjcf, "model", assets=self.assets)
         return mujoco.MjModel.from_xml_string(self.mjcf, dict(self.assets))
 
     def spec(self) -> mujoco.MjSpec:
-        """To be changed; raises ValueError, and UserError for one that would be too large."""
+        """Return the model for changes. Raises ValueError, and UserError if it would be too large."""
         mjcf_size.check(self.mjcf, "model", assets=self.assets)
         spec = mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
-        spec.assets = dict(self.assets)  # 3.2.7 forgets them
+        spec.assets = dict(self.assets)  # MuJoCo 3.2.7 does not store them
         return spec
 
 
 @dataclass(frozen=True)
 class _Reference:
-    """A reference to a file in a model, the model's folder for its kind, and how to rename it."""
+    """A reference to a file in a model, the model's folder for its kind, and a function that renames it."""
 
     file: str
     folder: str
@@ -81,7 +81,7 @@ class _Reference:
 
 
 def taken_along(spec: mujoco.MjSpec) -> Assets:
-    """The files that a model refers to, under the new names that the model then uses; raises UserError."""
+    """Return the files to which a model refers, by new names that the model then uses. Raises UserError."""
     assets: dict[str, bytes] = {}
     names: dict[str, str] = {}
     embedded = dict(spec.assets)
@@ -100,9 +100,9 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
 
 
 def check_places(spec: mujoco.MjSpec, models: Sequence[Model]) -> None:
-    """Raises UserError for files outside the model's folder; those of models in it are called by where they are.
+    """Raise UserError for files outside the model's folder, and complete the paths of files of attached models.
 
-    models  the one that is read, and those that it brings along
+    `models` are the model itself and those that it attaches.
     """
     base = Path(spec.modelfiledir)
     for reference in list(_references(spec)):
@@ -150,7 +150,7 @@ def _renaming_side(texture: Any, side: int) -> Callable[[str], None]:
 
 
 def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
-    """The path and content of a file: among the model's assets, or on the disk in MuJoCo's order."""
+    """Return the path and content of a file, from the model's assets or from the disk in MuJoCo's order."""
     folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
     for name in (reference.file, file, str(Path(folder) / file), Path(file).name):
         if name in own:
@@ -167,25 +167,25 @@ def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
 
 
 def _places(reference: _Reference, base: Path) -> list[Path]:
-    """The places where MuJoCo looks for a file on the disk, in order; the last one assumes all named folders."""
+    """Return the paths at which MuJoCo searches for a file, in order; the last one assumes that all folders exist."""
     folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
     first = base / folder / file
     return [first, base / file, base / folder / Path(file).name, Path(os.path.normpath(first))]
 
 
 def is_plain(name: str) -> bool:
-    """Whether a name is a plain file name, without a path, on every system."""
+    """Return whether a name is a plain file name, without a path, on every system."""
     return bool(name) and not name.startswith(".") and not ODD.search(name) and len(name.encode()) <= LONGEST
 
 
 def _plain(name: str) -> str:
-    """A name like the given one that is plain."""
+    """Return a similar name that is plain."""
     name = ODD.sub("_", name).lstrip(".") or "file"
     return name if is_plain(name) else f"file{Path(name).suffix[:16]}"
 
 
 def _fresh(name: str, taken: Assets) -> str:
-    """A file's name, or with a number where another file has it already."""
+    """Return a file's name, with a number if it is already used."""
     path, number = Path(name), 1
     lower = {other.lower() for other in taken}
     while name.lower() in lower:

@@ -1,4 +1,4 @@
-"""Figure and stage become one model: what the model lacks of sky, light, floor and materials, and obstacles."""
+"""Figure and stage as one model: sky, light, floor and materials that the model lacks, and obstacles."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ from .mujoco_versions import attach, geom_named, keep_visuals, portable_text, re
 from .obstacle import Obstacle, add_bodies
 
 PREFIX = "stage_"
-BURIED = 0.005  # [m] by which a bolted figure may go into the floor
-BELOW = 0.02  # of its size, how far below its lowest point a floor is put
+BURIED = 0.005  # [m] depth in the floor that is permitted for a fixed figure
+BELOW = 0.02  # [1] distance of an added floor below the figure's lowest point, relative to the figure's size
 
 
 @dataclass(frozen=True)
 class Step:
-    """A box to step on: its front face at x, its top at `height`; all in metres."""
+    """A box as a step: its front face at x, its top at `height`; all in metres."""
 
     x: float
     height: float
@@ -47,14 +47,14 @@ class Step:
 
 @contextlib.contextmanager
 def quietly() -> Iterator[None]:
-    """MuJoCo's warnings reported as notes, and what its Python module prints or warns of dropped."""
+    """Report MuJoCo's warnings as notes, and suppress other output and warnings of its Python module."""
     with mujoco_warnings.intercepted(), contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of settings that MuJoCo will drop
+        warnings.simplefilter("ignore")  # deprecation warnings of MuJoCo
         yield
 
 
 def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
-    """A shipped figure by name, or the model of an MJCF file (relative to `folder`)."""
+    """Return a shipped figure by name, or the model of an MJCF file (relative to `folder`)."""
     if figure in models.figures():
         return mujoco.MjSpec.from_string(models.figure_text(figure))
     path = (folder or Path()) / figure
@@ -77,7 +77,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
 
 
 def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
-    """The names of a model's joints before it is compiled, as in `joint_names`."""
+    """Return the names of a model's joints before it is compiled, as in `joint_names`."""
     names: list[str] = []
     bodies: list[tuple[str, int]] = []
     waiting = list(spec.worldbody.bodies)[::-1]
@@ -98,12 +98,16 @@ def compose(
     bare: mujoco.MjModel | None = None,
     keys: Collection[str] = (),
 ) -> Scene:
-    """A figure on its stage, complete with the files it refers to; from it alone the model is compiled from now on.
+    """Return a figure on its stage, complete with the files to which it refers.
 
-    bare  the figure compiled, if it has been: one with large meshes takes its time
-    keys  names of the model's own <key> elements that stay
+    Only the <key> elements `keys` are included, because MuJoCo writes others with few digits or omits them.
 
-    Without its other <key> elements: MuJoCo writes them with few digits and leaves out some.
+    Args:
+        spec: The figure.
+        step: The step, if any.
+        obstacles: The obstacles.
+        bare: The compiled figure, if available; compilation of large meshes is slow.
+        keys: Names of the model's <key> elements to include.
     """
     assets = taken_along(spec)
     poses = {key.name: np.array(key.qpos) for key in spec.keys if key.name in keys}
@@ -133,9 +137,13 @@ def compose(
 
 
 def _with_keys(text: str, poses: Mapping[str, Array], bare: mujoco.MjModel, model: mujoco.MjModel) -> str:
-    """A model's text with <key> elements of the figure's configurations by name; obstacles are where they rest.
+    """Return a model's text with <key> elements, by name, of the figure's configurations, with obstacles at rest.
 
-    bare, model  the figure alone, and on its stage;  configurations (nq,) of the figure, empty for its rest
+    Args:
+        text: The text.
+        poses: Configurations (nq,) of the figure; an empty one is the rest pose.
+        bare: The figure alone.
+        model: The figure on its stage.
     """
     keys = []
     for name, pose in poses.items():
@@ -149,7 +157,7 @@ def _with_keys(text: str, poses: Mapping[str, Array], bare: mujoco.MjModel, mode
 
 
 def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> mujoco.MjSpec:
-    """Add the parts of the stage that a model lacks; a model without sufficient light gets the stage's only."""
+    """Return the parts of the stage that a model lacks. A model without enough light gets only the stage's lights."""
     stage = mujoco.MjSpec.from_string(models.stage_text())
     has_light = is_well_lit(bare)
     has_sky = any(texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in spec.textures)
@@ -165,7 +173,7 @@ def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> muj
             spec.stat.extent *= size_of(bare) / STANDING
     if not has_floor and not np.any(bare.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
         low = float(rest_box(bare)[0][2])
-        if low < -BURIED:  # what hangs on the world may hang lower than its origin
+        if low < -BURIED:  # a fixed figure may reach below its origin
             geom_named(stage, "floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
     size, wanted = size_of_pictures(spec), size_of_pictures(stage)
     size.offwidth, size.offheight = wanted.offwidth, wanted.offheight
@@ -180,7 +188,7 @@ def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model: {first_line(error)}") from None
     finally:
-        spec.assets = {}  # or MuJoCo warns of what is attached without any
+        spec.assets = {}  # otherwise MuJoCo warns about attached models without assets
 
 
 def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
@@ -199,5 +207,5 @@ def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
 
 
 def first_line(error: Exception) -> str:
-    """An error of several lines as one."""
+    """Return an error of several lines as one line."""
     return " ".join(str(error).split())

@@ -1,4 +1,4 @@
-"""Checks of configurations of a model, MuJoCo's qpos, for untrusted input."""
+"""Checks of configurations qpos of a model, for untrusted input."""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ from dynsplines.solver.array import Array
 
 from ..system.quantity import LARGEST
 
-SHORTEST = 1e-6  # norm of a quaternion that still defines a rotation
-QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # where it begins among a joint's entries
+SHORTEST = 1e-6  # [1] minimum norm of a quaternion
+QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # offset of the quaternion in a joint
 
 
 def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, str] | None:
-    """The first of some keyframes, time (K,) [s] and qpos (K, nq), that is wrong, and what is; None if all are well."""
+    """Return the index of the first invalid keyframe, time (K,) [s] and qpos (K, nq), and the reason; None if all are
+    valid."""
     entries = np.column_stack([time, qpos])
     checks = [
         (np.isfinite(entries).all(axis=1), "an entry is not a finite number"),

@@ -1,7 +1,7 @@
 """Whether a model may refer to files outside its folder: an untrusted model could name any file of the user.
 
-It may not by default: `with allowed():` around the code that reads models, `--allow-outside` on the command
-line, `allow_outside=True` in Python.
+It may not by default. Exceptions are `with allowed():` around code that reads models, `--allow-outside` on the command
+line, and `allow_outside=True` in Python.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _allowed: ContextVar[bool] = ContextVar("allowed", default=False)
 
 @contextmanager
 def allowed(yes: bool = True) -> Iterator[None]:
-    """Allow models to refer to files anywhere in this block; yes=False restores the default."""
+    """Allow models to refer to files anywhere, within this block; yes=False restores the default."""
     before = _allowed.set(yes or _allowed.get())
     try:
         yield
@@ -28,16 +28,17 @@ def allowed(yes: bool = True) -> Iterator[None]:
 
 
 def is_allowed() -> bool:
-    """Whether models may refer to files outside their folders now."""
+    """Return whether models may refer to files outside their folders now."""
     return _allowed.get()
 
 
 def check(place: Path, folder: Path, name: str) -> None:
     """Raise UserError for a file outside the model's folder, after resolving links.
 
-    place   where the file is
-    folder  the model's
-    name    the file's name in the model
+    Args:
+        place: The path of the file.
+        folder: The model's folder.
+        name: The file's name in the model.
     """
     if not is_allowed() and not lies_in(place, folder):
         home = os.path.realpath(folder)
@@ -50,5 +51,5 @@ def check(place: Path, folder: Path, name: str) -> None:
 
 
 def lies_in(place: Path, folder: Path) -> bool:
-    """Whether a file is in a folder or below it, once all links are followed."""
+    """Return whether a file is in a folder or below it, after resolving links."""
     return Path(os.path.realpath(place)).is_relative_to(os.path.realpath(folder))

@@ -1,4 +1,4 @@
-"""How large a figure is and where: for the camera's distance, the haze, and a floor that does not cut through it."""
+"""Size and position of a figure: for the camera's distance, the haze, and the height of a floor."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import Root
 from dynsplines.solver.surface.touch import moves
 
-MOST_POSES = 60  # that a camera's frame is made of
-STANDING = 2.05  # [m] a person with a hand raised over the head
-PEOPLE = (1.3, 2.2)  # [m]
-WIDTH, HEIGHT = 0.8, 1.06  # visible share about a figure's middle of the height set for a camera
+MOST_POSES = 60  # maximum number of poses from which a camera's frame is computed
+STANDING = 2.05  # [m] height of a person with a hand raised over the head
+PEOPLE = (1.3, 2.2)  # [m] range of heights of people
+WIDTH, HEIGHT = 0.8, 1.06  # [1] visible width and height about a figure's middle, relative to a camera's `height`
 
 
 def box(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
-    """Lowest and highest corner (3,) [m] of what moves and of the fixed bodies that carry it, where `data` has them."""
+    """Return the lowest and highest corner (3,) [m] of moving parts and the fixed bodies that carry them, in `data`."""
     moving = moves(model)
     carrier = np.isin(model.geom_bodyid, _carriers(model)) & (model.geom_bodyid != 0)
     geoms = np.flatnonzero((moving | carrier) & (model.geom_type != int(mujoco.mjtGeom.mjGEOM_PLANE)))
@@ -32,7 +32,7 @@ def box(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
 
 
 def _carriers(model: mujoco.MjModel) -> Array:
-    """The bodies on the way from the world to any that moves."""
+    """Return the bodies between the world and moving ones."""
     carriers = set()
     for body in np.flatnonzero(model.body_jntnum > 0):
         parent = int(model.body_parentid[body])
@@ -43,32 +43,32 @@ def _carriers(model: mujoco.MjModel) -> Array:
 
 
 def rest_box(model: mujoco.MjModel) -> tuple[Array, Array]:
-    """The same for the rest pose."""
+    """Return the same for the rest pose."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     return box(model, data)
 
 
 def is_of_people_size(model: mujoco.MjModel) -> bool:
-    """Whether a figure is as tall as people are, and upright."""
+    """Return whether a figure is upright and as tall as a person."""
     low, high = rest_box(model)
     size = high - low
     return bool(PEOPLE[0] <= size[2] <= PEOPLE[1] and size[2] >= size[:2].max())
 
 
 def size_of(model: mujoco.MjModel) -> float:
-    """[m] what a camera would call the figure's height at rest."""
+    """Return the camera's `height` for the figure at rest [m]."""
     low, high = rest_box(model)
     return STANDING if is_of_people_size(model) else _told((high - low) / 2)
 
 
 def _told(reach: Array) -> float:
-    """The height [m] to set for a camera so that it shows the extent (3,) [m] to either side of its target."""
+    """Return the camera's `height` [m] that shows the extent (3,) [m] to either side of its target."""
     return float(max(*(2 * reach[:2] / WIDTH), 2 * reach[2] / HEIGHT, 1e-3))
 
 
 def middles(figure: Figure, qpos: Array) -> Array:
-    """(T, 3) [m] positions of a figure along qpos (T, nq): its root, or the middle of its moving parts."""
+    """Return the positions of a figure along qpos (T, nq), (T, 3) [m]: its root, or the middle of its moving parts."""
     if figure.root is not None and figure.root.is_free:
         return qpos[:, figure.tables.position_columns[:, 0]]
     if figure.root is not None and _travels(figure, figure.root):
@@ -78,12 +78,12 @@ def middles(figure: Figure, qpos: Array) -> Array:
 
 
 def _travels(figure: Figure, root: Root) -> bool:
-    """Whether a root of slides moves along two directions or more: a cart on rails is seen with its rails."""
+    """Return whether a root of slides moves along two directions or more. A cart on a rail is shown with its rail."""
     return sum(figure.links[i].kind is JointKind.SLIDE for i in root.links) > 1
 
 
 def root_places(model: mujoco.MjModel, root: Root, qpos: Array) -> Array:
-    """(T, 3) [m] where a root's body is along qpos (T, nq)."""
+    """Return the positions of a root's body along qpos (T, nq), (T, 3) [m]."""
     if root.is_free:
         start = int(model.jnt_qposadr[root.joints[0]])
         return qpos[:, start : start + 3]
@@ -96,7 +96,7 @@ def root_places(model: mujoco.MjModel, root: Root, qpos: Array) -> Array:
 
 
 def height(figure: Figure, qpos: Array) -> float:
-    """[m] what a camera that follows `middles` is to call the figure's height, to show all of it along qpos (T, nq)."""
+    """Return the `height` [m] of a camera that follows `middles` and shows the whole figure along qpos (T, nq)."""
     if figure.root is not None and figure.root.is_free and is_of_people_size(figure.model):
         return STANDING
     low, high = _boxes(figure, qpos)
@@ -105,12 +105,12 @@ def height(figure: Figure, qpos: Array) -> float:
 
 
 def _chosen(count: int) -> Index:
-    """Some of so many poses."""
+    """Return evenly spaced indices of at most MOST_POSES poses."""
     return np.unique(np.linspace(0, count - 1, min(count, MOST_POSES)).astype(int))
 
 
 def _boxes(figure: Figure, qpos: Array) -> tuple[Array, Array]:
-    """The figure's boxes in some of the poses, lowest and highest corners, (n, 3) each."""
+    """Return the figure's boxes in these poses: lowest and highest corners, (n, 3) each."""
     data = mujoco.MjData(figure.model)
     boxes = []
     for i in _chosen(len(qpos)):

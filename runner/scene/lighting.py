@@ -1,6 +1,6 @@
-"""Whether a model's lamps light its figure everywhere: the sum of light on the ground around it.
+"""Whether a model's lights light its figure everywhere, by the sum of light on the ground around it.
 
-Many models of robots bring one lamp right above them, a cone in the dark that they walk out of, or none.
+Many robot models have a single light right above them, a narrow cone that they leave when they walk, or none.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from .framing import rest_box
 from .mujoco_versions import Lamp
 from .mujoco_versions import lamp as kind_of
 
-ABOUT = 2.0  # of a figure's size, how far from it on each side the ground should be lit; half of it for a fixed one
-LEAST = 0.7  # of full light, what a grey ground needs to be seen as grey
+ABOUT = 2.0  # [1] distance to which the ground should be lit, relative to the figure's size; half for a fixed figure
+LEAST = 0.7  # [1] minimum brightness of the ground, relative to full light
 SIDEWAYS = (
-    0.5  # of the headlight, which shines along the camera's axis, what falls on the ground and on a figure's sides
+    0.5  # [1] share of the headlight, which shines along the camera's axis, on the ground and on a figure's sides
 )
 
 
 def is_well_lit(model: mujoco.MjModel) -> bool:
-    """Whether a model has lamps that are on, and light enough at its figure and to all sides of it."""
+    """Return whether a model has active lights, and enough light at its figure and on all sides of it."""
     return bool(np.any(model.light_active)) and float(brightness(model).min()) >= LEAST
 
 
 def brightness(model: mujoco.MjModel) -> Array:
-    """(5,) the light on level ground under a figure at rest and to four sides of it, 1 for full."""
+    """Return the light on level ground under a figure at rest and on four sides of it, (5,), 1 for full light."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     mujoco.mj_comPos(model, data)
@@ -48,7 +48,7 @@ def brightness(model: mujoco.MjModel) -> Array:
 
 
 def _reaching(model: mujoco.MjModel, data: mujoco.MjData, lamp: int, ground: Array) -> Array:
-    """(n,) the share of a lamp's light that falls on level ground (n, 3), as OpenGL reckons a spot's cone."""
+    """Return the share of a light on level ground points (n, 3), with OpenGL's model of a spot's cone, (n,)."""
     ahead = data.light_xdir[lamp] / np.linalg.norm(data.light_xdir[lamp])
     if kind_of(model, lamp) is Lamp.DIRECTIONAL:
         return np.full(len(ground), max(-float(ahead[2]), 0.0))

@@ -1,8 +1,8 @@
 """The memory that an MJCF model needs, estimated from its text before MuJoCo reads it.
 
-A line can request a million copies or a height field of gigabytes, and MuJoCo allocates them without limit. This
-counts elements, times their replications and attachments, and the numbers that define sizes. It is an upper bound
-for usual models, not a guarantee; copies weigh more, because MuJoCo's time grows with their square.
+A line can request a million copies or a height field of gigabytes, and MuJoCo allocates them without limit. This module
+counts elements, times their replications and attachments, and the numbers that define sizes. The result is an upper
+bound for usual models, not a guarantee. Copies have a higher weight, because MuJoCo's time grows with their square.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from pathlib import Path
 
 from ..system import size_limit
 
-ELEMENT = 10_000  # [bytes] of a body, geom or joint, as its text and compiled
-COPIED = 50_000  # [bytes] of one that is replicated: 20,000 of them take MuJoCo 15 s, and twice as many four times that
-HEIGHT = 16  # [bytes] of a height field's point
-PIXEL = 6  # [bytes] of a texture's
-NUMBER = 8  # [bytes]
-KEY_NUMBERS = 2  # numbers of a keyframe for every element; a person needs 1, a pile of free bodies 9
-CUBE = 6  # sides
+ELEMENT = 10_000  # [bytes] of a body, geom or joint, including its text
+COPIED = 50_000  # [bytes] of a replicated element; MuJoCo takes 15 s for 20,000 of them
+HEIGHT = 16  # [bytes] of a point of a height field
+PIXEL = 6  # [bytes] of a pixel of a texture
+NUMBER = 8  # [bytes] of a number
+KEY_NUMBERS = 2  # numbers per keyframe and element; humanoids need 1, free bodies 9
+CUBE = 6  # sides of a cube texture
 PNG = b"\x89PNG\r\n\x1a\n"
 
 SKIPPED = {"<!--": "-->", "<![CDATA[": "]]>", "<?": "?>", "<!": ">"}
@@ -32,14 +32,14 @@ UNITS = {"": 0, "K": 10, "M": 20, "G": 30, "T": 40, "P": 50, "E": 60}
 
 
 def check(text: str, where: object, folder: Path | None = None, assets: Mapping[str, bytes] | None = None) -> None:
-    """Raises UserError for a model that would be too large; folder and assets as MuJoCo would look for files."""
+    """Raise UserError for a model that would be too large; `folder` and `assets` are where MuJoCo would find files."""
     counted = _Count(folder, assets or {})
     size = counted.model(text, "")
     size_limit.check(where, size + counted.keys * NUMBER * KEY_NUMBERS * size / ELEMENT, "the model that it describes")
 
 
 def check_file(path: Path) -> None:
-    """As `check`, of a file; an unreadable one is left to the reader."""
+    """Check a file in the same way. An unreadable one is left to the reader."""
     try:
         size_limit.check(path, path.stat().st_size, "it")
         text = path.read_text(encoding="utf-8", errors="replace")
@@ -50,9 +50,10 @@ def check_file(path: Path) -> None:
 
 @dataclass
 class _Count:
-    """The bytes of models by the files that they are in, and the number of keyframes.
+    """The bytes of models by file, and the number of keyframes.
 
-    open  files that are being counted, so that one that names itself ends
+    Attributes:
+        open: Files that are being counted, so that recursive inclusion ends.
     """
 
     folder: Path | None
@@ -62,7 +63,7 @@ class _Count:
     open: set[str] = field(default_factory=set)
 
     def model(self, text: str, name: str) -> float:
-        """[bytes] of a model or an included part of one."""
+        """Return the bytes of a model or of an included part."""
         self.open.add(name)
         total, attached, attachable, factors = 0.0, 0.0, 0.0, [1.0]
         for tag, attributes, closes, empty in _tags(text):
@@ -85,7 +86,6 @@ class _Count:
         return total + attached * attachable
 
     def _file(self, name: str) -> float:
-        """[bytes] of a model in another file."""
         if name not in self.known and name not in self.open:
             data = self._read(name)
             self.known[name] = 0.0 if data is None else self.model(data.decode("utf-8", errors="replace"), name)
@@ -103,7 +103,7 @@ class _Count:
             return None
 
     def _own(self, tag: str, attributes: Mapping[str, str]) -> float:
-        """[bytes] of an element beyond that it is there."""
+        """Return the bytes of an element in addition to ELEMENT."""
         number = {name: _number(value) for name, value in attributes.items()}
         match tag:
             case "hfield":
@@ -129,7 +129,7 @@ class _Count:
         return NUMBER * (number.get("dim", 0) + 2 * number.get("nsample", 0))
 
     def _pixels(self, attributes: Mapping[str, str]) -> float:
-        """The number of pixels of an image file, from its header."""
+        """Return the number of pixels of an image file, from its header."""
         head = self._read(attributes.get("file", ""), 24) or b""
         if head[:8] != PNG:
             return 0.0
@@ -137,7 +137,7 @@ class _Count:
 
 
 def _tags(text: str) -> Iterator[tuple[str, dict[str, str], bool, bool]]:
-    """Name, attributes, closing and empty flags of tags; up to the first invalid one, where MuJoCo stops as well."""
+    """Yield name, attributes, closing and empty flags of tags up to the first invalid one, where MuJoCo stops too."""
     place = text.find("<")
     while place >= 0:
         skipped = next((end for begin, end in SKIPPED.items() if text.startswith(begin, place)), None)
@@ -156,7 +156,7 @@ def _tags(text: str) -> Iterator[tuple[str, dict[str, str], bool, bool]]:
 
 
 def _number(text: str) -> float:
-    """The number that a text begins with, with its unit of bytes; nought for none."""
+    """Return the number at the beginning of a text, with its unit of bytes; 0 if there is none."""
     match = LEADING.match(text)
     try:
         return max(0.0, float(match[1])) * 2.0 ** UNITS[match[2]] if match else 0.0

@@ -1,7 +1,7 @@
-"""Files that an MJCF file refers to, from its text, before MuJoCo reads any of them.
+"""Files to which an MJCF file refers, from its text, before MuJoCo reads them.
 
-A model includes further text, and may bring whole models along, `<model file="arm.xml"/>`, to attach them: these look
-for their meshes and images from their own folder on.
+A model can include further text, and can attach whole models by `<model file="arm.xml"/>`. Paths of meshes and images
+of these are relative to their own folders.
 """
 
 from __future__ import annotations
@@ -23,9 +23,13 @@ ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
 
 @dataclass
 class Model:
-    """A model: its folder, those that it specifies for its files, the names of the files, and paths that were read.
+    """A model and its references.
 
-    texts  the model's file, the text that it includes, and the files of its flexible bodies
+    Attributes:
+        folder: The model's folder.
+        folders: The folders that it specifies for its files.
+        files: The names of its files.
+        texts: The model's file, included files, and the files of its flexible bodies.
     """
 
     folder: Path
@@ -35,21 +39,21 @@ class Model:
 
 
 def is_there(path: Path) -> bool:
-    """Whether a file exists, for an untrusted name: some names raise an error from the operating system."""
+    """Return whether a file exists. The name may be untrusted: some names raise an error of the operating system."""
     return os.path.isfile(path)  # noqa: PTH113
 
 
 def models_in(path: Path) -> list[Model]:
-    """A model and the models it attaches; raises UserError for text outside its folder."""
+    """Return a model and the models that it attaches. Raises UserError for text outside its folder."""
     models = [Model(path.parent)]
     _walk(path, models[0], models, path.parent, {path})
     return models
 
 
 def paths_read(path: Path) -> list[Path]:
-    """Return the paths of all files that a model reads, from every folder where MuJoCo may look for them.
+    """Return the paths of all files that a model reads, in every folder where MuJoCo may look for them.
 
-    Raises UserError for a file that exists outside the model's folder alone, unless that is allowed.
+    Raises UserError for a file that exists only outside the model's folder, unless that is allowed.
     """
     paths = {path}
     for model in models_in(path):
@@ -66,7 +70,7 @@ def paths_read(path: Path) -> list[Path]:
 
 
 def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path]) -> None:
-    """Through a model's text and all text that it includes; `own` gets the files, `found` the models."""
+    """Collect the files of a model's text and of all included text in `own`, and the attached models in `found`."""
     own.texts.add(path)
     for tag, attrs in list(elements(path.read_bytes().decode("utf-8-sig", errors="replace"))):
         own.folders |= {attrs[name].replace("\\", "/") for name in FOLDERS if tag == "compiler" and name in attrs}
@@ -94,7 +98,7 @@ def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path
 
 
 def elements(text: str) -> Iterator[tuple[str, Mapping[str, str]]]:
-    """Name and attributes of every element. Of invalid XML, which MuJoCo may still read, everything similar to one."""
+    """Yield name and attributes of every element. In invalid XML, which MuJoCo may read, similar text counts too."""
     try:
         yield from [(element.tag, element.attrib) for element in ElementTree.fromstring(text).iter()]
     except ElementTree.ParseError:

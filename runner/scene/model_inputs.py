@@ -1,4 +1,4 @@
-"""A model given to the Python API: a shipped name, a path, MJCF text, an MjSpec or an MjModel."""
+"""Models for the Python API: a shipped name, a path, MJCF text, an MjSpec or an MjModel."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .compose import figure_spec, first_line, quietly
 from .model_files import elements
 from .mujoco_versions import last_text
 
-CLOSE = 1e-6  # relative, that numbers of a model may lose in a text
+CLOSE = 1e-6  # [1] relative difference of numbers after a model is written as text
 KINDS = "give the name of a figure that ships, a path to MJCF or URDF, MJCF text, an MjSpec or an MjModel"
 NO_TEXT = (
     "figure: MuJoCo writes an MjModel as MJCF only if it is the one that was read last, unchanged and without "
@@ -26,14 +26,14 @@ NO_TEXT = (
 
 
 def is_text(source: object) -> bool:
-    """Whether it is MJCF or URDF text, and no path."""
+    """Return whether a source is MJCF or URDF text, not a path."""
     return isinstance(source, str) and source.lstrip("\ufeff \t\r\n").startswith("<")
 
 
 def spec_of(figure: object) -> tuple[mujoco.MjSpec, str]:
-    """A model to be changed, and what a clip's text calls it: a name that ships, a path, or the model's own name.
+    """Return a model for changes, and its name in a clip's text: a shipped name, a path, or the model's name.
 
-    Raises UserError for what is none of these, and for an MjModel that MuJoCo cannot write as MJCF.
+    Raises UserError for other objects, and for an MjModel that MuJoCo cannot write as MJCF.
     """
     if isinstance(figure, mujoco.MjSpec):
         spec = figure.copy()
@@ -52,7 +52,7 @@ def spec_of(figure: object) -> tuple[mujoco.MjSpec, str]:
 
 
 def spec_of_text(text: str) -> mujoco.MjSpec:
-    """The model of MJCF text, which looks for its files from the current folder on."""
+    """Return the model of MJCF text, whose files are relative to the current folder."""
     mjcf_size.check(text, "figure", Path())
     for tag, attributes in elements(text):
         if tag in ("include", "model") and attributes.get("file"):
@@ -65,7 +65,7 @@ def spec_of_text(text: str) -> mujoco.MjSpec:
 
 
 def _of_model(model: mujoco.MjModel) -> mujoco.MjSpec:
-    """The model as MuJoCo writes it, if what it writes is that model."""
+    """Return the model that MuJoCo writes as text, if it is the same model."""
     try:
         with quietly():
             text = last_text(model)
@@ -79,7 +79,7 @@ def _of_model(model: mujoco.MjModel) -> mujoco.MjSpec:
 
 
 def _is_same(one: mujoco.MjModel, two: mujoco.MjModel) -> bool:
-    """Whether two models have the same names and, to rounding, the same numbers."""
+    """Return whether two models have the same names and, to rounding, the same numbers."""
     return one.names == two.names and all(
         _is_close(getattr(mine, name), getattr(other, name))
         for mine, other in ((one, two), (one.opt, two.opt))
@@ -88,7 +88,6 @@ def _is_same(one: mujoco.MjModel, two: mujoco.MjModel) -> bool:
 
 
 def _numbers(holder: Any) -> list[str]:
-    """The names of attributes that are numbers or arrays of them."""
     return [
         name for name in dir(holder) if name[0] != "_" and isinstance(getattr(holder, name), int | float | np.ndarray)
     ]

@@ -1,4 +1,4 @@
-"""Names that differ in MuJoCo 3.2.7 to 3.3: the only file that checks MuJoCo's version."""
+"""Names that differ in MuJoCo 3.2.7 to 3.3. Only this file checks MuJoCo's version."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-DIGITS = 15  # of numbers in MJCF texts: as many as bring 0.1 back as 0.1
+DIGITS = 15  # significant digits of numbers in MJCF texts, so that decimal input such as 0.1 is reproduced
 
 
 class Lamp(Enum):
@@ -28,7 +28,7 @@ class Lamp(Enum):
 
 
 def lamp(model: mujoco.MjModel, light: int) -> Lamp:
-    """The type of a light. Before 3.3.1 all are directional or spots."""
+    """Return the type of a light. Before 3.3.1 all are directional or spots."""
     if not hasattr(model, "light_type"):
         return Lamp.DIRECTIONAL if model.light_directional[light] else Lamp.SPOT
     return _lamp_of(model.light_type[light])
@@ -45,20 +45,20 @@ def _lamp_of(kind: int) -> Lamp:
 
 
 def drawn_lamp(light: Any) -> Lamp:
-    """The type of a light of a scene to be drawn (MjvLight)."""
+    """Return the type of a light in a rendered scene (MjvLight)."""
     if not hasattr(light, "type"):
         return Lamp.DIRECTIONAL if light.directional else Lamp.SPOT
     return _lamp_of(light.type)
 
 
 def without_shadow(model: mujoco.MjModel, geoms: Any) -> None:
-    """Lets geoms (a mask or numbers) cast no shadow, where this MuJoCo can."""
+    """Disable the shadows of geoms (a mask or numbers), if this version of MuJoCo can."""
     if hasattr(model, "geom_castshadow"):
         model.geom_castshadow[geoms] = 0
 
 
 def remove(spec: mujoco.MjSpec, element: Any) -> None:
-    """Remove an element, a body with all its children. Compile before the model is written."""
+    """Remove an element; a body with all its children. Compile before the model is written."""
     if hasattr(spec, "delete"):
         spec.delete(element)
     elif isinstance(element, type(spec.worldbody)):
@@ -68,14 +68,11 @@ def remove(spec: mujoco.MjSpec, element: Any) -> None:
 
 
 def portable_text(spec: mujoco.MjSpec) -> str:
-    """A compiled model's text that older versions read as well: without attributes that state their defaults.
+    """Return a compiled model's text that older versions can read: without attributes at their defaults.
 
-    Without materials that there are none of, too: a class within another whose material is given up by material="" is
-    written as if it kept it.
-
-    Numbers have 15 digits, where MuJoCo's own default is 6: masses and lengths differ by up to 5e-6 with these.
-
-    Before 3.3.3 or so MuJoCo writes the elevations of a height field upside down; here they are turned back.
+    Numbers have 15 digits. MuJoCo's default is 6, with which masses and lengths differ by up to 5e-6. References to
+    undefined materials are removed: MuJoCo writes them for a nested class with material="". Before about 3.3.3 MuJoCo
+    writes the elevations of a height field in reverse order, which is corrected.
     """
     text = re.sub(r"<light [^>]*>", lambda found: _plain_light(found[0]), _precise_text(spec))
     materials = {material.name for material in spec.materials}
@@ -85,9 +82,9 @@ def portable_text(spec: mujoco.MjSpec) -> str:
 
 
 def last_text(model: mujoco.MjModel) -> str:
-    """The text of the model that MuJoCo read last from a file or text, with the numbers of `model`.
+    """Return the text of the model that MuJoCo read last from a file or text, with the numbers of `model`.
 
-    It may be another model: MuJoCo keeps no text of a compiled one. Raises ValueError where there is none.
+    It may be another model, because MuJoCo stores no text of a compiled one. Raises ValueError if there is none.
     """
     with tempfile.TemporaryDirectory() as folder, _precise():
         path = Path(folder) / "model.xml"
@@ -105,9 +102,9 @@ def _precise_text(spec: mujoco.MjSpec) -> str:
 
 @contextlib.contextmanager
 def _precise() -> Iterator[None]:
-    """Texts with numbers of `DIGITS` digits, or of MuJoCo's default where its library is not found.
+    """Write numbers with DIGITS digits in this block, or with MuJoCo's default if its library is not found.
 
-    The precision is a setting of the thread that MuJoCo's Python package has no function for.
+    The precision is a setting of the thread, for which MuJoCo's Python package has no function.
     """
     library = _library()
     if library is None:
@@ -123,7 +120,7 @@ def _precise() -> Iterator[None]:
 
 @cache
 def _library() -> ctypes.CDLL | None:
-    """MuJoCo's shared library, which its Python package has loaded already, if it can set the precision of texts."""
+    """Return MuJoCo's shared library if it can set the precision of texts; the Python package has already loaded it."""
     folder = Path(mujoco.__file__).parent
     for path in sorted((*folder.glob("libmujoco*"), *folder.glob("mujoco.dll"))):
         with contextlib.suppress(OSError):
@@ -139,7 +136,7 @@ def _plain_light(tag: str) -> str:
 
 @cache
 def _turns_height_fields() -> bool:
-    """Whether this MuJoCo reads another height field from a text than the one it wrote there."""
+    """Return whether this MuJoCo writes a height field in another order than it reads."""
     text = '<mujoco><asset><hfield name="h" nrow="2" ncol="2" size="1 1 1 1" elevation="0 0 1 1"/></asset></mujoco>'
     spec = mujoco.MjSpec.from_string(text)
     before = spec.compile().hfield_data
@@ -147,7 +144,7 @@ def _turns_height_fields() -> bool:
 
 
 def _upright(tag: str) -> str:
-    """A height field's element with its rows in the other order."""
+    """Return a height field's element with its rows in reverse order."""
     elevation = re.search(r'elevation="([^"]*)"', tag)
     columns = re.search(r'ncol="(\d+)"', tag)
     if elevation is None or columns is None:
@@ -157,23 +154,23 @@ def _upright(tag: str) -> str:
 
 
 def mesh_folder(spec: mujoco.MjSpec, element: Any) -> str:
-    """The folder of a mesh, height field or skin file. In newer versions attached models keep their folders."""
+    """Return the folder of a mesh, height field or skin. In newer versions attached models have separate folders."""
     return element.compiler.meshdir if hasattr(element, "compiler") else spec.meshdir
 
 
 def texture_folder(spec: mujoco.MjSpec, texture: Any) -> str:
-    """The folder of a texture's files."""
+    """Return the folder of a texture's files."""
     return texture.compiler.texturedir if hasattr(texture, "compiler") else spec.texturedir
 
 
 def keep_visuals(spec: mujoco.MjSpec) -> None:
-    """Lets the compiler keep materials and geoms that only are seen: of a URDF it drops them, the stage's as well."""
+    """Make the compiler retain materials and visual geoms, which it drops for URDF, including those of the stage."""
     compiler = spec.compiler if hasattr(spec, "compiler") else spec
     compiler.discardvisual = False
 
 
 def attach(spec: mujoco.MjSpec, other: mujoco.MjSpec, prefix: str) -> None:
-    """Puts a model of lights and geoms in the world into another one's world, under names with a prefix."""
+    """Attach a model of lights and geoms in the world to another one's world, with a prefix on its names."""
     if hasattr(spec, "attach"):
         spec.attach(other, frame=spec.worldbody.add_frame(), prefix=prefix)
         return
@@ -184,15 +181,15 @@ def attach(spec: mujoco.MjSpec, other: mujoco.MjSpec, prefix: str) -> None:
 
 
 def geoms_by_number(spec: mujoco.MjSpec) -> list[Any]:
-    """The geoms in the order of the compiled model: body after body."""
+    """Return the geoms in the order of the compiled model, body by body."""
     return [geom for body in spec.bodies for geom in body.geoms]
 
 
 def geom_named(spec: mujoco.MjSpec, name: str) -> Any:
-    """The geom of a name that is there."""
+    """Return an existing geom by name."""
     return next(geom for geom in spec.geoms if geom.name == name)
 
 
 def size_of_pictures(spec: mujoco.MjSpec) -> Any:
-    """The table with `offwidth` and `offheight` [pixels]."""
+    """Return the object with `offwidth` and `offheight` [pixels]."""
     return getattr(spec.visual, "global_" if hasattr(spec.visual, "global_") else "global")

@@ -1,6 +1,6 @@
 """Obstacles of a clip's scene: boxes, spheres, capsules and cylinders in metres, as geoms of the stage.
 
-Obstacles with a `body` are parts of a free object, in its axes: keyframes place it, hands grasp it.
+An obstacle with a `body` is part of a free object, in its axes. Keyframes place the object, and hands can grasp it.
 """
 
 from __future__ import annotations
@@ -25,13 +25,18 @@ KINDS = {
 
 @dataclass(frozen=True)
 class Obstacle:
-    """A static geom, or a part of a body that moves freely.
+    """A static geom, or a part of a free body.
 
-    kind   "box", "sphere", "capsule" or "cylinder"
-    size   MuJoCo's: half sizes, or radius and half length [m]
-    place  (3,) centre [m]; turn (4,) wxyz; or ends (6,), the points that a capsule or cylinder goes from and to [m]
-    color  (4,) red, green, blue, opacity; None: that of the step
-    body   of which it is a part, place and turn in its axes; None: of the world;  mass  [kg] of the part
+    Attributes:
+        name: The name of the geom.
+        kind: "box", "sphere", "capsule" or "cylinder".
+        size: MuJoCo's size: half sizes, or radius and half length [m].
+        place: The centre, (3,) [m].
+        turn: The orientation, (4,) wxyz.
+        ends: The end points of a capsule or cylinder, instead of `place` and `turn`, (6,) [m].
+        color: Red, green, blue, opacity; None: that of the step.
+        body: The body of which it is a part, with `place` and `turn` in its axes; None: the world.
+        mass: The mass of the part [kg].
     """
 
     name: str
@@ -45,7 +50,7 @@ class Obstacle:
     mass: float | None = None
 
     def add_to(self, spec: mujoco.MjSpec, material: str) -> None:
-        """The geom in the world of a spec, or on its body."""
+        """Add the geom to the world of a spec, or to its body."""
         if any(geom.name == self.name for geom in spec.geoms):
             raise UserError(f"the scene has a {self.kind} '{self.name}', but the model already has a geom of that name")
         owner = spec.worldbody if self.body is None else spec.body(self.body)
@@ -64,7 +69,7 @@ class Obstacle:
 
 
 def add_bodies(spec: mujoco.MjSpec, parts: Sequence[Obstacle]) -> None:
-    """The bodies of the parts that have one, each with a free joint of its name, at the world's origin at rest."""
+    """Add the bodies of the parts that have one, each with a free joint of its name, at rest at the world's origin."""
     for name in dict.fromkeys(part.body for part in parts if part.body is not None):
         names = {body.name for body in spec.bodies} | {joint.name for joint in spec.joints}
         if name in names:

@@ -1,7 +1,6 @@
-"""What is seen of a model: its visible geoms, how they look, and the triangles that draw them.
+"""Visible geoms of a model, their appearance, and their triangles.
 
-Geoms that MuJoCo's viewer hides by default are left out: those of group 3 and above, and fully transparent
-ones.
+Geoms that MuJoCo's viewer hides by default are excluded: those of group 3 and above, and fully transparent ones.
 """
 
 from __future__ import annotations
@@ -17,19 +16,23 @@ from dynsplines.solver.array import Array
 
 from ..errors import UserError
 
-HIDDEN_GROUP = 3  # MuJoCo's viewer shows groups below it
-SAG = 0.0008  # [m] that a round surface may lie off its true place, and so how many triangles it gets
+HIDDEN_GROUP = 3  # first group that MuJoCo's viewer hides
+SAG = 0.0008  # [m] maximum deviation of triangles from a round surface, which determines their number
 MESHES = (mujoco.mjtGeom.mjGEOM_MESH, mujoco.mjtGeom.mjGEOM_SDF)
-PLAIN = np.float32(0.5)  # MuJoCo's grey: a geom of this colour takes its material's
+PLAIN = np.float32(0.5)  # MuJoCo's default grey; geoms of this colour have that of their material
 
 
 @dataclass(frozen=True)
 class Piece:
     """A visible geom.
 
-    position (3,) [m] and rotation (4,), wxyz, in its body's frame; size (3,) as MuJoCo has it; colour (4,) RGBA
-    as on a screen; gloss in [0, 1]; picture: MuJoCo's id of the texture of a
-    plane, -1 for none
+    Attributes:
+        size: MuJoCo's size, (3,).
+        position: The position in its body's frame, (3,) [m].
+        rotation: The orientation in its body's frame, (4,) wxyz.
+        colour: sRGB and opacity, (4,).
+        gloss: From 0 to 1.
+        picture: MuJoCo's id of a plane's texture, -1 for none.
     """
 
     name: str
@@ -46,9 +49,13 @@ class Piece:
 
 @dataclass(frozen=True)
 class Triangles:
-    """points (n, 3) [m] and unit normals (n, 3) in the geom's frame, faces (m, 3) counterclockwise from outside.
+    """A triangle mesh in the geom's frame.
 
-    texture (n, 2): where in the picture every point lies, from its upper left corner; None without one
+    Attributes:
+        points: (n, 3) [m].
+        normals: Unit normals, (n, 3).
+        faces: Indices of points, counterclockwise from outside, (m, 3).
+        texture: Texture coordinates from the image's upper left corner, (n, 2); None without a texture.
     """
 
     points: Array
@@ -58,19 +65,19 @@ class Triangles:
 
 
 def pieces(model: mujoco.MjModel) -> list[Piece]:
-    """Every visible geom, in the model's order."""
+    """Return every visible geom, in the model's order."""
     shown = [g for g in range(model.ngeom) if model.geom_group[g] < HIDDEN_GROUP]
     all_pieces = [piece_of(model, geom) for geom in shown]
     return [piece for piece in all_pieces if piece.colour[3] > 0]
 
 
 def is_still(model: mujoco.MjModel, piece: Piece) -> bool:
-    """Whether it belongs to the scene rather than to a figure."""
+    """Return whether a piece belongs to the static scene, not to a figure."""
     return bool(model.body_weldid[piece.body] == 0)
 
 
 def piece_of(model: mujoco.MjModel, geom: int) -> Piece:
-    """A geom, visible or not."""
+    """Return a geom, visible or not."""
     material = int(model.geom_matid[geom])
     colour = np.array(model.geom_rgba[geom], float)
     kind = mujoco.mjtGeom(model.geom_type[geom])
@@ -93,12 +100,12 @@ def piece_of(model: mujoco.MjModel, geom: int) -> Piece:
 
 
 def linear(colour: Array) -> Array:
-    """sRGB in [0, 1] to linear light, IEC 61966-2-1."""
+    """Return linear light for sRGB in [0, 1] (IEC 61966-2-1)."""
     return np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)
 
 
 def texels(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
-    """(h, w, 3) a texture's colours."""
+    """Return a texture's colours, (h, w, 3)."""
     height, width = int(model.tex_height[texture]), int(model.tex_width[texture])
     channels, start = int(model.tex_nchannel[texture]), int(model.tex_adr[texture])
     data = model.tex_data[start : start + height * width * channels].reshape(height, width, channels)
@@ -106,8 +113,8 @@ def texels(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
 
 
 def png(model: mujoco.MjModel, texture: int) -> bytes:
-    """A texture as a PNG file."""
-    from PIL import Image  # only here: few figures have pictures
+    """Return a texture as a PNG file."""
+    from PIL import Image  # imported here because few figures have textures
 
     stream = io.BytesIO()
     Image.fromarray(texels(model, texture)).save(stream, "png", optimize=True)
@@ -115,7 +122,7 @@ def png(model: mujoco.MjModel, texture: int) -> bytes:
 
 
 def triangles(model: mujoco.MjModel, piece: Piece, reach: float = 20.0) -> Triangles:
-    """A piece as triangles; a plane without end goes `reach` metres from its middle."""
+    """Return a piece as triangles. An infinite plane extends `reach` [m] from its middle."""
     size = piece.size
     match piece.kind:
         case mujoco.mjtGeom.mjGEOM_PLANE:
@@ -139,12 +146,15 @@ def triangles(model: mujoco.MjModel, piece: Piece, reach: float = 20.0) -> Trian
 
 
 def half_extent(piece: Piece, reach: float) -> Array:
-    """(2,) [m] how far a plane goes from its middle."""
+    """Return the half size of a plane, (2,) [m]."""
     return np.where(piece.size[:2] > 0, piece.size[:2], reach)
 
 
 def picture_repeat(model: mujoco.MjModel, piece: Piece, half: Array) -> Array:
-    """(2,) pictures a metre on a plane: MuJoCo lays a texture over the whole plane, or over one metre if uniform."""
+    """Return the number of texture repetitions per metre, (2,).
+
+    MuJoCo stretches a texture over the whole plane, or over one metre if it is uniform.
+    """
     material = int(model.geom_matid[piece.geom])
     repeat = np.array(model.mat_texrepeat[material], float)
     if model.mat_texuniform[material]:
@@ -162,7 +172,6 @@ def _plane(model: mujoco.MjModel, piece: Piece, reach: float) -> Triangles:
 
 
 def _box(half: Array) -> Triangles:
-    """Six faces, each with separate corners."""
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     points, normals = [], []
     for axis in range(3):
@@ -177,12 +186,12 @@ def _box(half: Array) -> Triangles:
 
 
 def slices(radius: float) -> int:
-    """Corners of a circle, so that its sides lie at most SAG inside it."""
+    """Return the number of corners of a circle whose sides deviate by at most SAG."""
     return int(np.clip(np.ceil(np.pi / np.sqrt(2 * SAG / max(radius, 1e-6))), 8, 32)) // 4 * 4
 
 
 def _lathe(radius: Array, height: Array, normal: Array, count: int) -> Triangles:
-    """A profile (k,) from the bottom up, normals (k, 2) outwards and up, turned about z."""
+    """Return a surface of revolution about z, from a profile (k,) from the bottom up and its outward normals (k, 2)."""
     angle = 2 * np.pi * np.arange(count) / count
     around = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     points = np.concatenate(
@@ -199,13 +208,13 @@ def _lathe(radius: Array, height: Array, normal: Array, count: int) -> Triangles
 
 
 def _used(found: Triangles) -> Triangles:
-    """Without points that no face has."""
+    """Return the triangles without points that no face uses."""
     used, faces = np.unique(found.faces, return_inverse=True)
     return Triangles(found.points[used], found.normals[used], faces.reshape(-1, 3).astype(np.uint32))
 
 
 def _arc(count: int, *, top: bool) -> Array:
-    """Angles above the horizon of a half circle's lower or upper half."""
+    """Return angles above the horizon, of the upper or lower quarter of a profile."""
     return np.linspace(0, np.pi / 2, count + 1) if top else np.linspace(-np.pi / 2, 0, count + 1)
 
 
@@ -237,7 +246,7 @@ def _cylinder(radius: float, half: float) -> Triangles:
 
 
 def joined(parts: list[Triangles]) -> Triangles:
-    """Several as one; those with a texture only among their like."""
+    """Return several meshes as one; meshes with and without textures must not be mixed."""
     starts = np.cumsum([0, *(len(part.points) for part in parts[:-1])])
     texture = [part.texture for part in parts if part.texture is not None]
     return Triangles(
@@ -249,7 +258,7 @@ def joined(parts: list[Triangles]) -> Triangles:
 
 
 def _mesh(model: mujoco.MjModel, mesh: int) -> Triangles:
-    """MuJoCo's own smooth normals, but a face's where those look away from it, as they do at sharp corners."""
+    """Return a mesh with MuJoCo's smooth normals, except at sharp corners, where the face's normal is used."""
     points = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]].astype(float)
     smooth = model.mesh_normal[model.mesh_normaladr[mesh] :][: model.mesh_normalnum[mesh]].astype(float)
     rows = slice(model.mesh_faceadr[mesh], model.mesh_faceadr[mesh] + model.mesh_facenum[mesh])
@@ -270,7 +279,6 @@ def _mesh(model: mujoco.MjModel, mesh: int) -> Triangles:
 
 
 def _height_field(model: mujoco.MjModel, field: int) -> Triangles:
-    """The upper side of a height field."""
     rows, columns = int(model.hfield_nrow[field]), int(model.hfield_ncol[field])
     half_x, half_y, top, _ = model.hfield_size[field]
     start = int(model.hfield_adr[field])

@@ -12,7 +12,7 @@ ENDING = ".urdf"
 
 
 def fixed_base(figure: str, model: mujoco.MjModel) -> str:
-    """One line if the file's root link is fixed in the world, with the way to let it move; "" for any other model."""
+    """Return a line if the file's root link is fixed in the world, with advice to free it; "" for any other model."""
     path = Path(figure)
     if path.suffix.lower() != ENDING or (model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)).any():
         return ""
@@ -24,7 +24,7 @@ def fixed_base(figure: str, model: mujoco.MjModel) -> str:
 
 
 def _root_link(text: str) -> str:
-    """The link that is no joint's child."""
+    """Return the link that is no joint's child."""
     links = list(elements(text))
     children = {attributes.get("link") for tag, attributes in links if tag == "child"}
     return next(

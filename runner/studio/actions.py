@@ -1,4 +1,4 @@
-"""Page actions that need more than the text: poses, keyframes from the path, copies, mirror images."""
+"""Page actions that need the figure: poses, keyframes from the path, copies, mirror images."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .posing import BodyEntry, Grip, PoseEdit, PoseEntries, Poser
     from .solver import Message
 
-AT = 1e-6  # [s] a time within this of a keyframe counts as its time
+AT = 1e-6  # [s] distance up to which a time is that of a keyframe
 RESTS = 0.1  # [s] pause of a drag after which its edit is solved speculatively
 
 
@@ -36,7 +36,8 @@ class Dragged(Bodies):
 
 
 class Actions:
-    """The actions of one page on a session. The figure is prepared in the background: the page never waits for it."""
+    """The actions of one page on a session. The figure is prepared in the background, so that the page never waits for
+    it."""
 
     def __init__(self, session: Session, number: int) -> None:
         self.session, self.number = session, number
@@ -49,12 +50,13 @@ class Actions:
         self._rest: asyncio.TimerHandle | None = None
 
     async def poser(self) -> Poser:
-        """The poser of the present figure, once the path belongs to the present text."""
+        """Return the poser of the present figure, once the path belongs to the present text."""
         await self.session.caught_up()
         return await asyncio.to_thread(prepared, self.session)
 
     async def _same_poser(self) -> Poser:
-        """The poser of the present figure; raises UserError where another page has opened or created another one."""
+        """Return the poser of the present figure. Raises UserError if another page has changed the figure since the
+        drag began."""
         poser = await self.poser()
         if len(self._home) != poser.figure.width:
             await self.cancel()
@@ -71,9 +73,9 @@ class Actions:
         alone: bool = False,
         partial: bool = False,
     ) -> dict[str, list[str]]:
-        """Grab a point of a body at a time of the clip; alone: move only its limb.
+        """Grab a point of a body at a time of the clip.
 
-        partial  the value that `drop` will use
+        With `alone`, only its limb moves. `partial` is the value that `drop` will use.
         """
         self._moves_on(time, partial)
         poser, qpos = await self.poser(), self.at(time)
@@ -83,7 +85,7 @@ class Actions:
         return {"planted": [goal.name for goal in grip.planted]}
 
     async def drag(self, *, position: Sequence[float]) -> Dragged:
-        """The pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
+        """Return the pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
         if self._grip is None:
             raise UserError("no limb is grabbed; press the mouse on one first")
         self._moves_on()
@@ -96,7 +98,7 @@ class Actions:
         return {**bodies, "missed": round(pose.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
     async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> Bodies:
-        """The pose with one joint rotated, as `drag` returns it."""
+        """Return the pose with one joint rotated, in the format of `drag`."""
         self._moves_on(time, partial)
         poser, turned = await self.poser(), (float(time), joint)
         if turned != self._turned or self._home is None:
@@ -108,9 +110,9 @@ class Actions:
         return _bodies(poser, self._last)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
-        """End the drag: the pose is written to the keyframe at this time, or to a new one where there is none.
+        """End the drag and write the pose to the keyframe at this time, or to a new keyframe.
 
-        partial  a new keyframe specifies only what was moved; the rest is left to the optimiser
+        With `partial`, a new keyframe specifies only what was moved; the optimiser determines the rest.
         """
         self._time, self._is_partial = time, partial
         self._keep_still()
@@ -124,7 +126,8 @@ class Actions:
         return "" if edit is None else await self.session.edit(*edit)
 
     def _meant(self, poser: Poser) -> tuple[str, Message, int | None] | None:
-        """The edit that ending the drag now would make, as `Session.edit` takes it; None where nothing has moved."""
+        """Return the edit that ending the drag now would make, as arguments of `Session.edit`; None if nothing has
+        moved."""
         home, last, index = self._home, self._last, self.key_at(self._time)
         entries = poser.keyframe_entries(last, home)
         if not any(entries.values()):
@@ -132,7 +135,7 @@ class Actions:
         if index is None:
             moved = self._whole_limb(poser, entries, last) if self._is_partial else poser.keyframe_entries(last)
             return "add_key", {"entries": {**moved, "time": self._time}}, None
-        if "root" in entries:  # the whole pose: everything attached to the root moves along
+        if "root" in entries:  # the whole pose, because everything attached to the root moves along
             entries = self._kept_free(index, poser.keyframe_entries(last), home, last, poser)
             arguments = {"places": self._placed(index), **entries}
         else:
@@ -140,7 +143,7 @@ class Actions:
         return "set_pose", {"key": index, **arguments}, self.session.document.revision
 
     def _moves_on(self, time: float | None = None, partial: bool = False) -> None:
-        """Mark the pose as changed and drop pending speculation."""
+        """Mark the pose as changed and discard pending speculation."""
         if time is not None:
             self._time, self._is_partial = time, partial
         self._keep_still()
@@ -153,7 +156,7 @@ class Actions:
             self._rest = None
 
     def _rests(self) -> None:
-        """Start a timer: after a pause in the drag the edit that it would make is solved speculatively."""
+        """Start a timer. After a pause in the drag, the edit that it would make is solved speculatively."""
         self._keep_still()
         self._rest = asyncio.get_running_loop().call_later(RESTS, self._speculate)
 
@@ -172,14 +175,14 @@ class Actions:
                 self.session.speculate(*edit)
 
     def _placed(self, index: int) -> list[str]:
-        """The sites and bodies with a target position in a keyframe."""
+        """Return the sites and bodies with a target position in a keyframe."""
         row = self._row(index)
         return [name for group in ("sites", "bodies") for name in row.get(group, {})]
 
     def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: PoseEntries) -> PoseEdit:
-        """The joints of a keyframe that were moved, and the targets that these override.
+        """Return the moved joints of a keyframe, and the targets that these override.
 
-        The other joints that such a target determined, of its limb and the root, are specified as in the pose (nq,).
+        Other joints that such a target determined, of its limb and the root, are fixed as in the pose (nq,).
         """
         row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
         places = [name for name in self._placed(index) if poser.deciding_joints(name)[0] & names]
@@ -197,13 +200,13 @@ class Actions:
         return out
 
     def _whole_limb(self, poser: Poser, entries: PoseEntries, qpos: Any) -> PoseEntries:
-        """The moved joints with all other joints of the dragged or rotated limb."""
+        """Return the moved joints with all other joints of the dragged or rotated limb."""
         limb = poser.limb_names(self._body)
         limb_joints = {name: value for name, value in poser.keyframe_entries(qpos)["joints"].items() if name in limb}
         return {**entries, "joints": {**limb_joints, **entries["joints"]}}
 
     def _kept_free(self, index: int, entries: PoseEntries, home: Any, last: Any, poser: Poser) -> PoseEntries:
-        """Remove joints that the keyframe leaves free and that the drag did not move."""
+        """Return the entries without joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
         moved = _named(poser.keyframe_entries(last, home), poser)
         return poser.select_joints(entries, {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} | moved)
@@ -218,7 +221,7 @@ class Actions:
         self._grip = self._home = self._last = self._turned = None
 
     async def key(self, *, time: float, limb: Sequence[str] | None = None) -> str:
-        """Add a keyframe from the present path; of the given joints only, if any."""
+        """Add a keyframe from the present path, of the joints in `limb` only, if specified."""
         poser = await self.poser()
         entries = poser.keyframe_entries(self.at(time))
         if limb is not None:
@@ -228,7 +231,7 @@ class Actions:
         return await self.session.edit("add_key", {"entries": {"time": time, **entries}})
 
     async def rest(self, *, key: int, revision: int | None = None) -> str:
-        """Set a keyframe's joints to the rest pose; the root keeps its position."""
+        """Set a keyframe's joints to the rest pose. The root stays at its position."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         joints = poser.keyframe_entries(poser.figure.model.qpos0)["joints"]
@@ -243,13 +246,13 @@ class Actions:
         row = self._row(key)
         entries = poser.select_joints(poser.keyframe_entries(self.at(float(row["time"]))), joints)
         determined = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
-        # places whose joints are all fixed now
+        # targets whose joints are all fixed now
         places = [name for name in self._placed(key) if poser.deciding_joints(name)[0] <= determined]
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
         return await self.session.edit("set_pose", {"key": key, **entries, "places": places, "words": words}, revision)
 
     async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
-        """Leave joints of a keyframe to the optimiser, along with the targets that determine them."""
+        """Free joints of a keyframe, and remove the targets that determine them."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         entries: PoseEntries = {"joints": {}}
@@ -293,11 +296,11 @@ class Actions:
         return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
 
     async def paste(self, *, time: float) -> str:
-        """Paste the copied keyframes, the first of them at a given time."""
+        """Paste the copied keyframes, the first of them at a time [s]."""
         return await self.session.edit("paste_keys", {"copied": self.session.clipboard, "at": time})
 
     def at(self, time: float) -> Any:
-        """(nq,) the present path at a time of the clip."""
+        """Return the present path at a time of the clip, (nq,)."""
         import numpy as np
 
         from dynsplines.solver.curve.spline import path_of
@@ -309,19 +312,19 @@ class Actions:
         return figure.to_qpos(path_of(timeline).at(np.array([inside])))[0]
 
     def _state(self, index: int) -> Any:
-        """(nq,) a keyframe as loaded, with the pose solved for its targets."""
+        """Return a keyframe as loaded, with the pose solved for its targets, (nq,)."""
         import numpy as np
 
         self._row(index)
         return np.array(self.session.loaded["keys"][index]["qpos"], float)
 
     def key_at(self, time: float) -> int | None:
-        """The index of the keyframe at a time."""
+        """Return the index of the keyframe at a time."""
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
 
     def _now(self, revision: int | None, **indices: Any) -> Message:
-        """Convert indices of a revision into those of the present one."""
+        """Return the present indices for those of a revision."""
         request = {name: list(value) if name == "keys" else value for name, value in indices.items()}
         return renumbered(self.session.document, revision, request)
 
@@ -333,7 +336,7 @@ class Actions:
 
 
 def prepared(session: Session) -> Poser:
-    """The poser of a session's figure, created once per stage."""
+    """Return the poser of a session's figure, created once per stage."""
     present = session.poser
     if present is not None and present[0] == session.stages:
         return present[1]
@@ -364,7 +367,6 @@ def _bodies(poser: Poser, qpos: Any) -> Bodies:
 
 
 def _named(entries: PoseEntries, poser: Poser) -> set[str]:
-    """The names of the joints in an edit."""
     root = {poser.root} if poser.root is not None and entries.get("root") else set()
     return {*entries["joints"], *entries.get("roots", {}), *root}
 

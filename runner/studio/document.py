@@ -1,6 +1,6 @@
-"""A clip's text while it is edited: unlimited undo and redo, and a copy of unsaved work on the disk.
+"""A clip's text while it is edited, with unlimited undo and redo, and a copy of unsaved work on the disk.
 
-A text is kept compressed for every step back: 30 kB of clip take about 3.
+The text of every step is stored compressed: 30 kB of clip need about 3 kB.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ if TYPE_CHECKING:
     from ..clip.text import TomlTable
     from .edits.tables import Blocks
 
-MOST_SINCE = 200  # revisions kept for pages that refer to an older one
-FILMS = (".mp4", ".webm", ".gif", ".png")  # endings of what is rendered
-Packed = tuple[str, bytes]  # what was done, and the text before it or after it, compressed
+MOST_SINCE = 200  # stored revisions, for pages that refer to an older one
+FILMS = (".mp4", ".webm", ".gif", ".png")  # extensions of rendered files
+Packed = tuple[str, bytes]  # description of an edit, and the compressed text before or after it
 
 
 def parsed(text: str) -> TomlTable:
-    """A text that is known to be TOML, as plain tables."""
+    """Return a valid TOML text as plain tables."""
     return tomllib.loads(text)
 
 
@@ -45,11 +45,14 @@ class DocumentState(TypedDict):
 class Document:
     """A clip's text and its history.
 
-    name      its display name: that of its file or of its source
-    file      the file it is saved to; None until it has been saved
-    text      the present text;  saved  the text on the disk
-    revision  counts every change
-    newline   how lines end on the disk; in here a line feed ends them
+    Attributes:
+        name: Its display name: that of its file or of its source.
+        text: The present text.
+        folder: The folder of its file, or of relative paths.
+        file: The file to which it is saved; None before the first save.
+        saved: The text on the disk.
+        revision: The number of changes.
+        newline: The line ending on the disk; the text itself has line feeds.
     """
 
     name: str
@@ -85,7 +88,7 @@ class Document:
         return self._forth[-1][0] if self._forth else None
 
     def told(self) -> DocumentState:
-        """The state of the document for pages, without its tables."""
+        """Return the state of the document for pages, without its tables."""
         return {
             "name": self.name,
             "file": self.file.name if self.file else None,
@@ -96,8 +99,8 @@ class Document:
         }
 
     def tree(self) -> Blocks:
-        """The text in editable blocks; raises UserError for invalid TOML."""
-        from .edits.tables import Blocks  # only here: what takes texts apart is not needed to show one
+        """Return the text in editable blocks. Raises UserError for invalid TOML."""
+        from .edits.tables import Blocks  # imported here because it is only needed for edits
 
         parsed_text = self._plain
         return Blocks.of(
@@ -107,7 +110,7 @@ class Document:
         )
 
     def tree_rows(self) -> list[TomlTable]:
-        """The [[keyframe]] tables as plain ones; of a text that has none, none."""
+        """Return the [[keyframe]] tables as plain ones."""
         if self._plain is None or self._plain[0] != self.revision:
             self._plain = self.revision, parsed(self.text)
         return self._plain[1].get("keyframe", [])
@@ -121,23 +124,21 @@ class Document:
         self._put(text)
 
     def back(self) -> tuple[str, str] | None:
-        """The result of undo: a description and a text; None if there is nothing to undo."""
+        """Return a description and the text after undo; None if there is nothing to undo."""
         return self._peeked(self._back)
 
     def forth(self) -> tuple[str, str] | None:
-        """The result of redo."""
+        """Return the same for redo."""
         return self._peeked(self._forth)
 
     def undo(self) -> None:
-        """Back to the text before the last change."""
         self._swap(self._back, self._forth)
 
     def redo(self) -> None:
-        """Forth again."""
         self._swap(self._forth, self._back)
 
     def save(self, file: Path) -> None:
-        """Writes it, whole or not at all, and takes away what was kept in case of a crash."""
+        """Write the text atomically, and remove the copy of unsaved work."""
         with Replacement(file) as temporary:
             temporary.write_bytes(self.text.replace("\n", self.newline).encode())
         self.discard()
@@ -157,14 +158,14 @@ class Document:
             temporary.write_bytes(self.text.encode())
 
     def kept(self) -> str | None:
-        """Unsaved work of an earlier session, if it differs from this text."""
+        """Return unsaved work of an earlier session, if it differs from this text."""
         with suppress(OSError, UnicodeDecodeError):
             text = self.keeping.read_bytes().decode()
             return None if text == self.text else text
         return None
 
     def discard(self) -> None:
-        """Takes away what was kept in case of a crash."""
+        """Remove the copy of unsaved work."""
         with suppress(OSError):
             self.keeping.unlink(missing_ok=True)
 
@@ -178,7 +179,7 @@ class Document:
             self._put(zlib.decompress(packed).decode())
 
     def since(self, revision: int) -> list[str] | None:
-        """The texts from a revision to the present one; None for an unknown or too old one."""
+        """Return the texts from a revision to the present one; None for an unknown or too old one."""
         texts = [text for number, text in self._seen if number >= revision]
         if not self._seen or len(texts) != self.revision - revision:
             return None

@@ -1,4 +1,4 @@
-"""Files of a session: saved, exported and rendered into the clip's folder, and nowhere else."""
+"""Files of a session: saved, exported and rendered, only in the clip's folder."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from ..system.scratch import scratch
 from .document import FILMS
 from .session import Session
 
-MOST_NAME = 120  # characters of a file's name
-MOST_LISTED = 200  # files of a folder that are shown
+MOST_NAME = 120  # maximum number of characters in a file's name
+MOST_LISTED = 200  # maximum number of files in a list
 PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
 OPENED = (".toml", ".xml", ".npz", ".bvh", ".csv", ".pkl", ".npy")
 COMMAND = "import sys; from dynsplines.start import main; sys.argv[0] = 'dynsplines'; main()"
 
 
 def inside(folder: Path, name: Any) -> Path:
-    """A file of a folder, by its name; raises UserError for one anywhere else."""
+    """Return a file of a folder by its name. Raises UserError for a file elsewhere."""
     if not isinstance(name, str) or not PLAIN.fullmatch(name) or name.startswith(".") or len(name) > MOST_NAME:
         raise UserError(f"'{name}': give a plain name of a file in the clip's folder, {folder.name}")
     path = (folder / name).resolve()
@@ -37,7 +37,7 @@ class Files:
 
     def __init__(self, session: Session) -> None:
         self.session = session
-        self._made: set[Path] = set()  # films and exports of this session, which may be made again
+        self._made: set[Path] = set()  # videos and exports of this session, which may be overwritten
         self._running: asyncio.subprocess.Process | None = None
 
     @property
@@ -46,7 +46,7 @@ class Files:
         return self.session.document.folder
 
     async def save(self, *, name: str | None = None, overwrite: bool = False) -> str:
-        """The clip's text, under a name if one is given."""
+        """Save the clip's text, under a new name if specified."""
         document = self.session.document
         if name is None and document.file is None:
             raise UserError("this clip has no file yet: save it under a name")
@@ -59,14 +59,14 @@ class Files:
         return f"saved {target.name}"
 
     def listed(self) -> list[str]:
-        """Files of the folder that can be opened."""
+        """Return the files of the folder that can be opened."""
         with suppress(OSError):
             names = [path.name for path in self.folder.iterdir() if path.suffix.lower() in OPENED and path.is_file()]
             return sorted(name for name in names if not name.startswith("."))[:MOST_LISTED]
         return []
 
     async def open(self, *, name: str, figure: str | None = None) -> str:
-        """Another file of the folder, or a shipped clip."""
+        """Open another file of the folder, or a shipped clip."""
         from dynsplines import models
 
         from .sources import opened
@@ -78,7 +78,7 @@ class Files:
         return await self.session.reopen(document)
 
     async def export(self, *, to: str, name: str, overwrite: bool = False) -> str:
-        """The present motion in another program's format."""
+        """Export the present motion to another program's format."""
         target = self._target(name, overwrite)
         again = ["--overwrite"] if overwrite or target in self._made else []
         with scratch() as folder:
@@ -91,7 +91,7 @@ class Files:
     async def render(
         self, *, name: str, size: str = "1280x720", camera: str = "side", only: str = "after", overwrite: bool = False
     ) -> str:
-        """A film of the present motion."""
+        """Render the present motion as a video."""
         target = self._target(name, overwrite)
         if target.suffix.lower() not in FILMS:
             raise UserError(f"'{name}': a video's name ends in {', '.join(FILMS)}")
@@ -104,20 +104,20 @@ class Files:
         return f"rendered {target.name}"
 
     def _target(self, name: str, overwrite: bool) -> Path:
-        """The target of a video or an export; raises UserError if it is an unrelated existing file."""
+        """Return the target of a video or an export. Raises UserError if it is an unrelated existing file."""
         target = inside(self.folder, name)
         if target.exists() and target not in self._made and not overwrite:
             raise UserError(f"'{target.name}' already exists; choose another name, or confirm replacing it")
         return target
 
     async def stop(self) -> str:
-        """Ends an export or a film that is being made."""
+        """Stop an export or rendering."""
         if self._running is not None:
             self._running.terminate()
         return "stopped"
 
     async def _run(self, words: Sequence[str], what: str) -> None:
-        """Run one of this program's commands and show its progress on every page; raises UserError with its message."""
+        """Run one of this program's commands and show its progress on every page. Raises UserError with its message."""
         if self._running is not None:
             raise UserError("another file is being written; wait for it, or stop it")
         command = [sys.executable, "-c", COMMAND, *words]
@@ -135,7 +135,7 @@ class Files:
             raise UserError(last.removeprefix("dynsplines: ") if code > 0 else f"{what}: stopped")
 
     async def _followed(self, process: asyncio.subprocess.Process, what: str) -> str:
-        """Return its last line; the lines before are shown as progress."""
+        """Return the last line of a process, and show the others as progress."""
         assert process.stderr is not None and process.stdout is not None
         last, rest = f"{what} failed", ""
         drain = asyncio.create_task(process.stdout.read())

@@ -24,7 +24,7 @@ END = 0.45  # distance to the tip, relative to the limb's length, below which a 
 
 @dataclass(frozen=True, eq=False)
 class Spheres:
-    """Spheres on a body, MuJoCo's id, that cover it: offsets (n, 3) [m] in its axes and radii (n,) [m]."""
+    """Spheres that cover a body: MuJoCo's id, offsets (n, 3) [m] in its axes, and radii (n,) [m]."""
 
     body: int
     offsets: Array
@@ -40,7 +40,7 @@ class Spheres:
         return self._taken(np.flatnonzero(bottoms < bottoms.min() + CONTACT))
 
     def outermost(self, data: mujoco.MjData) -> Spheres:
-        """Return at most four of them, the corners of their horizontal extent: enough to fix the body."""
+        """Return at most four spheres, the corners of their horizontal extent, which suffice to fix the body."""
         centres = self.centres(data)[:, :2]
         off = centres - centres.mean(axis=0)
         _, _, axes = np.linalg.svd(off, full_matrices=False)
@@ -50,7 +50,7 @@ class Spheres:
         return self._taken(np.unique(np.argmax(off @ signs.T, axis=0)))
 
     def above(self, floor: FloorClearance, height: float) -> FloorClearance:
-        """Return the limit that keeps them so high [m] above a floor."""
+        """Return the limit that keeps the spheres at a minimum height [m] above a floor."""
         bodies, allowed = np.full(len(self.radii), self.body), np.full(len(self.radii), -height)
         return replace(floor, bodies=bodies, offsets=self.offsets, radii=self.radii, allowed=allowed)
 
@@ -59,17 +59,15 @@ class Spheres:
 
 
 class Footing:
-    """The spheres that cover a figure's links, and the surfaces of its scene.
-
-    soles  points that feet stand on
-    """
+    """The spheres that cover a figure's links, and the surfaces of its scene; `soles` are the contact points of its
+    feet."""
 
     def __init__(self, figure: Figure, soles: Sequence[Point], surfaces: Sequence[Surface]) -> None:
         self.figure, self.soles, self.surfaces = figure, tuple(soles), tuple(surfaces)
 
     @cached_property
     def spheres(self) -> dict[int, Spheres]:
-        """By link, with its sole points."""
+        """The spheres of each link, including its sole points."""
         points: dict[int, list[Point]] = {}
         for point in (*body_points(self.figure), *self.soles):
             points.setdefault(point.link, []).append(point)
@@ -99,21 +97,21 @@ class Footing:
         return frozenset(out)
 
     def height(self, position: Array) -> float:
-        """Return the height [m] of a position (3,) over the surface below it, infinite without one."""
+        """Return the height [m] of a position (3,) above the surface below it; infinite without a surface."""
         heights = [float(np.ravel(surface.height(position.reshape(3, 1)))[0]) for surface in self.surfaces]
         return min(heights, default=np.inf)
 
     def clearance(self, foot: Spheres, data: mujoco.MjData) -> float:
-        """Return the height [m] of a foot's lowest point over the ground."""
+        """Return the height [m] of a foot's lowest point above the ground."""
         return float((np.array([self.height(centre) for centre in foot.centres(data)]) - foot.radii).min())
 
     def fixed(self, foot: Spheres, data: mujoco.MjData) -> FixedPoints:
-        """Return the goal that keeps a foot in its place."""
+        """Return the goal that fixes a foot."""
         outermost = foot.outermost(data)
         return FixedPoints("sole", foot.body, outermost.offsets, outermost.centres(data))
 
     def landed(self, foot: Spheres, data: mujoco.MjData) -> FixedPoints:
-        """Return the goal that puts a foot down on the ground below it, free to slide."""
+        """Return the goal that moves a foot down to the ground, free to slide."""
         outermost = foot.outermost(data)
         positions = outermost.centres(data)
         heights = [self.height(position) for position in positions]
@@ -122,7 +120,8 @@ class Footing:
         return FixedPoints("sole", foot.body, outermost.offsets, positions)
 
     def floor(self, root: int, data: mujoco.MjData) -> FloorClearance | None:
-        """Return the limit that keeps a tree above the highest level plane, as deep in it as it is; None without."""
+        """Return the limit that keeps a tree above the highest level plane, or at its present depth; None without a
+        plane."""
         planes = [surface for surface in self.surfaces if isinstance(surface, Plane) and surface.normal[2] > LEVEL]
         moving = [spheres for link, spheres in self.spheres.items() if self.figure.tables.path[link, root]]
         if not planes or not moving:

@@ -16,8 +16,8 @@ from .session import Session
 
 PACKAGES = ("starlette", "uvicorn", "websockets", "tomlkit")
 LOCAL = ("127.0.0.1", "localhost", "[::1]")
-TOKEN = 24  # [bytes] of chance in a token
-GRACE = 1  # [s] for pages to receive that the server ends
+TOKEN = 24  # random bytes in a token
+GRACE = 1  # [s] time for pages to receive the end of the server
 
 
 def _say(line: str) -> None:
@@ -33,11 +33,11 @@ def run(
     allow_remote: bool,
     say: Callable[[str], None] = _say,
 ) -> None:
-    """Serves a document until Ctrl-C; raises UserError for a host or port that it cannot have."""
+    """Serve a document until Ctrl-C. Raises UserError for an unavailable host or port."""
     check_host(host, allow_remote=allow_remote)
     listening = _bound(host, port)
     session = Session(document)
-    session.start()  # before the server's own imports, so that both go on at once
+    session.start()  # before the server's imports, so that both run in parallel
     token, port = secrets.token_urlsafe(TOKEN), listening.getsockname()[1]
     shown = f"[{host}]" if ":" in host else host
     hosts = frozenset(f"{name}:{port}" for name in {*LOCAL, shown})
@@ -63,7 +63,7 @@ def run(
 
 
 def _serve(session: Session, listening: socket.socket, token: str, hosts: frozenset[str]) -> None:
-    import uvicorn  # only here: the process that solves has begun
+    import uvicorn  # imported here, after the start of the solver process
 
     from .server import MOST_BYTES, Door, application
 
@@ -116,7 +116,7 @@ def _own_addresses() -> list[str]:
 
 
 def _bound(host: str, port: int) -> socket.socket:
-    """A socket that listens; raises UserError for a port that is taken."""
+    """Return a listening socket. Raises UserError for a port that is in use."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     listening = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # named: asyncio then sets TCP_NODELAY
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

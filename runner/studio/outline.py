@@ -1,4 +1,4 @@
-"""What the page shows of a clip's text: keyframes and what they fix, contacts, holds, weights, obstacles."""
+"""The content of a clip's text on the page: keyframes and their entries, contacts, holds, weights, obstacles."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Formats(TypedDict):
 
 
 def outline(text: str, where: str) -> Outline:
-    """A clip's text for the page; raises UserError for one that no clip can be."""
+    """Return the content of a clip's text for the page. Raises UserError for an invalid clip."""
     table = table_of(text, where)
     content = tables(table)
     scene = content.get("scene", {})
@@ -58,7 +58,7 @@ def outline(text: str, where: str) -> Outline:
 
 
 def weights(table: ClipTable, where: str) -> dict[str, float]:
-    """The weights in the clip's text by term; for a clip with a recording, the factors."""
+    """Return the weights in the clip's text by term; for a clip with a recording, the factors."""
     if table.recording is not None:
         return weight_factors(chosen(table.penalty, where))
     listed: dict[str, float] = {}
@@ -72,7 +72,7 @@ def weights(table: ClipTable, where: str) -> dict[str, float]:
 
 
 def kinds() -> list[dict[str, object]]:
-    """The terms of soft constraints, a row each."""
+    """Return the terms of soft constraints, one per row."""
     return [
         {"kind": kind["kind"], **part}
         for kind in (kind.described() for kind in KINDS.values())
@@ -81,8 +81,8 @@ def kinds() -> list[dict[str, object]]:
 
 
 def formats() -> Formats:
-    """The formats that can be written."""
-    from ..exchange.formats import FORMATS  # only here: the figure is on the page by now
+    """Return the formats that can be written."""
+    from ..exchange.formats import FORMATS  # imported here, after the figure is on the page
 
     rows = [
         {"name": entry.name, "ending": entry.ending, "description": entry.description}

@@ -1,7 +1,7 @@
-"""A motion as the page plays it: poses of every body at equal times, a header in JSON before plain float32.
+"""A motion as the page plays it: poses of every body at equal times, as a JSON header and float32 arrays.
 
-4 bytes: the header's length n; n bytes: the header, padded with spaces to a multiple of 4; then, one after the other,
-positions (T, B, 3) [m], rotations (T, B, 4) xyzw and the centre of mass (T, 3) [m].
+The format is: 4 bytes, the header's length n; n bytes, the header, padded with spaces to a multiple of 4; positions
+(T, B, 3) [m], rotations (T, B, 4) xyzw and the centre of mass (T, 3) [m].
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 
-RATE = 60.0  # [1/s] samples of a short motion
-MOST_SAMPLES = 1200  # of a long one, so that it is sent within a moment
-WIDTH = 4  # [bytes] of a number, and what a header's length is a multiple of
+RATE = 60.0  # [1/s] sampling rate of a short motion
+MOST_SAMPLES = 1200  # number of samples of a long motion, few enough to be sent quickly
+WIDTH = 4  # [bytes] of a number, and the alignment of the header
 
 
 def rate_of(duration: float) -> float:
-    """[1/s] sample rate for a motion of this duration [s]."""
+    """Return the sampling rate [1/s] for a motion of this duration [s]."""
     return RATE if duration * RATE <= MOST_SAMPLES else MOST_SAMPLES / duration
 
 
 def packed(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> bytes:
-    """A timeline's motion with a header, to which start, rate and count of the samples are added."""
+    """Return a timeline's motion with a header, to which start, rate and count of the samples are added."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     rate = rate_of(last - first)
     time = np.append(np.arange(first, last - 0.25 / rate, 1 / rate), last)
@@ -47,14 +47,14 @@ def packed(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> 
 
 
 def framed(header: Mapping[str, object], *arrays: Array | NDArray[np.float32]) -> bytes:
-    """A header and arrays in one piece."""
+    """Return a header and arrays as bytes."""
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % WIDTH)
     return b"".join([struct.pack("<I", len(text)), text, *(np.ascontiguousarray(a, "<f4").tobytes() for a in arrays)])
 
 
 def poses(model: mujoco.MjModel, qpos: Array) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
-    """Positions (T, B, 3), rotations (T, B, 4) xyzw and centres of mass (T, 3) of poses qpos (T, nq)."""
+    """Return positions (T, B, 3), rotations (T, B, 4) xyzw and centres of mass (T, 3) of poses qpos (T, nq)."""
     data, count = mujoco.MjData(model), len(qpos)
     position = np.empty((count, model.nbody, 3), np.float32)
     turned = np.empty((count, model.nbody, 4), np.float32)  # as MuJoCo has them, wxyz

@@ -1,7 +1,7 @@
-"""The pose that follows a drag: of a hand, a foot, the head, the pelvis, or any other point of the figure.
+"""The pose that follows a drag of any point of the figure, such as a hand, a foot, the head or the pelvis.
 
-A limb that reaches moves alone. Otherwise the whole figure follows: soles stay on the ground, the centre of mass over
-the feet.
+A limb that reaches the target moves alone. Otherwise the whole figure follows, with its soles on the ground and its
+centre of mass above the feet.
 """
 
 from __future__ import annotations
@@ -32,17 +32,17 @@ from ..clip.text import rotation
 from ..errors import UserError, unknown
 from .footing import Footing, Spheres
 
-END_RANGE = 0.78  # share of their ranges that ankles and wrists use
+END_RANGE = 0.78  # [1] share of their ranges that ankles and wrists use
 LIFTED = 0.02  # [m] distance of a pulled knee from its target beyond which its foot leaves the ground
-LEVEL_WEIGHT = 2.0  # of a radian of a lifted foot's rotation, relative to one of a joint
-BALANCED = 0.01  # [m] by which the centre of mass of a balanced figure may be beyond the polygon of its limit
-KEPT = 0.005  # [m] likewise after a drag
-LANDINGS = 2  # solves while a foot lands
-CLEAR = 0.035  # [m] height of a foot that is not put down
-STANDS = 0.03  # [m] height below which a sole stands on the ground
-SHORT = 0.002  # [m] by which a limb that does not reach misses
-MOVED = 1e-5  # [rad, m] by which a joint differs that was moved
-DIGITS = 3  # after the point, of degrees: 2e-5 rad; places have two more
+LEVEL_WEIGHT = 2.0  # [1] weight of a lifted foot's rotation, relative to that of a joint
+BALANCED = 0.01  # [m] tolerance of the centre of mass beyond the support polygon, before a drag
+KEPT = 0.005  # [m] tolerance of the centre of mass after a drag
+LANDINGS = 2  # number of solves while a foot lands
+CLEAR = 0.035  # [m] minimum height of a foot in the air
+STANDS = 0.03  # [m] height below which a sole is on the ground
+SHORT = 0.002  # [m] distance above which a limb does not reach its target
+MOVED = 1e-5  # [rad, m] difference above which a joint was moved
+DIGITS = 3  # decimal places of degrees (2e-5 rad); positions have two more
 
 
 Rotation = dict[str, list[float]]  # {"rotvec": [x, y, z]}, degrees
@@ -72,13 +72,19 @@ class PoseEdit(PoseEntries):
 
 @dataclass(frozen=True)
 class Grip:
-    """A grabbed point of a body, offset (3,) [m] in its axes, in a pose qpos (nq,).
+    """A grabbed point of a body in a pose.
 
-    limb, whole        (nq,) entries of its limb; of all that may move
-    planted            goals of the sole points that stand, of other limbs
-    standing, hanging  the feet that stand; the feet of the grabbed limb
-    is_balanced        whether the centre of mass is over the feet
-    limits             the floor
+    Attributes:
+        qpos: The pose, (nq,).
+        body: MuJoCo's id of the body.
+        offset: The point in the body's axes, (3,) [m].
+        limb: The entries of its limb, (nq,).
+        whole: The entries that may move, (nq,).
+        planted: The goals of sole points on the ground, of other limbs.
+        standing: The feet on the ground.
+        hanging: The feet of the grabbed limb.
+        is_balanced: Whether the centre of mass is above the feet.
+        limits: The floor.
     """
 
     qpos: Array
@@ -94,10 +100,7 @@ class Grip:
 
 
 class Poser:
-    """Poses of one figure in its scene.
-
-    whole  (K, nq) keyframes that specify every joint, from which the feet are inferred
-    """
+    """Poses of one figure in its scene; feet are inferred from complete keyframes `whole` (K, nq)."""
 
     def __init__(self, figure: Figure, penalties: Sequence[PenaltyTable], whole: Array) -> None:
         self.figure = figure
@@ -108,16 +111,14 @@ class Poser:
 
     @cached_property
     def _range_shares(self) -> dict[int, float]:
-        """By link: ankles and wrists stay off the ends of their ranges."""
+        """The shares of their ranges that ankles and wrists may use, by link."""
         knees = set() if self.bends is None else {joint.link for joint in self.bends.joints}
         return dict.fromkeys(self.footing.end_joints - knees, END_RANGE)
 
     def gripped(self, qpos: Array, body: int, offset: ArrayLike, *, plant: bool = True, alone: bool = False) -> Grip:
         """Return the grip of a point.
 
-        Args:
-            plant: Whether feet, floor and balance constrain the pose.
-            alone: Whether only the limb of the point may move.
+        With `plant`, feet, floor and balance constrain the pose. With `alone`, only the limb of the point may move.
         """
         figure = self.figure
         links, root = limb(figure, body), (chain(figure, body)[-1:] or [0])[0]
@@ -146,7 +147,7 @@ class Poser:
         return replace(grip, is_balanced=can_balance and support.excess(self.data) < BALANCED)
 
     def _standing_goals(self, link: int) -> list[PointGoal]:
-        """Return the goals of a link's sole points that touch the ground, where they are."""
+        """Return the goals that fix a link's sole points on the ground."""
         goals = [PointGoal.of(self.figure, point) for point in self.soles if point.link == link]
         radii = [point.radius for point in self.soles if point.link == link]
         positions = [goal.place(self.data) for goal in goals]
@@ -157,7 +158,7 @@ class Poser:
         ]
 
     def _support(self, grip: Grip, hanging: Sequence[Spheres]) -> SupportPolygon | None:
-        """Return the support polygon: of feet that stand, as at first, and of feet of the limb, as they are now."""
+        """Return the support polygon of the standing feet in the grip's pose and the limb's feet in the present one."""
         here = self.data.qpos.copy()
         points = [foot.centres(self.data) for foot in hanging]
         self._place(grip.qpos)
@@ -170,7 +171,7 @@ class Poser:
         """Return the pose with the point at a position (3,) [m], or as near as possible, from the last pose (nq,).
 
         A limb that reaches moves alone. A foot that comes near the ground lands on it. A knee or thigh moves with its
-        foot fixed as long as that reaches.
+        foot fixed as long as that is possible.
         """
         target = PointGoal("target", grip.body, grip.offset, np.array(position, float))
         has_foot = bool(grip.hanging) and grip.is_balanced
@@ -187,7 +188,7 @@ class Poser:
             landing = tuple(foot for foot in feet if self._lands(grip, foot, target.position))
             return self._dragged(grip, target, begin, landing=landing)
         pose = self._dragged(grip, target, begin)
-        for _ in range(LANDINGS if grip.hanging else 0):  # the foot slides, and the support polygon with it
+        for _ in range(LANDINGS if grip.hanging else 0):  # the support polygon moves with the sliding foot
             self._place(pose.qpos)
             low = tuple(foot for foot in grip.hanging if self.footing.clearance(foot, self.data) < STANDS)
             pose = self._dragged(grip, target, pose.qpos, landing=low) if low else pose
@@ -203,7 +204,7 @@ class Poser:
         fixed: Sequence[Spheres] = (),
         landing: Sequence[Spheres] = (),
     ) -> Posed:
-        """Return the pose of a drag, feet of the grabbed limb fixed, landing or in the air."""
+        """Return the pose of a drag, with feet of the grabbed limb fixed, landing or in the air."""
         footing = self.footing
         self._place(grip.qpos)
         goals = [footing.fixed(foot, self.data) for foot in (*grip.standing, *fixed)]
@@ -228,7 +229,7 @@ class Poser:
         return support is None or support.excess(self.data) < KEPT
 
     def _is_within_reach(self, grip: Grip, position: Array) -> bool:
-        """Return whether the limb, straightened, is long enough for a position (3,) [m]."""
+        """Return whether the straightened limb is long enough for a position (3,) [m]."""
         self._place(grip.qpos)
         joints = [self.figure.links[link].joint for link in limb(self.figure, grip.body)]
         path = np.array([self._point(grip, self.data), *self.data.xanchor[joints]])
@@ -236,7 +237,7 @@ class Poser:
         return float(np.linalg.norm(position - path[-1])) < length + SHORT
 
     def _lands(self, grip: Grip, foot: Spheres, position: Array) -> bool:
-        """Return whether a foot touches the ground, or nearly, if it is level and its point at a position (3,) [m]."""
+        """Return whether a foot at a position (3,) [m] of its point, if level, is on or close to the ground."""
         rest = self.footing.rest
         bottom = float((foot.centres(rest)[:, 2] - foot.radii).min()) - self._point(grip, rest)[2]
         return self.footing.height(position) + bottom < STANDS
@@ -246,7 +247,7 @@ class Poser:
         return np.array(data.xpos[grip.body] + data.xmat[grip.body].reshape(3, 3) @ grip.offset)
 
     def turned(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
-        """(nq,) a pose with one joint turned on by a rotation in the world (4,) wxyz; a hinge by its share of it."""
+        """Return a pose (nq,) with one joint rotated by a quaternion in the world (4,); a hinge by its component."""
         link = next((link for link in self.figure.links[1:] if link.name == joint), None)
         if link is None:
             raise UserError(unknown("joint", joint, [each.name for each in self.figure.links[1:]]))
@@ -269,7 +270,10 @@ class Poser:
         return out
 
     def keyframe_entries(self, qpos: Array, home: Array | None = None) -> PoseEntries:
-        """Return the entries of a keyframe for a pose: of all joints, or of those that differ from `home`."""
+        """Return the entries of a keyframe for a pose: of all joints, or of those that differ from `home`.
+
+        The keys are "joints", and "root" and "roots" if there are entries of the first free body and of others.
+        """
         out: PoseEntries = {"joints": {}}
         for index, link in enumerate(self.figure.links[1:], start=1):
             columns = entries(self.figure, index)
@@ -293,7 +297,7 @@ class Poser:
 
     @cached_property
     def root(self) -> str | None:
-        """The free joint that keyframes call the root; None if there is none, or if it is ambiguous."""
+        """The free joint that is the root of keyframes; None if there is none, or if it is ambiguous."""
         root = self.figure.root
         if root is None or not root.is_free or root.is_ambiguous:
             return None
@@ -309,7 +313,8 @@ class Poser:
         return out
 
     def deciding_joints(self, place: str) -> tuple[set[str], set[str]]:
-        """The joints that decide where a place is, of all and of its own limb; none of one that is not known."""
+        """Return the joints that determine the position of a point: all, and those of its limb. Unknown points have
+        none."""
         body = self._places.body(place)
         links_of = ([], []) if body is None else (chain(self.figure, body), limb(self.figure, body))
         whole, limb_names = ({self.figure.links[link].name for link in links} for links in links_of)
@@ -320,7 +325,7 @@ class Poser:
         return Places(self.figure, self.soles)
 
     def limb_names(self, body: int) -> set[str]:
-        """Names of all that lies on the limb of a body: sites, soles, bodies, joints."""
+        """Return the names of the sites, soles, bodies and joints of a body's limb."""
         model, links = self.figure.model, set(limb(self.figure, body))
         bodies = {b for b in range(model.nbody) if int(self.figure.body_link[b]) in links}
         names = {str(model.site(i).name) for i in range(model.nsite) if int(model.site_bodyid[i]) in bodies}

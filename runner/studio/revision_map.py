@@ -1,7 +1,7 @@
-"""Maps indices of an older revision: the fourth keyframe becomes the fifth after another page has inserted one.
+"""Present indices for those of an older revision: the fourth keyframe becomes the fifth after another page inserts one.
 
-A page names the revision that it refers to. From there every change is followed in turn: if the number of tables is
-unchanged they correspond in order, otherwise tables with equal content correspond.
+A page sends the revision to which it refers. All later changes are followed in turn. If the number of tables is
+unchanged, they correspond in order; otherwise tables with equal content correspond.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from ..errors import UserError
 from .document import Document, parsed
 from .solver import Message
 
-BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` is of these tables
+BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` refers to these tables
 
 
 def renumbered(document: Document, revision: int | None, request: Mapping[str, Any], edit: str = "") -> Message:
-    """A page's arguments, with indices of a revision replaced by present ones; raises UserError for unknown ones."""
+    """Return a page's arguments with present indices for those of a revision. Raises UserError for unknown ones."""
     arguments = dict(request)
     if revision is None or revision == document.revision:
         return arguments
@@ -46,7 +46,7 @@ def renumbered(document: Document, revision: int | None, request: Mapping[str, A
 
 
 def _followed(texts: list[str], kind: str, number: Any) -> Any:
-    """The index of a table in the last of several texts, from its index in the first."""
+    """Return the index of a table in the last of several texts, for its index in the first."""
     here = number
     rows = _rows(texts[0], kind)
     if not isinstance(here, int) or isinstance(here, bool) or not 0 <= here < len(rows):

@@ -1,7 +1,7 @@
-"""Access control of the studio: pages need the address with the token, and get one connection each.
+"""Access control of the studio: pages need the address with the token, and have one connection each.
 
-Another page in the same browser has no token and another origin; a foreign name that resolves to this machine is
-not among the accepted hosts.
+Another page in the same browser has no token and another origin. A foreign name that resolves to this machine is not
+among the accepted hosts.
 """
 
 from __future__ import annotations
@@ -46,22 +46,19 @@ PAGE = {
     "studio.js": ("studio.js", "text/javascript; charset=utf-8"),
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
 }
-NOT_HERE = 4403  # the websocket's close code for a refused page
-MOST_WAITING = 64  # messages that a slow page is behind before paths are left out
-MOST_BYTES = 4_000_000  # of a message from a page
+NOT_HERE = 4403  # close code of the websocket for a rejected page
+MOST_WAITING = 64  # queued messages of a slow page above which paths are omitted
+MOST_BYTES = 4_000_000  # [bytes] maximum size of a message from a page
 
 
 class Door:
-    """Decides whether a request is accepted.
-
-    hosts  accepted values of the `Host` header, "127.0.0.1:8000"
-    """
+    """Access control; `hosts` are the accepted values of the `Host` header, such as "127.0.0.1:8000"."""
 
     def __init__(self, token: str, hosts: frozenset[str]) -> None:
         self.token, self.hosts = token, hosts
 
     def refusal(self, connection: HTTPConnection, *, with_token: bool) -> str | None:
-        """Why a request is refused; None for an accepted one."""
+        """Return the reason for rejecting a request; None for an accepted one."""
         host = connection.headers.get("host", "")
         if host not in self.hosts:
             return f"no such host: '{host[:100]}'"
@@ -77,7 +74,7 @@ class Door:
 
 
 def application(session: Session, door: Door) -> Starlette:
-    """The server of one session."""
+    """Return the server of one session."""
     numbers = itertools.count(1)
     writer = Files(session)
 
@@ -120,7 +117,7 @@ def _prepare(session: Session) -> None:
 
 
 class _Page:
-    """One page and its connection: its requests are answered in turn, its notifications wait in a separate queue."""
+    """One page and its connection. Its requests are answered in turn; its notifications are queued separately."""
 
     def __init__(self, session: Session, writer: Files, socket: WebSocket, number: int) -> None:
         self.session, self.writer, self.socket, self.number = session, writer, socket, number
@@ -166,7 +163,7 @@ class _Page:
                     await self.socket.send_text(message if isinstance(message, str) else message.decode())
 
     async def _answer(self, message: Message) -> None:
-        """Perform a page's request; the answer describes the edit, or the reason for its rejection."""
+        """Perform a page's request. The answer describes the edit, or the reason for its rejection."""
         number = message.pop("id", None)
         try:
             result = await self._done(str(message.pop("do", "")), message)

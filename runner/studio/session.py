@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     from ..clip.text import TomlTable
 
 Send = Callable[[str | bytes], None]
-VERDICT = 60.0  # [s] limit for loading an edited clip
-CATCHING_UP = 5.0  # [s] limit for waiting for a path of the present text
+VERDICT = 60.0  # [s] time limit for loading an edited clip
+CATCHING_UP = 5.0  # [s] time limit for a path of the present text
 KEEPING = 0.4  # [s] delay after an edit before unsaved work is written
 LATEST = ("raw", "carried", "found")  # kinds of paths; a page that connects later gets the last of each
 
 
-STAGE = b'{"is":"stage","stage":'  # before a stage, on the line to a page
+STAGE = b'{"is":"stage","stage":'  # prefix of a stage in a message to a page
 
 
 def _told_stage(stage: bytes) -> bytes:
@@ -35,10 +35,7 @@ def _told_stage(stage: bytes) -> bytes:
 
 
 class Session:
-    """The document, the solver process, and the pages.
-
-    figure  the scene for dragging, created with every stage; see `actions`
-    """
+    """The document, the solver process, and the pages."""
 
     def __init__(self, document: Document, *, go: bool = True) -> None:
         self.document, self.go = document, go
@@ -63,18 +60,18 @@ class Session:
         self._verdict: asyncio.Future[Message] | None = None
         self._kept: asyncio.Future[str] | None = None
         self._lock = asyncio.Lock()
-        self._pathed = -1  # the revision that the present path is of
+        self._pathed = -1  # the revision of the present path
         self._waiting: set[asyncio.Future[None]] = set()
         self._trying: Message | None = None
         self._keeper: asyncio.TimerHandle | None = None
         self._curved: set[int] = set()
         self._shows_snapshot = self._is_speculating = False
         self._snapshot_text: str | None = None
-        self._speculation: tuple[tuple[Any, ...], tuple[str, str]] | None = None  # an edit; its text and words
+        self._speculation: tuple[tuple[Any, ...], tuple[str, str]] | None = None  # an edit; its text and description
 
     @property
     def timeline(self) -> Any:
-        """The present path, unpickled on use: this needs the solver's imports."""
+        """The present path, unpickled on use because this needs the solver's imports."""
         return None if self._timeline is None else pickle.loads(self._timeline)  # data of this program only
 
     async def caught_up(self) -> None:
@@ -91,11 +88,11 @@ class Session:
 
     @property
     def figure(self) -> Any:
-        """The scene and the reading of its positions, likewise; None before the clip is loaded."""
+        """The figure, unpickled on use; None before the clip is loaded."""
         return None if self.scene is None else pickle.loads(self.scene["figure"])
 
     def start(self) -> None:
-        """Start the process and load the clip; messages are queued until the session listens."""
+        """Start the process and load the clip. Messages are queued until the session listens."""
         view = startup_snapshot.read(startup_snapshot.file_of(self.document))
         self.solver.start(is_seen=view is not None)
         self._load(self.document.text, self.document.revision, first=True)
@@ -109,7 +106,7 @@ class Session:
         self.solver.listen()
 
     def close(self) -> None:
-        """End the process; unsaved work is on the disk."""
+        """End the process, with unsaved work on the disk."""
         self.document.keep()
         self.solver.close()
 
@@ -153,9 +150,9 @@ class Session:
     # ---- edits
 
     async def edit(self, name: str, arguments: Message, revision: int | None = None) -> str:
-        """Apply an edit by name; raises UserError, and then nothing has changed.
+        """Apply an edit by name. If it raises UserError, nothing has changed.
 
-        revision  the revision of its indices, where this may not be the present one
+        `revision` is that of the indices in the arguments, if it is not the present one.
         """
         async with self._lock:
             request = self.document.revision, name, arguments, revision
@@ -172,8 +169,8 @@ class Session:
             return words
 
     def _edited(self, name: str, arguments: Message, revision: int | None) -> tuple[str, str]:
-        """The text after an edit, and its description."""
-        from .edits import EDITS  # only here, as in `document`
+        """Return the text after an edit, and its description."""
+        from .edits import EDITS  # imported here, as in `document`
 
         if name not in EDITS:
             raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
@@ -186,7 +183,7 @@ class Session:
         return tree.as_string(), words
 
     def speculate(self, name: str, arguments: Message, revision: int | None = None) -> None:
-        """Solve speculatively for an edit that may follow, if there is nothing else to do."""
+        """Solve speculatively for an edit that may follow, if the solver is idle."""
         if not self.go or self._lock.locked() or self.status["state"] != "settled":
             return
         with suppress(UserError):
@@ -203,11 +200,9 @@ class Session:
             self.solver.send({"do": "wait"})
 
     async def undo(self) -> str:
-        """Undo one edit."""
         return await self._stepped(self.document.back, self.document.undo, "undo")
 
     async def redo(self) -> str:
-        """Redo one edit."""
         return await self._stepped(self.document.forth, self.document.redo, "redo")
 
     async def _stepped(self, seen: Callable[[], tuple[str, str] | None], step: Callable[[], None], verb: str) -> str:
@@ -221,7 +216,6 @@ class Session:
             return f"{verb}: {target[0]}"
 
     async def replace(self, text: str, words: str) -> str:
-        """Replace the whole text."""
         async with self._lock:
             verdict = await self._tried(text)
             self.document.commit(text, words)
@@ -240,7 +234,7 @@ class Session:
         return await self.replace(text, "take up unsaved work")
 
     async def reopen(self, document: Document) -> str:
-        """Open another document in place of this one, whose unsaved work is on the disk."""
+        """Open another document, after writing unsaved work of this one to the disk."""
         async with self._lock:
             self.document.keep()
             before, self.document = self.document, document
@@ -257,13 +251,13 @@ class Session:
             return f"opened {document.place}"
 
     async def _tried(self, text: str, *, first: bool = False) -> Message:
-        """The solver's answer to a text, which it then searches; raises UserError for an invalid clip."""
+        """Return the solver's answer to a text, which it then searches. Raises UserError for an invalid clip."""
         self._verdict, self._shows_snapshot = asyncio.get_running_loop().create_future(), False
         self._load(text, self.document.revision + 1, first=first)
         try:
             verdict = await asyncio.wait_for(self._verdict, VERDICT)
         except TimeoutError:
-            self.solver.begin_anew()  # otherwise it would finish that clip first
+            self.solver.begin_anew()  # otherwise it would finish this clip first
             raise UserError(f"the clip took longer than {VERDICT:g} s to load") from None
         finally:
             self._verdict = None
@@ -277,7 +271,7 @@ class Session:
         self.solver.send(self._trying if found is None else {**self._trying, "found": found})
 
     def _named(self, text: str) -> Message:
-        """A text, its name in messages, and the folder of its files."""
+        """Return a text, its name in messages, and the folder of its files."""
         document = self.document
         return {"text": text, "name": document.name, "place": document.place, "folder": str(document.folder)}
 
@@ -289,7 +283,7 @@ class Session:
         self._keeper = asyncio.get_running_loop().call_later(KEEPING, self.document.keep)
 
     def _accept(self, loaded: Message) -> None:
-        """Set the loaded clip as the document's."""
+        """Make the loaded clip that of the document."""
         self.outline = loaded.pop("outline")
         self.loaded = loaded
         self.told()
@@ -372,7 +366,7 @@ class Session:
             self._status("refused", words=message["words"])
 
     def _judge(self, message: Message) -> bool:
-        """Take the answer for the text under trial, not for the one before, which a new process loads again."""
+        """Use the answer for the text under trial, but not for the previous text, which a new process loads again."""
         if self._verdict is None or self._verdict.done():
             return False
         if self._trying is not None and message.get("revision") not in (None, self._trying["revision"]):
@@ -435,13 +429,13 @@ class Session:
         self._status("gone", words=message["words"])
 
     def _lost(self, words: str) -> None:
-        """Resume after a crash: the new process gets the text and the path of the last one."""
+        """Resume after a crash: the new process gets the present text and the last path."""
         self.tell({"is": "note", "words": words})
         if self._curved:
             self.solver.send({"do": "curves", "on": True})
         trying = self._trying if self._verdict is not None else None
         self._load(self.document.text, self.document.revision, first=self._timeline is None, found=self._timeline)
-        if trying is not None:  # the answer is awaited for this text, not for the one before
+        if trying is not None:  # the expected answer is for this text, not for the previous one
             self._trying = trying
             self.solver.send(trying)
 

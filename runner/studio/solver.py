@@ -15,16 +15,17 @@ from ..system.workers import ctrl_c_blocked
 from .solving.process import entry
 
 Message = dict[str, Any]  # JSON between pages, server and solver: "do" names a request, "is" an answer
-SHORT = 0.2  # [s] for an idle process
-PATIENCE = 5.0  # [s] limit for a process to end
-MOST_LOSSES = 5  # crashes in a row, without an answer, after which it is not restarted
+SHORT = 0.2  # [s] time in which an idle process should end
+PATIENCE = 5.0  # [s] time in which any process should end
+MOST_LOSSES = 5  # consecutive crashes without an answer after which it is not restarted
 
 
 class Solver:
-    """A process and its connection.
+    """The solver process and its connection.
 
-    heard  receives every message, in the server's thread
-    lost   is called when the process has ended unexpectedly and a new one has been started
+    Args:
+        heard: Receives every message, in the server's thread.
+        lost: Called when the process has ended unexpectedly and a new one has been started.
     """
 
     def __init__(self, heard: Callable[[Message], None], lost: Callable[[str], None]) -> None:
@@ -41,7 +42,7 @@ class Solver:
         return self._process is not None
 
     def start(self, *, is_seen: bool = False) -> None:
-        """Start the process; it imports in the background, with low priority if the page already shows a view."""
+        """Start the process. It imports in the background, with low priority if the page already shows a view."""
         spawn = multiprocessing.get_context("spawn")
         self._line, theirs = spawn.Pipe()
         self._process = spawn.Process(target=entry, args=(theirs, is_allowed(), is_seen), daemon=True, name="solver")
@@ -58,7 +59,7 @@ class Solver:
         threading.Thread(target=self._listen, args=(self._line, self._process), daemon=True).start()
 
     def send(self, message: Message) -> None:
-        """Send a message to the process; a lost process is noticed soon afterwards."""
+        """Send a message to the process. If the process has ended, `lost` is called soon afterwards."""
         with suppress(OSError, ValueError):
             self._line.send(message)
 
@@ -75,7 +76,7 @@ class Solver:
             self._process.join(PATIENCE)
 
     def begin_anew(self) -> None:
-        """End the process at once; a new one continues from the last path."""
+        """End the process at once. A new one continues from the last path."""
         if self._process is not None:
             self._process.kill()
 

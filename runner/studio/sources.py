@@ -1,4 +1,4 @@
-"""What can be opened: a clip, a model, a motion, a recording of another program; each becomes a clip's text."""
+"""Inputs of the studio: a clip, a model, a motion, or a recording of another program. Each becomes a clip's text."""
 
 from __future__ import annotations
 
@@ -14,18 +14,15 @@ from .document import Document
 if TYPE_CHECKING:
     from ..motion import Saved
 
-BLEND = 0.4  # [s] about a keyframe in which a recording changes
+BLEND = 0.4  # [s] default of `blend` in a clip that follows a recording
 EXAMPLES = "a clip (.toml), a model (.xml), a motion (.npz), a recording, or a shipped clip"
 
 
 def opened(source: str, *, figure: str | None = None) -> Document:
-    """Open a file as a document; raises UserError.
-
-    figure  for recordings that bring none
-    """
+    """Open a file as a document; `figure` is that of a recording without one. Raises UserError."""
     if source in models.clips():
         return Document(source, models.clip_text(source), Path.cwd(), saved=models.clip_text(source))
-    from ..exchange.formats import by_ending  # only here, as below: a page need not wait for it
+    from ..exchange.formats import by_ending  # imported here, as below, so that a page need not wait for it
 
     path = Path(source)
     if not path.is_file():
@@ -57,7 +54,7 @@ def _clip(path: Path) -> Document:
 
 
 def _model(path: Path) -> Document:
-    """A clip to begin with, not saved yet."""
+    """Return a starting clip, not saved yet."""
     from ..clip.starter import starter
 
     path = path.resolve()
@@ -65,7 +62,7 @@ def _model(path: Path) -> Document:
 
 
 def _motion(path: Path, figure: str | None) -> Document:
-    """A solved clip's own text; or a clip that follows what was recorded."""
+    """Return a solved clip's text, or a clip that follows the recorded motion."""
     from ..clip.load import load_motion
     from ..measure.violation import is_recording
 
@@ -82,7 +79,7 @@ def _motion(path: Path, figure: str | None) -> Document:
 
 
 def _text_in(path: Path, saved: Saved) -> str:
-    """The text of a solved clip at its motion's location: missing files are taken from the motion."""
+    """Return the text of a solved clip at its motion's location, with missing files taken from the motion."""
     from ..clip.file import standing_alone
     from ..clip.parse import table_of
     from ..clip.text import tables, written
@@ -103,7 +100,7 @@ def _is_there(name: str, shipped: Collection[str], folder: Path) -> bool:
 
 
 def _recording(path: Path, figure: str | None) -> Document:
-    """A file of another program: imported beside itself, and followed."""
+    """Return a clip that follows a file of another program, which is imported next to it."""
     from .. import motion
     from ..exchange.formats import stem
     from ..exchange.motion_import import import_recording
@@ -117,7 +114,7 @@ def _recording(path: Path, figure: str | None) -> Document:
 
 
 def _scene_beside(path: Path, scene: object) -> str:
-    """The file of a recording's figure: a shipped one's name, or its MJCF written beside the recording."""
+    """Return the name of a recording's shipped figure, or of its MJCF written next to the recording."""
     from ..clip.file import shipped_scene
     from ..scene.assets import Scene
     from ..system.output import Replacement
@@ -138,7 +135,7 @@ def _scene_beside(path: Path, scene: object) -> str:
 
 
 def following(path: Path, figure: str) -> Document:
-    """A clip that follows a motion's file, in its folder."""
+    """Return a clip that follows a motion's file, in its folder."""
     text = f'# Keyframes here edit what was recorded; the rest stays as it is.\nfigure = "{figure}"\n\n[recording]\n'
     text += f'file = "{path.name}"\nblend = {BLEND:g}                             # s before and after every keyframe\n'
     return Document(f"{path.stem}_edited", text, path.parent)

@@ -1,7 +1,6 @@
-"""The last view of a clip, cached in the user's folder and shown at once while the clip is still being loaded.
+"""The last view of a clip, cached in the user's folder and shown at once while the clip is loaded.
 
-The solver's messages then replace it, so an outdated view disappears within seconds; a damaged file counts as
-missing.
+The solver's messages then replace it, so an outdated view disappears within seconds. A damaged file counts as missing.
 """
 
 from __future__ import annotations
@@ -22,14 +21,14 @@ from .document import Document
 
 FOLDER = "studio"
 OWN = re.compile(r"[0-9a-f]{40}\.view|\.[0-9a-f]{40}\.\w+\.partial\.view")
-LARGEST = 20_000_000  # [bytes] of a figure and its path
-MOST_BYTES = 100_000_000  # of all of them together
+LARGEST = 20_000_000  # [bytes] maximum size of a view
+MOST_BYTES = 100_000_000  # [bytes] maximum size of all views together
 HEAD = struct.Struct("<8sII")
 MAGIC = b"glimpse1"
 
 
 def file_of(document: Document) -> Path | None:
-    """The cache file of a document's view, named for its text, its folder and the page; None if caching is off."""
+    """Return the cache file of a document's view, named by its text, folder and page; None if caching is off."""
     folder = place()
     if folder is None:
         return None
@@ -41,7 +40,7 @@ def file_of(document: Document) -> Path | None:
 
 
 def read(file: Path | None) -> tuple[bytes, bytes] | None:
-    """The stage and a path, in the page's format; None if they are missing or invalid."""
+    """Return the stage and a path, in the page's format; None if they are missing or invalid."""
     with suppress(OSError, ValueError, KeyError, TypeError, struct.error):
         if file is None or file.stat().st_size > LARGEST + HEAD.size:
             return None
@@ -49,13 +48,13 @@ def read(file: Path | None) -> tuple[bytes, bytes] | None:
         magic, first, second = HEAD.unpack_from(data)
         stage, path = data[HEAD.size : HEAD.size + first], data[HEAD.size + first :]
         if magic == MAGIC and len(path) == second and _fits(json.loads(stage), path):
-            os.utime(file)  # so that it stays
+            os.utime(file)  # marks it as recently used
             return stage, path
     return None
 
 
 def _fits(stage: dict[str, list[str]], path: bytes) -> bool:
-    """Whether a path is whole, and of the figure on a stage."""
+    """Return whether a path is complete, and of the figure on a stage."""
     (size,) = struct.unpack_from("<I", path)
     head = json.loads(path[4 : 4 + size])
     count, bodies = int(head["count"]), int(head["bodies"])
@@ -63,7 +62,7 @@ def _fits(stage: dict[str, list[str]], path: bytes) -> bool:
 
 
 def write(file: Path | None, stage: bytes, path: bytes) -> None:
-    """Keeps them, and lets others go that were not used for longest."""
+    """Write a view, and delete the least recently used ones if there are too many."""
     if file is None or len(stage) + len(path) > LARGEST:
         return
     with suppress(OSError, UserError):

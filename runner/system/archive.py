@@ -1,4 +1,4 @@
-"""Memory needed by the arrays of an .npz, from their headers before any is read."""
+"""Memory of the arrays of an .npz, from their headers before any is read."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ HEADS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read
 
 
 def check(stream: IO[bytes], where: Path) -> None:
-    """Raises UserError for arrays that are too large together, or larger than what the archive has of them.
+    """Raise UserError for arrays that are too large together, or larger than their data in the archive.
 
-    Raises nearly anything for a damaged archive. The stream is left at its begin.
+    A damaged archive may raise any exception. The stream is reset to its beginning.
     """
     with zipfile.ZipFile(stream) as archive:
         members = archive.infolist()
@@ -32,7 +32,7 @@ def check(stream: IO[bytes], where: Path) -> None:
 
 
 def _claimed(content: IO[bytes]) -> int:
-    """[bytes] that an array's header requests; 0 for other content, which its reader reports."""
+    """Return the bytes that an array's header requests; 0 for other content, which its reader reports."""
     try:
         head: Any = HEADS.get(np.lib.format.read_magic(content))
         shape, _, kind = head(content) if head else ((0,), False, np.dtype("u1"))

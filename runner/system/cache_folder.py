@@ -1,4 +1,4 @@
-"""The user's folder for what this program could find again: solved clips, how they looked, which renderer worked."""
+"""The user's cache folder: solved clips, views of the studio, and the renderer that worked."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ OFF = ("off", "0", "no", "false")
 
 
 def place() -> Path | None:
-    """The folder, whether or not it is there; None where nothing is to be kept."""
+    """Return the folder, which may not exist; None if caching is off."""
     setting = os.environ.get(PLACE, "").strip()
     if setting.lower() in OFF:
         return None
@@ -24,11 +24,11 @@ def place() -> Path | None:
 
 
 def make_room(folder: Path, own: re.Pattern[str], most: int) -> None:
-    """Takes away files of such names that were not used for longest, until the rest is small enough [bytes]."""
+    """Delete the least recently used files with names of a pattern, until the rest is at most `most` bytes."""
     files: list[tuple[float, int, Path]] = []
     for path in folder.iterdir():
         if own.fullmatch(path.name):
-            with suppress(OSError):  # another command may have taken it away
+            with suppress(OSError):  # another command may have deleted it
                 about = path.stat()
                 files.append((about.st_mtime, about.st_size, path))
     total = sum(size for _, size, _ in files)

@@ -1,4 +1,4 @@
-"""How a command ends: with an exit code, and one line on stderr for every error."""
+"""The end of a command: its exit code, and one line on stderr for every error."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ import typer
 from ..errors import UserError, one_line
 from . import signals
 
-STOPPED = 130  # the exit code of Ctrl-C
-INTERNAL = 4  # that of an internal error
+STOPPED = 130  # exit code of Ctrl-C
+INTERNAL = 4  # exit code of an internal error
 DEBUG = "DYNSPLINES_DEBUG"
 HOW = "what the same command prints as `dynsplines --debug ...`"
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
-NO_ROOM = (  # the linker's, MuJoCo's, and Python's where it has no memory for the error itself
+NO_ROOM = (  # messages without enough memory: of the linker, of MuJoCo, and of Python
     "failed to map segment",
     "annot allocate memory",
     "ould not allocate memory",
@@ -27,9 +27,9 @@ NO_ROOM = (  # the linker's, MuJoCo's, and Python's where it has no memory for t
 
 
 def run(command: Callable[[], int | None]) -> NoReturn:
-    """End with a command's exit code; bad input and internal errors are reported in one line."""
+    """Exit with a command's exit code. Invalid input and internal errors are reported in one line."""
     try:
-        from . import mujoco_warnings  # here, so that an import without memory is reported, too
+        from . import mujoco_warnings  # imported here so that a lack of memory during the import is reported too
         from .terminal import fit
         from .threads import keep_to_one
 
@@ -38,7 +38,7 @@ def run(command: Callable[[], int | None]) -> NoReturn:
         with mujoco_warnings.reported_to(mujoco_warnings.print_note):
             code = command()
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # avoids an error of Python at exit
         sys.exit(1)
     except SystemExit:
         raise
@@ -47,13 +47,13 @@ def run(command: Callable[[], int | None]) -> NoReturn:
         if code == INTERNAL and os.environ.get(DEBUG):
             raise
         _end(code, line)
-    if code == STOPPED:  # typer's own answer to Ctrl-C
+    if code == STOPPED:  # typer's handling of Ctrl-C
         _end(signals.code(STOPPED), "stopped")
     sys.exit(signals.code(code or 0))
 
 
 def _ending(error: BaseException) -> tuple[int, str]:
-    """The exit code for an error, and its message."""
+    """Return the exit code for an error, and its message."""
     match error:
         case UserError():
             return 2, one_line(error)
@@ -85,7 +85,7 @@ def _usage(error: typer.BadParameter) -> str:
 
 
 def _place(error: BaseException) -> str:
-    """An error with the line of the program that raised it."""
+    """Return an error with the line of the program that raised it."""
     import traceback
 
     calls = traceback.extract_tb(error.__traceback__)
@@ -94,7 +94,7 @@ def _place(error: BaseException) -> str:
 
 
 def _is_nowhere() -> bool:
-    """Whether the folder that the command was started in has been removed."""
+    """Return whether the current folder has been removed."""
     try:
         Path.cwd()
     except FileNotFoundError:
@@ -103,7 +103,7 @@ def _is_nowhere() -> bool:
 
 
 def _is_interrupt(error: BaseException | None) -> bool:
-    """Whether Ctrl-C caused the error; during the import of an extension module it causes an ImportError."""
+    """Return whether Ctrl-C caused the error. During the import of an extension module it causes an ImportError."""
     while error is not None and not isinstance(error, KeyboardInterrupt):
         error = error.__cause__ or error.__context__
     return error is not None

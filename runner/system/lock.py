@@ -22,10 +22,10 @@ NAME = "manifest.lock"
 
 @contextmanager
 def locked(folder: Path) -> Iterator[None]:
-    """Hold the lock of a folder; its file contains the process, the host and the time.
+    """Hold the lock of a folder. Its file contains the process, the host and the time.
 
-    The lock of a process that was killed is taken over. The file of another host is trusted, since not every network
-    disk shares locks. Raises UserError if the folder is locked.
+    The lock of a killed process is taken over. The lock file of another host is trusted, because not every network disk
+    shares locks. Raises UserError if the folder is locked.
     """
     if fcntl is None:
         raise UserError("batches need a system with POSIX locks, such as Linux or macOS")
@@ -68,7 +68,7 @@ def _taken(path: Path) -> int | None:
 
 
 def _owner(handle: int) -> dict[str, object]:
-    """Return the content of a lock file; nothing before its owner has written it."""
+    """Return the content of a lock file; {} before its owner has written it."""
     try:
         owner = json.loads(os.pread(handle, 10_000, 0))
     except ValueError:

@@ -9,14 +9,14 @@ import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 
-LATER = 10  # niceness: of two threads on one processor it gets a tenth of the time
+LATER = 10  # niceness at which a thread gets a tenth of the time of a processor that it shares
 
 
 def yielding(pieces: Sequence[Callable[[], object]], patience: float) -> None:
-    """Run tasks in turn with low priority; after a time [s] the remaining ones have normal priority.
+    """Run tasks in turn with low priority. After a time [s] the remaining ones have normal priority.
 
-    On Linux alone a thread can lower its own priority, and it cannot raise it again: so this thread ends afterwards.
-    An exception of a task is raised again by the code that needs its result; here it only ends the thread.
+    Only Linux supports priorities of threads, and a thread cannot raise its own again, so a separate thread runs the
+    tasks. An exception of a task only ends this thread; the code that needs the task's result raises it again.
     """
     waiting = list(pieces)
     end = time.monotonic() + patience

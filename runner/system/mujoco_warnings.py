@@ -1,7 +1,7 @@
 """MuJoCo's warnings as notes. MuJoCo itself prints them and appends them to MUJOCO_LOG.TXT in the current folder.
 
-A command and its worker processes report them before anything else is imported; the Python API collects the warnings of
-each call and issues them as Python warnings. mujoco is imported here only once a renderer has been chosen.
+A command and its worker processes report them before any other import. The Python API collects the warnings of each
+call and issues them as Python warnings. mujoco is imported here only after a renderer has been selected.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ..errors import one_line
 
 Sink = Callable[[str], None]
 
-TIME = re.compile(r" Time = [\d.]+\.$")  # of a simulation, which there is none of
+TIME = re.compile(r" Time = [\d.]+\.$")  # simulation time, which is meaningless here
 
 _sinks: list[Sink] = []
 
@@ -42,14 +42,14 @@ def reported_to(sink: Sink) -> Iterator[None]:
 
 
 def install() -> None:
-    """Replace MuJoCo's handler if warnings are reported in this process; called again once mujoco is imported."""
+    """Replace MuJoCo's handler if warnings are reported in this process; called again after the import of mujoco."""
     if _sinks and "mujoco" in sys.modules:
         _mujoco().set_mju_user_warning(_receive)
 
 
 @contextmanager
 def intercepted() -> Iterator[None]:
-    """Pass MuJoCo's warnings of the block to where they are reported, or drop them if they are not."""
+    """Report MuJoCo's warnings in this block, or drop them if this process does not report warnings."""
     before = _mujoco().get_mju_user_warning()
     _mujoco().set_mju_user_warning(_receive)
     try:
@@ -60,8 +60,8 @@ def intercepted() -> Iterator[None]:
 
 @contextmanager
 def as_python_warnings() -> Iterator[None]:
-    """Issue MuJoCo's warnings in the function that this decorates as Python warnings, at its caller's line."""
-    if _sinks:  # of a call inside another, or of a command
+    """Issue MuJoCo's warnings in the decorated function as Python warnings, at its caller's line."""
+    if _sinks:  # a nested call, or a command
         yield
         return
     texts: list[str] = []
@@ -82,7 +82,7 @@ def _receive(text: str) -> None:
 
 
 def _once(sink: Sink) -> Sink:
-    """A sink that passes on the first of the texts that differ in numbers only."""
+    """Return a sink that passes on only the first of texts that differ in numbers."""
     kinds: set[str] = set()
 
     def first(text: str) -> None:
@@ -95,7 +95,7 @@ def _once(sink: Sink) -> Sink:
 
 
 def _mujoco() -> Any:
-    """The module, which reads MUJOCO_GL while it is imported."""
+    """Return mujoco, which reads MUJOCO_GL during its import."""
     import mujoco
 
     return mujoco

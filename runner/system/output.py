@@ -1,11 +1,11 @@
-"""The one way to write a file: whole or not at all, under its name only once the disk has it.
+"""Atomic writing of files: a file gets its name only when its content is complete and on the disk.
 
-Output is written next to the target first, to a file with an unguessable name that only its owner can read.
-A link stays a link, and what it leads to is replaced; what is no plain file, a device or a pipe, is refused. The new
-file may be read by whom the old one could be, or, where there was none, by whom the umask lets.
+Output is first written next to the target, to a file with an unguessable name that only its owner can read. A link is
+preserved, and its target is replaced. Devices, pipes and other special files are rejected. The new file has the
+permissions of the old one, or those of the umask.
 
-A program that is killed leaves its temporary file behind; the next one that writes to the same target removes it. The
-kernel's lock on such a file shows whether its writer is still running.
+A killed program leaves its temporary file; the next one that writes to the same target removes it. The kernel's lock on
+such a file shows whether its writer is still running.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ except ImportError:  # Windows
     fcntl = None
 
 NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)  # errors whose message lacks the file's name
-ALL = 0o666  # what the umask takes away from, for a file that was not there
+ALL = 0o666  # mode of a new file, which the umask restricts
 OWNER = 0o600
-MODE = 0o777  # what of an older file's mode the new one has
-MOST_OF_A_NAME = 40  # [characters] of the target's in a temporary name: at most 160 of the 255 bytes of a file's name
+MODE = 0o777  # bits of an older file's mode that are preserved
+MOST_OF_A_NAME = 40  # characters of the target's name in a temporary name, at most 160 of its 255 bytes
 TEMPORARY = re.compile(r"\..*\.[0-9a-f]{16}\.partial(\.[^./]*)?", re.DOTALL)
 REFUSED = {
     stat.S_IFDIR: "it is a folder",
@@ -42,7 +42,7 @@ REFUSED = {
 
 
 class Replacement:
-    """A temporary file beside the target that takes its place when the block ends well, and is removed otherwise."""
+    """A temporary file that replaces the target when the block ends without an exception, and is removed otherwise."""
 
     def __init__(self, target: Path) -> None:
         self.target = target
@@ -54,7 +54,7 @@ class Replacement:
         while not self._begun(ALL if older is None else OWNER):
             pass
         self._mode = stat.S_IMODE((older or os.fstat(self._handle)).st_mode) & MODE
-        if os.name == "nt":  # what is open cannot be renamed there
+        if os.name == "nt":  # open files cannot be renamed on Windows
             os.close(self._handle)
         return self.temporary
 
@@ -71,7 +71,8 @@ class Replacement:
                 os.close(self._handle)
 
     def _begun(self, mode: int) -> bool:
-        """A new temporary file, locked; False where another writer took it, not yet locked, for a leftover."""
+        """Create and lock a temporary file. Returns False if another writer removed it as a leftover before it was
+        locked."""
         name = f".{self._real.name[:MOST_OF_A_NAME]}.{secrets.token_hex(8)}.partial{self.target.suffix}"
         self.temporary = self._real.with_name(name)
         flags = os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_CLOEXEC", 0)
@@ -85,19 +86,19 @@ class Replacement:
         return False
 
     def _put(self) -> None:
-        """In the target's place, once its bytes are on the disk; then the folder's new entry."""
+        """Replace the target after the data is on the disk; then synchronise the folder."""
         try:
             self.temporary.chmod(self._mode)
             _synchronised(self.temporary)
             self.temporary.replace(self._real)
         except OSError as error:
             raise UserError(f"cannot write '{self.target}': {error.strerror}") from None
-        with suppress(OSError):  # not every disk can, nor Windows
+        with suppress(OSError):  # some disks, and Windows, do not support this
             _synchronised(self._real.parent)
 
 
 def real_target(target: Path) -> Path:
-    """The file to replace, after resolving links; raises UserError unless it is a plain file."""
+    """Return the file to replace, after resolving links. Raises UserError unless it is a plain file."""
     older = _older(target)
     if older is not None and not stat.S_ISREG(older.st_mode):
         raise UserError(f"cannot write '{target}': {REFUSED.get(stat.S_IFMT(older.st_mode), 'it is not a plain file')}")
@@ -116,7 +117,7 @@ def check_target(target: Path, *, overwrite: bool = True) -> None:
 
 
 def clear(target: Path) -> None:
-    """Removes what killed programs had begun to write to a file."""
+    """Remove temporary files of killed programs for a target."""
     start = f".{target.name[:MOST_OF_A_NAME]}."
     with suppress(OSError):
         for name in os.listdir(target.parent):  # noqa: PTH208, of a hundred thousand names
@@ -125,19 +126,19 @@ def clear(target: Path) -> None:
 
 
 def clear_below(folder: Path) -> None:
-    """Removes what killed programs had begun to write anywhere in a folder."""
+    """Remove temporary files of killed programs anywhere in a folder."""
     for path in list(folder.rglob(".*")):
         if TEMPORARY.fullmatch(path.name):
             _remove_if_left(path)
 
 
 def beside(temporary: Path, ending: str) -> Path:
-    """The name of a further file that is needed while a temporary one is written; it goes when that one does."""
+    """Return the name of a further temporary file, which is removed together with a first one."""
     return temporary.with_name(f"{temporary.name}.{secrets.token_hex(8)}{ending}")
 
 
 def _parts(temporary: Path) -> Iterator[Path]:
-    """A temporary file last, and before it those `beside` it."""
+    """Yield the files `beside` a temporary one, then that file itself."""
     with suppress(OSError):
         for name in os.listdir(temporary.parent):  # noqa: PTH208
             if name.startswith(f"{temporary.name}."):
@@ -162,18 +163,19 @@ def _remove_if_left(path: Path) -> None:
 
 
 def _locked(handle: int) -> bool:
-    """Wait until it is decided whether the file is a leftover; False where there are no locks, and none is removed."""
+    """Wait for the lock that shows whether the file is a leftover. Returns False if there are no locks."""
     if fcntl is None:
         return False
     try:
         fcntl.flock(handle, fcntl.LOCK_EX)
-    except OSError:  # not every network disk can
+    except OSError:  # some network disks do not support locks
         return False
     return True
 
 
 def _older(target: Path) -> os.stat_result | None:
-    """The present file, after resolving links; None if there is none. Raises UserError if it cannot be read."""
+    """Return the status of the present file, after resolving links; None if it is missing. Raises UserError if
+    unreadable."""
     try:
         return target.stat()
     except (FileNotFoundError, NotADirectoryError):
@@ -183,7 +185,7 @@ def _older(target: Path) -> os.stat_result | None:
 
 
 def _synchronised(path: Path) -> None:
-    """Waits until the disk has a file, or a folder's list of names."""
+    """Wait until a file, or a folder's list of names, is on the disk."""
     handle = os.open(path, (os.O_RDWR if os.name == "nt" else os.O_RDONLY) | getattr(os, "O_CLOEXEC", 0))
     try:
         os.fsync(handle)

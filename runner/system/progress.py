@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rich.progress import Progress as Bars
 
 Item = TypeVar("Item")
-QUIET_SECONDS = 5.0  # [s] between lines where no bar can be drawn
+QUIET_SECONDS = 5.0  # [s] interval of lines if there is no terminal for a bar
 
 
 class Progress:
@@ -48,7 +48,7 @@ class Progress:
             self._bars.stop()
 
     def say(self, line: str) -> None:
-        """One line that stays."""
+        """Print a line."""
         self.console.print(line, markup=False, soft_wrap=True)
 
     def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:

@@ -1,4 +1,4 @@
-"""Lengths and speeds as people write them: "2cm", "20 mm", "1200deg/s"; from Python also numbers of m, rad/s."""
+"""Lengths and speeds with units: "2cm", "20 mm", "1200deg/s"; from Python also numbers in m and rad/s."""
 
 from __future__ import annotations
 
@@ -8,24 +8,23 @@ from collections.abc import Mapping
 
 from ..errors import UserError
 
-LARGEST = 1e6  # of any number of a configuration
+LARGEST = 1e6  # maximum number in a configuration
 
 METRES = {"cm": 0.01, "mm": 0.001, "m": 1.0}
 RADIANS_A_SECOND = {"rad/s": 1.0, "deg/s": math.pi / 180}
 
 
 def length(given: str | float, what: str) -> float:
-    """Metres; raises UserError unless it is a length above 0 with a unit. `what` is the label in errors."""
+    """Return a length in metres. Raises UserError unless it is above 0 with a unit; `what` is the label in errors."""
     return _quantity(given, what, METRES, "a length above 0, such as 2cm, 20mm or 0.02m")
 
 
 def speed(given: str | float, what: str) -> float:
-    """Radians per second; raises UserError unless it is a speed above 0 with a unit, as in `length`."""
+    """Return a speed in radians per second. Raises UserError as for `length`."""
     return _quantity(given, what, RADIANS_A_SECOND, "a speed above 0, such as 20rad/s or 1200deg/s")
 
 
 def _quantity(given: str | float, what: str, units: Mapping[str, float], such: str) -> float:
-    """In the unit that is 1."""
     match = re.fullmatch(rf"\s*([0-9.eE+-]+?)\s*({'|'.join(units)}|)\s*", str(given))
     try:
         number = float(match[1]) if match else math.nan

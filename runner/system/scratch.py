@@ -1,7 +1,7 @@
-"""Folders for what is needed only while something runs, among the system's temporary files.
+"""Temporary folders, among the system's temporary files.
 
-A program that is killed leaves its folder behind; the next one that makes a folder removes it. The kernel's lock on a
-folder shows whether its creator is still running.
+A killed program leaves its folder; the next program that creates one removes it. The kernel's lock on a folder shows
+whether its creator is still running.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ PREFIX = "dynsplines-scratch-"
 
 @contextmanager
 def scratch() -> Iterator[Path]:
-    """A new private folder, removed with its content when the block ends."""
+    """Yield a new private folder, which is removed with its content when the block ends."""
     _clear(Path(tempfile.gettempdir()))
     folder, handle = _begun()
-    while handle is not None and not folder.exists():  # another program took it, not yet locked, for a leftover
+    while handle is not None and not folder.exists():  # another program removed it before it was locked
         os.close(handle)
         folder, handle = _begun()
     try:
@@ -39,20 +39,19 @@ def scratch() -> Iterator[Path]:
 
 
 def _begun() -> tuple[Path, int | None]:
-    """A new folder and the handle that locks it; None without locks, and then nothing is removed."""
+    """Return a new folder and the handle that locks it; None without locks, in which case leftovers are not removed."""
     folder = Path(tempfile.mkdtemp(prefix=PREFIX))
     if fcntl is None:
         return folder, None
     with suppress(FileNotFoundError):
         handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
-        with suppress(OSError):  # not every network disk can
+        with suppress(OSError):  # some network disks do not support locks
             fcntl.flock(handle, fcntl.LOCK_EX)
         return folder, handle
     return _begun()
 
 
 def _clear(place: Path) -> None:
-    """Remove folders of killed programs of this user."""
     if fcntl is None:
         return
     with suppress(OSError):
@@ -62,7 +61,7 @@ def _clear(place: Path) -> None:
 
 
 def _remove_if_left(folder: Path) -> None:
-    """Unless its creator is still running, or is another user."""
+    """Remove a folder, unless its creator is still running or is another user."""
     assert fcntl is not None
     with suppress(OSError):
         handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)

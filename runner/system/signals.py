@@ -1,8 +1,7 @@
 """Signals that end a command: a terminal's hangup and SIGTERM act like Ctrl-C, with separate exit codes.
 
-The best result of a search is then written; the exit code still reports the signal, 129 or 143, so that
-the sender knows that the command was interrupted. Imports almost nothing: the handlers are set
-before any slow import.
+The best result of a search is then written. The exit code still reports the signal, 129 or 143, so that the sender can
+detect the interruption. This module imports almost nothing, because the handlers are set before any slow import.
 """
 
 from __future__ import annotations
@@ -11,15 +10,15 @@ import os
 import signal
 from types import FrameType
 
-FIRST = 128  # the exit code of a command that a signal ended is so much more than the signal's number
-TERMINALS = 1, 2  # stdout and stderr, which cannot be written to after their terminal has hung up
+FIRST = 128  # offset of the exit code to the signal's number
+TERMINALS = 1, 2  # stdout and stderr, which cannot be written to after a hangup of their terminal
 
 _received: int | None = None
 _terminals: list[int] = []
 
 
 def heed() -> None:
-    """Sets the handlers, but for signals that this process was started to ignore."""
+    """Set the handlers, except for signals that this process was started to ignore."""
     global _received
     _received = None
     _terminals[:] = [stream for stream in TERMINALS if _is_terminal(stream)]
@@ -37,12 +36,12 @@ def ignore() -> None:
 
 
 def was_asked() -> bool:
-    """Whether a signal has come."""
+    """Return whether a signal was received."""
     return _received is not None
 
 
 def code(otherwise: int) -> int:
-    """A command's exit code: of the signal that asked it to end, if it was another one than Ctrl-C's."""
+    """Return the exit code of the received signal, except Ctrl-C, or else `otherwise`."""
     return otherwise if _received in (None, signal.SIGINT) else FIRST + int(_received)
 
 

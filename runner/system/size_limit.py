@@ -1,4 +1,4 @@
-"""Limit on the memory that a file may need: a small untrusted file can request all there is."""
+"""Limit on the memory that a file may need: a small untrusted file can request all of the memory."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import os
 from ..errors import UserError
 
 VARIABLE = "DYNSPLINES_LARGEST"
-USUAL = 1000  # [MB]; ten minutes of a hundred joints at 120 samples a second are 60 MB an array
+USUAL = 1000  # [MB] default limit; ten minutes of a hundred joints at 120 Hz need 60 MB per array
 MEGABYTE = 1_000_000
 
 
 def bound() -> int:
-    """[bytes], the default or the environment's value in MB; raises UserError if that is not a number."""
+    """Return the limit in bytes, by default or from the environment. Raises UserError if that is not a number of MB."""
     setting = os.environ.get(VARIABLE, "").strip()
     if not setting:
         return USUAL * MEGABYTE

@@ -11,7 +11,7 @@ SPELLED = {"°": " deg", "×": "x", "·": "*", "–": "-", "−": "-", "…": ".
 
 
 def _spelled(error: UnicodeError) -> tuple[str, int]:
-    """Letters without their accents and signs in words; what has neither by its number."""
+    """Return letters without accents, or signs in words, or else the character's number."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(map(_letter, error.object[error.start : error.end])), error.end

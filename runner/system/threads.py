@@ -1,6 +1,6 @@
 """Numerics of a process: one thread, and no more of NumPy than required.
 
-On the solver's small matrices more threads only wait for each other, and round another way.
+On the solver's small matrices, several threads mostly wait for each other, and rounding depends on their number.
 """
 
 from __future__ import annotations
@@ -11,14 +11,17 @@ THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_N
 
 
 def keep_to_one() -> None:
-    """Set one thread for this process, before it imports NumPy, whatever its environment: results are reproducible."""
+    """Set one thread for this process before it imports NumPy, so that results are reproducible."""
     for name in THREADS:
         os.environ[name] = "1"
 
 
 def without_tools() -> None:
-    """Before SciPy is imported: it copies every name of NumPy, and so would import NumPy's tests and Fortran compiler,
-    which take as long as NumPy itself. They remain available to other importers."""
+    """Exclude NumPy's tests and Fortran compiler from imports, before SciPy is imported.
+
+    SciPy copies every name of NumPy, and would thus import these, which takes as long as NumPy itself. Other code can
+    still import them.
+    """
     import numpy
 
     tools = {"f2py", "testing", "test"}

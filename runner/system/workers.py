@@ -1,7 +1,7 @@
 """Worker processes, each of which opens a tool and applies it to one item after another.
 
-However a program ends, no worker is left: they ignore Ctrl-C, end with their connection, and a thread in each of them
-ends it with its parent, even in the middle of an item.
+No worker outlives the program: workers ignore Ctrl-C and end with their connection, and a thread in each ends it with
+its parent, even during an item.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ Result = TypeVar("Result")
 Opened = Callable[[], AbstractContextManager[Tool]]
 Work = Callable[[Tool, Item], Result]
 
-MOST_WORKERS = 60  # Windows waits for no more at a time
-GRACE_SECONDS = 5.0
-AHEAD = 2  # results for each process that may wait for an earlier one
+MOST_WORKERS = 60  # maximum number of processes for which Windows can wait
+GRACE_SECONDS = 5.0  # [s] time in which a process should end
+AHEAD = 2  # results per process that may wait for an earlier one
 
 
 def cores() -> int:
@@ -43,8 +43,8 @@ def in_order(
 ) -> Generator[Result, None, None]:
     """Yield work(tool, item) for every item, in order, computed by this process or by `workers` others.
 
-    Few results are ahead of the one that is yielded, so that a long film is never in memory. Raises the errors of the
-    work, and UserError if a process ends. For several workers see `Worker`.
+    Few results are computed ahead, so that a long video is never in memory. Raises the errors of the work, and
+    UserError if a process ends. For several workers see `Worker`.
     """
     if workers > 1:
         yield from _by_several(opened, work, items, workers)
@@ -87,25 +87,28 @@ def _by_several(
         for worker in idle:
             worker.line.close()
         for worker in idle:
-            worker.stop(GRACE_SECONDS)  # it closes its tool
+            worker.stop(GRACE_SECONDS)  # the process closes its tool
         for _, worker in busy.values():
             worker.stop()
 
 
 class WorkerEnded(Exception):
-    """A worker process has ended; the text is how."""
+    """A worker process has ended; the text describes how."""
 
 
 class Worker(Generic[Tool, Item, Result]):
     """A process with a tool, and the connection to it.
 
-    opened  opens the tool, before the first item
-    work    (tool, item) -> result
-    idle    [s] without an item, after which the process ends; None: never
-    errors  a temporary file for its standard error, closed with it
-
     Tool, work and items must be picklable, and the program importable without running (`if __name__ == "__main__"`).
-    Raises UserError if there can be no more processes.
+
+    Args:
+        opened: Opens the tool, before the first item.
+        work: (tool, item) -> result.
+        idle: The time without an item after which the process ends [s]; None: never.
+        errors: A temporary file for its standard error, closed with it.
+
+    Raises:
+        UserError: No more processes can be started.
     """
 
     def __init__(
@@ -130,12 +133,12 @@ class Worker(Generic[Tool, Item, Result]):
             theirs.close()
 
     def give(self, item: Item) -> None:
-        """Send an item, one at a time: a process that sends a result does not receive."""
-        with suppress(OSError):  # `result` reports what became of the process
+        """Send an item. Wait for its result before the next one."""
+        with suppress(OSError):  # `result` reports the end of the process
             self.line.send(item)
 
     def result(self) -> Result:
-        """Return the result of the item; raises the error of the work, and WorkerEnded."""
+        """Return the result of the item. Raises the error of the work, and WorkerEnded."""
         try:
             error, result, notes = self.line.recv()
         except (EOFError, OSError):
@@ -170,13 +173,13 @@ class Worker(Generic[Tool, Item, Result]):
 
 @contextmanager
 def ctrl_c_blocked() -> Iterator[None]:
-    """Ctrl-C waits for the end of the block, and never reaches a process that starts in it; not on Windows."""
+    """Block Ctrl-C until the end of the block, also for processes that start in it; not on Windows."""
     if sys.platform == "win32":
         yield
         return
     from multiprocessing import resource_tracker
 
-    resource_tracker.ensure_running()  # started in the block, it would unblock Ctrl-C
+    resource_tracker.ensure_running()  # if it started in the block, it would unblock Ctrl-C
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -220,7 +223,7 @@ def _end_with_parent() -> None:
 
 
 def _portable(error: Exception) -> Exception:
-    """The error, or its text if it cannot be sent to another process."""
+    """Return the error, or its text if it cannot be sent to another process."""
     try:
         error.add_note(f"In a worker process:\n{traceback.format_exc()}")
         return pickle.loads(pickle.dumps(error))

@@ -1,5 +1,5 @@
 """A clip that follows a recording.
 
-recording  a clip's [recording]: a motion that the clip follows, and that its keyframes edit
-penalties  soft constraints next to the recording: contacts, joint ranges, balance
+recording  a clip's [recording]: the motion that the clip follows and its keyframes edit
+penalties  soft constraints besides the recording: contacts, joint ranges, balance
 """

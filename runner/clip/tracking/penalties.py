@@ -1,8 +1,8 @@
-"""What a motion that follows a recording is to keep, beside the recording: contacts, ranges, balance.
+"""Soft constraints of a motion that follows a recording: contacts, ranges, balance.
 
-Terms are not divided by what the raw spline costs, as those of keyframes are: the recording gives the measure. Its
-differences count as a chi-squared sum does, one for a standard deviation, and a weight here is how many of these a
-square metre, or a square radian, is worth for a second.
+These terms are not normalised by the raw spline, because the recording defines their scale. Differences from the
+recording form a chi-squared sum, 1 per standard deviation. A weight states how much a squared metre or radian over one
+second costs on this scale.
 """
 
 from __future__ import annotations
@@ -49,34 +49,37 @@ from ..table import ContactTable, StanceTable
 WEIGHTS = {
     "near": 1.0,
     "unit": 1e4,
-    "collision.soles": 1e8,  # 1 for 0.1 mm of depth
-    "collision.body": 2e8,  # bodies on the ground hover rather than sink
-    "attach.contact": 1e8,  # 1 for a slide of 2 mm/s
-    "limits.range": 1e7,  # 1 for 0.02°
+    "collision.soles": 1e8,  # a cost of 1 for 0.1 mm of depth
+    "collision.body": 2e8,  # higher, so that a body on the ground hovers rather than sinks
+    "attach.contact": 1e8,  # a cost of 1 for sliding at 2 mm/s
+    "limits.range": 1e7,  # a cost of 1 for 0.02°
     "limits.bend": 1e7,
     "collision.self": 1e6,
-    "limits.speed": 1e5,  # 1 for 0.2 °/s
-    "support": 1000.0,  # 1 for a thirtieth of the weight
+    "limits.speed": 1e5,  # a cost of 1 for 0.2 °/s
+    "support": 1000.0,  # a cost of 1 for a thirtieth of the figure's weight
 }
 STANCES = TypeAdapter(list[StanceTable])
-LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
-TOLERANCE = 1e-2  # relative progress of E at which a search ends
-INSIDE = 0.015  # [rad, m] of a joint's range that is kept as a margin
-NEXT_TO = 0.008  # [s] from a keyframe, half of what frames are apart at least
-RARE = 2.0  # per cent of poses, a share of unusual knee and elbow angles that is ignored
-LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
-SLOWER = 0.95  # of a speed that joints may have: what is soft gives a little
-FLUSH = 0.0005  # [m] that what is beside a sole may be below it
+LONGEST_PANEL, POINTS = 0.05, 3  # longest panel [s] of Gauss's rule, and its number of nodes
+TOLERANCE = 1e-2  # [1] progress relative to E at which a search ends
+INSIDE = 0.015  # [rad, m] margin inside a joint's range
+NEXT_TO = 0.008  # [s] minimum distance of frames from a keyframe, half of their minimum spacing
+RARE = 2.0  # [%] share of poses with extreme knee and elbow angles that is ignored
+LOOKED_AT = 50  # number of poses from which soles are inferred
+SLOWER = 0.95  # [1] factor on the speed limit of joints, because soft constraints yield a little
+FLUSH = 0.0005  # [m] maximum depth of body points below the soles at rest
 
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """The soles of a figure, and the surfaces that it stands on.
+    """The soles of a figure, and the surfaces on which it stands.
 
-    points    of its soles;  surfaces  what it stands on and stays out of
-    apart     its limbs are kept out of each other, too, which takes twice as long
-    speed     [rad/s] that its joints turn at most, if any
-    bends     its knees and elbows on ball joints, which bend the right way: as far beyond as the recording does itself
+    Attributes:
+        figure: The figure.
+        points: The points of its soles.
+        surfaces: The surfaces that it must not penetrate.
+        apart: Whether self-collision is penalised, which takes twice as long.
+        speed: The maximum speed of its joints [rad/s], if any.
+        bends: The limits of its knees and elbows on ball joints.
     """
 
     figure: Figure
@@ -88,8 +91,10 @@ class Ground:
 
     @cached_property
     def clear(self) -> tuple[Point, ...]:
-        """The points of the body that avoid obstacles, without points of feet and ankles below the resting soles:
-        the sole points represent them."""
+        """The points of the body that must avoid obstacles.
+
+        Points of feet and ankles below the resting soles are excluded, because the sole points represent them.
+        """
         figure, body = self.figure, body_points(self.figure)
         if not body or not self.points:
             return body
@@ -106,20 +111,20 @@ class Ground:
         )
 
     def _at_rest(self, points: tuple[Point, ...]) -> Array:
-        """(n,) [m] how high the undersides of points are when the figure is as its model has it."""
+        """Return the heights of the lowest ends of points in the rest pose, (n,) [m]."""
         still = Samples.still(self.figure, self.figure.to_state(self.figure.model.qpos0[None]))
         return places_of(points, still)[0][2, :, 0] - arrays_of(points)[2]
 
 
 def ground_of(figure: Figure, qpos: Array) -> Ground:
-    """The soles and surfaces of a figure, from poses (T, nq)."""
+    """Return the soles and surfaces of a figure, from poses (T, nq)."""
     sampled = qpos[:: max(1, len(qpos) // LOOKED_AT)]
     soles = tuple(rounded(figure, point) for point in sole_points(figure, sampled))
     return Ground(figure, soles, tuple(static_surfaces(figure.model)), bends=_bends(figure, sampled))
 
 
 def _bends(figure: Figure, qpos: Array) -> BendLimits | None:
-    """The limits of knees and elbows: those of any clip, or what nearly all of the poses (T, nq) are within."""
+    """Return the limits of knees and elbows: the usual ones, extended to nearly all of the poses (T, nq)."""
     usual = BendLimits(tuple(knees_and_elbows(figure)))
     if not usual.joints:
         return None
@@ -134,7 +139,7 @@ def _bends(figure: Figure, qpos: Array) -> BendLimits | None:
 
 
 def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], where: str) -> tuple[Rest, ...]:
-    """The stances of [[contact]] tables for a recording over a span [s]; where is the label used in errors."""
+    """Return the stances of [[contact]] tables for a recording over a span [s]; `where` is the label in errors."""
     places, rests = Places(ground.figure, ground.points), list[Rest]()
     sole_points_by_name = {point.name: point for point in ground.points}
     for number, table in enumerate(tables, start=1):
@@ -151,7 +156,7 @@ def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, 
 
 
 def stances_of(rests: Sequence[Rest]) -> list[dict[str, object]]:
-    """Return stances as a motion's file contains them, see `StanceTable`."""
+    """Return stances as stored in a motion's file, see `StanceTable`."""
     return [
         {
             "point": rest.point.name,
@@ -167,7 +172,7 @@ def stances_in(stances: object, ground: Ground, where: str) -> tuple[Rest, ...]:
     """Return the stances that a motion's file contains.
 
     Raises:
-        UserError: for anything but stances of this figure.
+        UserError: The stances are damaged, or are not of this figure.
     """
     places, soles, rests = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Rest]()
     try:
@@ -186,7 +191,15 @@ def stances_in(stances: object, ground: Ground, where: str) -> tuple[Rest, ...]:
 def problem(
     near: TrackingPenalty, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()
 ) -> Problem:
-    """The recording that is near, and all else: frames at times (M,) [s], keyframes that are edits among them."""
+    """Return the problem of tracking a recording.
+
+    Args:
+        near: The tracking penalty.
+        ground: The soles and surfaces.
+        rests: The stances.
+        times: Times of the frames, (M,) [s].
+        edits: Keyframes that edit the recording.
+    """
     figure, path = near.recorded.figure, near.recorded.path
     free = _clear(times, np.array([edit.time for edit in edits]))
     frames = loose(figure, free, path.at(free))
@@ -198,14 +211,14 @@ def problem(
 
 
 def loose(figure: Figure, times: Array, states: Array) -> tuple[Frame, ...]:
-    """Frames of which nothing is fixed, at times (M,) [s], to go on from states (M, N)."""
+    """Return frames without fixed entries, at times (M,) [s], with initial states (M, N)."""
     everything = np.ones(figure.width, bool)
     poses = zip(times, figure.to_qpos(states), strict=True)
     return tuple(Frame(time, qpos, ~everything, everything) for time, qpos in poses)
 
 
 def _clear(times: Array, given: Array) -> Array:
-    """Times (M,) of frames without those next to keyframes that are given: a spline through both would go wild."""
+    """Return the times (M,) of frames that are not next to keyframes, where the spline would oscillate."""
     if not given.size:
         return times
     away = np.abs(times[:, None] - given).min(axis=1)
@@ -214,7 +227,7 @@ def _clear(times: Array, given: Array) -> Array:
 
 
 def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
-    """All constraints that are kept while following the recording."""
+    """Return all constraints besides the recording."""
     figure, surfaces = ground.figure, ground.surfaces
     penalties: list[Penalty] = []
     if figure.tables.quaternion_columns.size:
@@ -239,7 +252,6 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
 
 
 def _inside(whole: Range) -> Range:
-    """A range reduced by a margin, because soft constraints yield a little."""
     margin = min(INSIDE, 0.1 * (whole.high - whole.low))
     return replace(
         whole, low=whole.low + margin * (whole.low != 0 or whole.kind is not JointKind.BALL), high=whole.high - margin

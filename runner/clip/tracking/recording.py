@@ -1,7 +1,7 @@
-"""A clip's [recording]: a motion that the clip follows, and that its keyframes edit.
+"""A clip's [recording]: a motion that the clip follows and its keyframes edit.
 
-Keyframes are exact. Around each of them, for the time of its blend, the recording's velocities and accelerations are
-followed rather than its poses, which preserves detail. With `blend`, the rest of the recording stays unchanged.
+Keyframes are exact. Around each of them, within `blend`, the recording's velocities and accelerations have more weight
+than its poses, which preserves detail. If `blend` is specified, the rest of the recording stays unchanged.
 """
 
 from __future__ import annotations
@@ -30,19 +30,19 @@ from ...errors import UserError
 from ..table import RecordingTable
 from .penalties import Ground, problem
 
-CLOSE = 0.004  # [s] between frames at least
-RATE = 120.0  # [1/s] at which a motion is taken down
-EASE = 0.4  # [s] blend before and after a keyframe, by default
-DETAIL = 0.02  # of f over a segment that may be left out: less than a millimetre
+CLOSE = 0.004  # [s] minimum distance of frames
+RATE = 120.0  # [1/s] minimum rate at which a motion is sampled
+EASE = 0.4  # [s] default of `blend`
+DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less than 1 mm; see `TrackingPenalty.times`
 MOVED = 0.02  # [m] displacement of a recorded stance point by a keyframe above which the stance is dropped
-INNER, MARGIN = 0.75, 6  # of a blend: frames beyond are fixed, so many to its end, for the spline rings on a little
-EXACT = 2e-4  # [m] and of a quaternion's entries (0.02°): error of fixed frames above which another one is inserted
-TOLERANCE = 1e-3  # relative decrease of E at which a search ends: an edit starts far from its goal
-ROUNDING = 1e-9  # [s]
+INNER, MARGIN = 0.75, 6  # share of a blend within which frames are free; fixed frames from there to its end
+EXACT = 2e-4  # [m], [1] error in entries of the state (0.02° in a quaternion) above which a fixed frame is inserted
+TOLERANCE = 1e-3  # [1] progress relative to E at which a search ends; small, because an edit starts far from its goal
+ROUNDING = 1e-9  # [s] rounding tolerance of times
 
 
 class RecordedPath(NamedTuple):
-    """A motion, and its images a second."""
+    """A motion and its samples per second."""
 
     figure: Figure
     timeline: Timeline
@@ -51,9 +51,13 @@ class RecordedPath(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class TrackedRecording:
-    """A recording in a clip's own time.
+    """A recording on the time axis of the clip.
 
-    knots  (M,) [s] of its own frames, at which its spline is itself
+    Attributes:
+        recorded: The recording.
+        knots: The times of its own frames, (M,) [s].
+        table: The [recording] table.
+        where: The label in errors.
     """
 
     recorded: RecordedMotion
@@ -63,7 +67,7 @@ class TrackedRecording:
 
     @classmethod
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> TrackedRecording:
-        """The recording that a saved motion follows, from its raw path: the warped recording."""
+        """Return the recording that a saved motion follows, which is its raw path."""
         return cls(
             RecordedMotion.of(figure, *_taken_down(RecordedPath(figure, raw, RATE)), exact=True),
             raw.times,
@@ -73,11 +77,11 @@ class TrackedRecording:
 
     @property
     def width(self) -> float:
-        """[s] before and after a keyframe."""
+        """The interval before and after a keyframe that it affects [s]."""
         return self.table.blend or EASE
 
     def pose(self, time: float) -> Array:
-        """qpos (nq,) at a time [s] of the clip. Raises UserError for one that the recording does not reach."""
+        """Return qpos (nq,) at a time [s] of the clip. Raises UserError if the recording does not cover it."""
         first, last = self.recorded.path.span
         if not first - ROUNDING <= time <= last + ROUNDING:
             raise UserError(
@@ -87,14 +91,15 @@ class TrackedRecording:
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
     def stances(self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]) -> tuple[Rest, ...]:
-        """The recording's stances, except for points that a contact covers or a keyframe moves; and the given ones."""
+        """Return the recording's stances, except for points that a contact covers or a keyframe moves, and those of
+        `given`."""
         recorded_rests = (
             Rest(*one, rolls=True) for one in infer_stances(self.recorded, ground.points, ground.surfaces)
         )
         return (*(rest for rest in recorded_rests if not self._is_void(rest, edits, given)), *given)
 
     def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Rest]) -> Problem:
-        """The problem to solve, with these stances."""
+        """Return the problem to solve with these stances."""
         near = TrackingPenalty(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
         unweighted = problem(near, ground, rests, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
@@ -103,8 +108,10 @@ class TrackedRecording:
         return replace(unweighted, keys=tuple(keys), penalties=tuple(weights), settings=settings)
 
     def _warped(self, edits: Sequence[Frame]) -> RecordedMotion:
-        """The recording warped through the poses of keyframes, and back to itself before and after them (A. Witkin and
-        Z. Popović 1995): joint by joint, and the root with the whole figure."""
+        """Return the recording warped to the poses of keyframes (A. Witkin and Z. Popović 1995).
+
+        The warp is per joint, and moves the root with the whole figure. It fades out before and after the keyframes.
+        """
         recorded = self.recorded
         if not edits:
             return recorded
@@ -120,7 +127,8 @@ class TrackedRecording:
         return recorded.bent(curve(np.clip(recorded.times, every.min(), every.max())))
 
     def _times(self, near: TrackingPenalty, edits: Sequence[Frame]) -> Array:
-        """(M,) [s] of frames: where nothing changes the recording's own, where something does as many as it takes."""
+        """Return the times of frames (M,) [s]: the recording's own where it is unchanged, otherwise as many as are
+        needed."""
         times = near.times(DETAIL)
         if self.table.blend is None:
             return times
@@ -135,9 +143,10 @@ class TrackedRecording:
         return frames[np.append(True, np.diff(frames) > CLOSE)]
 
     def _exact_knots(self) -> Array:
-        """Return the knots, and the middles between them where a spline through the knots alone is not the recording.
+        """Return the knots, and midpoints between them where a spline through the knots alone differs from the
+        recording.
 
-        The recording's quaternions may have another length than 1 between its own frames; those of fixed frames have 1.
+        A difference arises where the recording's quaternions have another length than 1 between its own frames.
         """
         figure, path = self.recorded.figure, self.recorded.path
         knots = np.unique(np.clip(self.knots, *path.span))
@@ -148,14 +157,14 @@ class TrackedRecording:
         return np.append(knots, middles[np.abs(errors).max(axis=1) > EXACT])
 
     def _kept(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
-        """A frame of the recording that no keyframe reaches by its blend, fixed."""
+        """Return a frame, fixed if it is outside all blends."""
         if self.table.blend is None or frame.fixed.any():
             return frame
         far = all(abs(frame.time - edit.time) >= INNER * self.table.blend for edit in edits)
         return Frame.key(frame.time, frame.state) if far else frame
 
     def _is_void(self, rest: Rest, edits: Sequence[Frame], given: Sequence[Rest]) -> bool:
-        """Whether a stance of the recording is invalid in the clip, or lies outside every blend."""
+        """Return whether a stance of the recording is invalid in the clip, or outside all blends."""
         point, width = rest.point, self.width
         if self.table.blend is not None and not any(
             rest.first < edit.time + width and edit.time - width < rest.last for edit in edits
@@ -167,7 +176,7 @@ class TrackedRecording:
         return any(self._moves(point, edit) for edit in near)
 
     def _moves(self, point: Point, edit: Frame) -> bool:
-        """Whether a keyframe puts a point elsewhere than the recording."""
+        """Return whether a keyframe moves a point away from its recorded position."""
         figure = self.recorded.figure
         if not placed(figure, edit.fixed[None], [point])[0, 0]:
             return False
@@ -178,10 +187,10 @@ class TrackedRecording:
 
 
 def followed(table: RecordingTable, figure: Figure, motion: RecordedPath | None, where: str) -> TrackedRecording:
-    """Return the recording that a clip follows in the clip's time.
+    """Return the recording that a clip follows, on the time axis of the clip.
 
     Raises:
-        UserError: for a motion that is missing or of another figure, and for an interval that it does not have.
+        UserError: For a motion that is missing or of another figure, and for an invalid interval.
     """
     here = f"{where}: recording"
     if motion is None:
@@ -199,7 +208,7 @@ def followed(table: RecordingTable, figure: Figure, motion: RecordedPath | None,
 
 
 def _taken_down(saved: RecordedPath) -> tuple[Array, Array]:
-    """Times (T,) [s] and qpos (T, nq) of a motion, its end among them, RATE of them a second or more."""
+    """Return times (T,) [s] and qpos (T, nq) of a motion at RATE or more samples per second, including its end."""
     path, fps = path_of(saved.timeline), max(saved.fps, RATE)
     first, last = path.span
     time = first + np.arange(motion.sample_count(last - first, fps)) / fps
@@ -210,7 +219,6 @@ def _taken_down(saved: RecordedPath) -> tuple[Array, Array]:
 
 
 def _cut(time: Array, qpos: Array, table: RecordingTable, where: str) -> tuple[Array, Array]:
-    """The used part of the recording."""
     first = time[0] if table.start is None else table.start
     last = time[-1] if table.end is None else table.end
     if not time[0] - ROUNDING <= first < last <= time[-1] + ROUNDING:
@@ -223,8 +231,7 @@ def _cut(time: Array, qpos: Array, table: RecordingTable, where: str) -> tuple[A
 
 
 def _clip_time(time: Array, table: RecordingTable, begin: float | None = None) -> Array:
-    """When moments (T,) [s] of the recording, of which the part that is used begins with the first or at `begin`, come
-    in the clip."""
+    """Return the clip times of times (T,) [s] of the recording, whose used part starts at `begin` or the first."""
     if table.times is None:
         first = float(time[0]) if begin is None else begin
         at = first if table.at is None else table.at
@@ -233,7 +240,7 @@ def _clip_time(time: Array, table: RecordingTable, begin: float | None = None) -
 
 
 def _warp(own: Array, clip: Array) -> Callable[[Array], Array]:
-    """A rising, smooth curve through moments, straight on beyond them."""
+    """Return a rising, smooth function through pairs of times, linear beyond them."""
     curve = _smooth(own, clip)
     slopes = curve(own[[0, -1]], 1)
 
@@ -246,8 +253,8 @@ def _warp(own: Array, clip: Array) -> Callable[[Array], Array]:
 
 
 def _smooth(times: Array, values: Array) -> Any:
-    """A curve through values (K, ...) at times (K,) that swings beyond none of them (SciPy's)."""
-    from scipy.interpolate import PchipInterpolator  # only here: it takes a while
+    """Return a curve through values (K, ...) at times (K,) without overshoot (SciPy's)."""
+    from scipy.interpolate import PchipInterpolator  # imported here because it is slow to load
 
     return PchipInterpolator(times, values)
 

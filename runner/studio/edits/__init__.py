@@ -1,7 +1,7 @@
-"""Edits of a clip's text: each is a function of its blocks and of the page's arguments.
+"""Edits of a clip's text. Each is a function of its blocks and of the page's arguments, and returns a description.
 
-tables       the text as blocks, one of which an edit takes apart; numbers as a file has them
-keys         keyframes: move, add, take away, copy, mirror
+tables       the text as blocks, of which an edit parses one; numbers in the notation of files
+keys         keyframes: move, add, delete, copy, mirror
 poses        a keyframe's joints, root and target positions
 constraints  contacts, holds, weights of soft constraints, settings
 obstacles    obstacles of the scene

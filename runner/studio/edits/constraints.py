@@ -1,4 +1,4 @@
-"""Edits of contacts, holds, the weights of soft constraints, and how the search goes."""
+"""Edits of contacts, holds, the weights of soft constraints, and the settings of the search."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from ...errors import UserError
 from .tables import Blocks, add, number, numbers, put, remove, row
 
 EDITS = ("set_contact", "set_hold", "delete_bar", "set_weight", "set_option", "set_solve")
-SHORTEST = 0.001  # [s] of a contact or hold
-SWITCHED = {("collision", "self"): "self"}  # parts that a weight switches on, by the option that does
+SHORTEST = 0.001  # [s] minimum duration of a contact or hold
+SWITCHED = {("collision", "self"): "self"}  # options that must be set if a part gets a weight
 
 
 def set_contact(
     tree: Blocks, *, point: str, begin: float, end: float, index: int | None = None, position: Any = None
 ) -> str:
-    """A new contact of a point from one time to another [s], or an old one, by number, at other times."""
+    """Add a contact of a point from one time to another [s], or change the one with this index."""
     entries: dict[str, object] = {"point": point, **_span(begin, end, f"the contact of {point}")}
     if position is not None:
         entries["position"] = numbers(position, f"where {point} rests")
@@ -26,7 +26,7 @@ def set_contact(
 
 
 def set_hold(tree: Blocks, *, hand: str, body: str, begin: float, end: float, index: int | None = None) -> str:
-    """A new hold of a hand on a body, or an old one, by number, at other times."""
+    """Add a hold of a hand on a body, or change the one with this index."""
     entries = {"hand": hand, "body": body, **_span(begin, end, f"the hold of {hand}")}
     _put(tree, "hold", entries, index)
     return f"{'change the' if index is not None else 'a'} hold of {hand} on {body}"
@@ -50,7 +50,7 @@ def _put(tree: Blocks, name: str, entries: Mapping[str, Any], index: int | None)
 
 
 def delete_bar(tree: Blocks, *, kind: str, index: int) -> str:
-    """A contact or a hold less, by number."""
+    """Remove a contact or a hold by index."""
     if kind not in ("contact", "hold"):
         raise UserError(f"'{kind}': not a contact or hold")
     remove(tree, kind, index)
@@ -58,7 +58,7 @@ def delete_bar(tree: Blocks, *, kind: str, index: int) -> str:
 
 
 def set_weight(tree: Blocks, *, kind: str, weight: float | None, part: str = "") -> str:
-    """The weight of a soft constraint, or of a part of it; None for its default."""
+    """Set the weight of a soft constraint, or of a part of it; None for its default."""
     if not part:
         return set_option(tree, kind=kind, option="weight", value=weight)
     table, record = _penalty(tree, kind), KINDS.get(kind)
@@ -78,7 +78,7 @@ def set_weight(tree: Blocks, *, kind: str, weight: float | None, part: str = "")
 
 
 def set_option(tree: Blocks, *, kind: str, option: str, value: Any) -> str:
-    """An option of a soft constraint; None for its default."""
+    """Set an option of a soft constraint; None for its default."""
     table = _penalty(tree, kind)
     what = f"{option} of {kind}"
     if isinstance(value, int | float) and not isinstance(value, bool):
@@ -101,7 +101,7 @@ def _penalty(tree: Blocks, kind: str) -> Any:
 
 
 def set_solve(tree: Blocks, *, option: str, value: Any) -> str:
-    """A setting of the search; None for its default."""
+    """Set a setting of the search; None for its default."""
     table = tree.table("solve", make=value is not None)
     if value is None:
         if table is not None and option in table:

@@ -1,4 +1,4 @@
-"""Edits of keyframes as a whole: when they are, which there are."""
+"""Edits of whole keyframes: their times, additions and deletions."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from ...errors import UserError
 from .tables import DOTTED, Blocks, add, drop_dotted, number, put, put_dotted, remove, row
 
 EDITS = ("move_keys", "add_key", "delete_keys", "paste_keys", "replace_keys")
-SAME = 1e-9  # [s]
-CLOSEST = 0.001  # [s] between two keyframes
+SAME = 1e-9  # [s] difference up to which times are equal
+CLOSEST = 0.001  # [s] minimum distance of keyframes
 
 
 def times(tree: Blocks) -> list[float]:
-    """[s] of all keyframes."""
+    """Return the times of all keyframes [s]."""
     return [float(block.table["time"]) for block in tree.rows("keyframe")]
 
 
 def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
-    """Keyframes to other times: pairs of number and time [s]. Contacts and holds that begin or end with them go along.
+    """Move keyframes to other times, given as pairs of index and time [s].
 
-    Raises UserError where two would change places: keyframes keep their order.
+    Contacts and holds that begin or end at them move along. Raises UserError if the order of keyframes would change.
     """
     was = times(tree)
     now = dict(enumerate(was))
@@ -43,7 +43,6 @@ def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
 
 
 def _follow(table: Any, end: str, was: Sequence[float], now: Mapping[int, float]) -> None:
-    """Move the ends of contacts and holds along with the keyframe at their time."""
     for index, time in enumerate(was):
         if abs(float(table[end]) - time) < SAME and abs(now[index] - time) > SAME:
             put(table, end, now[index])
@@ -73,7 +72,7 @@ def add_key(tree: Blocks, *, entries: Mapping[str, Any]) -> str:
 
 
 def delete_keys(tree: Blocks, *, keys: Sequence[int]) -> str:
-    """Fewer keyframes; raises UserError if fewer than two would be left, but for edits of a recording."""
+    """Delete keyframes. Raises UserError if fewer than two would remain, except in a clip that follows a recording."""
     remaining = len(times(tree)) - len(set(keys))
     if remaining < 2 and tree.table("recording") is None:
         raise UserError(f"a clip needs two keyframes; {remaining if remaining > 0 else 'none'} would be left")
@@ -83,7 +82,7 @@ def delete_keys(tree: Blocks, *, keys: Sequence[int]) -> str:
 
 
 def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], at: float) -> str:
-    """Keyframes that were copied, the first of them at a time [s]."""
+    """Paste copied keyframes, the first of them at a time [s]."""
     if not copied:
         raise UserError("nothing has been copied: select keyframes and press Ctrl-C first")
     begin = float(copied[0]["time"])
@@ -93,7 +92,7 @@ def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], at: float) 
 
 
 def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:
-    """Replace the entries of keyframes by index, keeping their times; unchanged entries keep their lines."""
+    """Replace the entries of keyframes by index, except their times. Lines of unchanged entries are unchanged."""
     for index, entries in keys.items():
         table = row(tree, "keyframe", int(index))
         for group in DOTTED:
@@ -107,7 +106,7 @@ def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: 
 
 
 def _say(table: Any, key: str, value: Any) -> None:
-    """Replace a keyframe's entry if it has changed; the time stays."""
+    """Replace a keyframe's entry if it has changed, except its time."""
     if key in DOTTED and isinstance(value, Mapping):
         for name, entry in value.items():
             if table.get(key, {}).get(name) != entry:

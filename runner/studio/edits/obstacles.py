@@ -51,7 +51,7 @@ def add_obstacle(tree: Blocks, *, kind: str, at: list[float] | None = None) -> s
 
 
 def set_obstacle(tree: Blocks, *, kind: str, index: int, entries: Mapping[str, Any]) -> str:
-    """Set an obstacle's position and size; None removes an entry."""
+    """Set entries of an obstacle; None removes an entry."""
     table = _found(tree, kind, index)
     for key, value in entries.items():
         if value is not None:
@@ -75,7 +75,7 @@ def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
 
 
 def _found(tree: Blocks, kind: str, index: int) -> Any:
-    """The table of an obstacle; raises UserError if there is none."""
+    """Return the table of an obstacle. Raises UserError if there is none."""
     if kind == "step":
         table = tree.table("scene", "step")
     else:

@@ -10,11 +10,11 @@ from ...errors import UserError
 from .tables import Blocks, drop_dotted, number, numbers, put, put_dotted, row
 
 EDITS = ("set_joint", "set_root", "set_pose", "set_place", "set_others")
-ROTATIONS = {"rotvec": 3, "quat": 4, "euler": 3}  # what a rotation may be given by, of how many numbers
+ROTATIONS = {"rotvec": 3, "quat": 4, "euler": 3}  # notations of rotations, and their numbers of entries
 
 
 def set_joint(tree: Blocks, *, key: int, joint: str, value: Any) -> str:
-    """A joint's angle [degrees], displacement [m] or rotation; "free" for the optimiser; None for the `others` rule."""
+    """Set a joint's angle [degrees], displacement [m] or rotation; "free" to free it; None for the `others` rule."""
     table = row(tree, "keyframe", key)
     if value is None:
         drop_dotted(table, "joints", joint)
@@ -24,7 +24,7 @@ def set_joint(tree: Blocks, *, key: int, joint: str, value: Any) -> str:
 
 
 def _turned(value: Any, what: str) -> Any:
-    """A rotation, a number or "free", checked."""
+    """Return a rotation, a number or "free", checked."""
     if value == "free":
         return value
     if isinstance(value, Mapping):
@@ -36,7 +36,7 @@ def _turned(value: Any, what: str) -> Any:
 
 
 def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = None, joint: str = "") -> str:
-    """Set the root's position, each axis a number [m] or "free", and its rotation; further free bodies by joint."""
+    """Set the root's position, each axis a number [m] or "free", and its rotation; or of another free body by joint."""
     table = row(tree, "keyframe", key)
     parts = {"position": position, "rotation": rotation}
     entries = {part: value for part, value in parts.items() if value is not None}
@@ -46,7 +46,6 @@ def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = No
 
 
 def _put_body(table: Any, joint: str, entries: Mapping[str, Any]) -> None:
-    """Set the position and rotation of a free body: the root, or that of a joint."""
     what = joint or "the root"
     for part, value in entries.items():
         value = _axes(value, f"{what}'s position") if part == "position" else _turned(value, f"{what}'s rotation")
@@ -76,10 +75,7 @@ def set_pose(
     places: Sequence[str] = (),
     words: str = "pose the figure",
 ) -> str:
-    """Many joints at once, the root, and further free bodies by their joints.
-
-    places  names of sites and bodies whose targets are removed
-    """
+    """Set several joints, the root, and further free bodies by their joints; remove the targets `places`."""
     table = row(tree, "keyframe", key)
     for name, value in joints.items():
         put_dotted(table, "joints", name, _turned(value, name))

@@ -1,9 +1,8 @@
-"""A clip's text as blocks, each a table under its header; an edit takes one block apart and leaves the others' bytes.
+"""A clip's text as blocks, each a table with its header. An edit parses one block and leaves the bytes of the others.
 
-Tables inside one of several, such as [keyframe.joints] under a [[keyframe]], are in its block.
-
-tomlkit keeps comments and order inside a block. It is not given the whole text: of [[...]] tables that others stand
-between it would put all together. And one block of a long clip is taken apart in a moment.
+Tables inside one of several, such as [keyframe.joints] under a [[keyframe]], are part of its block. tomlkit preserves
+comments and order inside a block. It does not parse the whole text, because it would group [[...]] tables that are
+separated by others, and because parsing one block of a long clip is fast.
 """
 
 from __future__ import annotations
@@ -22,16 +21,23 @@ from tomlkit.items import AoT, InlineTable, Table
 from ...errors import UserError
 from ...system.quantity import LARGEST
 
-DIGITS = 5  # after the point: a hundredth of a millimetre, and of a thousandth of a degree
-DOTTED = ("root", "roots", "joints", "sites", "bodies")  # tables of a keyframe whose entries stand one a line
+DIGITS = 5  # decimal places of metres and degrees
+DOTTED = ("root", "roots", "joints", "sites", "bodies")  # tables of a keyframe with one entry per line
 KEY = r"""(?:[A-Za-z0-9_-]+|"[^"\n]*"|'[^'\n]*')"""
 HEADER = re.compile(rf"^[ \t]*(\[\[?)[ \t]*({KEY}(?:[ \t]*\.[ \t]*{KEY})*)[ \t]*(\]\]?)[ \t]*(?:#.*)?$", re.MULTILINE)
-ENDING = re.compile(r"(?:^[ \t]*(?:#[^\n]*)?\n?)*\Z", re.MULTILINE)  # empty lines and remarks at the end of a block
+ENDING = re.compile(r"(?:^[ \t]*(?:#[^\n]*)?\n?)*\Z", re.MULTILINE)  # empty lines and comments at the end of a block
 
 
 @dataclass(eq=False)
 class Block:
-    """A header and what stands under it: its path, whether it is one of several, the text; what is being edited."""
+    """A header and the text below it.
+
+    Attributes:
+        path: The keys of the header.
+        is_row: Whether it is one of several [[...]] tables.
+        text: The text, without empty lines and comments at its end, which are `ending`.
+        tree: The parsed text, once it is edited.
+    """
 
     path: tuple[str, ...]
     is_row: bool
@@ -50,7 +56,7 @@ class Block:
         return node[0] if isinstance(node, AoT) else node
 
     def written(self) -> str:
-        """The present text."""
+        """Return the present text."""
         if self.tree is None:
             return self.text + self.ending
         text = self.tree.as_string()
@@ -59,15 +65,15 @@ class Block:
 
 @dataclass(eq=False)
 class Blocks:
-    """A whole text: what stands before the first header, then block after block."""
+    """A whole text: the part before the first header, then block after block."""
 
     blocks: list[Block] = field(default_factory=list)
 
     @classmethod
     def of(cls, text: str, where: str, entries: Mapping[str, Any] | None = None) -> Blocks:
-        """Raise UserError for invalid TOML, or notation that cannot be edited by blocks.
+        """Return the blocks of a text, with `entries` as its parsed content if already known.
 
-        entries  the parsed text, if known
+        Raises UserError for invalid TOML, and for notation that cannot be edited by blocks.
         """
         try:
             entries = tomllib.loads(text) if entries is None else entries
@@ -85,7 +91,7 @@ class Blocks:
         return out
 
     def _check(self, entries: Mapping[str, Any], where: str) -> None:
-        """Raise UserError where the blocks differ from the parsed text: lines of a list can look like headers."""
+        """Raise UserError if the blocks differ from the parsed text: lines of a list can look like headers."""
         for name in ("keyframe", "contact", "hold", "penalty"):
             if len(self.rows(name)) != len(entries.get(name, ())):
                 raise UserError(f"{where}: '{name}' is written as a list; write [[{name}]] tables to edit it here")
@@ -99,15 +105,15 @@ class Blocks:
             block.tree = None
 
     def as_string(self) -> str:
-        """The text."""
+        """Return the text."""
         return "".join(block.written() for block in self.blocks)
 
     def rows(self, *path: str) -> list[Block]:
-        """The [[...]] tables of a path."""
+        """Return the [[...]] tables of a path."""
         return [block for block in self.blocks if block.is_row and block.path == path]
 
     def table(self, *path: str, make: bool = False) -> Any:
-        """The table of a path, under its header or in its parent; None, or an empty one, if there is none."""
+        """Return the table of a path, under its header or in its parent; else None, or an empty one with `make`."""
         for depth in range(len(path), -1, -1):
             for block in self.blocks:
                 if block.is_row or block.path != path[:depth]:
@@ -125,14 +131,14 @@ class Blocks:
         return block.table
 
     def insert(self, at: int, block: Block) -> None:
-        """A block before another one, with an empty line on either side."""
+        """Insert a block before another one, with an empty line on either side."""
         before = self.blocks[at - 1] if at else None
         if before is not None and not (text := before.written()).endswith("\n\n") and text:
             before.ending += "\n" if text.endswith("\n") else "\n\n"
         self.blocks.insert(at, block)
 
     def remove(self, block: Block) -> None:
-        """Takes a block away, but for the remark that stands right before the next one."""
+        """Remove a block, except a comment directly before the next block."""
         at = self.blocks.index(block)
         _, _, remark = ("\n" + block.ending).rpartition("\n\n")
         if at and remark.strip():
@@ -147,7 +153,7 @@ def _block(path: tuple[str, ...], is_row: bool, text: str) -> Block:
 
 
 def row(blocks: Blocks, name: str, index: Any) -> Any:
-    """One of the [[name]] tables; raises UserError for an invalid index."""
+    """Return one of the [[name]] tables. Raises UserError for an invalid index."""
     rows = blocks.rows(name)
     if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(rows):
         raise UserError(f"there is no {name} {index if not isinstance(index, int) else index + 1} any more")
@@ -155,7 +161,7 @@ def row(blocks: Blocks, name: str, index: Any) -> Any:
 
 
 def number(value: Any, what: str) -> float:
-    """A finite number with few digits; raises UserError for anything else."""
+    """Return a finite number with few digits. Raises UserError for other values."""
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         raise UserError(f"{what}: give a finite number, not {_shown(value)}")
     if abs(value) > LARGEST:
@@ -168,14 +174,14 @@ def _shown(value: Any) -> str:
 
 
 def numbers(values: Any, what: str, count: int = 3) -> list[float]:
-    """A list of `count` finite numbers."""
+    """Return a list of `count` finite numbers."""
     if not isinstance(values, list | tuple) or len(values) != count:
         raise UserError(f"{what}: give {count} numbers")
     return [number(value, what) for value in values]
 
 
 def item(value: Any) -> Any:
-    """A value as a file has it, tables on one line."""
+    """Return a value in TOML, with tables on one line."""
     if isinstance(value, Mapping):
         table: InlineTable = tomlkit.inline_table()
         for key, entry in value.items():
@@ -190,7 +196,7 @@ def item(value: Any) -> Any:
 
 
 def put(table: Any, key: str, value: Any) -> None:
-    """Sets an entry; its comment stays."""
+    """Set an entry and preserve its comment."""
     if key in table:
         table[key] = item(value)
     else:
@@ -209,7 +215,7 @@ def put_dotted(table: Any, group: str, key: str, value: Any) -> None:
 
 
 def drop_dotted(table: Any, group: str, key: str) -> None:
-    """Takes `group.key` away, and the group with its last entry."""
+    """Remove `group.key`, and the group with its last entry."""
     if group not in table or key not in table[group]:
         return
     del table[group][key]
@@ -218,7 +224,7 @@ def drop_dotted(table: Any, group: str, key: str) -> None:
 
 
 def fill(table: Any, entries: Mapping[str, Any]) -> None:
-    """Entries of a table that is new, those of joints, sites and bodies one a line."""
+    """Add the entries of a new table, with those of joints, sites and bodies on separate lines."""
     for key, value in entries.items():
         if key in DOTTED and isinstance(value, Mapping):
             for name, entry in value.items():
@@ -228,7 +234,7 @@ def fill(table: Any, entries: Mapping[str, Any]) -> None:
 
 
 def add(blocks: Blocks, path: tuple[str, ...], entries: Mapping[str, Any], index: int | None = None) -> None:
-    """A new [[...]] table: before the one of a number, after the last of them, or before the keyframes."""
+    """Add a [[...]] table before the one with this index, or after the last one, or before the keyframes."""
     table: Table = tomlkit.table()
     fill(table, entries)
     name = ".".join(item_key(key) for key in path)
@@ -244,11 +250,11 @@ def add(blocks: Blocks, path: tuple[str, ...], entries: Mapping[str, Any], index
 
 
 def item_key(key: str) -> str:
-    """A key as a header has it."""
+    """Return a key in the notation of headers."""
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else tomlkit.key(key).as_string()
 
 
 def remove(blocks: Blocks, name: str, index: int) -> None:
-    """Takes a [[name]] table away."""
+    """Remove a [[name]] table."""
     row(blocks, name, index)
     blocks.remove(blocks.rows(name)[index])

@@ -1,7 +1,7 @@
 """The solver process.
 
 process      its start
-loop         its loop: texts in; keyframes, improving paths, and violations out
+loop         its loop: texts in; keyframes, improved paths and violations out
 speculation  the speculative result for a text that may follow
 stage        the figure as the page draws it
 curves       values over time

@@ -1,4 +1,4 @@
-"""What is drawn over time beside the timeline: angles, speeds, heights of feet, torques, E, what is left to gain."""
+"""Curves beside the timeline: angles, speeds, heights of feet, torques, E, and the predicted reduction of E."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from dynsplines.solver.surface.points import arrays_of, places_of
 from ...clip.build import Clip
 from ...motion import samples_at
 
-RATE = 100.0  # [1/s] of a short motion
-MOST = 1500  # samples of a long one
-FAR = 10.0  # [m] of a point that nothing lies under
-DIGITS = 3  # after the point: what is drawn is less fine
+RATE = 100.0  # [1/s] sampling rate of a short motion
+MOST = 1500  # number of samples of a long motion
+FAR = 10.0  # [m] height of a point without a surface below it
+DIGITS = 3  # decimal places of drawn values
 SIZE = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}  # degrees of freedom
 
 
@@ -48,9 +48,9 @@ class Curves(TypedDict):
 
 
 def curves(clip: Clip, found: Solution) -> Curves:
-    """Groups with a name, a unit and series, each with a name and values after and before, at times [s].
+    """Return groups of series at times [s]; a group has a name and a unit, a series a name and values after and before.
 
-    E is computed per segment between frames, as steps: the value per second of each.
+    E is computed per segment between frames, as steps of its value per second.
     """
     first, last = float(found.timeline.times[0]), float(found.timeline.times[-1])
     time = np.linspace(first, last, int(np.clip((last - first) * RATE, 20, MOST)) + 1)
@@ -69,14 +69,17 @@ def curves(clip: Clip, found: Solution) -> Curves:
 
 
 def _deviation(clip: Clip, sides: dict[str, Timeline], time: Array) -> list[Group]:
-    """How far a path is from the Euler-Lagrange equation, as |R|; and what another frame in the middle of a segment
-    promises to lower E by, which is where the solver inserts one."""
+    """Return |R|, the deviation of a path from the Euler-Lagrange equation, and the predicted reduction of E per
+    segment.
+
+    The reduction is that of a new frame in the middle of a segment, the solver's criterion for inserting frames.
+    """
     objective, size, promise = clip.problem.objective, {}, {}
     for side, timeline in sides.items():
         strong = residual(objective, path_of(timeline))
         order = np.argsort(strong.t, axis=None)
         there = np.interp(time, strong.t.ravel()[order], strong.size.ravel()[order])
-        size[side] = _rounded(np.log10(1 + there))  # it is thousands of times larger where a contact begins
+        size[side] = _rounded(np.log10(1 + there))  # logarithmic, because it is thousands of times larger at contacts
         at = np.clip(np.searchsorted(timeline.times, time, side="right") - 1, 0, timeline.times.size - 2)
         promise[side] = _rounded(np.maximum(by_weak_form(objective, timeline), 0.0)[at], 6)
     return [
@@ -103,7 +106,7 @@ def _side(clip: Clip, timeline: Timeline, time: Array) -> dict[str, dict[str, li
 
 
 def _angle(figure: Figure, index: int, qpos: Array) -> Array:
-    """(T,) [degrees] how far a joint is turned."""
+    """Return the rotation of a joint, (T,) [degrees]."""
     link = figure.links[index]
     columns = quaternion_columns(link)
     if columns is None:
@@ -112,7 +115,7 @@ def _angle(figure: Figure, index: int, qpos: Array) -> Array:
 
 
 def _size(figure: Figure, index: int, values: Array) -> Array:
-    """(T,) the length of a joint's share of velocities or forces (T, nv), of a free one its rotation's."""
+    """Return the norm of a joint's part of velocities or forces (T, nv), of a free joint's rotation only, (T,)."""
     link = figure.links[index]
     components = values[:, link.dof : link.dof + SIZE[link.kind]]
     return np.linalg.norm(components[:, -3:], axis=1) if components.shape[1] > 1 else components[:, 0]
@@ -129,7 +132,7 @@ def _heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
 
 
 def _by_term(clip: Clip, found: Solution, time: Array) -> list[Series]:
-    """The contribution of every term to E per second, between frames."""
+    """Return the contribution of every term to E per second, between frames."""
     objective, edges = clip.problem.objective, found.timeline.times
     by_term: dict[str, dict[str, list[float]]] = {}
     for side, timeline in (("after", found.timeline), ("before", found.raw)):

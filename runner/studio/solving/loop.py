@@ -1,6 +1,6 @@
 """The loop of the solver process: a text in; its keyframes, every better path and its violations out.
 
-A message during a search ends it: the best path so far is the initial guess of the next one.
+A message during a search ends it. The best path so far is the initial guess of the next search.
 """
 
 from __future__ import annotations
@@ -45,15 +45,15 @@ from .stage import stage
 if TYPE_CHECKING:
     Line = Connection[Any, Any]
 
-MOST_SEEN = 40  # texts whose paths are cached
+MOST_SEEN = 40  # number of texts whose paths are cached
 IDLE = 1.0  # [s] idle time after which a suspect result is searched again from the raw spline
-DEARER = 3.0  # factor over the E before, above which a result is suspect
+DEARER = 3.0  # [1] ratio of E to that of the previous result above which a result is suspect
 SOONEST = 0.04  # [s] minimum interval between paths sent
-QUICK = 0.3  # [s] clips that take longer to load are not solved speculatively: an edit would have to wait
+QUICK = 0.3  # [s] loading time above which clips are not solved speculatively, because an edit would wait
 
 
 def serve(line: Line, outside: bool) -> None:
-    """Run until the other end of the connection is closed. Ctrl-C in the terminal is handled by the server alone."""
+    """Run until the other end of the connection is closed. Only the server handles Ctrl-C in the terminal."""
     inbox: SimpleQueue[Message | None] = SimpleQueue()
     work = Work(line)
     work.is_awaited = lambda: not inbox.empty()
@@ -67,7 +67,7 @@ def serve(line: Line, outside: bool) -> None:
 
 
 def _next(inbox: SimpleQueue[Message | None], work: Work) -> Message | None:
-    """The next message; during idle time a suspect result is searched again."""
+    """Return the next message. During idle time a suspect result is searched again."""
     while work.may_look:
         with suppress(Empty):
             return inbox.get(timeout=IDLE)
@@ -95,7 +95,7 @@ class Outlet(Protocol):
 
 
 class Work:
-    """A clip, the best path through its keyframes, and the connection that both are sent on."""
+    """A clip, the best path through its keyframes, and the connection to the server."""
 
     def __init__(self, line: Outlet) -> None:
         self.line = line
@@ -121,10 +121,10 @@ class Work:
             getattr(self, f"do_{message['do']}")(**{key: value for key, value in message.items() if key != "do"})
         except UserError as error:
             self._tell("refused", revision=message.get("revision"), words=one_line(error))
-        except Exception as error:  # internal error: the page shows it and continues
+        except Exception as error:  # an internal error, which the page shows before it continues
             words = f"internal error: {type(error).__name__}: {one_line(error)}"
             self._tell("refused", revision=message.get("revision"), words=words)
-        except KeyboardInterrupt:  # it arrived in the last steps of a search, after the handler
+        except KeyboardInterrupt:  # it arrived at the end of a search, after the handler
             self._is_searching, self._is_cut = False, True
         if self._is_cut and self._is_going and not self.is_awaited():
             self._go_on()  # the message that ended the search did not replace the clip
@@ -142,8 +142,15 @@ class Work:
     ) -> None:
         """Load a text and send its clip and keyframes; then search from the path nearest to the present one.
 
-        first  whether it was just opened;  go  whether to search
-        found  the initial path, after this process was restarted
+        Args:
+            text: The text.
+            name: The name of the clip.
+            place: The label in errors.
+            folder: The folder of relative paths.
+            revision: The revision of the text.
+            go: Whether to search.
+            first: Whether it was just opened.
+            found: The initial path after a restart of this process, pickled.
         """
         self._is_going, self._astray = go, None
         before, solution = self.clip, self.found
@@ -175,14 +182,14 @@ class Work:
             self._judge(stop="paused")
 
     def _loaded(self, text: str, name: str, place: str, folder: str, like: Clip | None) -> Clip:
-        """Load a text, reusing parts of the clip that it was edited from; raises UserError."""
+        """Return the clip of a text, reusing parts of the clip from which it was edited. Raises UserError."""
         begun = time.monotonic()
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=like)
         self._took = time.monotonic() - begun if like is not None else 0.0  # the figure was reused
         return clip
 
     def do_speculate(self, text: str, name: str, place: str, folder: str) -> None:
-        """Solve speculatively for a text; any message ends this. The result is used when the text arrives."""
+        """Solve speculatively for a text. Any message ends this. The result is used when the text arrives."""
         before, self._speculation = self.clip, None
         if before is None or not self._is_going or self._took > QUICK:
             return
@@ -216,7 +223,7 @@ class Work:
     def _begin(
         self, clip: Clip, before: Clip | None, solution: Solution | None, *, first: bool, found: Timeline | None
     ) -> tuple[Timeline | None, tuple[float, float] | None]:
-        """The initial guess for a clip, and the edited interval; none if everything is new."""
+        """Return the initial guess for a clip, and the edited interval; None if everything is new."""
         cached = self.seen.get(clip.text)
         if cached is not None and not first:  # undo or redo
             return cached, None if before is None else _edited(before, clip)
@@ -239,7 +246,7 @@ class Work:
         return begin, _edited(before, clip)
 
     def _first(self, clip: Clip, *, go: bool) -> None:
-        """A newly opened clip: its cached solution, or a search from the raw spline."""
+        """Show a newly opened clip: its cached solution, or a search from the raw spline."""
         self._send_path(clip.problem.raw, "carried")  # a first view
         from ... import solve_cache  # imported late: the figure is already shown
 
@@ -321,12 +328,12 @@ class Work:
             self._is_searching = False
 
     def _heed(self) -> None:
-        """End a search at its start where a message arrived just before: nothing else would interrupt it."""
+        """End a search at its start if a message arrived just before it, because nothing else would interrupt it."""
         if self.is_awaited():
             raise KeyboardInterrupt
 
     def _search(self, begin: Timeline | None, between: tuple[float, float] | None) -> None:
-        """Minimise E, sending every better path; keep the best, however the search ends."""
+        """Minimise E and send every better path. The best path is used, however the search ends."""
         clip = self.clip
         assert clip is not None
         self._tell("searching", revision=self.revision)
@@ -360,10 +367,13 @@ class Work:
         between: tuple[float, float] | None,
         improved: Callable[[Improvement], None],
     ) -> Solution | None:
-        """The result of a search of a clip, also if a message interrupts it; None if it had no result yet.
+        """Return the result of a search, also if a message interrupts it; None if it had no result yet.
 
-        begin     None for the raw spline;  between  [s] the edited interval, None for the whole clip
-        improved  receives every better path
+        Args:
+            clip: The clip.
+            begin: The initial guess; None: the raw spline.
+            between: The edited interval [s]; None: the whole clip.
+            improved: Receives every better path.
         """
         best: list[Improvement] = []
 
@@ -392,14 +402,14 @@ class Work:
         self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
 
     def _remember(self, text: str, timeline: Timeline) -> None:
-        """Cache the path of a text, for undo and redo; of the last few texts."""
+        """Cache the path of a text, for undo and redo, for the last few texts."""
         self.seen.pop(text, None)
         self.seen[text] = _bare(timeline)
         if len(self.seen) > MOST_SEEN:
             del self.seen[next(iter(self.seen))]
 
     def _judge(self, stop: str) -> None:
-        """Send the present path's violations, and why the search ended."""
+        """Send the present path's violations, and the reason for the end of the search."""
         clip, solution = self.clip, self.found
         assert clip is not None and solution is not None
         self._send_raw()
@@ -422,7 +432,7 @@ class Work:
             self._send_curves()
 
     def _suspected(self, wrong: int) -> str | None:
-        """Why the minimum found from the path before may be a poor one; None if there is no sign of it."""
+        """Return why the minimum near the previous path may be a poor one; None if there is no sign of it."""
         clip, solution = self.clip, self.found
         assert clip is not None and solution is not None
         if not solution.trace:
@@ -447,7 +457,7 @@ class Work:
         return self._is_going and self._astray is not None
 
     def do_look(self) -> None:
-        """Search again from the raw spline in the background; the result is used if it is better. This is done once."""
+        """Search again from the raw spline in the background, once. The result is used if it is better."""
         clip, now = self.clip, self.found
         assert clip is not None and now is not None
         solution: Solution | None = None
@@ -492,7 +502,7 @@ class Work:
 
 
 def _bare(timeline: Timeline) -> Timeline:
-    """Remove caches derived from its times."""
+    """Return a timeline without caches derived from its times."""
     return Timeline(timeline.frames, timeline.end_slope, timeline.ends)
 
 
@@ -517,7 +527,7 @@ def _plain(parts: dict[str, float]) -> dict[str, float]:
 
 
 def _shape(clip: Clip) -> dict[str, object]:
-    """Data of the loaded clip beyond its text: complete keyframes, contacts, holds and inferred flights."""
+    """Return data of the loaded clip beyond its text: complete keyframes, contacts, holds and inferred flights."""
     support = clip.context.support
     return {
         "keys": [
@@ -535,7 +545,7 @@ def _shape(clip: Clip) -> dict[str, object]:
 
 
 def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:
-    """The interval in which keyframes and contacts differ, up to the next keyframes; None if more differs."""
+    """Return the interval in which keyframes and contacts differ, up to the next keyframes; None if more differs."""
     if before is None or not before.text or not clip.text or _but_keys(before) != _but_keys(clip):
         return None
     changed = [*_apart(before.keys, clip.keys), *_apart(clip.keys, before.keys), *_moved_contacts(before, clip)]
@@ -548,7 +558,7 @@ def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:
 
 
 def _apart(some: Sequence[Frame], others: Sequence[Frame]) -> list[float]:
-    """[s] times of keyframes that are not among others."""
+    """Return the times of keyframes that are not among others [s]."""
     by_time = {key.time: key for key in others}
     return [key.time for key in some if key.time not in by_time or not _same(key, by_time[key.time])]
 
@@ -563,7 +573,7 @@ def _but_keys(clip: Clip) -> dict[str, object]:
 
 
 def _moved_contacts(before: Clip, clip: Clip) -> list[float]:
-    """[s] ends of contacts that only one of two clips has."""
+    """Return the ends of contacts that only one of two clips has [s]."""
     tables = [table_of(one.text, one.context.where).contact for one in (before, clip)]
     rows = [row for listed, others in (tables, tables[::-1]) for row in listed if row not in others]
     return [time for row in rows for time in (row.start, row.end)]

@@ -1,4 +1,4 @@
-"""Where the process that solves begins: nothing is imported before it is known not to be the server."""
+"""The start of the solver process. Nothing is imported before it is known that this is not the server."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from functools import partial
 from importlib import import_module
 from typing import Any
 
-HEAVY = (  # what takes longest to import, in pieces of a few tenths of a second
+HEAVY = (  # slow imports, in parts of a few tenths of a second
     "scipy.sparse",
     "scipy.linalg",
     "mujoco",
@@ -15,14 +15,14 @@ HEAVY = (  # what takes longest to import, in pieces of a few tenths of a second
     "dynsplines.clip.load",
     "dynsplines.studio.solving.loop",
 )
-PATIENCE = 2.5  # [s] that imports let the page go first, which has something to show already
+PATIENCE = 2.5  # [s] duration of low priority of imports, while the page draws its first view
 
 
 def entry(line: Any, outside: bool, is_seen: bool) -> None:
-    """The process's whole life.
+    """Run the solver process.
 
-    outside  whether models may refer to files anywhere
-    is_seen  whether pages show a view before this process reports
+    With `outside`, models may refer to files anywhere. `is_seen` is whether pages show a view before this process
+    reports.
     """
     from ...picture.graphics import do_without
     from ...system import mujoco_warnings

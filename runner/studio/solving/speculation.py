@@ -12,11 +12,14 @@ from ...clip.build import Clip
 
 @dataclass(frozen=True, eq=False)
 class Speculation:
-    """A clip, and how far the search of its path has come.
+    """A clip, and the state of the search of its path.
 
-    before    the clip that it was made of by an edit
-    begin     where its search began;  between  [s] what alone was edited, None where more was
-    found     the best path so far; None as long as none is better than the one that it began with
+    Attributes:
+        before: The clip from which it was edited.
+        clip: The clip.
+        begin: The initial guess.
+        between: The edited interval [s]; None: the whole clip.
+        found: The best path so far; None as long as none is better than `begin`.
     """
 
     before: Clip
@@ -26,5 +29,5 @@ class Speculation:
     found: Solution | None = None
 
     def is_of(self, text: str, before: Clip | None) -> bool:
-        """Whether this is the result of a text, edited from the present clip."""
+        """Return whether this is the result of a text, edited from the present clip."""
         return self.clip.text == text and self.before is before

@@ -1,4 +1,4 @@
-"""The figure in its scene as the page draws it, and what can be taken hold of: joints, sites, soles."""
+"""The figure in its scene as the page draws it, and its draggable parts: joints, sites, soles."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from ...exchange.model_json import drawn
 from ...exchange.skeleton import hierarchy
 from ...scene.triangles import is_still, pieces
 
-FLOOR = 40.0  # [m] from its middle to which a floor without end is drawn
+FLOOR = 40.0  # [m] half size of an infinite floor
 
 
 def stage(clip: Clip) -> bytes:
-    """The figure and its surroundings, JSON."""
+    """Return the figure and its surroundings as JSON."""
     figure, model = clip.figure, clip.figure.model
     moving = sorted({piece.body for piece in pieces(model) if not is_still(model, piece)})
     data = mujoco.MjData(model)
@@ -71,7 +71,7 @@ class LimbRow(TypedDict):
 
 
 def _joint(figure: Figure, index: int) -> JointRow:
-    """A joint: its name and kind, its position in qpos, its range in degrees or metres."""
+    """Return a joint: its name and kind, its position in qpos, its range in degrees or metres."""
     link, model = figure.links[index], figure.model
     limits = None
     if link.kind is not JointKind.FREE and model.jnt_limited[link.joint]:
@@ -108,9 +108,9 @@ def _sole(figure: Figure, point: Any) -> PointRow:
 
 
 def limbs(figure: Figure) -> list[LimbRow]:
-    """The figure's limbs, each the joints up to where another one branches off, and the trunk: rows of the timeline.
+    """Return the figure's limbs and the trunk as rows of the timeline; a limb extends to the next branch.
 
-    A free body other than the figure's own root has a row of its own.
+    A free body other than the figure's root has a separate row. "end" is the last body of a limb, which is dragged.
     """
     parents = figure.tables.parents
     carries = {int(parents[i]) for i in range(1, len(figure.links))}
@@ -136,12 +136,12 @@ def limbs(figure: Figure) -> list[LimbRow]:
 
 
 def _root(figure: Figure) -> int:
-    """The link of the figure's free root; 0 where there is none."""
+    """Return the link of the figure's free root; 0 if there is none."""
     return figure.root.link if figure.root is not None and figure.root.is_free else 0
 
 
 def _called(figure: Figure, links: list[int]) -> str:
-    """A limb by its names: what is common to them is its side."""
+    """Return the name of a limb: its side and kind, or else its first and last joint."""
     first, last = figure.links[links[-1]].name, figure.links[links[0]].name
     words = f"{first} {last}".lower()
     side = next((word for word in ("left", "right") if word in words), "")
