@@ -60,7 +60,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "joints": "joints by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
             "sites": "target positions of sites, feet, geoms and bodies, by name",
             "bodies": "target orientations or positions of bodies, by name",
-            "others": 'all joints that are not named, see [below](#unspecified-degrees-of-freedom); also "key:NAME"',
+            "others": '[joints that are not named](#unspecified-degrees-of-freedom), by "key:NAME" or one of these',
         },
     ),
     "root, roots.NAME": (
