@@ -42,24 +42,24 @@ ROOM = 0.6  # [1] maximum motion of a joint, relative to the distance to its bou
 FLEXED = 0.35  # [1] maximum motion of a slide, relative to the figure's size
 DIGITS = 6  # decimal places of degrees and metres
 WIDE = 110  # characters per line of comments
-AT_REST = "Where these are in the first keyframe, in metres; in a keyframe such a line puts them somewhere:"
-ALL_COUNT = "Nothing of this model collides (contype, conaffinity): all of its geoms count as solid."
-NO_FEET = "nothing was found; name sites heel or toe, or give points"
+AT_REST = "Positions in the first keyframe, in metres. Such a line in a keyframe is a target position:"
+ALL_COUNT = "Nothing of this model collides (contype, conaffinity), so all of its geoms are checked for collisions."
+NO_FEET = "none were found; add sites with names such as left_heel and left_toe"
 
 PENALTIES = """\
-# Soft constraints: those that fit the figure are on already. Each can be weighed, or taken away by weight = 0.
+# Soft constraints: those that fit the figure are enabled. Each can have another weight; weight = 0 disables it.
 #
 # [[penalty]]
-# kind = "collision"                # feet, and the whole figure, out of everything that does not move
-# points = ["a_site", "another"]    # of the soles: the points above, or sites of your choice
-# margin = 0.01
+# kind = "collision"                # keeps the figure out of the ground and obstacles
+# points = ["a_site", "another"]    # other sole points
+# margin = 0.01                     # distance to keep, in metres
 #
 # [[penalty]]
-# kind = "limits"                   # joints within the model's ranges
+# kind = "limits"                   # keeps joints within their ranges
 # weight = {range = 10}
 #
 # [[penalty]]
-# kind = "torque"                   # small joint torques
+# kind = "torque"                   # keeps joint torques small
 # weight = 0.1
 #
 # [scene]
@@ -390,13 +390,13 @@ def _head(source: str, own: bool, count: int, raised: float, settled: float) -> 
     name = Path(source).name
     content = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
     more = "" if count > 1 else ", and one joint moved"
-    up = f" Raised by up to {1000 * raised:.1f} mm, out of what it stood in.\n" if raised >= TOLD else "\n"
-    off = "# Joints that follow others are where these take them, not where the model's keyframes have them.\n"
+    up = f" Raised by up to {1000 * raised:.1f} mm, out of the floor or an obstacle.\n" if raised >= TOLD else "\n"
+    off = "# Joints that follow others have the values that these determine, not those of the model's keyframes.\n"
     return (
         f"# A clip for {name}: {content}{more}.{up}{off if own and settled >= TOLD else ''}"
-        "# Angles in degrees, lengths in metres, times in seconds. Unspecified degrees of freedom are free, unless\n"
-        '# the keyframe has others = "hold" (as in the keyframe before), "rest" or "key:NAME" (of the model). '
-        "See it: dynsplines render THIS_FILE"
+        "# Units are degrees, metres and seconds. The solver chooses joints that a keyframe does not name. To specify\n"
+        '# them, add others = "hold" (as in the previous keyframe), "rest" or "key:NAME" (a <key> of the model).\n'
+        "# To see the motion: dynsplines render THIS_FILE"
     )
 
 
@@ -406,7 +406,7 @@ def _noted(notes: Sequence[str]) -> str:
 
 def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
     model = figure.model
-    lines = ["# Joints, as keyframes name them:"]
+    lines = ["# Joints, by their keys in keyframes:"]
     for link in figure.links[1:]:
         lines.append(f"#   {_joint_line(figure, link)}")
     if figure.root is not None and not figure.root.is_free:
@@ -416,7 +416,7 @@ def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
         )
     bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
     lines += _list("Bodies, for bodies.NAME = {flat = true}, a rotation or {position = [x, y, z]}", bodies)
-    ground = "What stands on the ground"
+    ground = "Sole points"
     lines += _list(ground, list(dict.fromkeys(point.name for point in soles))) or [f"# {ground}: {NO_FEET}"]
     lines += _list(
         "Joints that follow others (equality constraints), so that keyframes need not name them",

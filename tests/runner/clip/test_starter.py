@@ -44,7 +44,7 @@ KINDS = {
         '<body pos="0 0 .2"><joint name="w" type="ball"/><geom size=".1"/></body></body></body>',
     ),
 }  # fmt: skip
-NO_FEET = ": nothing was found; name sites heel or toe, or give points"
+NO_FEET = ": none were found; add sites with names such as left_heel and left_toe"
 RADIANS = '<mujoco><compiler angle="radian"/>'
 
 
@@ -126,7 +126,7 @@ def test_what_stands_is_named_and_so_is_that_nothing_does(tmp_path):
         (tmp_path / folder).mkdir()
         body = BODY.format("<freejoint/>", inside) if inside is feet else inside
         text = written(f"<mujoco><worldbody>{body}</worldbody></mujoco>", tmp_path / folder).text
-        assert f"# What stands on the ground{told}\n" in text
+        assert f"# Sole points{told}\n" in text
 
 
 def test_a_model_without_joints_is_refused_in_words(tmp_path):
@@ -164,7 +164,7 @@ def test_a_figure_stands_on_its_own_pedestal_and_its_keyframes_out_of_the_floor(
     key = "<keyframe><key qpos='0 0 .25 1 0 0 0 0 0'/><key qpos='0 0 .5 1 0 0 0 0 0'/></keyframe>"
     problem = written(f"<mujoco><worldbody>{TRUNK.format(PAIR)}</worldbody>{key}</mujoco>", tmp_path)
     np.testing.assert_allclose([key.state[2] for key in problem.keys], [0.32, 0.5], atol=1e-5)
-    assert "its 2 keyframes. Raised by up to 70.0 mm, out of what it stood in.\n" in problem.text
+    assert "its 2 keyframes. Raised by up to 70.0 mm, out of the floor or an obstacle.\n" in problem.text
 
 
 @pytest.mark.slow
@@ -213,7 +213,7 @@ def test_followers_of_the_models_own_keyframes_go_where_they_belong_and_are_not_
     problem = written(f"<mujoco><worldbody>{legs}</worldbody>{tie}{keys}</mujoco>", tmp_path)
     np.testing.assert_allclose([frame.state for frame in problem.keys], [[0.2, 0.07], [0.4, 0.09]], atol=1e-8)
     assert "\njoints.cap" not in problem.text
-    assert "# Joints that follow others are where these take them, not where the model's keyframes have" in problem.text
+    assert "# Joints that follow others have the values that these determine" in problem.text
     assert not [note for note in problem.notes if "off" in note]
 
 
