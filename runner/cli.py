@@ -295,7 +295,8 @@ def retime(
     fresh: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Change the speed of a motion or a clip."""
+    """Change the speed of a motion or a clip.
+    Specify either --speed or --duration."""
     _edit(files.retimed(speed, duration), output, overwrite, fresh, source)
 
 
@@ -331,14 +332,14 @@ def join(
 @app.command(rich_help_panel="Edit")
 def thin(
     source: Annotated[str, typer.Argument(metavar="MOTION", help="Motion (.npz), recording, or clip")],
-    output: Annotated[Path | None, option.output("SOURCE_thin.toml")] = None,
+    output: Annotated[Path | None, option.output("MOTION_thin.toml")] = None,
     max_error: Annotated[str, value("LENGTH", "Largest position error of any body, site or limb tip")] = "2cm",
     max_angle: Annotated[float, number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
     solve: Annotated[
         bool, flag("--solve", "Apply the bounds to the solved motion, not only to the spline through the keyframes")
     ] = False,
     exact: Annotated[
-        bool, flag("--exact", "Write a clip that stays the spline through its keyframes when it is solved")
+        bool, flag("--exact", "Disable optimisation in the written clip, so that solving it keeps the spline")
     ] = False,
     skip_rest: option.SkipRest = False,
     figure: option.Figure = None,
@@ -407,7 +408,7 @@ def export(
     to: Annotated[
         str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "by the extension of -o")
     ] = None,
-    output: Annotated[Path | None, option.output("SOURCE with the format's extension")] = None,
+    output: Annotated[Path | None, option.output("name of the input with the extension of the format")] = None,
     fps: option.Rate = None,
     columns: Annotated[
         str, value("COLUMNS", "Further columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
@@ -525,7 +526,9 @@ def batch(
     output: Annotated[Path, value("DIR", "Folder of the results and the manifest", True, "-o", "--output")] = Path(
         "batch"
     ),
-    listed: Annotated[str | None, value("FILE", "More clips, one per line; - is stdin", "none", "--list")] = None,
+    listed: Annotated[
+        str | None, value("FILE", "File with more clips, one per line; - reads stdin", "none", "--list")
+    ] = None,
     workers: Annotated[
         int | None, number("N", "Number of processes on this machine", 1, 1000, "one per core", kind=int)
     ] = None,

@@ -117,9 +117,9 @@ Overwrite = Annotated[bool, flag("--overwrite", "Overwrite an existing output fi
 Strict = Annotated[bool, flag("--strict", "Exit with code 3 if the motion has violations")]
 NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve the clip again, even if its solution is in the cache")]
 Outside = Annotated[bool, flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
-AsJson = Annotated[bool, flag("--json", "Print JSON")]
+AsJson = Annotated[bool, flag("--json", "Print the result as JSON")]
 SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose or rest pose before the motion")]
-Repeat = Annotated[int | None, number("N", "Number of cycles of a loop", 1, default="1", kind=int)]
+Repeat = Annotated[int | None, number("N", "Play a loop N times", 1, default="1", kind=int)]
 Rate = Annotated[float | None, number("HZ", "Samples per second of the output", 0.01, 100_000, "the clip's, or 30")]
 Figure = Annotated[
     str | None, value("MODEL", "Figure of the recording: name of a shipped figure, or MJCF file", "that of the file")
@@ -147,7 +147,7 @@ Model = Annotated[str | None, value("MODEL", "Figure of --keys: name of a shippe
 Keys = Annotated[
     str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
 ]
-Edited = Annotated[Path | None, output("SOURCE_EDIT.npz; .toml if SOURCE is a .toml file")]
+Edited = Annotated[Path | None, output("name of the input with a suffix such as _mirrored")]
 OverSource = Annotated[bool, flag("--overwrite", "Overwrite the input file, if it is also the output file")]
 Map = Annotated[
     Path | None, value("FILE", "Bone map: a TOML file, or the shipped map g1 or human", "inferred", "--map")
