@@ -1,1 +1,1 @@
-"""Motion to and from the files of others: one format a file, all of them listed in `formats`."""
+"""Import and export of motions in the file formats of other programs; `formats` lists them."""

@@ -1,4 +1,4 @@
-"""The arrays that a file holds, by name, their shapes checked as they are taken out; .npz files, without pickles."""
+"""Named arrays of a file, with checks of types and shapes; .npz files without pickled objects."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from ..system import size_limit
 from .gaps import UnequalSamples, bridged, samples_used
 from .trajectory import BodyPoses
 
-LARGEST = 1e9  # of any number: its square still is one
-NUMBER = 8  # [bytes]
-SAMPLES = "samples"  # the first axis of arrays with a row an instant
+LARGEST = 1e9  # absolute value of a file's numbers, small enough that squares stay finite in double precision
+NUMBER = 8  # [bytes] of a number in double precision
+SAMPLES = "samples"  # name of the first axis of arrays with one row per sample
 
 
 class ArrayReader:
     """A file's entries by name; errors name the file, the missing entry, and the entries present.
 
-    where   how errors call the file
+    where   label of the file in errors
     """
 
     def __init__(self, where: object, entries: Mapping[str, Any]) -> None:
@@ -37,16 +37,17 @@ class ArrayReader:
         return self.entries.get(name) is not None
 
     def of(self, name: str) -> Any:
-        """An unconverted entry; raises UserError if it is missing."""
+        """Return an entry without conversion; raises UserError if it is missing."""
         if name not in self:
             there = ", ".join(map(str, self.entries)) or "nothing"
             raise UserError(f"{self.where}: no '{name}'; it holds: {there}")
         return self.entries[name]
 
     def numbers(self, name: str, *shape: int | str) -> Array:
-        """An array of finite numbers; letters in its shape are sizes that it shares with others, any at first.
+        """Return an array of finite numbers; raises UserError for any other.
 
-        Raises UserError for other arrays, UnequalSamples if its first axis, SAMPLES, is not as long as those before.
+        A text in `shape` names a size: arrays with the same name must have the same size there. An array whose first
+        axis is SAMPLES must have as many samples as those read before; else UnequalSamples is raised.
         """
         array = self._array(name, len(shape))
         if array.dtype.kind not in "fiu":
@@ -70,7 +71,7 @@ class ArrayReader:
         return array
 
     def check_samples(self, name: str, shape: tuple[int, ...]) -> int:
-        """Return how many samples of an array are used; raises UnequalSamples if those before have another number."""
+        """Return the number of samples to use; raises UnequalSamples if an earlier array has another number."""
         self.sampled[name] = shape
         count = samples_used(shape[0])
         if count != self.sizes.get(SAMPLES, count):
@@ -78,7 +79,7 @@ class ArrayReader:
         return count
 
     def quaternions(self, name: str, *shape: int | str, scalar_last: bool = False) -> Array:
-        """Unit quaternions wxyz, of an array of quaternions wxyz, or xyzw if the scalar comes last."""
+        """Return unit quaternions wxyz, from an array in this order or, with `scalar_last`, in the order xyzw."""
         array = self.numbers(name, *shape)
         length = np.linalg.norm(array, axis=-1, keepdims=True)
         if np.any(np.abs(length - 1) > 0.01):
@@ -89,7 +90,8 @@ class ArrayReader:
         return np.roll(array, 1, -1) if scalar_last else array
 
     def rate(self, name: str, fps: float | None = None) -> float:
-        """Samples a second, a number or an array of one; fps, if specified, for a file without it."""
+        """Return the sampling rate [1/s], stored as a number or an array of one; `fps` is the default for a missing
+        entry."""
         if fps is not None and name not in self:
             return fps
         array = self._array(name, 1)
@@ -98,21 +100,21 @@ class ArrayReader:
         return float(array.reshape(()))
 
     def whole(self, name: str) -> int:
-        """A whole number, or an array of one."""
+        """Return a whole number, stored as a number or an array of one."""
         array = self._array(name, 1)
         if array.dtype.kind not in "iub" or array.size != 1:
             raise UserError(f"{self.where}: '{name}' is not a whole number")
         return int(array.reshape(()))
 
     def texts(self, name: str) -> list[str]:
-        """A list of names."""
+        """Return a list of names."""
         array = self._array(name, 1)
         if array.ndim != 1 or array.dtype.kind not in "UO" or not all(isinstance(item, str) for item in array.tolist()):
             raise UserError(f"{self.where}: '{name}' is not a list of names")
         return array.tolist()
 
     def _array(self, name: str, axes: int) -> Any:
-        """An entry as an array; raises UserError for lists that are nested deeper or not of equal lengths."""
+        """Return an entry as an array; raises UserError for lists nested too deeply or of unequal lengths."""
         value = self.of(name)
         size_limit.check(self.where, NUMBER * self._items(name, value, axes), f"'{name}'")
         try:
@@ -121,7 +123,7 @@ class ArrayReader:
             raise UserError(f"{self.where}: '{name}' has rows of different lengths") from None
 
     def _items(self, name: str, found: object, axes: int) -> int:
-        """The number of items of lists when expanded: a short pickle may repeat one list a million times."""
+        """Count the items of expanded lists: a short pickle may repeat one list a million times."""
         if not isinstance(found, list | tuple):
             return found.size if isinstance(found, np.ndarray) else 1
         if axes == 0:
@@ -137,7 +139,7 @@ class ArrayReader:
 
 
 def body_poses(found: ArrayReader) -> BodyPoses | None:
-    """Return the body poses next to qpos in a file, by the names of MuJoCo and mjlab, or None."""
+    """Return the body poses that a file stores with qpos, under the names of MuJoCo and mjlab; None without any."""
     place = next((name for name in ("xpos", "body_pos_w", "body_pos") if name in found), None)
     if place is None or np.ndim(found.of(place)) != 3:
         return None
@@ -149,9 +151,9 @@ def body_poses(found: ArrayReader) -> BodyPoses | None:
 
 
 def read_npz(source: Path) -> ArrayReader:
-    """The arrays of an .npz file, or that of an .npy file as qpos.
+    """Return the arrays of an .npz file, or that of an .npy file as qpos.
 
-    Those that are pickled objects count as not there, for pickles are never loaded.
+    Pickles are never loaded: entries that are pickled objects count as missing.
     """
     if source.suffix.lower() == ".npy":
         return _single(source)
@@ -171,7 +173,6 @@ def read_npz(source: Path) -> ArrayReader:
 
 
 def _single(source: Path) -> ArrayReader:
-    """The array of an .npy file as qpos."""
     try:
         array = np.load(source, allow_pickle=False)
     except ValueError as error:
@@ -192,7 +193,7 @@ def _unpickled(archive: Any, name: str) -> Any:
 
 
 def names_in(source: Path) -> set[str]:
-    """The names of an .npz file's arrays, without reading them; none for other files."""
+    """Return the names of an .npz file's arrays without reading them; none for other files."""
     try:
         with zipfile.ZipFile(source) as archive:
             return {name.removesuffix(".npy") for name in archive.namelist()}
@@ -201,5 +202,5 @@ def names_in(source: Path) -> set[str]:
 
 
 def times(count: int, fps: float) -> Array:
-    """(count,) [s]: samples from 0 on."""
+    """Return the times (count,) [s] of samples, the first at 0."""
     return np.arange(count) / fps

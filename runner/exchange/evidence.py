@@ -1,4 +1,4 @@
-"""Evidence for a reading of a file: agreement with the body poses that it holds, and plausibility of the motion."""
+"""Evidence for how to read a file: agreement with its body poses, and plausibility of the motion."""
 
 from __future__ import annotations
 
@@ -13,35 +13,35 @@ from dynsplines.solver.figure.root import root_of
 
 from .trajectory import BodyPoses, Recording
 
-CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] within which forward kinematics reproduces a recorded body
-LOOKED_AT = 60  # samples of a file that are compared, evenly spread
-SLACK = np.radians(5)  # beyond a joint's range
-MOVING = 0.05  # degrees or [rad]: joints that move less are no evidence of the unit
-FAST = 50.0  # [rad/s]: joints of robots and people do not turn so fast
-SLIDING = 1.0  # [m/s] of the lowest point, which is at rest in most motions
-LYING = 0.35  # of its length, the height of a figure whose rest pose lies down and shows no direction to be up
-LEANING, UPRIGHT, FALLEN = np.radians(25), np.radians(45), np.radians(60)  # tilts of the root
-AT_FLOOR, SUNK = 0.08, 0.2  # of the figure's size: |height| of the lowest point at the floor, and depth in it
-ON_FLOOR = 0.04  # [m] of the lowest point from the floor, median, of a figure that evidently stands on it
-FLYING = 2.5  # [m] from which on the lowest point is too high even for a jump
-NONE_OUTSIDE, LITTLE_OUTSIDE, MUCH_OUTSIDE = 0.01, 0.03, 0.1  # shares of joint angles beyond their ranges
-FAR_OUTSIDE = 0.15  # the same of angles in degrees that are taken for radians
-DOUBTED, REFUTED = 0.5, 0.9  # differences of scores from which on the documented layout is doubted, and replaced
-ENOUGH = 20  # samples from which sliding is evidence
-JUMP = np.radians(45)  # of the root between samples
+CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] allowed difference between forward kinematics and recorded bodies
+LOOKED_AT = 60  # samples of a file that are evaluated, evenly spread
+SLACK = np.radians(5)  # [rad] that a joint may exceed its range
+MOVING = 0.05  # largest angle, in degrees or radians, up to which a joint is no evidence of the unit
+FAST = 50.0  # [rad/s] implausible joint speed of robots and people
+SLIDING = 1.0  # [m/s] typical sliding speed of the lowest point in a wrong reading; in most motions it is at rest
+LYING = 0.35  # height over length below which a rest pose lies down and so does not show which way is up
+LEANING, UPRIGHT, FALLEN = np.radians(25), np.radians(45), np.radians(60)  # [rad] tilts of the root
+AT_FLOOR, SUNK = 0.08, 0.2  # fractions of the figure's size: height of the lowest point at the floor, depth below it
+ON_FLOOR = 0.04  # [m] median distance of the lowest point from the floor, for a figure that evidently stands on it
+FLYING = 2.5  # [m] height of the lowest point that no jump reaches
+NONE_OUTSIDE, LITTLE_OUTSIDE, MUCH_OUTSIDE = 0.01, 0.03, 0.1  # fractions of joint angles beyond their ranges
+FAR_OUTSIDE = 0.15  # fraction of joint angles beyond their ranges when degrees are read as radians
+DOUBTED, REFUTED = 0.5, 0.9  # differences of scores at which the documented layout is doubted, and replaced
+ENOUGH = 20  # least number of samples for sliding to be evidence
+JUMP = np.radians(45)  # [rad] implausible rotation of the root from sample to sample
 FREE, HINGE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_HINGE)
 
 
 @dataclass(frozen=True)
 class Disagreement:
-    """The largest distance [m] and angle [rad] between recorded bodies and the figure's."""
+    """The largest distance [m] and angle [rad] between recorded body poses and those of the figure."""
 
     distance: float
     angle: float
 
     @property
     def share(self) -> float:
-        """Relative to the allowed value."""
+        """Ratio of the disagreement to the allowed value."""
         return max(self.distance / CLOSE, self.angle / ALIGNED)
 
     def __str__(self) -> str:
@@ -49,10 +49,11 @@ class Disagreement:
 
 
 def disagreement(model: mujoco.MjModel, found: Recording) -> Disagreement:
-    """Return how far the body poses of a recording are from the figure's at its qpos.
+    """Return how far the body poses of a recording are from those of the figure at the recorded qpos.
 
-    Each recorded body is compared with the body of the figure that is nearest to it in all samples, so that neither
-    the order of bodies nor a world among them matters; if the figure has fewer bodies, each of these likewise.
+    Each recorded body is compared with the figure's body that is nearest to it over all samples. So the order of the
+    bodies does not matter, nor whether the world is among them. If the figure has fewer bodies, each of them is
+    compared with its nearest recorded body instead.
     """
     assert found.bodies is not None, "a recording with body poses"
     rows = spread(len(found.qpos))
@@ -73,7 +74,7 @@ def disagreement(model: mujoco.MjModel, found: Recording) -> Disagreement:
 
 
 def _known(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
-    """The recorded bodies that the figure has, all of them if it has few of their names."""
+    """Return the recorded bodies whose names the figure has, or all of them if these are less than half."""
     everything = np.arange(bodies.position.shape[1])
     if bodies.names is None or len(bodies.names) != everything.size:
         return everything
@@ -83,7 +84,7 @@ def _known(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
 
 
 def _nearest(away: Array, angle: Array) -> Disagreement:
-    """The worst distance and angle (b, nbody), with each body of the smaller set assigned to its nearest."""
+    """Return the largest distance and angle (b, nbody) after assigning each body of the smaller set to its nearest."""
     if away.shape[0] > away.shape[1]:
         away, angle = away.T, angle.T
     partner = np.argmin(np.maximum(away / CLOSE, angle / ALIGNED), axis=1)
@@ -97,7 +98,7 @@ def _angle(one: Array, other: Array) -> Array:
 
 
 def _poses(model: mujoco.MjModel, qpos: Array) -> tuple[Array, Array]:
-    """Positions (T, nbody, 3) and rotations (T, nbody, 4) of all bodies."""
+    """Return positions (T, nbody, 3) and orientations (T, nbody, 4) of all bodies."""
     data = mujoco.MjData(model)
     position, rotation = np.zeros((len(qpos), model.nbody, 3)), np.zeros((len(qpos), model.nbody, 4))
     for i, row in enumerate(qpos):
@@ -108,22 +109,22 @@ def _poses(model: mujoco.MjModel, qpos: Array) -> tuple[Array, Array]:
 
 
 def spread(count: int, most: int = LOOKED_AT) -> Index:
-    """Return samples of a recording, evenly spread, the first and the last among them."""
+    """Return indices of evenly spread samples of a recording, including the first and the last."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))
 
 
 @dataclass(frozen=True)
 class Plausibility:
-    """The plausibility of a figure's motion, from shares of its samples.
+    """Measures of how plausible a figure's motion is.
 
-    tilt     [rad] of the root from upright, mean
-    height   [m] of the lowest point above or below z = 0, median
-    sliding  [m/s] of the lowest point, mean
-    outside  share of joint angles beyond their ranges; the joint that is beyond its range most often does not count
-    jumps    share of the steps from sample to sample in which the root or a joint turns faster than any does
-    upright  share of samples in which the root is upright, and the figure neither in the floor nor metres above it
-    fallen   share of samples in which the root is far from upright, or the figure in the floor or metres above it
-    standing share of samples in which the root is upright to `LEANING` and the lowest point at the floor
+    tilt     [rad] mean tilt of the root from upright
+    height   [m] median distance of the lowest point from z = 0
+    sliding  [m/s] mean horizontal speed of the lowest point
+    outside  fraction of joint angles beyond their ranges, without the joint that exceeds its range most often
+    jumps    fraction of steps between samples in which the root or a joint turns implausibly fast
+    upright  fraction of samples with an upright root and the figure neither in the floor nor metres above it
+    fallen   fraction of samples with the root far from upright, or the figure in the floor or metres above it
+    standing fraction of samples with the root within `LEANING` of upright and the lowest point at the floor
     samples  number of samples
     """
 
@@ -139,7 +140,7 @@ class Plausibility:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, found: Recording) -> Plausibility:
-        """Return that of a recording; samples without numbers are left out."""
+        """Return the plausibility of a recording; samples with entries that are not finite are ignored."""
         finite = np.isfinite(found.qpos).all(axis=1)
         qpos, time = found.qpos[finite], found.time[finite]
         outside, jumps = _mostly_outside(model, qpos), _fast(model, qpos, time)
@@ -168,24 +169,24 @@ class Plausibility:
 
     @property
     def score(self) -> float:
-        """Without unit, at most 2: the greater, the more plausible; sliding does not count."""
+        """Dimensionless plausibility, at most 2; greater is more plausible. Sliding does not contribute."""
         return self.upright - self.fallen + self.standing - self.tilt / np.pi - 8 * self.outside - 3 * self.jumps
 
     @property
     def is_fallen(self) -> bool:
-        """Whether the root is far from upright, or the figure in the floor or metres above it, at most samples."""
+        """Whether the figure is fallen in most samples, or upright in few of them."""
         return self.fallen > 0.5 or self.upright < 0.2
 
     @property
     def is_evident(self) -> bool:
-        """Whether the root is upright on the floor at most samples, with joints in their ranges."""
+        """Whether in most samples the root is upright on the floor, with joints within their ranges."""
         return self.standing > 0.5 and self.outside < LITTLE_OUTSIDE
 
     def is_doubted_by(self, other: Plausibility) -> bool:
-        """Whether another reading is clearly more plausible than this one, the documented one.
+        """Whether another reading is clearly more plausible than this one, which is the documented one.
 
-        It is plausible, and this one is fallen, or joints are in their ranges there alone, or the other is upright on
-        the floor while this one is off the floor or leans.
+        One of these must hold: this one is fallen; only the other has its joints within their ranges; or the other is
+        upright on the floor, while this one is off the floor or leans.
         """
         if self.is_evident or other.is_fallen or other.outside > MUCH_OUTSIDE or other.score - self.score < DOUBTED:
             return False
@@ -195,10 +196,10 @@ class Plausibility:
         return falls or nearer or straighter or self._exceeds(other, LITTLE_OUTSIDE)
 
     def is_refuted_by(self, other: Plausibility) -> bool:
-        """Whether another reading is so much more plausible that it replaces the documented one.
+        """Whether another reading is so much more plausible that it replaces this one, the documented one.
 
-        This one is fallen, or many joints are in their ranges in the other alone, or this one leans at the samples
-        where the other stands upright and nearer to the floor.
+        One of these must hold: this one is fallen; many of its joints exceed their ranges and the other's do not; or
+        this one leans where the other stands upright and nearer to the floor.
         """
         if not self.is_doubted_by(other) or other.score - self.score < REFUTED:
             return False
@@ -212,7 +213,7 @@ class Plausibility:
         return self.outside > share and other.outside < NONE_OUTSIDE
 
     def rests_beside(self, other: Plausibility) -> bool:
-        """Whether the feet on the floor slide evidently less than in another reading, over enough samples."""
+        """Whether the feet slide evidently less than in another reading, over enough samples."""
         is_less = self.sliding < other.sliding / 2 and other.sliding - self.sliding > 0.3 * SLIDING
         return is_less and self.samples >= ENOUGH and self.standing > 0.5
 
@@ -227,10 +228,11 @@ class Plausibility:
 
 
 def in_degrees(model: mujoco.MjModel, qpos: Array, time: Array) -> bool:
-    """Whether hinges are evidently in degrees: as radians half of them are beyond a turn, or one is and many angles are
-    out of range, and as degrees they are within their ranges.
+    """Whether hinge angles are evidently in degrees.
 
-    Of figures without ranges: faster than any joint as radians, and not as degrees.
+    Read as degrees, they must be within their ranges. Read as radians, half of the hinges must exceed a turn, or one
+    must and many angles must be out of range. For figures without ranges, the speeds decide: too fast as radians, and
+    not as degrees.
     """
     hinges = model.jnt_type == HINGE
     limited = hinges & (model.jnt_limited == 1)
@@ -251,7 +253,7 @@ def in_degrees(model: mujoco.MjModel, qpos: Array, time: Array) -> bool:
 
 
 def _beyond(model: mujoco.MjModel, qpos: Array) -> Array:
-    """(n,) the share of samples in which each limited hinge or slide is beyond its range."""
+    """Return the fraction of samples (n,) in which each limited hinge or slide exceeds its range."""
     limited = (model.jnt_limited == 1) & (model.jnt_type >= int(mujoco.mjtJoint.mjJNT_SLIDE))
     values, bounds = qpos[:, model.jnt_qposadr[limited]], model.jnt_range[limited]
     if not len(values):
@@ -265,7 +267,7 @@ def _outside(model: mujoco.MjModel, qpos: Array) -> float:
 
 
 def _mostly_outside(model: mujoco.MjModel, qpos: Array) -> float:
-    """`_outside` without the joint that is beyond its range most often: its range may be wrong."""
+    """Return `_outside` without the joint that exceeds its range most often: its range may be wrong."""
     shares = _beyond(model, qpos)
     return float((shares.sum() - shares.max()) / shares.size) if shares.size else 0.0
 
@@ -275,20 +277,22 @@ def _fast(model: mujoco.MjModel, qpos: Array, time: Array) -> float:
     if len(qpos) < 2 or not hinges.size:
         return 0.0
     step = np.diff(qpos[:, hinges], axis=0)
-    step -= 2 * np.pi * np.round(step / (2 * np.pi)) * (np.abs(step) < 7)  # hinges that wrap do not turn
+    step -= 2 * np.pi * np.round(step / (2 * np.pi)) * (np.abs(step) < 7)  # a wrapped angle is no rotation
     is_fast = np.abs(step) > FAST * np.maximum(np.diff(time), 1e-3)[:, None]
-    return float(np.median(is_fast.mean(axis=0)))  # of a joint as most are: single rotors do
+    return float(np.median(is_fast.mean(axis=0)))  # the median ignores single rotors, which may be as fast
 
 
 def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple[Array, Array, Array, float]:
-    """Posture of a figure in n samples: its body's tilt from rest (n,) [rad], its lowest point's height (n,) [m] and
-    speed (n,) [m/s], and the figure's size [m]."""
+    """Return the figure's posture in n samples.
+
+    tilt (n,) [rad] of its body from rest, height (n,) [m] and speed (n,) [m/s] of its lowest point, and its size [m]
+    """
     bodies = np.flatnonzero(model.body_rootid == model.body_rootid[body])
     geoms = np.flatnonzero(np.isin(model.geom_bodyid, bodies))
     data = mujoco.MjData(model)
 
     def points(row: Array) -> tuple[Array, Array]:
-        """(n, 3) centres of boxes around geoms and of bodies, and (n,) the least height of each."""
+        """Return centres (n, 3) of the bodies and the bounding boxes of geoms, and the least height (n,) of each."""
         data.qpos = row
         mujoco.mj_kinematics(model, data)
         matrix = data.geom_xmat[geoms].reshape(-1, 3, 3)

@@ -1,9 +1,9 @@
-"""The forces of a motion: the wrench at the root, the ground's reaction on each foot, the torques of the joints.
+"""Forces of a motion: the wrench at the root, the ground reaction on each foot, and the joint torques.
 
-Torques and wrench are MuJoCo's `mj_inverse` of qpos, qvel and qacc without contacts: springs, dampers, friction loss,
-gravity compensation, fluid, tendons and constraints of the model are included. The ground's reactions are those of
-`support`: the forces within friction cones at the points in contact that supply the most of the root's wrench. Where
-neither standing feet nor a flight determine them, they and the torques that depend on them are unknown: nan.
+Torques and wrench are MuJoCo's `mj_inverse` of qpos, qvel and qacc without contacts. They include the model's springs,
+dampers, friction loss, gravity compensation, fluid, tendons and constraints. The ground reactions are those of
+`support`: forces within friction cones at the points in contact that supply as much of the root's wrench as possible.
+Where neither a stance nor a flight determines them, they and the torques that depend on them are nan.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ from ..clip import load as clip
 from ..motion import samples_at
 from .trajectory import SampledTrajectory
 
-STIFF = 1e-7  # softness of a support so that what is left is what cannot be supplied, and not what would cost force
+STIFF = 1e-7  # `Support.softness`, so small that the remaining wrench is only what contacts cannot supply
 
 
 @dataclass(frozen=True)
 class Foot:
-    """The ground reaction on a body, world axes.
+    """The ground reaction on a body, in world axes.
 
-    force   (3, T) [N], zero where nothing is given
-    centre  (3, T) [m] of pressure: the mean of the points in contact by the forces along their normals; nan without any
-    moment  (3, T) [N m] about it, nan likewise: where the points are level, about their normal alone
+    force   (3, T) [N], zero without contact
+    centre  (3, T) [m] of pressure: mean of the points in contact, weighted by normal force; nan without contact
+    moment  (3, T) [N m] about the centre, about the normal alone on level ground; nan without contact
     """
 
     name: str
@@ -47,9 +47,10 @@ class Foot:
 
 @dataclass(frozen=True)
 class Forces:
-    """The forces of a trajectory with the motion `samples`; support None: a figure without a free root.
+    """The forces of a trajectory.
 
-    model  whose forces they are: the trajectory's, or one with the same joints
+    samples  the motion; support  None for a figure without a free root
+    model    the trajectory's model, or one with the same joints whose forces are evaluated
     """
 
     trajectory: SampledTrajectory
@@ -59,7 +60,7 @@ class Forces:
 
     @classmethod
     def of(cls, trajectory: SampledTrajectory, model: mujoco.MjModel | None = None) -> Forces:
-        """The forces of a motion in its own model, or in another one with the same joints."""
+        """Return the forces of a motion in its model, or in another one with the same joints."""
         saved = trajectory.saved
         support = clip.clip_from_motion(saved).context.support
         stiff = None if support is None else replace(support, softness=STIFF)
@@ -68,19 +69,19 @@ class Forces:
 
     @cached_property
     def known(self) -> Mask:
-        """(T,) whether it is known what carries the figure. A figure that never stands or flies carries itself."""
+        """(T,) whether the forces that carry the figure are known; always, for a figure without stances and flights."""
         if self.support is None or not self.support.tells:
             return np.ones(self.samples.count, bool)
         return self.support.known(self.samples.t)
 
     @cached_property
     def inverse(self) -> Array:
-        """(T, nv) MuJoCo's qfrc_inverse without contacts: joint forces as if nothing were on the ground."""
+        """(T, nv) MuJoCo's qfrc_inverse without contacts: the joint forces as if the ground exerted none."""
         return inverse_dynamics(self.model, self.trajectory.qpos, self.trajectory.qvel, self.trajectory.qacc)
 
     @cached_property
     def wrench(self) -> RootWrench | None:
-        """Force, moment and centre of mass at the free root, all forces of the model included."""
+        """Force and moment at the free root, and the centre of mass; all forces of the model are included."""
         if self.support is None:
             return None
         out, root = RootWrench(self.samples, self.support.root), self.support.root
@@ -97,7 +98,7 @@ class Forces:
 
     @cached_property
     def rest(self) -> Array:
-        """(6, T) [N, N m] of unsupported force and moment at the root; nan where unknown."""
+        """(6, T) [N, N m] force and moment at the root that the ground does not supply; nan where unknown."""
         support = self.support
         if support is None:
             return np.zeros((6, self.samples.count))
@@ -106,7 +107,7 @@ class Forces:
 
     @cached_property
     def feet(self) -> tuple[Foot, ...]:
-        """Every body that ever stands."""
+        """The ground reactions of all bodies with a stance."""
         if self.support is None or self._reactions is None:
             return ()
         links = self._links
@@ -114,7 +115,6 @@ class Forces:
 
     @property
     def _links(self) -> Index:
-        """The links of the footings."""
         assert self.support is not None
         return np.array([footing.point.link for footing in self.support.footings], np.intp)
 
@@ -142,7 +142,7 @@ class Forces:
 
     @cached_property
     def torques(self) -> Array:
-        """(T, nv) MuJoCo's qfrc_inverse less the ground's reactions; at a free root what is left over."""
+        """(T, nv) MuJoCo's qfrc_inverse minus the ground reactions; at a free root, the remaining wrench."""
         out = self.inverse.copy()
         reactions, model = self._reactions, self.trajectory.model
         if self.support is None or reactions is None:

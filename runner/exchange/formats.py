@@ -1,4 +1,4 @@
-"""The formats by name, and the two ways: `export` a motion to one, `recording` from one."""
+"""The file formats by name; `export` writes a motion in one of them, `recording` reads one."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from . import gaps, layouts, missing_input
 from .array_reader import names_in
 from .trajectory import ExportOptions, Recording, SampledTrajectory
 
-OF_MOTIONS = {"format_version", "frame_state"}  # arrays that only saved motions have
-SIMULATED = ".simulate.xml"  # the ending of a scene that stands by itself
+OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
+SIMULATED = ".simulate.xml"  # extension of a scene with actuators and contacts
 WISHES = {"simulate": "a scene to simulate", "columns": "columns of forces or velocities"}
 
 
@@ -61,19 +61,18 @@ class Reader(Protocol):
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: its name, its file ending, a one-line description, and the module that implements it.
+    """A file format: name, extension, one-line description, and the module that implements it.
 
     The module has `write(trajectory, path)` if the format can be written, and `read(path, model, fps)`, which returns a
-    Recording, if it can be read; model is None where the user named no figure. Both raise UserError.
-    It may have `beside(trajectory)`, further files (such as a hinge model) by their ending or, without a leading dot,
-    their name; and `recognises(path)`, for endings that several formats share.
-    also   endings of the same format that are read
-    variants endings of the same format that it can be written with
-    containers endings of other files that hold the same, only read
-    options what more of `ExportOptions` it can hold
-    scales the files have no unit of length: `read` takes `scale` [m], None to infer it
-    shares another format's ending that its files have as well, where what is in them decides
-    extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
+    Recording, if it can be read; `model` is None without a figure from the user. Both raise UserError. Two more
+    functions are optional. `beside(trajectory)` returns further files, such as a hinge model, by extension or by name
+    without a leading dot. `recognises(path)` decides between formats that share an extension.
+
+    also        further extensions of the format, only read variants    further extensions of the format, read and
+    written containers  extensions of other files with the same content, only read options     fields of `ExportOptions`
+    that the format supports scales      whether files lack a unit of length, so that `read` takes `scale` [m]; None
+    infers it shares      extension of another format whose files may be of this one; their content decides extra
+    name in `pip install 'dynamic-splines[...]'` of the packages required; None for none
     """
 
     name: str
@@ -92,16 +91,16 @@ class Format:
 
     @property
     def write_endings(self) -> tuple[str, ...]:
-        """The endings that select it for writing."""
+        """The extensions that select the format for writing."""
         return self.ending, *self.variants
 
     @property
     def read_endings(self) -> tuple[str, ...]:
-        """The endings of files that can be of it."""
+        """The extensions of files that may be of the format."""
         return "." + self.ending.rpartition(".")[2], *self.also, *self.containers
 
     def check_name(self, target: Path) -> None:
-        """Raise UserError unless the file name fits this format: .npz also stands for .mjlab.npz."""
+        """Raise UserError unless a file's name fits the format; plain .npz also fits .mjlab.npz."""
         endings = dict.fromkeys((*self.write_endings, *self.also, Path(f"_{self.ending}").suffix))
         if not target.name.lower().endswith(tuple(endings)):
             raise UserError(f"'{target}': the name of a file of the format {self.name} ends in {' or '.join(endings)}")
@@ -134,17 +133,17 @@ FORMATS = (
 
 
 def writers() -> dict[str, Format]:
-    """The formats that a motion can be exported to, by name."""
+    """Return the formats for export, by name."""
     return {form.name: form for form in FORMATS if form.writes}
 
 
 def readers() -> dict[str, Format]:
-    """The formats that a motion can be imported from, by name."""
+    """Return the formats for import, by name."""
     return {form.name: form for form in FORMATS if form.reads}
 
 
 def stem(source: Path) -> str:
-    """A file's name without the whole ending of its format: 'run' of run.loco.npz."""
+    """Return a file's name without the complete extension of its format: 'run' for run.loco.npz."""
     endings = [
         ending
         for form in FORMATS
@@ -156,7 +155,7 @@ def stem(source: Path) -> str:
 
 
 def writer(name: str) -> Format:
-    """The format to export to; raises UserError that lists them."""
+    """Return the format for export of this name; raises UserError with a list of the formats."""
     available = writers()
     if name not in available and name in readers():
         raise UserError(f"the format '{name}' is read only; written are: {', '.join(available)}")
@@ -166,7 +165,7 @@ def writer(name: str) -> Format:
 
 
 def chosen(name: str | None, target: Path | None) -> Format:
-    """The format to export to, by its name or the file's ending; raises UserError if it is unknown or they differ."""
+    """Return the format for export by its name or a file's extension; raises UserError if unknown or contradictory."""
     if name is not None:
         form = writer(name)
         if target is not None:
@@ -184,18 +183,18 @@ def chosen(name: str | None, target: Path | None) -> Format:
 
 
 def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None:
-    """The format with the longest of the endings that a name has."""
+    """Return the format with the longest extension that fits a name."""
     fitting = [(len(ending), form) for ending, form in endings if path.name.lower().endswith(ending)]
     return max(fitting, key=lambda each: each[0])[1] if fitting else None
 
 
 def by_ending(path: Path) -> Format | None:
-    """The format of a name's whole ending, such as .loco.npz; None for a plain .npz, which is a motion."""
+    """Return the format of a complete extension such as .loco.npz; None for plain .npz, which is a motion."""
     return _longest(path, [(ending, form) for form in FORMATS for ending in form.write_endings])
 
 
 def is_foreign(path: Path) -> bool:
-    """Whether a file with the ending of motions, .npz, is of another program: by its whole ending or its arrays."""
+    """Return whether an .npz file is of another program, by its complete extension or its arrays."""
     if by_ending(path) is not None:
         return True
     if not path.is_file() or OF_MOTIONS.intersection(names_in(path)):
@@ -204,19 +203,19 @@ def is_foreign(path: Path) -> bool:
 
 
 def target_of(name: str, form: Format, options: ExportOptions) -> Path:
-    """The default export path of a motion's name: in the current folder, whatever characters the name contains."""
+    """Return the default export path of a motion: in the current folder, whatever characters its name contains."""
     plain = Path(name.replace("\\", "/")).name or "motion"
     return Path(f"{plain}{SIMULATED if options.simulate else form.ending}")
 
 
 def read_options(target: Path | None, options: ExportOptions) -> ExportOptions:
-    """The options of a file with this name: one that ends in .simulate.xml is a scene to simulate."""
+    """Return the options that apply to a file's name: .simulate.xml requests a scene to simulate."""
     is_scene = target is not None and target.name.lower().endswith(SIMULATED)
     return replace(options, simulate=True) if is_scene else options
 
 
 def check_options(form: Format, options: ExportOptions) -> None:
-    """Raises UserError for what a format cannot hold."""
+    """Raise UserError for options that a format does not support."""
     for name, is_requested in (("simulate", options.simulate), ("columns", bool(options.columns))):
         if is_requested and name not in form.options:
             able = ", ".join(other.name for other in FORMATS if name in other.options)
@@ -233,12 +232,14 @@ def export(
     overwrite: bool = True,
     tell: Callable[[str], None] | None = None,
 ) -> Path:
-    """Write a motion in another format, atomically; the default path is its name with the format's ending.
+    """Write a motion in another format, atomically; the default path is its name with the format's extension.
 
-    options    what more it shall hold
-    overwrite  replace existing files, the main one and its companions, unless their content is identical
-    tell       takes lines for the user: further files written, and data that the format cannot hold
-    Raises UserError for an unknown format, another format's ending, a missing extra, and what the format cannot hold.
+    options    optional content overwrite  replace existing files, the main one and its companions, unless their content
+    is identical tell       receives lines for the user: further files written, and data that the format cannot
+    represent
+
+    Raises UserError for an unknown format, the extension of another one, a missing package, and a motion that the
+    format cannot represent.
     """
     form, options = chosen(kind, target), read_options(target, options or ExportOptions())
     check_options(form, options)
@@ -266,7 +267,7 @@ def export(
 
 
 def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = None, overwrite: bool = True) -> Path:
-    """`export` by a writer of a program's own."""
+    """Write a motion by a custom writer."""
     check_target(target, overwrite=overwrite)
     with Replacement(target) as temporary:
         own.write(SampledTrajectory.of(saved, fps), temporary)
@@ -274,7 +275,7 @@ def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = N
 
 
 def _beside(module: Module, trajectory: SampledTrajectory, target: Path) -> dict[Path, bytes]:
-    """The companion files of a motion's file."""
+    """Return the companion files of a motion's file."""
     companions = {} if module.beside is None else module.beside(trajectory)
     return {
         target.with_suffix(name) if name.startswith(".") else target.parent / name: (
@@ -292,9 +293,9 @@ def recording(
     fps: float | None = None,
     scale: float | None = None,
 ) -> Recording:
-    """Read a file of another program, of the given format or that of its ending.
+    """Read a file of another program, in the format `kind` or that of its extension.
 
-    model  the figure of the motion; fps [1/s] for files without a rate; scale [m], their unit of length, likewise
+    model  the figure of the motion; fps [1/s] for files without a rate; scale [m] for files without a unit of length
     """
     available = readers()
     if kind is not None and kind not in available:
@@ -327,7 +328,7 @@ def _read(
 
 
 def read_by(own: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """`recording` with a custom reader; raises UserError if its result is invalid, or needs a figure."""
+    """Read a file by a custom reader; raises UserError if its result is invalid or requires a figure."""
     _check_file(source)
     result = own.read(source, model, fps)
     if not isinstance(result, Recording):
@@ -348,7 +349,7 @@ def _check_file(source: Path) -> None:
 
 
 def _fitting(source: Path) -> list[Format]:
-    """The formats that a file can be of, by its ending, or where several share it by what is in the file."""
+    """Return the formats that a file may have, by its extension, or by its content where several share it."""
     name, available = source.name.lower(), readers().values()
     selected = by_ending(source)
     if selected is not None and not selected.reads:
@@ -371,7 +372,7 @@ def _recognises(form: Format, source: Path) -> bool:
 
 @dataclass(frozen=True)
 class Module:
-    """The functions of a format's module: see `Format`."""
+    """The functions of a format's module, as described in `Format`."""
 
     write: Callable[[SampledTrajectory, Path], None] | None
     read: Callable[..., Recording] | None
@@ -380,7 +381,7 @@ class Module:
 
 
 def _module(form: Format) -> Module:
-    """A format's module; raises UserError with the installation command if a package is missing."""
+    """Import a format's module; raises UserError with the installation command if a package is missing."""
     try:
         code = import_module(f".format.{form.module}", __package__)
     except ModuleNotFoundError as error:

@@ -1,7 +1,7 @@
-"""Samples without numbers and truncated files: errors where every sample counts, tolerated in recordings to be cleaned.
+"""Samples that are not finite, and truncated files: errors by default, tolerated in recordings to be cleaned.
 
-Readers get the sample before in place of one without numbers, so that they need no code for it; those samples are
-removed at the end. A file whose arrays differ in their number of samples is read again, up to the fewest.
+A sample that is not finite is replaced by the sample before it, so that readers need no special case, and removed at
+the end. A file whose arrays differ in their number of samples is read again, up to the smallest number.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from ..errors import UserError
 from .layouts import noted
 from .trajectory import Recording
 
-FEWEST = 2  # samples of a motion
+FEWEST = 2  # least number of samples of a motion
 
 
 class UnequalSamples(UserError):
-    """Files whose arrays differ in their number of samples.
+    """The error of files whose arrays differ in their number of samples.
 
-    shapes   of its arrays, by name, the samples first
+    shapes   of the arrays, by name, the samples first
     """
 
     def __init__(self, where: object, shapes: Mapping[str, tuple[int, ...]]) -> None:
@@ -40,19 +40,20 @@ class UnequalSamples(UserError):
 
 @dataclass
 class Gaps:
-    """The defects of the file that is read.
+    """Defects of the file being read.
 
-    missing  the samples that hold no numbers, (T,) for all its arrays together
-    most     the number of samples that all its arrays have; None as long as none is known to be shorter
+    missing  (T,) the samples that are not finite in any array
+    most     number of samples to use of each array; None for all
     """
 
     missing: Mask | None = field(default=None)
     most: int | None = None
 
     def bridged(self, array: Array) -> Array | None:
-        """An array, its samples along the first axis, with those of no numbers as the one before, which is noted.
+        """Return an array with each sample (first axis) that is not finite replaced by the one before, and note these
+        samples.
 
-        None for one that has no good sample, or is of another count of samples than the arrays before.
+        None if no sample is finite, or if the number of samples differs from that of earlier arrays.
         """
         bad = np.asarray(~np.isfinite(array.reshape(len(array), -1)).all(axis=1))
         if bad.all() or (self.missing is not None and self.missing.size != bad.size):
@@ -62,7 +63,7 @@ class Gaps:
         return array[good[np.maximum(np.searchsorted(good, np.arange(bad.size), side="right") - 1, 0)]]
 
     def left_out(self, found: Recording, where: object) -> Recording:
-        """A recording without the samples that were noted."""
+        """Return a recording without the noted samples."""
         if self.missing is None or not self.missing.any():
             return found
         if self.missing.size != found.time.size:
@@ -79,7 +80,7 @@ _now: ContextVar[Gaps | None] = ContextVar("gaps", default=None)
 
 @contextmanager
 def allowed() -> Iterator[None]:
-    """Files may have samples without numbers while it lasts."""
+    """Tolerate gaps in files within this block."""
     before = _now.set(Gaps())
     try:
         yield
@@ -88,30 +89,30 @@ def allowed() -> Iterator[None]:
 
 
 def are_allowed() -> bool:
-    """Whether recordings with gaps, or truncated ones, are read as far as possible."""
+    """Return whether recordings with gaps and truncated ones are read as far as possible."""
     return _now.get() is not None
 
 
 def bridged(array: Array) -> Array | None:
-    """As `Gaps.bridged` in a block that allows gaps; else None."""
+    """Return `Gaps.bridged` where gaps are allowed, else None."""
     gaps = _now.get()
     return None if gaps is None or array.ndim == 0 or not len(array) else gaps.bridged(array)
 
 
 def left_out(found: Recording, where: object) -> Recording:
-    """As `Gaps.left_out` in a block that allows gaps."""
+    """Return `Gaps.left_out` where gaps are allowed."""
     gaps = _now.get()
     return found if gaps is None else gaps.left_out(found, where)
 
 
 def samples_used(count: int) -> int:
-    """Return the number of used samples of an array: those that all arrays of the file have, as far as is known."""
+    """Return how many samples of an array are used: the smallest number of the file's arrays, as far as known."""
     gaps = _now.get()
     return count if gaps is None or gaps.most is None else min(count, gaps.most)
 
 
 def as_far_as_it_goes(read: Callable[[], Recording]) -> Recording:
-    """Return the recording that a reader returns; with a note if its arrays differ in their number of samples.
+    """Return the result of a reader, with a note if the file's arrays differ in their number of samples.
 
     Raises UnequalSamples for such a file unless gaps are allowed.
     """

@@ -1,10 +1,9 @@
-"""Which layout a file's numbers have, decided by `evidence`: what the file holds twice, or else what a figure can do.
+"""Selection of the layout in which a file is read, by `evidence`: redundant body poses, or else plausibility.
 
-A reader returns a recording as its format is documented, with `others`: the layouts that files of this kind have
-besides. The documented layout has precedence: another one replaces it only if the documented one contradicts the file's
-body poses, or is implausible while the other is plausible. Formats that share an ending have equal rank. What was
-decided is reported in a note. What cannot be decided is refused, unless the user names the format: then its documented
-layout is read.
+A reader returns a recording in the documented layout, with `others` for further layouts that occur in such files. The
+documented layout has precedence. Another one replaces it only if the documented one contradicts the file's body poses,
+or is implausible while the other is plausible. Formats that share an extension have equal precedence. A note reports
+the decision. An undecided file is refused, unless the user names the format: then its documented layout is used.
 """
 
 from __future__ import annotations
@@ -26,16 +25,16 @@ from .evidence import Plausibility, disagreement, in_degrees
 from .trajectory import BodyPoses, Recording
 
 FREE, BALL, HINGE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "BALL", "HINGE"))
-EQUAL = 0.05  # of the bounds of agreement: layouts so near to each other agree equally well
-SAME = 1e-6  # [m, rad] between layouts that give one motion
-Y_UP = (  # words; the axes of the file that are our x, y and z, and their signs; whether the root's frame is y up, too
+EQUAL = 0.05  # difference in `Disagreement.share` up to which layouts agree equally well with body poses
+SAME = 1e-6  # [m, rad] largest difference between layouts that result in the same motion
+Y_UP = (  # words; axis of the file and sign for each of x, y and z here; whether the root's frame is y up, too
     ("y up", ((0, 1), (2, -1), (1, 1)), False),
     ("y up in the world and in the root's frame", ((0, 1), (2, -1), (1, 1)), True),
     ("y up and z forward in the world and in the root's frame", ((2, 1), (0, 1), (1, 1)), True),
 )
 Reading = Callable[[], Array]
 Change = tuple[str, Callable[[Array], Array]]
-Candidate = tuple[str, Recording]  # the format that a file is read as
+Candidate = tuple[str, Recording]  # name of a format, and the file read in it
 Judged = tuple[Plausibility, Candidate]
 
 
@@ -55,11 +54,11 @@ def recording(
     Args:
         model: The figure.
         time: (T,) [s].
-        readings: Functions that return qpos (T, nq), wxyz, by the words for their layout; the documented one, of no
-            words, first. One that raises UserError does not fit the file.
+        readings: Functions that return qpos (T, nq), wxyz, by words that describe their layout. The documented one,
+            without words, is first. A function that raises UserError does not fit the file.
         scalar_last: Whether quaternions are documented as xyzw; None where their order is certain.
         has_names: Whether the file names its joints, so that their order is certain.
-        bodies, fps, loops: See `Recording`.
+        bodies, fps, loops: As in `Recording`.
 
     Raises:
         UserError: The first of the readings' errors, if none fits.
@@ -81,7 +80,7 @@ def recording(
 
 
 def noted(found: Recording, notes: Sequence[str]) -> Recording:
-    """Return a recording with more notes, in all of its layouts."""
+    """Return a recording with further notes, in all of its layouts."""
     others = tuple(replace(other, notes=(*other.notes, *notes)) for other in found.others)
     return replace(found, notes=(*found.notes, *notes), others=others)
 
@@ -89,13 +88,13 @@ def noted(found: Recording, notes: Sequence[str]) -> Recording:
 def chosen(
     recordings: Mapping[str, Recording], model: mujoco.MjModel | None, where: object, *, is_named: bool = False
 ) -> Recording:
-    """Return the recording in the layout for which there is most evidence, with a note where that was in question.
+    """Return the recording in the layout with the most evidence, with a note if there was a choice.
 
     Args:
-        recordings: By the name of the format that it is read as; several for a file that several formats fit.
-        model: The figure; None for files that bring their own.
-        where: How errors call the file.
-        is_named: Whether the user names the format: then its documented layout is read where others are possible.
+        recordings: By format; several for a file that several formats fit.
+        model: The figure; None for files that contain theirs.
+        where: Label of the file in errors.
+        is_named: Whether the user names the format, so that its documented layout is used if several are possible.
 
     Raises:
         UserError: No layout agrees with the file's body poses, or several are equally plausible.
@@ -118,7 +117,7 @@ def _figure(found: Recording) -> mujoco.MjModel:
 def _agreeing(
     candidates: Sequence[Candidate], model: mujoco.MjModel, where: object
 ) -> tuple[list[Candidate], tuple[str, ...]]:
-    """The layouts that reproduce the file's body poses best, and a note if the documented one is not among them."""
+    """Return the layouts that reproduce the body poses best, and a note if the documented one is not among them."""
     verified = [(form, variant) for form, variant in candidates if variant.bodies is not None]
     if not verified:
         return list(candidates), ()
@@ -141,7 +140,7 @@ def _agreeing(
 def _most_plausible(
     candidates: Sequence[Candidate], model: mujoco.MjModel, where: object, *, is_named: bool
 ) -> tuple[Recording, tuple[str, ...]]:
-    """The layout of fewest differences unless it is implausible and another clearly plausible, and what was decided."""
+    """Return the layout to use with a note: the documented one, unless another refutes it."""
     least = min(len(variant.layout) for _, variant in candidates)
     documented = _judged([candidate for candidate in candidates if len(candidate[1].layout) == least], model)
     first = documented[0]
@@ -164,7 +163,7 @@ def _most_plausible(
 
 
 def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjModel, least: int) -> list[Judged]:
-    """The layouts of more differences that are clearly more plausible, the most plausible first."""
+    """Return the clearly more plausible layouts that deviate more from the documented one, the most plausible first."""
     if first[0].is_evident:
         return []
     axes = [other for candidate in candidates for other in _axes(model, candidate)]
@@ -173,8 +172,10 @@ def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjMode
 
 
 def _best(ranked: Sequence[Judged]) -> list[Judged]:
-    """The layouts of fewest differences that the most plausible one does not exclude, or the only one of these
-    whose feet slide evidently less than in the others."""
+    """Return the layouts of fewest deviations that the most plausible one does not exclude.
+
+    If in one of these the feet slide evidently less than in the others, it is the only result.
+    """
     near = [ranked[0], *(judged for judged in ranked[1:] if not judged[0].is_doubted_by(ranked[0][0]))]
     fewest = min(len(variant.layout) for _, (_, variant) in near)
     near = [judged for judged in near if len(judged[1][1].layout) == fewest]
@@ -183,12 +184,12 @@ def _best(ranked: Sequence[Judged]) -> list[Judged]:
 
 
 def _decided(used: Judged, other: Judged) -> str:
-    """One line on a decision between two layouts."""
+    """Return the note on a decision between two layouts."""
     return f"read as {_called(*used[1])}: {used[0]}; as {_called(*other[1])} it would be: {other[0]}"
 
 
 def _doubted(first: Judged, best: Sequence[Judged]) -> str:
-    """The remedy for a doubtful documented layout that none of the best others replaces."""
+    """Return the error for a doubtful documented layout that no single other one replaces."""
     form = first[1][0]
     do = f"convert the file, or {missing_input.FORMAT}: {form} reads it as documented"
     if len(best) > 1:
@@ -198,7 +199,7 @@ def _doubted(first: Judged, best: Sequence[Judged]) -> str:
 
 
 def _equally(rivals: Sequence[Judged]) -> str:
-    """The remedy for layouts that are equally plausible."""
+    """Return the error for equally plausible layouts."""
     names = " and ".join(_called(*candidate) for _, candidate in rivals)
     forms = list(dict.fromkeys(form for _, (form, _) in rivals))
     do = f"{missing_input.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
@@ -206,7 +207,7 @@ def _equally(rivals: Sequence[Judged]) -> str:
 
 
 def _judged(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judged]:
-    """Layouts, the most plausible first; of equivalent ones only the one of fewest differences."""
+    """Return layouts, the most plausible first; of equivalent ones only that of fewest deviations."""
     out: list[Judged] = []
     for form, variant in sorted(candidates, key=lambda each: len(each[1].layout)):
         if not any(_is_same(model, variant, other) for _, (_, other) in out):
@@ -215,7 +216,7 @@ def _judged(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judg
 
 
 def _is_same(model: mujoco.MjModel, one: Recording, other: Recording) -> bool:
-    """Whether two layouts result in the same motion, up to the signs of quaternions."""
+    """Return whether two layouts result in the same motion, up to the signs of quaternions."""
     if one.qpos.shape != other.qpos.shape:
         return False
     apart = one.qpos - other.qpos
@@ -236,7 +237,7 @@ def _words(found: Recording) -> str:
 def _variants(
     model: mujoco.MjModel, base: Recording, scalar_last: bool | None, *, has_names: bool
 ) -> Iterator[Recording]:
-    """The layouts that differ from one by the order of quaternions and joints, the least first."""
+    """Yield the layouts that deviate from one by the order of quaternions and joints, the smallest deviation first."""
     changes: list[Change] = []
     if scalar_last is not None and quaternions(model):
         shift = -1 if scalar_last else 1
@@ -254,7 +255,7 @@ def _variants(
 
 
 def quaternions(model: mujoco.MjModel) -> list[slice]:
-    """The columns of qpos that hold a quaternion."""
+    """Return the columns of qpos of each quaternion."""
     first = {FREE: 3, BALL: 0}
     kinds = [(j, int(kind)) for j, kind in enumerate(model.jnt_type) if int(kind) in first]
     starts = [int(model.jnt_qposadr[joint]) + first[kind] for joint, kind in kinds]
@@ -275,7 +276,7 @@ def _moved(qpos: Array, source: Index, target: Index) -> Array:
 
 
 def _in_radians(model: mujoco.MjModel, found: Recording) -> Recording:
-    """Convert a recording whose hinges are evidently in degrees, with a note; others are unchanged."""
+    """Convert a recording whose hinges are evidently in degrees, with a note; return others unchanged."""
     if not in_degrees(model, found.qpos, found.time):
         return found
     hinges = model.jnt_qposadr[model.jnt_type == HINGE]
@@ -286,9 +287,9 @@ def _in_radians(model: mujoco.MjModel, found: Recording) -> Recording:
 
 
 def breadth_first(model: mujoco.MjModel) -> Index | None:
-    """Return hinges and slides in the order of the number of joints between them and the root, as Isaac has them.
+    """Return hinges and slides in breadth-first order from the root, as Isaac has them.
 
-    None if that is MuJoCo's own order, and for figures with ball joints, which no program of that order has.
+    None if that is MuJoCo's order, and for figures with ball joints, which no program with that order has.
     """
     if BALL in model.jnt_type:
         return None
@@ -305,7 +306,7 @@ def breadth_first(model: mujoco.MjModel) -> Index | None:
 
 
 def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
-    """The same layouts with y up; in a file with body poses, the root's frame is that of the figure."""
+    """Yield the same layouts with y up; in a file with body poses, the root's frame is that of the figure."""
     form, base = candidate
     if FREE not in model.jnt_type:
         return

@@ -1,4 +1,4 @@
-"""A model as a page draws it: its visible geoms, their meshes and pictures, as JSON; lengths in metres, z up."""
+"""The visible geoms of a model with their meshes and textures as JSON for a page; lengths in metres, z up."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ KINDS = {
 
 
 class DrawnPiece(TypedDict):
-    """A geom: its shape in the axes of its body, lengths in metres; numbers of its mesh and its picture."""
+    """A geom in the axes of its body, lengths in metres; `mesh` and `picture` are indices in `Drawn`."""
 
     name: str
     body: int
@@ -43,7 +43,7 @@ class DrawnPiece(TypedDict):
 
 
 class Drawn(TypedDict):
-    """The visible parts of a model, and the meshes and pictures that they refer to by number."""
+    """The visible parts of a model, with the meshes and textures that they refer to by index."""
 
     pieces: list[DrawnPiece]
     meshes: list[dict[str, str]]
@@ -51,9 +51,9 @@ class Drawn(TypedDict):
 
 
 def drawn(model: mujoco.MjModel, reach: float) -> Drawn:
-    """The visible parts of a model.
+    """Return the visible parts of a model.
 
-    reach  [m] from its middle to which a plane without end is drawn
+    reach  [m] distance from its middle to which an infinite plane is drawn
     """
     meshes: dict[int, int] = {}
     pictures: dict[int, int] = {}
@@ -67,7 +67,7 @@ def drawn(model: mujoco.MjModel, reach: float) -> Drawn:
 
 
 def packed(array: ArrayLike, kind: str = "<f4") -> str:
-    """Numbers in base64."""
+    """Return numbers in base64."""
     return base64.b64encode(np.ascontiguousarray(array, kind).tobytes()).decode()
 
 
@@ -78,7 +78,7 @@ def _short(array: Array) -> list[float]:
 def _piece(
     model: mujoco.MjModel, piece: Piece, reach: float, meshes: dict[int, int], pictures: dict[int, int]
 ) -> DrawnPiece:
-    """A geom; meshes and pictures that it is the first to use get a number there."""
+    """Return a geom; a mesh or texture that it uses first is added to `meshes` or `pictures`."""
     out: DrawnPiece = {
         "name": piece.name, "body": piece.body, "kind": KINDS.get(piece.kind, "mesh"), "size": _short(piece.size),
         "position": _short(piece.position), "rotation": _short(hierarchy.xyzw(piece.rotation)),

@@ -1,4 +1,4 @@
-"""A file of others on a figure, and as a motion of ours: every instant a keyframe, nothing searched."""
+"""Import of a recording: as a motion of a figure, with a keyframe at every sample, without optimisation."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ from .formats import Reader, read_by, recording, stem
 class ImportedMotion:
     """A file of another program, read for a figure.
 
-    name; spec and model, the figure; time (T,) [s] and qpos (T, nq), hinges without wraps; fps [1/s]; loops, whether
-    the file declares its last sample the first again, moved on.
+    spec, model  the figure; time  (T,) [s]; qpos  (T, nq), hinges without wraps; fps  [1/s]
+    loops        whether the file declares its last sample to be the first again, translated
     """
 
     name: str
@@ -48,10 +48,10 @@ def read_recording(
     scale: float | None = None,
     progress: Progress | None = None,
 ) -> ImportedMotion:
-    """Reads a file of another program.
+    """Read a file of another program.
 
-    figure  a shipped figure's name or a path to MJCF, for files that bring none
-    fps, scale  [1/s], [m] the file's rate and unit of length, where the file lacks them
+    figure  name of a shipped figure or path to MJCF, for files that contain none
+    fps, scale  [1/s], [m] rate and unit of length, for files that lack them
     progress  receives notes on how the file was read
 
     Raises UserError.
@@ -78,7 +78,7 @@ def read_recording(
 
 
 def _compiled(spec: mujoco.MjSpec, figure: str) -> mujoco.MjModel:
-    """Raises UserError if MuJoCo cannot, as of a robot that names a floor which only its scene has."""
+    """Compile a figure; raises UserError if MuJoCo cannot, as for a robot that refers to a floor of its scene file."""
     try:
         with quietly():
             return spec.compile()
@@ -95,11 +95,10 @@ def import_recording(
     scale: float | None = None,
     progress: Progress | None = None,
 ) -> Saved:
-    """The motion in a file of another program, as the spline through all its samples.
+    """Return the motion in a file of another program: the spline through all its samples.
 
-    The arguments are those of `read_recording`.
-
-    Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
+    The arguments are those of `read_recording`. A file that declares a loop becomes one if its last pose is its first,
+    translated. Raises UserError.
     """
     progress = progress or Progress()
     record = read_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)

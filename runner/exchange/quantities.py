@@ -1,12 +1,13 @@
-"""What a table can hold beside qpos, in groups of named columns with their units, all by the joints' and bodies' names.
+"""Groups of further columns of a table, named after joints and bodies, with their units.
 
-velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in the world, their rotation and ball joints in body axes
-torques     left_hip.tx [N m]: of the joints, MuJoCo's qfrc_inverse less the ground's reactions; body axes
+velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in world axes, their rotation and ball joints in body axes
+torques     left_hip.tx [N m]: joint torques, qfrc_inverse minus the ground reactions, in body axes
 wrench      root.fx [N], root.mx [N m], com.x [m]: qfrc_inverse at the free root, moment about the centre of mass
-ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.mx [N m]: the ground's reaction on each foot, its centre of
-            pressure and the moment about that; unsupplied.fx [N], unsupplied.mx [N m]: what is left of the wrench
+ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.mx [N m]: ground reaction on each foot, its centre of
+            pressure and moment about that; unsupplied.fx [N], unsupplied.mx [N m]: the remaining wrench
 
-Forces and moments are in the world's axes unless stated otherwise. nan: unknown, see `forces`, or no pressure.
+Forces and moments are in world axes unless stated otherwise. Unknown values are nan (see `forces`), and so is the
+centre of pressure without contact.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from .trajectory import SampledTrajectory
 
 Columns = dict[str, Array]
 AXES = "xyz"
-LARGE = 0.01  # of the largest torque: constraint forces above it are reported
+LARGE = 0.01  # fraction of the largest torque above which constraint forces are reported
 EQUALITIES_AND_LIMITS = int(mujoco.mjtDisableBit.mjDSBL_EQUALITY | mujoco.mjtDisableBit.mjDSBL_LIMIT)
 CONSTRAINT_NOTE = (
     "torques include forces of joint limits and equality constraints: up to {size:.3g} {unit} at {joint}, {time:.2f} s"
@@ -34,19 +35,19 @@ UNKNOWN_NOTE = "the support of the figure is unknown in {share:.0%} of the insta
 
 
 def velocities(trajectory: SampledTrajectory, forces: Forces) -> Columns:
-    """MuJoCo's qvel."""
+    """Return MuJoCo's qvel."""
     units = ("m/s", "rad/s")
     return _by_dof(trajectory.model, trajectory.qvel, {"free": "v w", "ball": "w", "hinge": "v", "slide": "v"}, units)
 
 
 def torques(trajectory: SampledTrajectory, forces: Forces) -> Columns:
-    """The torques of all joints but free ones."""
+    """Return the torques of all joints except free ones."""
     units = ("N", "N m")
     return _by_dof(trajectory.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
 
 
 def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
-    """The wrench at the free root that carries the figure; raises UserError if there is none."""
+    """Return the external wrench at the free root; raises UserError without a free root."""
     root_wrench, root = forces.wrench, trajectory.figure.root
     if root_wrench is None or root is None or not root.is_free:
         raise UserError(f"{trajectory.name}: the figure has no free root, so no wrench moves it from outside")
@@ -59,7 +60,7 @@ def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
 
 
 def ground(trajectory: SampledTrajectory, forces: Forces) -> Columns:
-    """The ground reactions of every foot with a stance; raises UserError if there is none."""
+    """Return the ground reactions of every foot with a stance; raises UserError if there is none."""
     if not forces.feet:
         raise UserError(
             f"{trajectory.name}: no stance is known, so the ground reaction force is unknown; add a [[contact]]"
@@ -81,7 +82,7 @@ GROUPS: dict[str, Callable[[SampledTrajectory, Forces], Columns]] = {
 
 
 def named(text: str) -> tuple[str, ...]:
-    """The groups that a list with commas names, "all" for all of them; raises UserError that lists them."""
+    """Return the groups in a comma-separated list, all of them for "all"; raises UserError with the list of groups."""
     words = tuple(word.strip() for word in text.split(",") if word.strip())
     for word in words:
         if word != "all" and word not in GROUPS:
@@ -90,7 +91,7 @@ def named(text: str) -> tuple[str, ...]:
 
 
 def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
-    """The columns (T,) of groups, by heading. Unknown forces are reported in the notes."""
+    """Return the columns (T,) of groups, by heading, and add a note on unknown forces."""
     if not groups:
         return {}
     forces = Forces.of(trajectory)
@@ -106,7 +107,8 @@ def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
 
 
 def constraint_notes(trajectory: SampledTrajectory, forces: Forces) -> list[str]:
-    """A line on the forces of joint limits and equality constraints, where they are a large part of the torques."""
+    """Return a note on the forces of joint limits and equality constraints, where these are a large part of the
+    torques."""
     model = trajectory.model
     if not (model.neq or model.jnt_limited.any() or model.tendon_limited.any()):
         return []
@@ -130,12 +132,12 @@ def constraint_notes(trajectory: SampledTrajectory, forces: Forces) -> list[str]
 
 
 def _vector(name: str, unit: str, values: Array) -> Columns:
-    """Three columns of (3, T)."""
+    """Return three columns for an array (3, T)."""
     return {f"{name}{axis} [{unit}]": row for axis, row in zip(AXES, values, strict=True)}
 
 
 def _by_dof(model: mujoco.MjModel, values: Array, letters: dict[str, str], units: tuple[str, str]) -> Columns:
-    """Columns of (T, nv), by kind of joint the letters of its triples or its one number; units of slides, of turns."""
+    """Return columns for (T, nv); `letters` by kind of joint, `units` of translations and rotations."""
     kinds, out = ("free", "ball", "slide", "hinge"), {}
     for joint in range(model.njnt):
         kind, dof = kinds[int(model.jnt_type[joint])], int(model.jnt_dofadr[joint])

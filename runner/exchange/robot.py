@@ -1,4 +1,4 @@
-"""A figure as robotics has it: one tree of bodies on a free root, and a row of hinges (and slides)."""
+"""A figure in the convention of robotics: one tree of bodies on a free root, with a list of hinges and slides."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 
 @dataclass(frozen=True, eq=False)
 class Robot:
-    """The tree of a model of free joint and hinges.
+    """A model with one free joint, and hinges and slides otherwise.
 
-    bodies   MuJoCo's ids, the root first; joints  ids of hinges and slides; root  first column of the root in qpos
+    bodies  MuJoCo's ids, the root first; joints  ids of hinges and slides; root  first column of the root in qpos
     """
 
     model: mujoco.MjModel
@@ -33,7 +33,7 @@ class Robot:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, form: str) -> Robot:
-        """The robot of a model without ball joints; raises UserError, with the format, for other models."""
+        """Return the robot of a model; raises UserError, which names the format, for other models."""
         kinds = model.jnt_type.tolist()
         if BALL in kinds:
             raise UserError(f"{form}: '{model.joint(kinds.index(BALL)).name}' is a ball joint")
@@ -80,10 +80,10 @@ def configurations(
     joints: Array,
     names: Sequence[str] | None = None,
 ) -> Array:
-    """qpos (T, nq) of a figure, of ball joints too, from what robotics records of it.
+    """Return qpos (T, nq) of a figure, which may have ball joints, from a root pose and scalar joints.
 
-    position (T, 3), rotation (T, 4) wxyz of the root; joints (T, n) [rad, m], of the names, or in the figure's order if
-    there are none: three hinges for a ball joint, as `hinged` names and orders them. where: how errors call the file.
+    position (T, 3), rotation (T, 4) wxyz of the root; joints (T, n) [rad, m], named by `names` or in the figure's
+    order. A ball joint is three hinges, named and ordered as in `hinge_joints`. where: label of the file in errors.
     """
     layout, root = HingeLayout(model), root_of(model)
     if root is None or root.is_ambiguous:
@@ -103,14 +103,14 @@ def configurations(
             parts.append(np.stack([columns[name] for name in names_of], axis=1))
         elif joint == root.joints[0] and root.is_free:
             parts.append(np.concatenate([position, rotation], axis=1))
-        else:  # an object beside the figure, or a root of slides and hinges
+        else:  # a separate object, or a root of slides and hinges
             parts.append(np.tile(rest, (len(joints), 1)))
     qpos = layout.back(np.concatenate(parts, 1))
     return qpos if root.is_free else placed(model, root, qpos, position, rotation, where)
 
 
 def robot_joints(model: mujoco.MjModel) -> list[int]:
-    """MuJoCo's ids of the figure's joints, without its root and the joints of free objects."""
+    """Return MuJoCo's ids of the figure's joints, without those of its root and of free objects."""
     root = root_of(model)
     if root is None:
         return list(range(model.njnt))
@@ -122,7 +122,7 @@ def robot_joints(model: mujoco.MjModel) -> list[int]:
 
 
 def _order(names: list[str], wanted: list[str], where: object) -> list[int]:
-    """The positions of the figure's joints in the file; raises UserError unless they are the same."""
+    """Return the indices of the figure's joints in the file; raises UserError unless both have the same joints."""
     missing = [name for name in wanted if name not in names]
     if missing:
         raise UserError(
@@ -135,7 +135,7 @@ def _order(names: list[str], wanted: list[str], where: object) -> list[int]:
 
 
 def needs_figure(model: mujoco.MjModel | None, where: object) -> mujoco.MjModel:
-    """The figure that a file is for; raises UserError if the user named none."""
+    """Return the figure for a file; raises UserError if there is none."""
     if model is None:
         raise UserError(f"{where}: it is for a figure, which it does not hold; {missing_input.FIGURE}")
     return model

@@ -1,4 +1,4 @@
-"""Data of the formats: a motion at equal time steps in MuJoCo's layout, and the content of a recording's file."""
+"""Data that formats exchange: a motion at equal time steps in MuJoCo's layout, and the content of a recording."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .skeleton.hinge_joints import HingeModel
 class ExportOptions:
     """Optional content of a file.
 
-    simulate  figure and scene collide, and joints have actuators
+    simulate  whether figure and scene collide and joints have actuators
     columns   groups of a table's columns
     """
 
@@ -55,7 +55,7 @@ class SampledTrajectory:
 
     @classmethod
     def of(cls, saved: Saved, fps: float | None = None, options: ExportOptions | None = None) -> SampledTrajectory:
-        """A saved motion at its own rate, or at another; raises UserError for more samples than memory is made for."""
+        """Return a saved motion at its rate or at another; raises UserError for more samples than memory allows."""
         rate = fps or saved.fps
         at = sampled(saved.figure, saved.timeline, rate)
         return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc, options=options or ExportOptions())
@@ -77,24 +77,24 @@ class SampledTrajectory:
 
     @property
     def is_loop(self) -> bool:
-        """Whether the last sample is the first again, further on by what the root has travelled, and not turned."""
+        """Whether the last sample is the first again, translated by the root's travel and not rotated."""
         return self.saved.timeline.ends == "periodic" and not self.turns
 
     @property
     def turns(self) -> bool:
-        """Whether it is a loop that ends rotated, which formats with loops cannot express."""
+        """Whether the motion is a loop that ends rotated, which formats with loops cannot represent."""
         return self.saved.timeline.ends == "periodic" and Seam.of(self.figure, self.saved.timeline).turns
 
     @property
     def is_wrapped(self) -> bool:
-        """Whether it is a loop for a format that translates it but does not rotate it; otherwise a note is added."""
+        """Whether a format can mark the motion as a loop; adds a note for a loop that ends rotated."""
         if self.turns:
             self.notes.append("the format has no loops that rotate: one period is written, without a loop")
         return self.is_loop
 
     @cached_property
     def period(self) -> SampledTrajectory:
-        """A loop at the rate nearest to its own that samples its end too; other motions as they are."""
+        """One period of a loop at the nearest rate for which its end is a sample; other motions unchanged."""
         if not self.is_loop:
             return self
         times = self.saved.timeline.times
@@ -103,7 +103,7 @@ class SampledTrajectory:
 
     @cached_property
     def hinged(self) -> HingeModel:
-        """The motion of the figure with three hinges for every ball joint."""
+        """The motion of the figure with three hinges in place of every ball joint."""
         out = HingeModel.of(self.model, self.saved.scene, self.qpos, self.qvel)
         if (warning := out.warning(self.time)) is not None:
             self.notes.append(warning)
@@ -133,7 +133,7 @@ class Bodies:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, qpos: Array, qvel: Array) -> Bodies:
-        """By mj_kinematics and mj_comVel, sample after sample."""
+        """Return the motion of the bodies, by mj_kinematics and mj_comVel at every sample."""
         data = mujoco.MjData(model)
         count = len(qpos)
         position, velocity, spin = (np.zeros((count, model.nbody, 3)) for _ in range(3))
@@ -154,10 +154,11 @@ class Bodies:
 
 @dataclass(frozen=True)
 class BodyPoses:
-    """Poses of bodies that a file holds beside joint angles: redundant, so that its layout can be verified.
+    """Body poses that a file stores in addition to joint angles; they are redundant and verify its layout.
 
-    position (T, b, 3) [m]; rotation (T, b, 4), wxyz or unless it is_wxyz perhaps xyzw, or None; names (b,) or None
-    is_local  positions are relative to the root, as if it lay unturned at the origin
+    position (T, b, 3) [m]; rotation (T, b, 4) or None; names (b,) or None
+    is_wxyz   whether rotations are certainly wxyz, else they may be xyzw
+    is_local  whether positions are relative to the root, as if it were unrotated at the origin
     """
 
     position: Array

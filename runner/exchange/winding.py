@@ -1,4 +1,4 @@
-"""Unlimited hinges in recordings that wrap at ±180°: jumps of a whole turn between samples are removed."""
+"""Removal of jumps by a whole turn from recorded hinges without limits, whose angles wrap at ±180°."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from dynsplines.solver.array import Array, Mask
 
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 TURN = 2 * np.pi  # [rad]
-NEAR = 1.0  # [rad]: a jump so near to a whole turn is one, whatever the other samples
-EDGE = 1e-3  # [rad]: angles are printed with few digits
-NAMED = 3  # joints that a note lists
+NEAR = 1.0  # [rad] largest deviation of a jump from a whole turn that counts as a wrap in every recording
+EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
+NAMED = 3  # most joints that a note lists
 
 
 def unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tuple[str, ...]]:
-    """Return a recording without the jumps of hinges that are stored within one turn, and a note on them.
+    """Return a recording in which hinges stored within one turn are continuous, and a note on them.
 
     Args:
         model: The figure.
@@ -23,7 +23,7 @@ def unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, t
         qpos: (T, nq), hinges in radians.
 
     Returns:
-        qpos (T, nq), and one note if a hinge jumped. Hinges with a range of less than a turn are left as they are.
+        qpos (T, nq), and one note if a hinge jumped. Hinges with a range of less than a turn are unchanged.
     """
     out, names, first = qpos, [], np.inf
     if qpos.shape[1] != model.nq:  # reported where the keyframes are made
@@ -48,10 +48,11 @@ def unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, t
 
 
 def _whole_turns(angle: Array) -> Array:
-    """(T - 1,) number of whole turns between samples that are artefacts of wrapping.
+    """Return the number of whole turns (T - 1,) between samples that are artefacts of wrapping.
 
-    Angles that all lie within one turn, from -180° or from 0°, are taken to be stored so; of others, only jumps that
-    are nearly a whole turn count: a rotor recorded over many turns may pass half a turn between samples.
+    If all angles lie within one turn, from -180° or from 0°, they are taken as wrapped, and every jump counts.
+    Otherwise only jumps of nearly a whole turn count: a rotor recorded over many turns may pass half a turn between
+    samples.
     """
     step = np.diff(angle)
     turns = np.round(step / TURN)

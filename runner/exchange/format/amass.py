@@ -1,4 +1,4 @@
-"""NPZ of AMASS and other recordings on the SMPL body, read: motion capture of thousands of people.
+"""NPZ of AMASS and other recordings on the SMPL body, only read: motion capture of thousands of people.
 
 trans (T, 3) [m]        z up, the floor at z = 0
 poses (T, 66 or more)   rotation vectors [rad] of SMPL's joints, relative to the parent, the root's in the world:
@@ -7,17 +7,18 @@ poses (T, 66 or more)   rotation vectors [rad] of SMPL's joints, relative to the
 mocap_framerate         [1/s]; mocap_frame_rate in later files
 
 Other names of the same arrays are those of `POSES`, `ROOTS`, `BODIES`, `PLACES` and `RATES`; poses may also have the
-shape (T, joints, 3). Files with y up, or positions in centimetres or millimetres, are recognised and converted. AIST++
-divides positions by `smpl_scaling`.
+shape (T, joints, 3). Files with y up, or positions in centimetres or millimetres, are recognised and converted.
+Positions of AIST++ are divided by `smpl_scaling`.
 
 At rest SMPL's body has its arms to the sides, x to its left, y up and z forward. Source: N. Mahmood et al., AMASS, ICCV
-2019. The files hold no skeleton, only coefficients of a body model that is not free to pass on. So there are two ways:
+2019. The files contain no skeleton, only coefficients of a body model that may not be redistributed. So a file is read
+in one of two ways:
 
-- A figure like the shipped human, which has SMPL's joints as ball joints, gets their angles. It has x forward, y to the
-  left, z up, and its arms hang; so its rotation in the world is that of SMPL's body times a constant one. The three
-  joints of the spine become one, collar bones go into the shoulders, toes, neck, head and wrists are left out. The
-  limbs are the figure's own, and the whole motion is lifted or lowered until its lowest sole point, of all samples,
-  touches z = 0.
+- A figure like the shipped human, with SMPL's joints as ball joints, gets their angles. It has x forward, y to the
+  left and z up, and its arms hang, so its orientation is that of SMPL's body times a constant rotation. The three
+  joints of the spine become one, and collar bones become part of the shoulders; toes, neck, head and wrists are
+  omitted. The figure keeps its limb lengths. The motion is shifted vertically until the lowest sole point of all
+  samples touches z = 0.
 - Any other figure gets the motion of SMPL's mean shape (`smpl`) by retargeting. Without a figure, the mean shape is
   the figure.
 """
@@ -49,7 +50,7 @@ BODIES = ("pose_body", "body_pose", "poses_body")
 PLACES = ("trans", "transl", "smpl_trans", "translation", "trans_orig", "root_trans_offset")
 RATES = ("mocap_framerate", "mocap_frame_rate", "mocap_fps", "framerate", "frame_rate", "fps")
 SCALE = "smpl_scaling"
-ROBOT = "dof"  # in files of robots, which have SMPL's names too
+ROBOT = "dof"  # array that only files of robots have, among SMPL's names
 BODY = 3 * len(smpl.NAMES)
 JOINT = {
     "spine": 9, "left_hip": 1, "right_hip": 2, "left_knee": 4, "right_knee": 5, "left_ankle": 7, "right_ankle": 8,
@@ -59,14 +60,14 @@ ABOVE = {
     "left_shoulder": "spine", "right_shoulder": "spine", "left_elbow": "left_shoulder", "right_elbow": "right_shoulder",
     "left_knee": "left_hip", "right_knee": "right_hip", "left_ankle": "left_knee", "right_ankle": "right_knee",
 }  # fmt: skip
-SPREAD = {  # of our arms from hanging to the sides, as SMPL has them at rest
+SPREAD = {  # rotation of hanging arms to the sides, as at rest in SMPL
     "left": np.array([np.sqrt(0.5), np.sqrt(0.5), 0, 0]),
     "right": np.array([np.sqrt(0.5), -np.sqrt(0.5), 0, 0]),
 }
 
 
 def recognises(path: Path) -> bool:
-    """Whether an .npz or a pickle is of this kind."""
+    """Return whether an .npz or a pickle is of this format."""
     if path.suffix.lower() == ".npz":
         return _is_smpl(names_in(path))
     text = plain_pickle.content(path)
@@ -94,24 +95,23 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 
 def _is_smpl(names: Iterable[str]) -> bool:
-    """Whether these are names of a motion of SMPL's body."""
+    """Return whether these are the names of arrays of a motion on SMPL's body."""
     there = set(names)
     turned = there.intersection(POSES) or (there.intersection(ROOTS) and there.intersection(BODIES))
     return bool(turned and there.intersection(PLACES)) and ROBOT not in there
 
 
 def _arrays(path: Path) -> ArrayReader:
-    """The arrays of a file with one motion."""
     return read_npz(path) if path.suffix.lower() == ".npz" else plain_pickle.one_motion(plain_pickle.load(path))
 
 
 def _first(found: ArrayReader, names: tuple[str, ...]) -> str | None:
-    """The first of some names that a file has."""
+    """Return the first of some names that a file has."""
     return next((name for name in names if name in found), None)
 
 
 def _motion(found: ArrayReader) -> tuple[Array, Array]:
-    """Positions (T, 3) and rotation vectors (T, 22, 3); raises UserError for other shapes."""
+    """Return positions (T, 3) and rotation vectors (T, 22, 3); raises UserError for other shapes."""
     place, poses = _first(found, PLACES) or PLACES[0], _first(found, POSES)
     root, body = _first(found, ROOTS), _first(found, BODIES)
     if poses is None and root is not None and body is not None:
@@ -131,7 +131,7 @@ def _motion(found: ArrayReader) -> tuple[Array, Array]:
 
 
 def _rows(found: ArrayReader, name: str, least: int) -> Array:
-    """(T, least or more) of an array (T, n), or of one (T, joints, 3)."""
+    """Return (T, least or more) of an array (T, n) or (T, joints, 3)."""
     nested = isinstance(found.of(name), np.ndarray) and found.of(name).ndim == 3
     shape = (SAMPLES, f"joints of {name}", 3) if nested else (SAMPLES, f"numbers of {name}")
     array = found.numbers(name, *shape)
@@ -145,7 +145,7 @@ def _rows(found: ArrayReader, name: str, least: int) -> Array:
 
 
 def _scale(found: ArrayReader) -> float:
-    """The number by which positions are larger than SMPL's."""
+    """Return the factor by which positions are larger than SMPL's."""
     array = np.asarray(found.of(SCALE))
     if array.size != 1 or array.dtype.kind not in "fiu" or not 0 < float(array.reshape(())) < np.inf:
         raise UserError(f"{found.where}: '{SCALE}' is not a positive number")
@@ -153,14 +153,14 @@ def _scale(found: ArrayReader) -> float:
 
 
 def _on_shape(found: ArrayReader) -> tuple[str, ...]:
-    """A note if a file has the person's shape."""
+    """Return a note if a file has the shape of the person."""
     betas = found.of("betas") if "betas" in found else None
     has_shape = isinstance(betas, np.ndarray) and betas.dtype.kind in "fiu" and bool(np.any(betas))
     return ("bones are those of SMPL's mean shape: the file's 'betas' are not used",) if has_shape else ()
 
 
 def _person(model: mujoco.MjModel) -> Humanoid | None:
-    """A figure as a person, if it has the ball joints."""
+    """Return a figure as a Humanoid, None if it lacks the ball joints."""
     try:
         return Humanoid.of(model, NAME)
     except UserError:
@@ -168,7 +168,7 @@ def _person(model: mujoco.MjModel) -> Humanoid | None:
 
 
 def _on_person(person: Humanoid, position: Array, local: Array) -> Array:
-    """qpos (T, nq) by the joints' angles, on the floor."""
+    """Return qpos (T, nq) with the joints' angles, on the floor."""
     rotation = smpl.in_world(local)
     bodies = {"root": quat.product(rotation[:, 0], smpl.TO_SMPL)}
     for name, joint in JOINT.items():
@@ -186,7 +186,7 @@ def _on_person(person: Humanoid, position: Array, local: Array) -> Array:
 
 
 def _lowest(model: mujoco.MjModel, qpos: Array) -> float:
-    """The minimum height [m] of the figure's sites; soles have theirs."""
+    """Return the least height [m] of the figure's sites, which include those at the soles."""
     if model.nsite == 0:
         return 0.0
     data = mujoco.MjData(model)

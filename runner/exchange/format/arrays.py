@@ -1,12 +1,12 @@
-"""NPZ of plain arrays for MuJoCo, with everything needed for playback.
+"""NPZ of plain arrays for MuJoCo, sufficient for playback.
 
 fps (), time (T,) [s]            time[i] = time[0] + i / fps
 qpos (T, nq), qvel, qacc (T, nv) MuJoCo's order and units; quaternions wxyz, unit and sign-continuous
 joint_names (njnt,), body_names (nbody,)
 mjcf ()                          the whole scene: mujoco.MjModel.from_xml_string(str(numpy.load(FILE)["mjcf"]))
 
-Read are `qpos` and `time` or `fps`, and `mjcf` where no figure is named; `joint_names`, if there, must be the
-figure's. Body poses `xpos`, `xquat` verify qpos. An .npy file is read as qpos alone.
+On import, `qpos` and `time` or `fps` are read, and `mjcf` where the user names no figure. `joint_names` must be the
+figure's if present. Body poses `xpos`, `xquat` verify qpos. An .npy file is read as qpos alone.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from ..trajectory import Recording, SampledTrajectory
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """All of it in double precision."""
+    """Write all arrays in double precision."""
     model = trajectory.model
     arrays = {
         "fps": trajectory.fps,
@@ -47,12 +47,12 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Whether an .npz is of this kind; an .npy is."""
+    """Return whether an .npz is of this format; an .npy always is."""
     return path.suffix.lower() == ".npy" or ("qpos" in names_in(path) and "split_points" not in names_in(path))
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Raises UserError for arrays that are missing, of other shapes, or for another figure."""
+    """Read the arrays; raises UserError for missing ones, other shapes, or another figure."""
     arrays = read_npz(path)
     mjcf = None
     if model is None:

@@ -1,9 +1,9 @@
-"""BVH: centimetres, y up, the figure looks along z; a joint a body, its rotations relative to the model's own pose.
+"""BVH: centimetres, y up, the figure faces z; a joint per body, with rotations relative to the model's pose qpos0.
 
-A body's axes at rest may be turned against the world's; a joint's here never are: all angles are nought in the model's
-own pose, qpos0. Roots turn in the order Y X Z, joints in Z Y X, so that neither a turn nor a bent knee comes near a
-right angle in the middle. A body whose place in its parent changes (a slide, a joint off the body's origin) has
-positions, too.
+In the model a body's axes at rest may be rotated; in BVH those of a joint never are. So all angles are zero in qpos0.
+Roots rotate in the order Y X Z and other joints in Z Y X, so that for a turn or a bent knee the middle angle is far
+from ±90°. A body whose position in its parent changes (a slide, or a joint away from the body's origin) has position
+channels, too.
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ from ..skeleton.captured_skeleton import CapturedSkeleton
 from ..skeleton.hinge_joints import angles
 from ..trajectory import Recording, SampledTrajectory
 
-CENTIMETRES = 100.0  # a metre
-FIXED = 1e-7  # [m]: less is no movement
-LIFTED = 0.002  # [m] worth a note
+CENTIMETRES = 100.0  # per metre
+FIXED = 1e-7  # [m] largest change of position that counts as none
+LIFTED = 0.002  # [m] least vertical shift that is reported
 PLACES = ("Xposition", "Yposition", "Zposition")
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """The skeleton and its motion into a .bvh."""
+    """Write the skeleton and its motion as .bvh."""
     path.write_text(written(skeleton(trajectory)), encoding="utf-8", newline="\n")
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
     """Read the file's skeleton, or its motion on a figure with similar body names.
 
-    fps is unused: the files contain their rate. scale [m]: the file's unit of length, inferred if not given
+    fps is unused: the files contain their rate. scale [m]: the file's unit of length; None infers it.
     """
     skeleton, rate = bvh_file.read(path)
     return recording(skeleton, rate, path, model, scale)
@@ -50,7 +50,7 @@ def recording(
     scale: float | None,
     notes: tuple[str, ...] = (),
 ) -> Recording:
-    """Read a skeleton's motion, of any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`."""
+    """Read a skeleton's motion, from any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`."""
     return of_captured(CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording), rate, path, model, notes)
 
 
@@ -69,7 +69,7 @@ def of_captured(
 
 
 def skeleton(trajectory: SampledTrajectory) -> Skeleton:
-    """The moving bodies as joints; under a root that stands still at the origin if they are several figures."""
+    """Return the moving bodies as joints, under a fixed root at the origin if they form several trees."""
     model, names = trajectory.model, hierarchy.names(trajectory.model)
     bodies = [body for body in range(1, model.nbody) if model.body_weldid[body] != 0]
     tops = [body for body in bodies if model.body_weldid[model.body_parentid[body]] == 0]
@@ -102,17 +102,17 @@ def skeleton(trajectory: SampledTrajectory) -> Skeleton:
 
 
 def y_up(vector: Array) -> Array:
-    """(..., 3) from our axes to theirs."""
+    """Return (..., 3) converted from z up to y up."""
     return np.roll(vector, -1, axis=-1)
 
 
 def _turned(q: Array) -> Array:
-    """Rotations (..., 4) from our axes to theirs."""
+    """Return rotations (..., 4) converted from z up to y up."""
     return np.concatenate([q[..., :1], y_up(q[..., 1:])], axis=-1)
 
 
 def _end(model: mujoco.MjModel, body: int, rotation: Array) -> Array:
-    """The end point of a body: its farthest site, or the middle of its farthest geom."""
+    """Return the end point of a body: its farthest site, or the centre of its farthest geom."""
     sites = model.site_pos[model.site_bodyid == body]
     points = sites if len(sites) else model.geom_pos[model.geom_bodyid == body]
     if not len(points):

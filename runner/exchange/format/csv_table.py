@@ -1,7 +1,7 @@
-"""CSV: a row an instant, the time and MuJoCo's qpos, under a heading that names joint and component.
+"""CSV: a row per sample with the time and MuJoCo's qpos; a heading names joint and component.
 
-More columns, of `quantities`, may follow; those are not read. A name that a spreadsheet would take for a formula has
-a ' before it. Tables by others are read by `tables`, and their column names by `headings`.
+Columns of `quantities` may follow; they are not read. A name that a spreadsheet would take for a formula is preceded
+by '. `tables` reads tables of other programs, and resolves their column names in `headings`.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from ..array_reader import times
 from ..tables import headings, table_text
 from ..trajectory import Recording, SampledTrajectory
 
-FORMULA = "=+-@\t\r"  # what a spreadsheet takes for the begin of one, and runs
+FORMULA = "=+-@\t\r"  # first characters of cells that spreadsheets execute as formulas
 QUOTE = "'"
 FREE = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 
 def columns(model: mujoco.MjModel) -> list[str]:
-    """The heading of qpos (nq,): "root.x" … "root.qz", "left_hip.qw" …, and a hinge's or slide's name alone."""
+    """Return the heading of qpos (nq,): "root.x" … "root.qz", "left_hip.qw" …, and the plain name of scalar joints."""
     out: list[str] = []
     for joint in range(model.njnt):
         name = model.joint(joint).name or f"joint{joint}"
@@ -41,7 +41,7 @@ def columns(model: mujoco.MjModel) -> list[str]:
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Every number with the digits that bring it back exactly."""
+    """Write the table; every number has the digits that reproduce it exactly."""
     more = quantities.table(trajectory, trajectory.options.columns)
     table = np.column_stack([trajectory.time, trajectory.qpos, *more.values()])
     with path.open("w", newline="", encoding="utf-8") as stream:
@@ -51,12 +51,12 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Whether a text is a table."""
+    """Return whether a text is a table."""
     return b'"Frames"' not in path.read_bytes()
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """With a heading, columns in any order, by `headings`; without one nq columns, or the time and nq columns."""
+    """Read a table: with a heading, columns in any order; without one, nq columns, or the time and nq columns."""
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; {missing_input.FIGURE}")
     source = table_text.table(path)
@@ -77,30 +77,30 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 
 def without_heading(path: Path, numbers: Array, width: int, fps: float | None) -> tuple[Array, Array]:
-    """Times (T,) and the numbers (T, width) of a table that may have a column of times before them."""
+    """Return times (T,) and numbers (T, width) of a table, which may begin with a column of times."""
     if numbers.shape[1] not in (width, width + 1):
         raise UserError(f"{path}: {numbers.shape[1]} columns without a heading; the figure's qpos has {width}")
     values = numbers[:, numbers.shape[1] - width :]
     if numbers.shape[1] == width:
         return times(len(values), rate_of(path, fps)), values
     time = numbers[:, 0]
-    if len(time) > 1 and np.all(np.diff(time) == 1):  # it counts samples
+    if len(time) > 1 and np.all(np.diff(time) == 1):  # a counter of samples
         return times(len(values), rate_of(path, fps)), values
     return time, values
 
 
 def rate_of(path: Path, fps: float | None) -> float:
-    """The rate [1/s]; raises UserError where nothing specifies it."""
+    """Return the rate [1/s]; raises UserError if it is None."""
     if fps is None:
         raise UserError(f"{path}: it has no column of times; {missing_input.RATE}")
     return fps
 
 
 def _inert(name: str) -> str:
-    """A heading that every spreadsheet reads as text: names of joints are untrusted input of the model."""
+    """Return a heading that spreadsheets read as text: joint names are untrusted input from the model."""
     return QUOTE + name if name.startswith(tuple(FORMULA + QUOTE)) else name
 
 
 def _named(cell: str) -> str:
-    """The name in such a heading."""
+    """Return the name in a heading of `_inert`."""
     return cell[1:] if cell.startswith(QUOTE) and cell[1:].startswith(tuple(FORMULA + QUOTE)) else cell

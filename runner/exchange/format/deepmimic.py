@@ -1,18 +1,18 @@
 """JSON of DeepMimic (and its data/motions/*.txt): the frames of its humanoid, y up.
 
-Loop    "none", "wrap" (the last frame is the first again, moved on) or "mirror"; of our motions, loops wrap
+Loop    "none", "wrap" (the last frame is the first again, translated) or "mirror"; loops are written as "wrap"
 Frames  [[duration to the next frame [s], root position (3) [m], root rotation wxyz (4), chest (4), neck (4),
         right_hip (4), right_knee (1), right_ankle (4), right_shoulder (4), right_elbow (1), the left likewise], ...]:
         rotations wxyz relative to the parent, angles [rad] about z
 
-x is forward, y up, z to the right, where MuJoCo's figures have x, z and -y: (x, y, z) of theirs is (x, -z, y) of
-ours, and so are the vector parts of quaternions. At rest it stands with hanging arms, like the human; knees bend
+In DeepMimic x is forward, y up and z to the right. Its (x, y, z) is (x, -z, y) in MuJoCo's figures, for vectors and
+the vector parts of quaternions alike. At rest its humanoid stands with hanging arms, like the shipped human; knees bend
 about -z, elbows about z. Source: xbpeng/DeepMimic, data/characters/humanoid3d.txt, DeepMimicCore/anim/Motion.cpp
-(PostProcessFrames: a frame's time is the sum of the durations before it; the last one's is none).
+(PostProcessFrames: the time of a frame is the sum of the durations before it; the last duration is unused).
 
-The humanoid is smaller: lengths are scaled by the height of the hips above the soles, so that feet stay on the
-ground. It has a neck, which our figures lack: ours write none, and theirs is not read. Ball joints at knee and elbow
-are written as their rotation about the bending axis; twist and swing about other axes cannot be stored.
+Lengths are scaled by the height of the hips above the soles, as DeepMimic's humanoid is smaller; so feet stay on the
+ground. Its neck has no counterpart: it is written without rotation and not read. Ball joints at knee and elbow are
+written as their rotation about the bending axis; the format cannot represent twist and swing about other axes.
 """
 
 from __future__ import annotations
@@ -33,27 +33,27 @@ from ..skeleton.humanoid import Humanoid
 from ..trajectory import Recording, SampledTrajectory
 
 NAME = "deepmimic"
-LIMB = (("hip", 4), ("knee", 1), ("ankle", 4), ("shoulder", 4), ("elbow", 1))  # numbers a joint: quaternion or angle
+LIMB = (("hip", 4), ("knee", 1), ("ankle", 4), ("shoulder", 4), ("elbow", 1))  # numbers per joint: quaternion or angle
 # in the order of its frames
 JOINTS = (("chest", 4), ("neck", 4), *((f"{side}_{part}", n) for side in ("right", "left") for part, n in LIMB))
 OURS = {"chest": "spine"}
-WIDTH = 8 + sum(width for _, width in JOINTS)  # numbers a frame: duration, root's place and rotation, joints
-HIPS = 0.421546 + 0.409870 + 0.0225 + 0.0275  # above the soles: thigh, shin, and the box of the foot [m]
-LOST = np.radians(1)  # rotation off the axis of a knee or elbow, above which the loss is reported
+WIDTH = 8 + sum(width for _, width in JOINTS)  # numbers per frame: duration, root position and rotation, joints
+HIPS = 0.421546 + 0.409870 + 0.0225 + 0.0275  # [m] height of the hips above the soles: thigh, shin, box of the foot
+LOST = np.radians(1)  # [rad] least rotation off the axis of a knee or elbow whose loss is reported
 
 
 def ours(vector: Array) -> Array:
-    """(..., 3) in our axes, from theirs."""
+    """Return vectors (..., 3) in MuJoCo's axes, from DeepMimic's."""
     return np.stack([vector[..., 0], -vector[..., 2], vector[..., 1]], -1)
 
 
 def theirs(vector: Array) -> Array:
-    """(..., 3) in their axes, of ours."""
+    """Return vectors (..., 3) in DeepMimic's axes, from MuJoCo's."""
     return np.stack([vector[..., 0], vector[..., 2], -vector[..., 1]], -1)
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """A motion of a person; a loop is sampled so that its last frame is its end."""
+    """Write the motion of a person; the last frame of a loop is its end."""
     person = Humanoid.of(trajectory.model, NAME)
     whole = trajectory.period
     steps = np.append(np.full(len(whole.time) - 1, 1 / whole.fps), 0.0)
@@ -87,12 +87,12 @@ def _their_rotation(rotation: Array) -> Array:
 
 
 def recognises(path: Path) -> bool:
-    """Whether a text is of this kind."""
+    """Return whether a text is of this format."""
     return b'"Frames"' in path.read_bytes()
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Their humanoid's motion on a person; raises UserError for other skeletons, of other numbers a frame."""
+    """Read the humanoid's motion on a person; raises UserError for skeletons with other numbers per frame."""
     person = Humanoid.of(needs_figure(model, path), NAME)
     content = ArrayReader(path, _parsed(path))
     frames = content.numbers("Frames", "frames", "numbers")

@@ -1,9 +1,10 @@
-"""glTF 2.0 (.glb): a node a body with its geoms as a mesh, moved by one animation; the root node turns z up to y up.
+"""glTF 2.0 (.glb): a node per body with its geoms as a mesh, moved by one animation; the root node rotates z up to y
+up.
 
-https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html; metres, the figure looks along +z. Times are i / fps from 0
-in float32, the format's only kind, so at 10 s they are off by up to half a microsecond; between samples viewers
-interpolate positions linearly and rotations along the arc. What never moves is a node's own place, and not animated.
-Nodes are where the first sample has them; their extras have the model's rest pose, by which `read` finds it again.
+https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html; metres, the figure faces +z. Times are i / fps from 0 in
+float32, the only type that the format allows, so at 10 s they are off by up to 0.5 µs. Viewers interpolate positions
+linearly and rotations along the arc. Bodies that never move have no channels. The nodes are in the pose of the first
+sample; their extras contain the model's rest pose, from which `read` restores it.
 """
 
 from __future__ import annotations
@@ -26,12 +27,12 @@ from ..skeleton import hierarchy
 from ..trajectory import Recording, SampledTrajectory
 from .bvh import recording
 
-STILL = 1e-7  # [m, or of a quaternion's entries]: less is no movement
+STILL = 1e-7  # [m, or 1 for quaternions] largest change that counts as no motion
 KINDS = {1: gl.SCALAR, 2: gl.VEC2, 3: gl.VEC3, 4: gl.VEC4}
 
 
 class _Blob:
-    """The binary part of the file, and the views and accessors into it."""
+    """The binary part of the file, with its views and accessors."""
 
     def __init__(self, asset: gl.GLTF2) -> None:
         self.asset, self.data = asset, bytearray()
@@ -43,7 +44,7 @@ class _Blob:
         return len(self.asset.bufferViews) - 1
 
     def accessor(self, array: Array, target: int | None = None, *, bounded: bool = False) -> int:
-        """float32 rows; bounded: with the least and the greatest, as times and positions need them."""
+        """Add float32 rows; `bounded` adds their minimum and maximum, required for times and positions."""
         rows = np.ascontiguousarray(array, np.float32).reshape(len(array), -1)
         low, high = (rows.min(axis=0).tolist(), rows.max(axis=0).tolist()) if bounded else (None, None)
         kind, view = KINDS[rows.shape[1]], self.view(rows.tobytes(), target)
@@ -62,7 +63,7 @@ class _Blob:
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """The whole scene and its one animation; the extras of the animation hold the times of the keyframes."""
+    """Write the whole scene and its animation; the animation's extras contain the times of the keyframes."""
     if path.suffix.lower() != ".glb":
         raise UserError(f"the name of a glTF file that is written ends in .glb, not '{path.suffix}'")
     model = trajectory.model
@@ -97,13 +98,13 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
 
 
 def _least(row: Array) -> list[float] | None:
-    """Numbers as the file holds them; None for what is the format's default."""
+    """Return numbers as stored in the file, None for the default of the format."""
     at_rest = np.zeros(3) if len(row) == 3 else np.array([0.0, 0, 0, 1])
     return None if np.allclose(row, at_rest, atol=1e-12) else row.astype(np.float32).astype(float).tolist()
 
 
 def _animation(asset: gl.GLTF2, blob: _Blob, trajectory: SampledTrajectory, position: Array, rotation: Array) -> None:
-    """A channel for what moves; all share the times."""
+    """Add a channel for every position and rotation that changes; all share the times."""
     clip = gl.Animation(
         name=trajectory.name,
         extras={
@@ -127,7 +128,7 @@ def _animation(asset: gl.GLTF2, blob: _Blob, trajectory: SampledTrajectory, posi
 
 
 def _meshes(asset: gl.GLTF2, blob: _Blob, model: mujoco.MjModel, names: list[str], reach: float) -> None:
-    """One mesh per body, one primitive per material."""
+    """Add one mesh per body, with one primitive per material."""
     materials: dict[tuple[object, ...], int] = {}
     for body, group in groupby(pieces(model), lambda piece: piece.body):
         alike: dict[int, list[Triangles]] = {}
@@ -159,7 +160,7 @@ def _primitive(blob: _Blob, part: Triangles, material: int) -> gl.Primitive:
 
 
 def _material(asset: gl.GLTF2, blob: _Blob, model: mujoco.MjModel, piece: Piece) -> gl.Material:
-    """Colours of models are as on the screen, the format's are linear."""
+    """Add a material; colours of models are sRGB and become linear, as the format requires."""
     look = gl.PbrMetallicRoughness(
         baseColorFactor=[*linear(piece.colour[:3]).tolist(), float(piece.colour[3])],
         metallicFactor=0.0,

@@ -1,18 +1,17 @@
-"""Pickle of GMR (General Motion Retargeting) and what is trained on it, such as TWIST: a dict of a robot's motion.
+"""Pickle of GMR (General Motion Retargeting) and of programs that train on it, such as TWIST: a dict of a robot's
+motion.
 
-fps                       [1/s]
-root_pos (T, 3) [m]       z up
-root_rot (T, 4)           xyzw, where MuJoCo has wxyz
-dof_pos (T, n) [rad]      hinges, MuJoCo's order
-local_body_pos (T, b, 3)  bodies' origins as if the root lay unturned at the origin; None in some of their files
-link_body_list            names of the bodies, depth first, the root first; None with the former
+fps                       [1/s] root_pos (T, 3) [m]       z up root_rot (T, 4)           xyzw, in contrast to MuJoCo's
+wxyz dof_pos (T, n) [rad]      hinges in MuJoCo's order local_body_pos (T, b, 3)  origins of bodies relative to an
+unrotated root at the origin; None in some files link_body_list            names of the bodies, depth first, the root
+first; None together with the former
 
 Source: GMR, scripts/smplx_to_robot_dataset.py and general_motion_retargeting/data_loader.py. A ball joint is three
-hinges (`hinged`); the model that has them is written beside the file. Pickles are read by `plain_pickle`, which runs
-nothing.
+hinges (`hinge_joints`); the model with these hinges is written next to the file. `plain_pickle` reads pickles without
+executing them.
 
-ASAP and PHC keep the same by joblib, compressed or not, under the motion's name: root_trans_offset, root_rot, dof, and
-pose_aa (T, b, 3), rotation vectors of all bodies, the root's in the world. It is read, too.
+Files of ASAP and PHC are read, too. They are written by joblib, compressed or not, as a dict under the motion's name:
+root_trans_offset, root_rot, dof, and pose_aa (T, b, 3), rotation vectors of all bodies, the root's in the world.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ from ..trajectory import Bodies, BodyPoses, Recording, SampledTrajectory
 from .mjlab import beside as beside
 
 NAME = "gmr"
-ASAP = {"root_trans_offset": "root_pos", "dof": "dof_pos"}  # names of ASAP and PHC, and GMR's
+ASAP = {"root_trans_offset": "root_pos", "dof": "dof_pos"}  # GMR's names by those of ASAP and PHC
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
@@ -57,13 +56,13 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Whether a pickle is of this format; every key of its dict occurs in it as text."""
+    """Return whether a pickle is of this format: the keys of its dict occur in it as text."""
     content = plain_pickle.content(path)
     return b"dof_pos" in content or (b"root_trans_offset" in content and b"dof" in content)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Root and hinges in the figure's order, verified by the bodies where the file has them."""
+    """Read root and hinges in the figure's order, verified by body positions if the file has them."""
     model = needs_figure(model, path)
     motion = _motion(plain_pickle.load(path))
     rate = motion.rate("fps", fps)
@@ -82,7 +81,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 
 def _motion(found: ArrayReader) -> ArrayReader:
-    """The one motion of a file, under GMR's keys; raises UserError for several, and for one without joints."""
+    """Return the one motion of a file under GMR's keys; raises UserError for several, and for one without joints."""
     entries = dict(plain_pickle.one_motion(found).entries)
     for theirs, ours in ASAP.items():
         if theirs in entries and ours not in entries:
@@ -96,12 +95,12 @@ def _motion(found: ArrayReader) -> ArrayReader:
 
 
 def _root_turned(found: ArrayReader) -> Array:
-    """The root's rotation (T, 4) as ASAP has it besides: the first of the rotation vectors of all bodies."""
+    """Return the root's rotation (T, 4) in ASAP's redundant form: the first of the bodies' rotation vectors."""
     return quat.aligned(quat.from_rotation_vector(found.numbers("pose_aa", "samples", "bodies and axes", 3)[:, 0]))
 
 
 def _bodies(found: ArrayReader) -> BodyPoses | None:
-    """The bodies about the root, or the root's rotation vector, where the file has them."""
+    """Return body positions relative to the root, or the root's pose from its rotation vector, if the file has them."""
     if "local_body_pos" in found:
         names = tuple(found.texts("link_body_list")) if "link_body_list" in found else None
         return BodyPoses(found.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)

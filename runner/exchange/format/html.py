@@ -1,8 +1,8 @@
-"""HTML: a page that plays the motion, without other files or addresses.
+"""HTML: a page that plays the motion without other files or network access.
 
-The page is `player/page.html` with its style and its program put in, which is built from `pages/src/player` and
-three.js (MIT; see the head of `player/player.js`), and the motion as JSON: MuJoCo's poses of every body at equal times,
-float32 in base64.
+The page is `player/page.html` with its style and program inserted, and the motion as JSON: poses of every body at equal
+time steps, float32 in base64. The program is built from `pages/src/player` and three.js (MIT; see the head of
+`player/player.js`).
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from ..model_json import Drawn, drawn, packed
 from ..skeleton import hierarchy
 from ..trajectory import Bodies, SampledTrajectory
 
-SAME = 1e-6  # [m, or of a quaternion's entries]: nearer, before and after are one motion
+SAME = 1e-6  # [m, or 1 for quaternions] largest difference of motions before and after that count as equal
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """A page that plays the motion, whole in one file."""
+    """Write the page as a single file."""
     path.write_text(page(trajectory), encoding="utf-8")
 
 
 def page(trajectory: SampledTrajectory) -> str:
-    """The complete HTML text."""
+    """Return the complete HTML text."""
     folder = files("dynsplines.exchange") / "player"
     parts = {
         "title": html.escape(trajectory.name),
@@ -59,7 +59,7 @@ class Page(Drawn):
 
 
 def content(trajectory: SampledTrajectory) -> Page:
-    """The page's data; lengths in metres, z up, quaternions xyzw, times from 0."""
+    """Return the page's data; lengths in metres, z up, quaternions xyzw, times from 0."""
     model, start = trajectory.model, float(trajectory.time[0])
     raw = sampled(trajectory.figure, trajectory.saved.raw, trajectory.fps)
     before = Bodies.of(model, raw.qpos, raw.qvel)

@@ -1,4 +1,4 @@
-"""NPZ of LocoMuJoCo: a Trajectory as its `save` writes it and its `load` reads it, every array filled in.
+"""NPZ of LocoMuJoCo: a Trajectory as its `save` writes it, with every array.
 
 qpos (T, nq), qvel (T, nv)                     MuJoCo's; free joints and hinges only
 xpos, xquat, cvel, subtree_com (T, nbody, ...) of mjData at every sample, the world first
@@ -8,11 +8,12 @@ joint_names, body_names, site_names, frequency [1/s]
 njnt, jnt_type, nbody, body_rootid, body_weldid, body_mocapid, body_pos, body_quat, body_ipos, body_iquat,
 nsite, site_bodyid, site_pos, site_quat        of mjModel
 
-Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py: `load` rejects every unknown name, and
-ball joints raise. So a ball joint is three hinges (`hinged`), and the model that has them is written beside the file.
-`metadata` is left out: None would be a pickle.
+Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py; its `load` rejects unknown names and ball joints. So a
+ball joint is three hinges (`hinge_joints`), and the model with these hinges is written next to the file. `metadata` is
+omitted, as None would be a pickled object.
 
-Before 1.0 a file had an array (T,) a joint, `q_pelvis_tx`, and `dq_pelvis_tx`: read for models with these joints.
+Before version 1.0 a file had arrays (T,) for every joint, such as `q_pelvis_tx` and `dq_pelvis_tx`. These files are
+read for models with the same joints.
 """
 
 from __future__ import annotations
@@ -34,18 +35,18 @@ from ..trajectory import Recording, SampledTrajectory
 from .mjlab import beside as beside
 
 NAME = "locomujoco"
-BEFORE = "q_"  # before the name of a joint in files of its versions before 1.0
-OBSERVED = {"states", "absorbing"}  # arrays of its data sets of observations
+BEFORE = "q_"  # prefix of joint names in files before version 1.0
+OBSERVED = {"states", "absorbing"}  # arrays of LocoMuJoCo's data sets of observations
 OF_MODEL = (
     "jnt_type", "body_rootid", "body_weldid", "body_mocapid", "body_pos", "body_quat", "body_ipos", "body_iquat",
     "site_bodyid", "site_pos", "site_quat",
 )  # fmt: skip
 OF_DATA = ("xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat")
-WIDTHS = {0: 7, 2: 1, 3: 1}  # of a joint's type in qpos
+WIDTHS = {0: 7, 2: 1, 3: 1}  # entries in qpos by type of joint
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """In double precision."""
+    """Write in double precision."""
     hinged = trajectory.hinged
     model = hinged.model
     arrays = {
@@ -63,7 +64,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def _of_data(model: mujoco.MjModel, qpos: Array, qvel: Array) -> dict[str, Array]:
-    """MuJoCo's derived quantities of every sample, by name."""
+    """Return MuJoCo's derived quantities at every sample, by name."""
     data = mujoco.MjData(model)
     out = {name: np.zeros((len(qpos), *getattr(data, name).shape)) for name in OF_DATA}
     for t in range(len(qpos)):
@@ -76,15 +77,15 @@ def _of_data(model: mujoco.MjModel, qpos: Array, qvel: Array) -> dict[str, Array
 
 
 def recognises(path: Path) -> bool:
-    """Whether an .npz is of this kind, or of that before version 1.0."""
+    """Return whether an .npz is of this format, or of that before version 1.0."""
     names = names_in(path)
     return {"qpos", "split_points"} <= names or names >= OBSERVED or any(name.startswith(BEFORE) for name in names)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """The joints by name, verified by the bodies where the file has them.
+    """Read the joints by name, verified by body poses if the file has them.
 
-    Raises UserError for files of several motions, and for other joints than the figure's.
+    Raises UserError for files of several motions, and for joints other than the figure's.
     """
     model = needs_figure(model, path)
     arrays = read_npz(path)
@@ -118,7 +119,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 
 def _declared(found: ArrayReader, path: Path) -> int:
-    """The number of samples that the file declares; raises UserError for several motions."""
+    """Return the number of samples that the file declares; raises UserError for several motions."""
     splits = found.numbers("split_points", "splits")
     if len(splits) > 2:
         raise UserError(f"{path}: it holds {len(splits) - 1} motions one after another; cut them apart first")
@@ -126,7 +127,7 @@ def _declared(found: ArrayReader, path: Path) -> int:
 
 
 def _before_1_0(found: ArrayReader, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
-    """Read one array per joint, for the models of that version, whose roots are slides and hinges."""
+    """Read one array per joint, for models of that version, whose roots are slides and hinges."""
     joints = [model.joint(joint).name for joint in range(model.njnt)]
     missing = [name for name in joints if BEFORE + name not in found]
     if missing or not set(model.jnt_type.tolist()) <= {2, 3}:

@@ -1,14 +1,14 @@
-"""Pickle of MimicKit: a dict of frames, the root and every joint of a character as numbers in a row.
+"""Pickle of MimicKit: a dict of frames, each a row of numbers for the root and every joint of a character.
 
 fps        [1/s]
-loop_mode  0 for clamp, 1 for wrap, where the last frame is the first again, moved on; of our motions, loops wrap
-frames     T rows: root position (3) [m], root rotation (3) as rotation vector [rad], then body after body, depth first:
-           a ball joint as rotation vector (3) relative to the parent at rest, a hinge as its angle from rest (1); z up
+loop_mode  0 for clamp, 1 for wrap, where the last frame is the first again, translated; loops are written as wrap
+frames     T rows: root position (3) [m], root rotation (3) as rotation vector [rad], then the bodies depth first: a
+           ball joint as rotation vector (3) relative to the parent at rest, a hinge as its angle from rest (1); z up
 
 Source: MimicKit, mimickit/anim/motion.py, motion_lib.extract_pose_data, kin_char_model.dof_to_rot and
-mjcf_char_model._parse_sphere_joint: three hinges on one body *are* a ball joint there, in whatever order, and slides
-or two hinges are refused. A loop is sampled so that its last frame is its end: the rate is the nearest that does. For
-a figure of ball joints the character file, with three hinges x, y, z for each, is written beside the motion's.
+mjcf_char_model._parse_sphere_joint. Three hinges on one body, in any order, are a ball joint there; slides and pairs of
+hinges are refused. The last frame of a loop is its end, and the rate is the nearest for which this holds. For a figure
+with ball joints, a character file with three hinges x, y, z for each is written next to the motion.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ from ..robot import FREE, needs_figure
 from ..skeleton.hinge_joints import BALL, HingeLayout, angles, rotation_of
 from ..trajectory import Recording, SampledTrajectory
 
-CLAMP, WRAP = 0, 1  # its codes for what plays once and what repeats
+CLAMP, WRAP = 0, 1  # values of loop_mode
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
-CHARACTER = "xyz"  # order of the hinges in their character files
+CHARACTER = "xyz"  # order of the hinges in character files
 
 
 @dataclass(frozen=True)
 class Part:
-    """The joint of one body: columns in qpos (one angle, four of a quaternion, or three angles in an order).
+    """The joint of one body: its columns in qpos (an angle, a quaternion, or three angles in `order`).
 
-    rest  of angles, what they are at rest, their `ref`, where MimicKit's are nought
+    rest  angles in qpos at rest (`ref` of MJCF), where MimicKit's are zero
     """
 
     columns: list[int]
@@ -51,14 +51,14 @@ class Part:
         return 1 if len(self.columns) == 1 else 3
 
     def numbers(self, qpos: Array) -> Array:
-        """(T, width) of a frame, of configurations (T, nq)."""
+        """Return the entries (T, width) of frames for configurations (T, nq)."""
         values = qpos[:, self.columns] - (self.rest or 0.0)
         if len(self.columns) == 1:
             return values
         return quat.rotation_vector(values if self.order is None else rotation_of(values, self.order))
 
     def configuration(self, numbers: Array) -> Array:
-        """The columns of qpos, of (T, width) numbers."""
+        """Return the columns of qpos for entries (T, width) of frames."""
         if self.width == 1:
             return numbers + self.rest
         rotation = quat.aligned(quat.from_rotation_vector(numbers))
@@ -66,7 +66,7 @@ class Part:
 
 
 def parts(model: mujoco.MjModel) -> tuple[int, list[Part]]:
-    """The first column of the root and the joints of the bodies after it; raises UserError for what MimicKit lacks."""
+    """Return the root's first column and the joints of the other bodies; raises UserError for joints MimicKit lacks."""
     kinds = model.jnt_type.tolist()
     if kinds.count(FREE) != 1:
         raise UserError("the format 'mimickit' is for a figure with one free joint, its root")
@@ -102,7 +102,7 @@ def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Plain numbers in lists, as they write it."""
+    """Write plain numbers in lists, as MimicKit does."""
     whole = trajectory.period
     root, joints = parts(trajectory.model)
     at, turn = whole.qpos[:, root : root + 3], quat.rotation_vector(whole.qpos[:, root + 3 : root + 7])
@@ -114,7 +114,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
-    """The character file and what it refers to, if the figure has ball joints."""
+    """Return the character file and the files that it refers to, if the figure has ball joints."""
     layout = HingeLayout(trajectory.model, CHARACTER)
     return (
         {".character.xml": layout.mjcf(trajectory.saved.mjcf), **trajectory.saved.scene.assets} if layout.balls else {}
@@ -122,12 +122,12 @@ def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
 
 
 def recognises(path: Path) -> bool:
-    """Whether a pickle is of this kind."""
+    """Return whether a pickle is of this format."""
     return b"loop_mode" in path.read_bytes()
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """The figure's joints in its order: the file has no names, only as many numbers."""
+    """Read the figure's joints in its order: the file has as many numbers, but no names."""
     figure = needs_figure(model, path)
     root, joints = parts(figure)
     content = plain_pickle.load(path)

@@ -1,9 +1,9 @@
-"""MJCF with <keyframe>: the figure and its scene, and a <key> with time, qpos and qvel for every instant.
+"""MJCF with <keyframe>: figure and scene, and a <key> with time, qpos and qvel for every sample.
 
 `mujoco.MjModel.from_xml_path` reads it; `model.key_time`, `key_qpos` and `key_qvel` are the motion, and MuJoCo's
-viewer shows a key after the other. A key is named after the motion and its number, as keys need names of their own.
-Every number has the digits that bring it back exactly, which MuJoCo's own writer does not give. The times of a
-model's keys are its motion when it is read; keys without a time are poses, and no motion.
+viewer shows one key after another. A key is named after the motion and its index, as keys need unique names. Every
+number has the digits that reproduce it exactly, unlike those of MuJoCo's writer. On import, the motion is the model's
+keys with their times; keys without times are single poses and no motion.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from ..trajectory import Recording, SampledTrajectory
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Keys after the model as it is, or one that stands by itself, see `simulation`."""
+    """Append keys to the model, or to a scene of `simulation` if the options request one."""
     simulation = scene.Simulation.of(trajectory) if trajectory.options.simulate else None
     tracked = None
     if simulation is not None and len(trajectory.time) > 1:
@@ -53,7 +53,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
-    """The files that the model refers to."""
+    """Return the files that the model refers to."""
     return dict(trajectory.saved.scene.assets)
 
 
@@ -62,12 +62,12 @@ def _written(row: np.ndarray) -> str:
 
 
 def recognises(path: Path) -> bool:
-    """Whether an .xml is MJCF."""
+    """Return whether an .xml is MJCF."""
     return b"<mujoco" in path.read_bytes()
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """The model's keys in its own figure, or in the figure given, if its qpos is as long."""
+    """Read the model's keys on its figure, or on the figure `model` if its qpos has the same length."""
     spec = figure_spec(str(path))
     written = [np.array(key.qpos) for key in spec.keys]
     try:
@@ -82,7 +82,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         if row.size not in (0, compiled.nq):
             raise UserError(f"{path}: qpos of key {i + 1} has {row.size} numbers, not the figure's {compiled.nq}")
         if row.size:
-            qpos[i] = row  # as written: MuJoCo makes quaternions unit
+            qpos[i] = row  # as written: MuJoCo normalises quaternions
     keys = ArrayReader(path, {"time": np.array(compiled.key_time), "qpos": qpos})
     time = keys.numbers("time", "keys")
     if not np.any(time != time[0]):

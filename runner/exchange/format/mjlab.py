@@ -1,15 +1,15 @@
 """NPZ of mjlab and BeyondMimic (whole_body_tracking): a robot's hinges, and its bodies in the world.
 
 fps (1,)                             [1/s]
-joint_pos, joint_vel (T, n)          [rad, rad/s] hinges, MuJoCo's order
+joint_pos, joint_vel (T, n)          [rad, rad/s] hinges in MuJoCo's order
 body_pos_w (T, b, 3) [m]             origins of the robot's bodies, depth first, the root first, without the world
 body_quat_w (T, b, 4)                wxyz
 body_lin_vel_w (T, b, 3) [m/s]       of the origins
 body_ang_vel_w (T, b, 3) [rad/s]     all of them in the world's axes, z up
-joint_names (n,), body_names (b,)    ours: theirs have no names, and their readers do not mind
+joint_names (n,), body_names (b,)    an addition of this program, which other readers ignore
 
-Source: mjlab, src/mjlab/scripts/csv_to_npz.py, which logs body_link_pos_w and its kin. A ball joint is three hinges
-(`hinged`); the model that has them is written beside the file.
+Source: mjlab, src/mjlab/scripts/csv_to_npz.py, which records body_link_pos_w and related arrays. A ball joint is three
+hinges (`hinge_joints`); the model with these hinges is written next to the file.
 """
 
 from __future__ import annotations
@@ -53,19 +53,19 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
-    """The model of hinges that the motion is for, if it is not the figure itself, and the files it refers to."""
+    """Return the model of hinges, if it differs from the figure, and the files that it refers to."""
     return (
         {".hinges.xml": trajectory.hinged.mjcf, **trajectory.saved.scene.assets} if trajectory.hinged.is_other else {}
     )
 
 
 def recognises(path: Path) -> bool:
-    """Whether an .npz is of this kind."""
+    """Return whether an .npz is of this format."""
     return {"joint_pos", "body_pos_w"} <= names_in(path)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Root and hinges, verified by the bodies; by name where the file has names, else in the figure's order."""
+    """Read root and hinges, verified by the bodies; in the figure's order if the file has no names."""
     model = needs_figure(model, path)
     arrays = read_npz(path)
     rate = arrays.rate("fps", fps)
@@ -89,7 +89,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 
 def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[tuple[str, ...], int]:
-    """The recorded bodies that may be the root."""
+    """Return the recorded bodies that may be the root."""
     figure_root = root_of(model)
     root = "" if figure_root is None else model.body(figure_root.body).name
     out: dict[tuple[str, ...], int] = {(): 0}
@@ -103,13 +103,13 @@ def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[t
 def _in_order(
     model: mujoco.MjModel, path: Path, position: Array, rotation: Array, joints: Array, names: list[str]
 ) -> Array:
-    """Joints in the figure's order, though the file names them in another; raises UserError for foreign names."""
+    """Return joints in the figure's order, ignoring that of the file's names; raises UserError for unknown names."""
     configurations(model, NAME, path, position, rotation, joints, names)
     return configurations(model, NAME, path, position, rotation, joints)
 
 
 def _whole(model: mujoco.MjModel, path: Path, numbers: Array, names: list[str] | None) -> Array:
-    """All of qpos, the root's seven numbers before the joints."""
+    """Return complete qpos, with the root's seven numbers before the joints."""
     if numbers.shape[1] < 7:
         raise UserError(f"{path}: 'joint_pos' has {numbers.shape[1]} columns, too few for a root")
     rotation = ArrayReader(path, {"joint_pos": numbers[:, 3:7]}).quaternions("joint_pos", "samples", 4)

@@ -1,10 +1,10 @@
-"""CSV that mjlab and BeyondMimic convert from, without a heading.
+"""CSV from which mjlab and BeyondMimic convert, without a heading.
 
-A row an instant: root xyz [m], root quaternion xyzw, hinges [rad].
+A row per sample: root xyz [m], root quaternion xyzw, hinges [rad].
 
-Source: mjlab, src/mjlab/scripts/csv_to_npz.py, MotionLoader._load_motion; LAFAN1 retargeted by Unitree is kept so.
-The rate is not in the file: it is theirs to be given, `--input-fps`, 30 by default. Hinges are in MuJoCo's order; a
-ball joint is three of them (`hinged`), and the model that has them is written beside the file.
+Source: mjlab, src/mjlab/scripts/csv_to_npz.py, MotionLoader._load_motion; LAFAN1 retargeted by Unitree has this format.
+The file does not contain the rate: mjlab takes it from `--input-fps`, 30 by default. Hinges are in MuJoCo's order; a
+ball joint is three of them (`hinge_joints`), and the model with these hinges is written next to the file.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ NAME = "mjlab-csv"
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Every number with the digits that bring it back exactly."""
+    """Write the table; every number has the digits that reproduce it exactly."""
     hinged = trajectory.hinged
     robot = Robot.of(hinged.model, NAME)
     root = hinged.qpos[:, robot.root : robot.root + 7]
@@ -40,7 +40,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Whether a table is of this kind: without a heading."""
+    """Return whether a table is of this format: without a heading."""
     try:
         return table_text.table(path).names is None
     except UserError:
@@ -48,7 +48,7 @@ def recognises(path: Path) -> bool:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Root, quaternion and hinges, after a column of times if there is one; raises UserError for other rows."""
+    """Read root and hinges, after an optional column of times; raises UserError for rows of another length."""
     model = needs_figure(model, path)
     source = table_text.table(path)
     fps = fps or source.fps

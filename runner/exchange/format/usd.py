@@ -1,7 +1,7 @@
-"""USD (.usd, .usda, .usdc): a Xform a body, moved at every time code; z up, metres, time codes are the samples.
+"""USD (.usd, .usda, .usdc): an Xform per body, moved at every time code; z up, metres, one time code per sample.
 
-A body's place is relative to its parent's, its geoms are Gprims in it (cubes, spheres, capsules, cylinders and meshes),
-with displayColor for viewers and UsdPreviewSurface for renderers. https://openusd.org/release/api/
+A body's position is relative to its parent. Its geoms are Gprims (cubes, spheres, capsules, cylinders and meshes) with
+displayColor for viewers and UsdPreviewSurface for renderers. https://openusd.org/release/api/
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ from ..trajectory import Recording, SampledTrajectory
 from .bvh import recording
 
 ENDINGS = (".usd", ".usda", ".usdc")
-STILL = 1e-9  # [m, or of a quaternion's entries]: less is no movement
+STILL = 1e-9  # [m, or 1 for quaternions] largest change that counts as no motion
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Binary for .usd and .usdc, text for .usda."""
+    """Write binary for .usd and .usdc, text for .usda."""
     if path.suffix not in ENDINGS:
         raise UserError(f"a USD file's name ends in one of: {', '.join(ENDINGS)}")
     stage = Usd.Stage.CreateInMemory()
@@ -48,7 +48,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
         _bind(_prim(stage, trajectory.model, piece, paths[piece.body], reach), trajectory.model, piece, looks, scope)
     try:
         is_written = stage.GetRootLayer().Export(str(path))
-    except Tf.ErrorException:  # it lists what it was doing, over many lines
+    except Tf.ErrorException:  # its message has many lines of internal state
         is_written = False
     if not is_written:
         raise UserError(f"cannot write '{path}': the disk is full, or a limit on the size of files is reached")
@@ -61,7 +61,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
 
 
 def _free(stage: Usd.Stage, above: Sdf.Path, text: str) -> Sdf.Path:
-    """A path of this name that nothing has: letters, digits and underscores, no digit first."""
+    """Return an unused path of this name, of letters, digits and underscores, without a leading digit."""
     clean = re.sub(r"\W", "_", text, flags=re.ASCII)
     clean = clean if clean and not clean[0].isdigit() else f"_{clean}"
     count, path = 2, above.AppendChild(clean)
@@ -71,7 +71,7 @@ def _free(stage: Usd.Stage, above: Sdf.Path, text: str) -> Sdf.Path:
 
 
 def _bodies(stage: Usd.Stage, trajectory: SampledTrajectory) -> list[Sdf.Path]:
-    """Every body's Xform; the world is the default prim."""
+    """Add an Xform for every body; the world is the default prim."""
     model, position_rotation = trajectory.model, hierarchy.local(trajectory.model, trajectory.bodies)
     names = hierarchy.names(model)
     rest_place, rest_turn = (track[0] for track in hierarchy.local(model, hierarchy.rest(model)))
@@ -95,14 +95,14 @@ def _bodies(stage: Usd.Stage, trajectory: SampledTrajectory) -> list[Sdf.Path]:
 
 
 def _keyframes(trajectory: SampledTrajectory) -> Vt.DoubleArray:
-    """Time codes of the keyframes, whole or not."""
+    """Return the time codes of the keyframes, which may lie between samples."""
     return Vt.DoubleArray(
         [round((key.time - float(trajectory.time[0])) * trajectory.fps, 6) for key in trajectory.saved.keys]
     )
 
 
 def _animate(op: UsdGeom.XformOp, track: Array, kind: Callable[[Array], Any]) -> None:
-    """A value a time code; one for all if nothing moves."""
+    """Set a value at every time code, or one default value if nothing changes."""
     if np.abs(track - track[0]).max() <= STILL:
         op.Set(kind(track[0]))
         return
@@ -111,7 +111,7 @@ def _animate(op: UsdGeom.XformOp, track: Array, kind: Callable[[Array], Any]) ->
 
 
 def _prim(stage: Usd.Stage, model: mujoco.MjModel, piece: Piece, body: Sdf.Path, reach: float) -> UsdGeom.Gprim:
-    """A geom on its body, beside bodies of the same name."""
+    """Add a geom to its body, under an unused name."""
     path = _free(stage, body, f"{piece.name}_geom")
     size, scale = piece.size, None
     match piece.kind:
@@ -161,7 +161,7 @@ def _bind(
     looks: dict[tuple[object, ...], UsdShade.Material],
     scope: Usd.Prim,
 ) -> None:
-    """Bind a colour, linear, as a material shared by bodies of equal colour; a texture counts as one colour."""
+    """Bind a linear colour as a material shared by bodies of equal colour; a texture is replaced by its mean colour."""
     shown = piece.colour[:3] * (texels(model, piece.picture).mean(axis=(0, 1)) / 255 if piece.picture >= 0 else 1.0)
     colour, opacity = Gf.Vec3f(*linear(shown).tolist()), float(piece.colour[3])
     prim.CreateDisplayColorAttr(Vt.Vec3fArray([colour]))

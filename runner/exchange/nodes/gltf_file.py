@@ -1,8 +1,8 @@
-"""A glTF 2.0 file's nodes that an animation moves. VRM avatars and Mixamo's exports are such files.
+"""The nodes of a glTF 2.0 file that an animation moves; VRM avatars and Mixamo's exports are such files.
 
 https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html, sections 3.6 (accessors), 3.7.3 (skins), 3.11 (animations).
-The rest pose is the one to which a skin is bound, else that of the nodes without an animation. Only what is inside the
-file is read.
+The rest pose is the one to which a skin is bound, else that of the nodes without animation. References to other files
+are refused.
 """
 
 from __future__ import annotations
@@ -27,16 +27,17 @@ KINDS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: 
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 PATHS = {"translation": 3, "rotation": 4, "scale": 3}
 EMBEDDED = "base64,"
-REST = "rest"  # in the extras of nodes that this program writes: translation and rotation in the model's rest pose
-FEWEST = 2  # samples of a motion
-SOON = 1e-6  # [s] before a key that counts as its time, which is a float32
-SINGULAR = 1e-12  # determinant of a matrix
+REST = "rest"  # in extras of nodes written by this program: translation and rotation in the model's rest pose
+FEWEST = 2  # least number of samples of a motion
+SOON = 1e-6  # [s] tolerance before a key's time, which is rounded to float32
+SINGULAR = 1e-12  # determinant below which a matrix counts as singular
 
 
 def read(path: Path, fps: float | None) -> tuple[Nodes, tuple[str, ...]]:
-    """The nodes that the first animation moves, and notes on what was chosen; fps [1/s], else the animation's own rate.
+    """Return the nodes that the first animation moves, and notes on what was chosen.
 
-    Raises UserError for a file without an animation, or one that refers to others.
+    fps [1/s] to resample, else the animation's rate. Raises UserError for a file without an animation, or with
+    references to other files.
     """
     try:
         return _File(path).nodes(fps)
@@ -47,7 +48,7 @@ def read(path: Path, fps: float | None) -> tuple[Nodes, tuple[str, ...]]:
 
 
 class _File:
-    """A file's nodes and the numbers that its accessors name."""
+    """A file's nodes, with access to the data of its accessors."""
 
     def __init__(self, path: Path) -> None:
         data = path.read_bytes()
@@ -68,7 +69,7 @@ class _File:
             raise UserError(f"{self.path}: an embedded buffer is not base64") from None
 
     def rows(self, index: int) -> Array:
-        """(n, width) the numbers of an accessor; integers that are normalized as fractions."""
+        """Return an accessor's numbers (n, width); normalised integers as fractions."""
         accessor = self.asset.accessors[index]
         if accessor.sparse is not None or accessor.bufferView is None:
             raise UserError(f"{self.path}: accessor {index} is sparse, which is not read")
@@ -84,7 +85,7 @@ class _File:
         return np.maximum(out / np.iinfo(kind).max, -1) if accessor.normalized and kind.kind != "f" else out
 
     def nodes(self, fps: float | None) -> tuple[Nodes, tuple[str, ...]]:
-        """The moving nodes at equal times, and notes on what was chosen."""
+        """Return the moving nodes at equal time steps, and notes on what was chosen."""
         if not self.asset.animations or not self.asset.animations[0].channels:
             raise UserError(f"{self.path}: it holds no animation")
         animation = self.asset.animations[0]
@@ -118,7 +119,7 @@ class _File:
         return (f"read '{names[0]}', the first of {len(names)} animations: {', '.join(names[:8])}",)
 
     def _order(self) -> tuple[list[int], dict[int, int]]:
-        """Nodes with their parents first, and the parents of those that have one."""
+        """Return the nodes, parents first, and the parent of each node that has one."""
         count = len(self.asset.nodes)
         parents = {child: i for i, node in enumerate(self.asset.nodes) for child in node.children or ()}
         waiting = [i for i in reversed(range(count)) if i not in parents]
@@ -136,7 +137,7 @@ class _File:
     def _placed(
         self, order: list[int], above: list[int], moved: dict[int, dict[str, Array]], count: int
     ) -> tuple[Array, Array]:
-        """(J, 4, 4) and (T, J, 4, 4): the nodes in the world, at rest and moving."""
+        """Return matrices (J, 4, 4) and (T, J, 4, 4) of nodes in the world, at rest and in motion."""
         bound = self._bound()
         rest, world = np.empty((len(order), 4, 4)), np.empty((count, len(order), 4, 4))
         for row, (index, parent) in enumerate(zip(order, above, strict=True)):
@@ -151,7 +152,7 @@ class _File:
         return rest, world
 
     def _bound(self) -> dict[int, Array]:
-        """By joint of the skins, its matrix in the mesh's axes when the mesh was bound to it."""
+        """Return, by joint of the skins, its matrix in the mesh's axes when the mesh was bound to it."""
         out = dict[int, Array]()
         for skin in self.asset.skins:
             if skin.inverseBindMatrices is not None:
@@ -162,7 +163,7 @@ class _File:
         return out
 
     def _sampled(self, sampler: gl.AnimationSampler, path: str, at: Array) -> Array:
-        """(T, 3 or 4) a channel's values at times (T,), held before its first key and after its last."""
+        """Return a channel's values (T, 3 or 4) at times (T,), constant before its first key and after its last."""
         keys, values = self.rows(sampler.input)[:, 0], self.rows(sampler.output)
         at = np.clip(at, keys[0], keys[-1])
         if np.any(np.diff(keys) <= 0):
@@ -180,7 +181,7 @@ class _File:
 
 
 def _hermite(keys: Array, values: Array, into: Array, out: Array, at: Array) -> Array:
-    """Cubic interpolation between keys with separate slopes before and after each."""
+    """Interpolate cubically between keys with separate slopes before and after each."""
     if keys.size < FEWEST:
         return np.repeat(values, at.size, axis=0)
     span = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, keys.size - 2)
@@ -193,7 +194,7 @@ def _hermite(keys: Array, values: Array, into: Array, out: Array, at: Array) -> 
 
 
 def _at_rest(node: Any) -> Array:
-    """(4, 4) of a node in the rest pose, where its extras have it, else without an animation."""
+    """Return the matrix (4, 4) of a node in the rest pose of its extras, else without animation."""
     rest = (node.extras or {}).get(REST)
     if not isinstance(rest, dict):
         return _matrix(node)
@@ -201,14 +202,15 @@ def _at_rest(node: Any) -> Array:
 
 
 def _matrix(node: Any) -> Array:
-    """(4, 4) of a node without an animation."""
+    """Return the matrix (4, 4) of a node without animation."""
     if node.matrix:
         return np.array(node.matrix, float).reshape(4, 4).T
     return _composed(np.eye(4), {p: np.array([getattr(node, p)], float) for p in PATHS if getattr(node, p)}, 1)[0]
 
 
 def _composed(still: Array, parts: dict[str, Array], count: int) -> Array:
-    """(T, 4, 4) of translations, rotations xyzw and scales (T, ...); what is not animated is as in `still` (4, 4)."""
+    """Return matrices (T, 4, 4) from translations, rotations xyzw and scales (T, ...); others are those of `still` (4,
+    4)."""
     size = np.linalg.norm(still[:3, :3], axis=0)
     out = np.tile(still, (count, 1, 1))
     turns = np.tile(still[:3, :3] / np.maximum(size, 1e-12), (count, 1, 1))

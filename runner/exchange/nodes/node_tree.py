@@ -1,7 +1,7 @@
-"""A skeleton from nodes placed in the world, as glTF and USD have them.
+"""A skeleton from nodes placed in the world, as in glTF and USD.
 
-BVH's joints turn away from a pose in which nothing is turned; nodes have axes of their own. A joint's rotation is the
-node's beside its rest pose, so that the rest pose is the skeleton's zero.
+Joints of BVH have rotations relative to a pose without rotations, whereas nodes are rotated at rest, too. So a joint's
+rotation is that of its node relative to the rest pose, which becomes the skeleton's zero pose.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class Nodes:
     names     J names
     parents   J indices, -1 for the top
     rest      (J, 4, 4) matrices to the world in the pose to which the mesh is bound
-    moving    (T, J, 4, 4) matrices to the world, at equal times
+    moving    (T, J, 4, 4) matrices to the world, at equal time steps
     fps       [1/s]
     """
 
@@ -37,7 +37,7 @@ class Nodes:
     fps: float
 
     def skeleton(self) -> Skeleton:
-        """The nodes as joints of a BVH file: channels of places and of rotations away from the rest pose."""
+        """Return the nodes as joints of a BVH file: channels of positions and of rotations from the rest pose."""
         turn = quat.product(rotations(self.moving), quat.conjugate(rotations(self.rest)))
         place, offset = self.moving[..., :3, 3].copy(), self.rest[:, :3, 3].copy()
         relative = turn.copy()
@@ -52,23 +52,23 @@ class Nodes:
 
 
 def rotations(matrices: Array) -> Array:
-    """(..., 4) quaternions wxyz, sign-continuous along the first axis, of matrices (..., 4, 4) with any scales."""
+    """Return quaternions wxyz (..., 4) of matrices (..., 4, 4) of any scale, sign-continuous along the first axis."""
     turns = matrices[..., :3, :3]
     turns = turns / np.maximum(np.linalg.norm(turns, axis=-2, keepdims=True), np.finfo(float).tiny)
-    turns = turns * np.sign(np.linalg.det(turns))[..., None, None]  # a mirrored scale
+    turns = turns * np.sign(np.linalg.det(turns))[..., None, None]  # undoes a mirroring scale
     q = Rotation.from_matrix(turns.reshape(-1, 3, 3)).as_quat(scalar_first=True).reshape(*matrices.shape[:-2], 4)
     return quat.aligned(q) if q.ndim == 3 else q
 
 
 def rate_of(times: Array) -> float:
-    """Samples a second [1/s] of times [s] that rise, by their median step."""
+    """Return the rate [1/s] of rising times [s], by their median step."""
     return fps_of(float(np.median(np.diff(times))), 6) if times.size > 1 else 30.0
 
 
 def moving_tree(parents: Sequence[int], is_animated: Iterable[bool]) -> list[int]:
-    """The nodes of the tree of which most are animated, parents first, without branches in which nothing moves.
+    """Return the nodes of the tree with the most animated ones, parents first, without branches in which nothing moves.
 
-    What hangs below an animated node stays, a toe or a fingertip; what stands still beside the figure, a floor, goes.
+    Nodes below an animated one are included, such as a toe or fingertip; a static branch such as a floor is not.
     """
     animated, count = list(is_animated), len(parents)
     top = [_top(parents, i) for i in range(count)]

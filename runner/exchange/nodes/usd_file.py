@@ -1,7 +1,7 @@
-"""A USD file's nodes: the joints of a skeleton with an animation, else the transforms that move.
+"""The nodes of a USD file: joints of an animated skeleton, else the transforms that move.
 
-A skeleton's rest pose is the one to which its mesh is bound. Up axis and unit are those of the stage. Other files are
-not read. https://openusd.org/release/api/usd_skel_page_front.html
+A skeleton's rest pose is the one to which its mesh is bound. Up axis and unit are those of the stage. References to
+other files are refused. https://openusd.org/release/api/usd_skel_page_front.html
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from ...errors import UserError
 from ...system import size_limit
 from .node_tree import Nodes, moving_tree
 
-REST = "rest"  # custom data of prims that this program writes: translation and rotation wxyz in the model's rest pose
-FEWEST = 2  # samples of a motion
+REST = "rest"  # in custom data of prims written by this program: translation and rotation wxyz in the rest pose
+FEWEST = 2  # least number of samples of a motion
 
 
 def read(path: Path, fps: float | None, scale: float | None) -> tuple[Nodes, tuple[str, ...]]:
-    """Read the moving parts of a stage, y up, and notes on the choices made.
+    """Read the moving parts of a stage, y up, and notes on what was chosen.
 
-    fps [1/s], else the stage's own rate; scale [m], the unit that the user names, else lengths are turned to metres.
-    Raises UserError for a stage on which nothing moves, or one that refers to other files.
+    fps [1/s] to resample, else the stage's rate; scale [m], the unit if the user names it, else lengths become metres.
+    Raises UserError for a stage without motion, or with references to other files.
     """
     try:
         stage = _stage(path)
@@ -56,7 +56,7 @@ def _stage(path: Path) -> Usd.Stage:
 
 
 def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> tuple[Nodes, tuple[str, ...]]:
-    """The moving nodes at equal times, and notes on what was chosen."""
+    """Return the moving nodes at equal time steps, and notes on what was chosen."""
     queries = [query for query in _skeletons(stage) if query.GetAnimQuery()]
     if queries:
         query = max(queries, key=lambda each: len(each.GetJointOrder()))
@@ -75,7 +75,7 @@ def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> tuple[Nodes, tupl
 
 
 def _skeletons(stage: Usd.Stage) -> list[Any]:
-    """Queries of the skeletons, with the animations that are bound to them."""
+    """Return queries of the skeletons, with the animations bound to them."""
     cache, out = UsdSkel.Cache(), []
     for prim in stage.Traverse():
         if prim.IsA(UsdSkel.Root):
@@ -89,7 +89,7 @@ def _skeletons(stage: Usd.Stage) -> list[Any]:
 def _times(
     stage: Usd.Stage, path: Path, codes: list[float], fps: float | None, nodes: int
 ) -> tuple[list[float], float]:
-    """Time codes at equal distances, and how many a second."""
+    """Return equally spaced time codes, and their rate [1/s]."""
     if len(codes) < FEWEST:
         raise UserError(f"{path}: nothing moves on its stage")
     a_second = stage.GetTimeCodesPerSecond()
@@ -137,7 +137,7 @@ def _of_prims(prims: list[Usd.Prim], parents: list[int], kept: list[int], times:
 
 
 def _rest_of(prim: Usd.Prim) -> Array | None:
-    """(4, 4) of a prim that this program wrote, in its parent's axes."""
+    """Return the rest matrix (4, 4), in its parent's axes, of a prim that this program wrote."""
     stored = prim.GetCustomDataByKey(REST)
     if stored is None or len(stored) != 7:
         return None
@@ -151,10 +151,10 @@ def _name(prim: Usd.Prim) -> str:
 
 
 def _matrix(matrix: Any) -> Array:
-    """(4, 4) for columns; the library's is for rows."""
+    """Return a matrix (4, 4) for column vectors; the library's are for row vectors."""
     return np.array(matrix, float).T
 
 
 def _matrices(found: Any) -> Array:
-    """(J, 4, 4) for rows, as the library has them."""
+    """Return matrices (J, 4, 4) for row vectors, as in the library."""
     return np.array(found, float).reshape(-1, 4, 4)

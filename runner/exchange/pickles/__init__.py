@@ -1,5 +1,5 @@
-"""Pickles of untrusted files as plain data: nothing in them is executed.
+"""Pickles of untrusted files, read as plain data without executing anything.
 
-plain_pickle    pickles of dicts, lists, numbers, texts and numpy arrays
-pickled_arrays  the names that such a pickle may call, and what is made instead
+plain_pickle    pickles of dicts, lists, numbers, texts and NumPy arrays
+pickled_arrays  safe constructors for the names that such a pickle may call
 """

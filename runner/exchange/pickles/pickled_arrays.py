@@ -1,7 +1,7 @@
 """The names that a pickle of plain data calls, each with a safe constructor.
 
-NumPy's own constructors trust a pickle's description of a type: texts that are references, items longer than the data.
-Here only the number of items and one of a few fixed types are taken from the pickle.
+NumPy's constructors trust a pickle's description of a type, which may claim that text is references, or that items are
+longer than the data. These constructors take only the number of items and one of a few fixed types from the pickle.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ LAST_CHARACTER = 0x10FFFF  # of Unicode
 
 
 class Refused(Exception):
-    """A pickle contains something that is not plain data."""
+    """The error for a pickle with anything but plain data."""
 
 
 class Trailing:
-    """An array whose bytes follow in the stream after its description, as joblib writes it.
+    """An array whose bytes follow its description in the stream, as joblib writes it.
 
     read  returns the array from the stream and a function that loads a nested pickle
     """
@@ -33,7 +33,8 @@ class Trailing:
 
 
 class Unfinished:
-    """The result of a call that a state completes, as for NumPy's arrays and types; `value` is the completed object."""
+    """The result of a call that a later state completes, as for NumPy's arrays and types; `value` is the completed
+    object."""
 
     def __init__(self, complete: Callable[[Any], Any]) -> None:
         self.complete = complete
@@ -41,7 +42,7 @@ class Unfinished:
 
 
 def _type(text: Any = None, *_: Any) -> Unfinished:
-    """numpy.dtype(text, align, copy): of its state only the order of bytes is used."""
+    """Replace numpy.dtype(text, align, copy); of its state only the byte order is used."""
     if not isinstance(text, str) or not FIXED.fullmatch(text):
         raise Refused(f"numpy.dtype {text}" if isinstance(text, str) else "numpy.dtype")
 
@@ -57,7 +58,7 @@ def _type(text: Any = None, *_: Any) -> Unfinished:
 
 
 def _items(kind: Any, data: Any, shape: Any, order: Any = "C") -> Any:
-    """An array; raises Refused or ValueError unless the data are exactly its items."""
+    """Return an array; raises Refused or ValueError unless the data are exactly its items."""
     if not isinstance(kind, np.dtype):
         raise Refused("an array without its type")
     if kind.kind == "O" and isinstance(data, list):
@@ -76,7 +77,7 @@ def _items(kind: Any, data: Any, shape: Any, order: Any = "C") -> Any:
 
 
 def _array(*_: Any) -> Unfinished:
-    """numpy._reconstruct(ndarray, (0,), b"b"): the state contains the array."""
+    """Replace numpy._reconstruct(ndarray, (0,), b"b"); the state contains the array."""
 
     def complete(state: Any) -> Any:
         if type(state) is not tuple or len(state) != 5:
@@ -88,7 +89,7 @@ def _array(*_: Any) -> Unfinished:
 
 
 def _joblib_array() -> Unfinished:
-    """joblib.numpy_pickle.NumpyArrayWrapper: its state has type and shape, and the bytes follow in the stream."""
+    """Replace joblib.numpy_pickle.NumpyArrayWrapper: its state has type and shape; the bytes follow in the stream."""
 
     def complete(state: Any) -> Trailing:
         if type(state) is not dict or not isinstance(state.get("dtype"), np.dtype):
@@ -99,7 +100,7 @@ def _joblib_array() -> Unfinished:
 
 
 def _after(stream: BinaryIO, inner: Callable[[], Any], state: dict[str, Any]) -> Any:
-    """The array at this place of a joblib file: a nested pickle for objects, else padding and bytes."""
+    """Return the array at the current position of a joblib file: a nested pickle for objects, else padded bytes."""
     kind, shape = state["dtype"], state.get("shape")
     if kind.kind == "O":
         return inner()
@@ -112,36 +113,35 @@ def _after(stream: BinaryIO, inner: Callable[[], Any], state: dict[str, Any]) ->
 
 
 def _array_of_bytes(data: Any, kind: Any, shape: Any, order: Any = "C", axes: Any = None) -> Any:
-    """numpy._frombuffer(data, dtype, shape, order, axis order)."""
+    """Replace numpy._frombuffer(data, dtype, shape, order, axis order)."""
     if order == "K" and axes is not None:
         return _items(kind, data, shape).transpose(axes)
     return _items(kind, data, shape, "F" if order == "F" else "C")
 
 
 def _scalar(kind: Any, data: Any) -> Any:
-    """One item."""
     return _items(kind, data, ())[()]
 
 
 def _class(*_: Any) -> Any:
-    """numpy.ndarray, an argument of other calls."""
+    """Replace numpy.ndarray, which occurs only as an argument of other calls."""
     raise Refused("a call of numpy.ndarray")
 
 
 def _latin(text: Any, encoding: Any) -> bytes:
-    """Bytes, as protocol 2 writes them."""
+    """Return bytes, as protocol 2 writes them."""
     if not isinstance(text, str) or encoding not in ("latin1", "latin-1"):
         raise Refused("bytes in another encoding")
     return text.encode("latin1")
 
 
 def _no_bytes() -> bytes:
-    """Empty bytes, as protocol 2 writes them."""
+    """Return empty bytes, as protocol 2 writes them."""
     return b""
 
 
 def _ordered() -> dict[Any, Any]:
-    """An OrderedDict, whose entries follow."""
+    """Replace an OrderedDict, whose entries follow."""
     return {}
 
 

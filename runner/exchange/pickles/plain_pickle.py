@@ -1,7 +1,7 @@
-"""Pickles of plain data: dicts, lists, numbers, texts and numpy arrays; anything else in one is refused.
+"""Pickles of plain data: dicts, lists, numbers, texts and NumPy arrays; any other content is refused.
 
-A pickle calls functions by name, and can do anything when Python loads it. Here `Unpickler.find_class` gives it
-only the safe constructors of `pickled_arrays`. Instructions that set attributes or need extensions are left out.
+A pickle calls functions by name, so that loading it in Python can execute anything. Here `Unpickler.find_class` offers
+only the safe constructors of `pickled_arrays`. Instructions that set attributes or need extensions are not supported.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ..array_reader import ArrayReader
 from .pickled_arrays import CONSTRUCTORS, Refused, Trailing, Unfinished
 
 TENSORS = ": save its tensors as arrays in Python, with .numpy(), and dump it again"
-STEP_BYTES = 100  # the most that an instruction without data leaves in memory: an empty dict and its entry
+STEP_BYTES = 100  # most memory of an instruction without data: an empty dict and its entry
 LARGEST_INTEGER = 64  # [bits]
 INSTRUCTIONS = """
     MARK STOP POP POP_MARK NONE NEWTRUE NEWFALSE INT BININT BININT1 BININT2 LONG LONG1 LONG4 FLOAT BINFLOAT
@@ -38,7 +38,7 @@ COMPRESSED: dict[bytes, Callable[[], Any]] = {
 
 
 def content(source: Path) -> bytes:
-    """Return a pickle's bytes, decompressed if joblib has compressed them; raises UserError for too many of them."""
+    """Return a pickle's bytes, decompressed if joblib compressed them; raises UserError above the size limit."""
     data = source.read_bytes()
     opened = next((opened for mark, opened in COMPRESSED.items() if data.startswith(mark)), None)
     if opened is None:
@@ -55,13 +55,13 @@ def content(source: Path) -> bytes:
     return out
 
 
-InPython: Any = pickle._Unpickler  # as joblib's: only this one can stop where an array's bytes follow
+InPython: Any = pickle._Unpickler  # the one joblib uses, as it can pause where an array's bytes follow
 
 
 class _Unpickler(InPython):
     """Loads plain data from a stream.
 
-    size  [bytes] that the file comes to before its instructions are counted
+    size  [bytes] of the file, to which those of its instructions are added
     """
 
     def __init__(self, stream: io.BytesIO, size: int, where: object) -> None:
@@ -69,14 +69,14 @@ class _Unpickler(InPython):
         self.stream, self.size, self.where, self.most = stream, size, where, size_limit.bound()
 
     def find_class(self, module: str, name: str) -> Any:
-        """The safe constructor of a name."""
+        """Return the safe constructor for a name."""
         constructor = CONSTRUCTORS.get((module, name))
         if constructor is None:
             raise Refused(f"{module}.{name}")
         return constructor
 
     def count(self) -> None:
-        """Count an instruction; raises UserError if they need more memory than the limit."""
+        """Count an instruction; raises UserError if the instructions exceed the memory limit."""
         self.size += STEP_BYTES
         if self.size > self.most:
             size_limit.check(self.where, self.size, "what it holds")
@@ -90,7 +90,7 @@ class _Unpickler(InPython):
             raise Refused(f"an integer of {top.bit_length()} bits")
 
     def load_build(self) -> None:
-        """Complete an array or a type by its state; nothing else has one."""
+        """Complete an array or a type by its state; no other object has one."""
         state = self.stack.pop()
         unfinished = self.stack[-1]
         if not isinstance(unfinished, Unfinished):
@@ -100,12 +100,12 @@ class _Unpickler(InPython):
             unfinished.value = unfinished.value.read(self.stream, _Unpickler(self.stream, self.size, self.where).load)
 
     def load_bytearray8(self) -> None:
-        """As in Python, without allocating memory for missing bytes."""
+        """Load as in Python, but allocate no memory for missing bytes."""
         self.append(bytearray(self.read(int.from_bytes(self.read(8), "little"))))
 
 
 def _checked(name: str) -> tuple[int, Callable[[_Unpickler], None]]:
-    """An instruction's code, and what it does with its checks."""
+    """Return an instruction's code, and its function with checks."""
     code = getattr(pickle, name)[0]
     overrides = {"BUILD": _Unpickler.load_build, "BYTEARRAY8": _Unpickler.load_bytearray8}
     run = overrides.get(name) or InPython.dispatch[pickle.REDUCE[0] if name == "NEWOBJ" else code]
@@ -132,7 +132,7 @@ _Unpickler.dispatch = _Instructions(map(_checked, INSTRUCTIONS.split()))
 
 
 def load(source: Path) -> ArrayReader:
-    """The dict in a pickle; raises UserError for a damaged one, and for one that holds more than plain data."""
+    """Return the dict in a pickle; raises UserError if it is damaged or contains more than plain data."""
     try:
         data = content(source)
         entries = _Unpickler(io.BytesIO(data), len(data), source).load()
@@ -154,7 +154,7 @@ def load(source: Path) -> ArrayReader:
 
 
 def one_motion(found: ArrayReader) -> ArrayReader:
-    """The one motion of a file that has it under its name, as PHC and ASAP write it; raises UserError for several."""
+    """Return the one motion of a file that stores motions by name, as PHC and ASAP do; raises UserError for several."""
     entries = found.entries
     if not entries or not all(isinstance(entry, dict) for entry in entries.values()):
         return found
@@ -165,5 +165,5 @@ def one_motion(found: ArrayReader) -> ArrayReader:
 
 
 def dump(entries: Mapping[str, object], target: Path) -> None:
-    """Writes a dict so that any numpy reads it: version 2 moved what a pickle names, and keeps the old name as well."""
+    """Write a dict for all versions of NumPy: version 2 renamed a module in pickles, and still reads the old name."""
     target.write_bytes(pickle.dumps(entries, protocol=3).replace(b"cnumpy._core.", b"cnumpy.core."))

@@ -1,5 +1,5 @@
 """A motion as a scene to simulate.
 
-scene     a scene that stands by itself under `mj_step`, with position actuators and the motion as their targets
-tracking  how far `mj_step` of the scene leaves the motion, and why
+scene     a scene for `mj_step`, with contacts, position actuators and the motion as their targets
+tracking  how far `mj_step` of the scene deviates from the motion, and why
 """

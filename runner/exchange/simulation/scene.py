@@ -1,24 +1,21 @@
-"""A scene that stands by itself under `mj_step`: soles and body collide with it, every joint has position actuators.
+"""A scene for `mj_step`: the figure collides with the scenery, and every joint has position actuators.
 
-The figure's geoms that collide in the model still collide, all of them if none does, and solid geoms of the scene
-collide with them. A figure none of whose geoms collide in the model does not collide with itself. The model's own
-actuators are replaced, and so are the limits of the forces that a joint's actuators may give:
-
+The figure's geoms that collide in the model still collide, all of them if none does, and solid geoms of the scenery
+collide with them. A figure without colliding geoms in the model does not collide with itself. The model's actuators and
+the limits of their forces on joints are replaced:
     force = kp (ctrl − q) − kv q'            hinges and slides; a ball joint has three, about its x, y and z
-
-with q the joint's coordinate, for a ball joint its rotation vector. `ctrl` of a key is q + (kv q' + τ) / kp of the
-motion, τ the torque that moves it so: `mj_inverse` of this very scene without contacts, less the ground's reactions
-(`forces`). On the motion the actuators give just τ, and off it they pull back. The gains:
-
-    kp = m ω², ω = 2π · 8 Hz, m the joint's inertia at rest (of a ball joint the largest), and for the joints of limbs
-         that stand at least 0.7 / rad of weight times height (a slide: as if 0.1 m were a radian): they bear it all;
-         at least the motion's largest torque / rad: `ctrl` stays near q, as errors of ball joints wrap at half a turn
+with q the joint's coordinate, for a ball joint its rotation vector. The `ctrl` of a key is q + (kv q' + τ) / kp of the
+motion. Its torque τ is `mj_inverse` of this scene without contacts, minus the ground reactions (`forces`). So on the
+motion the actuators exert exactly τ, and off it they pull back. The gains:
+    kp = m ω², ω = 2π · 8 Hz, m the joint's inertia at rest (of a ball joint the largest). It is at least
+         0.7 / rad of weight times height for joints of limbs with soles, as one limb may support the whole figure (for
+         a slide, 0.1 m replaces a radian), and at least the motion's largest torque / rad, so that `ctrl` stays near
+         q: errors of ball joints wrap at half a turn
     kv = kp · 0.04 s, which is critical damping, 2 / ω
-
 A free root has no actuator. Gains are in N m/rad and N m s/rad, of slides in N/m and N s/m.
 
-Nothing of the model's actuators, of their defaults or of the options of its simulation is inherited, except the flags
-that turn off forces of the figure itself (`FIGURE_FLAGS`): the feed-forward considers these.
+Of the model's actuators, their defaults and its simulation options, only the flags that disable forces of the figure
+itself (`FIGURE_FLAGS`) are inherited, as the feed-forward torque includes these.
 """
 
 from __future__ import annotations
@@ -44,36 +41,36 @@ from ..forces import Forces
 from ..skeleton.roles import unique
 from ..trajectory import SampledTrajectory
 
-FREQUENCY = 8.0  # [Hz] at which a limb held by its actuators would swing: several times what people do
+FREQUENCY = 8.0  # [Hz] natural frequency of a limb on its actuators, several times that of human motion
 DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
-STANDING = 0.7  # [1/rad] of weight times height: one limb holds an upright figure, which falls by 0.55; more bounces
-OFFSET = 1.0  # [rad] between `ctrl` and a joint at most, by its torque
-GIVE = 0.1  # [m] by which a slide may give where a hinge gives a radian
-TIMESTEPS = (1e-4, 0.002)  # [s] least and most
-ITERATIONS = (100, 50)  # of the constraint solver and its line search, at least
+STANDING = 0.7  # [1/rad] least kp of a supporting limb over weight times height: at 0.55 figures fall, above 0.7 bounce
+OFFSET = 1.0  # [rad] most offset of `ctrl` from a joint that its torque causes
+GIVE = 0.1  # [m] deflection of a slide that corresponds to a radian of a hinge
+TIMESTEPS = (1e-4, 0.002)  # [s] least and largest time step
+ITERATIONS = (100, 50)  # least limits of iterations of the constraint solver and its line search
 SOFTNESS = (0.01, 1.5)  # time constant [s] and damping of contacts: feet land without bouncing
-IMPEDANCE = 10.0  # of friction relative to that of normal forces: standing feet do not creep
-GRIP = 1.0  # least coefficient of friction of the ground
-SLIDING = 3  # dimension of a contact with friction
-OVERLAP = 2e-4  # of the figure's size, by which bodies are in each other by design
-LISTED, LOOKED_AT = 3, 200  # pairs in a note, poses of a motion
-ALL = 1  # the bit by which geoms that were for the eye meet what is solid
+IMPEDANCE = 10.0  # least `impratio`, friction to normal impedance, so that standing feet do not creep
+GRIP = 1.0  # least coefficient of friction of static geoms
+SLIDING = 3  # `condim` of a contact with sliding friction
+OVERLAP = 2e-4  # fraction of the figure's size from which penetrating bodies count as overlapping by design
+LISTED, LOOKED_AT = 3, 200  # most pairs in a note, most poses of a motion that are checked
+ALL = 1  # bit of `contype` by which formerly visual geoms collide with the scenery
 BALL, FREE, HINGE, SLIDE = (
     int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("BALL", "FREE", "HINGE", "SLIDE")
 )
-CONSTRAINED = ("EQUALITY", "FRICTIONLOSS", "LIMIT")  # forces that the flag CONSTRAINT turns off beside contacts
+CONSTRAINED = ("EQUALITY", "FRICTIONLOSS", "LIMIT")  # forces other than contacts that the flag CONSTRAINT disables
 FIGURE_FLAGS = ("GRAVITY", "PASSIVE", "SPRING", "DAMPER", *CONSTRAINED, "SENSOR")
-TELLING = ("CONTACT", "CONSTRAINT", "ACTUATION", "FILTERPARENT")  # disabled in a model, they change what happens
+TELLING = ("CONTACT", "CONSTRAINT", "ACTUATION", "FILTERPARENT")  # flags of the model whose override is reported
 ACTUATORS = (
     "general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
     "pid", "orientation", "plugin",
 )  # fmt: skip
-DROPPED = {  # bounds of the forces of actuators, and of the memory, as more collides than in the model
+DROPPED = {  # limits of actuator forces, and of memory, as more geoms collide than in the model
     "joint": ("actuatorfrcrange", "actuatorfrclimited", "actuatorgravcomp"),
     "size": ("memory", "njmax", "nconmax", "nkey", "nstack"),
 }
 CLASS = "simulate_position"
-UNSET = {  # whatever the model's defaults are
+UNSET = {  # attributes set explicitly, independent of the model's defaults
     "ctrllimited": "false", "forcelimited": "false", "ctrlrange": "0 0", "forcerange": "0 0", "gear": "1 0 0 0 0 0",
     "group": "0",
 }  # fmt: skip
@@ -81,7 +78,7 @@ UNSET = {  # whatever the model's defaults are
 
 @dataclass(frozen=True)
 class Drive:
-    """A position actuator: its joint, the axis of a ball joint that it turns about or None, and its gains."""
+    """A position actuator: its joint, the axis of a ball joint that it acts about or None, and its gains."""
 
     name: str
     joint: int
@@ -95,10 +92,9 @@ class Simulation:
     """A scene to simulate.
 
     root     its MJCF, without keys
-    model    the same compiled
-    drives   its actuators
+    model    the same, compiled
     control  (T, nu) `ctrl` at the samples of the motion
-    notes    what of the model's options it overrides
+    notes    options of the model that are overridden
     """
 
     root: ElementTree.Element
@@ -109,7 +105,7 @@ class Simulation:
 
     @classmethod
     def of(cls, trajectory: SampledTrajectory) -> Simulation:
-        """The scene of a motion; raises ValueError where MuJoCo cannot compile it."""
+        """Return the scene of a motion; raises ValueError if MuJoCo cannot compile it."""
         actuators = drives(trajectory)
         root, notes = _scene(trajectory, actuators)
         with quietly():
@@ -119,7 +115,7 @@ class Simulation:
         return cls(root, model, actuators, targets(trajectory, model, actuators), tuple(notes))
 
     def with_timestep(self, timestep: float) -> Simulation:
-        """Return the same scene with another time step [s]."""
+        """Return the scene with another time step [s]."""
         root, model = copy.deepcopy(self.root), copy.copy(self.model)
         option = root.find("option")
         option = ElementTree.SubElement(root, "option") if option is None else option
@@ -129,7 +125,7 @@ class Simulation:
 
 
 def drives(trajectory: SampledTrajectory) -> list[Drive]:
-    """The actuators of a figure, joint after joint."""
+    """Return the actuators of a figure, in the order of its joints."""
     model, least, joints = trajectory.model, _least(trajectory), joint_names(trajectory.model)
     largest = np.abs(np.nan_to_num(Forces.of(trajectory).torques)).max(axis=0, initial=0)
     out: list[Drive] = []
@@ -149,7 +145,7 @@ def drives(trajectory: SampledTrajectory) -> list[Drive]:
 
 
 def joint_names(model: mujoco.MjModel) -> list[str]:
-    """The joints' names, which those without get here."""
+    """Return the joints' names, with generated ones for unnamed joints."""
     out = [model.joint(joint).name for joint in range(model.njnt)]
     for joint, name in enumerate(out):
         out[joint] = name or unique([f"joint{joint}"], out)[0]
@@ -157,12 +153,12 @@ def joint_names(model: mujoco.MjModel) -> list[str]:
 
 
 def _rounded(gain: float) -> float:
-    """To three digits: gains are to be read."""
+    """Round to three digits, for legibility."""
     return float(f"{gain:.3g}")
 
 
 def _least(trajectory: SampledTrajectory) -> Array:
-    """(njnt,) the gain that holds all of the figure, for joints between its root and the soles that it stands on."""
+    """Return the gain (njnt,) that supports the whole figure, for joints between its root and its soles."""
     figure, model = trajectory.figure, trajectory.model
     out = np.zeros(model.njnt)
     points = clip.clip_from_motion(trajectory.saved).context.points
@@ -178,7 +174,7 @@ def _least(trajectory: SampledTrajectory) -> Array:
 
 
 def _standing(figure: Figure, feet: set[int]) -> set[int]:
-    """The links from the feet up to the root, without it."""
+    """Return the links from the feet up to the root, without it."""
     out: set[int] = set()
     above = {0, *(figure.root.links if figure.root is not None else ())}
     for foot in feet:
@@ -190,9 +186,9 @@ def _standing(figure: Figure, feet: set[int]) -> set[int]:
 
 
 def targets(trajectory: SampledTrajectory, model: mujoco.MjModel, actuators: list[Drive]) -> Array:
-    """(T, nu) what `ctrl` is at the samples. Where no torque is known, position and velocity alone.
+    """Return `ctrl` (T, nu) at the samples; unknown torques are omitted.
 
-    model  the scene to simulate, whose torques are supplied
+    model  the scene to simulate, whose torques are added
     """
     torques = np.nan_to_num(Forces.of(trajectory, model).torques)
     out = np.zeros((len(trajectory.qpos), len(actuators)))
@@ -208,7 +204,7 @@ def targets(trajectory: SampledTrajectory, model: mujoco.MjModel, actuators: lis
 
 
 def _rotation_vectors(quaternions: Array) -> Array:
-    """(T, 3) [rad] of unit quaternions (T, 4), half a turn at most."""
+    """Return rotation vectors (T, 3) [rad] of unit quaternions (T, 4), of at most half a turn."""
     out = np.zeros((len(quaternions), 3))
     for row, quaternion in zip(out, quaternions, strict=True):
         mujoco.mju_quat2Vel(row, quaternion, 1.0)
@@ -216,7 +212,7 @@ def _rotation_vectors(quaternions: Array) -> Array:
 
 
 def _scene(trajectory: SampledTrajectory, actuators: list[Drive]) -> tuple[ElementTree.Element, list[str]]:
-    """The model's text with colliding geoms, actuators and options; and notes on what it overrides."""
+    """Return the model's MJCF with colliding geoms, actuators and options, and notes on what is overridden."""
     spec = trajectory.saved.scene.spec()
     model, names = trajectory.model, joint_names(trajectory.model)
     notes = [*_set_options(spec, model), *_collide(spec, model)]
@@ -237,12 +233,12 @@ def _scene(trajectory: SampledTrajectory, actuators: list[Drive]) -> tuple[Eleme
 
 
 def _flag(name: str) -> int:
-    """A bit of mjtDisableBit, 0 where this MuJoCo has none of that name."""
+    """Return a bit of mjtDisableBit, 0 if this version of MuJoCo lacks it."""
     return int(getattr(mujoco.mjtDisableBit, f"mjDSBL_{name}", 0))
 
 
 def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
-    """Set the options of `mj_step`, overriding the model's; return notes on overrides that matter."""
+    """Set the options of `mj_step`; return notes on overrides that matter."""
     option, flags = spec.option, int(model.opt.disableflags)
     if flags & _flag("CONSTRAINT"):
         flags |= sum(map(_flag, CONSTRAINED))
@@ -251,7 +247,7 @@ def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
     option.disableactuator = 0
     least, most = TIMESTEPS
     option.timestep = min(max(float(model.opt.timestep), least), most)
-    option.integrator = int(mujoco.mjtIntegrator.mjINT_IMPLICITFAST)  # or stiff damping makes it explode
+    option.integrator = int(mujoco.mjtIntegrator.mjINT_IMPLICITFAST)  # others are unstable with stiff damping
     option.cone = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
     option.impratio = max(float(model.opt.impratio), IMPEDANCE)
     option.solver, option.jacobian = int(mujoco.mjtSolver.mjSOL_NEWTON), int(mujoco.mjtJacobian.mjJAC_AUTO)
@@ -270,7 +266,7 @@ def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
 
 
 def _remove_actuators(root: ElementTree.Element) -> None:
-    """Takes out the model's actuators, their defaults, what refers to them, and bounds of the joints' forces."""
+    """Remove the model's actuators, their defaults, elements that refer to them, and limits of joint forces."""
     _remove_children(root, lambda each: each.tag in ("actuator", "keyframe"))
     for defaults in root.iter("default"):
         _remove_children(defaults, lambda each: each.tag in ACTUATORS)
@@ -290,7 +286,7 @@ def _remove_children(parent: ElementTree.Element, chosen: Callable[[ElementTree.
 
 
 def _add_actuators(root: ElementTree.Element, names: list[str], actuators: list[Drive]) -> None:
-    """Adds the actuators, in a class of defaults that sets everything."""
+    """Add the actuators, with a class of defaults that sets every attribute."""
     defaults = root.find("default")
     if defaults is None:
         defaults = ElementTree.Element("default")
@@ -307,7 +303,7 @@ def _add_actuators(root: ElementTree.Element, names: list[str], actuators: list[
 
 
 def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
-    """Lets the figure and what is solid around it meet; notes on what of the model that changes."""
+    """Let the figure collide with the scenery; return notes on changes of the model."""
     geoms, notes = geoms_by_number(spec), []
     base = _bases(model)
     moving = movers(model)
@@ -339,7 +335,7 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
 
 
 def _bases(model: mujoco.MjModel) -> set[int]:
-    """The static bodies, without the world, that carry limbs: parts of a figure."""
+    """Return the static bodies, other than the world, that carry limbs and so are parts of a figure."""
     out: set[int] = set()
     for body in np.flatnonzero(model.body_weldid != 0).tolist():
         above = int(model.body_parentid[body])
@@ -350,11 +346,12 @@ def _bases(model: mujoco.MjModel) -> set[int]:
 
 
 def _exclude_overlaps(spec: mujoco.MjSpec, model: mujoco.MjModel, qpos: Array) -> list[str]:
-    """Keeps bodies of one tree from colliding that are in each other by design.
+    """Exclude contacts between bodies of one tree that overlap by design; return a note on them.
 
-    These are in each other in the model's rest pose, or in the motion qpos (T, nq) one is the other's grandparent.
+    These overlap in the rest pose, or they overlap in the motion qpos (T, nq) and are at most grandparent and
+    grandchild.
 
-    model  the scene compiled
+    model  the compiled scene
     """
     at_rest = _overlaps(model, model.qpos0[None])
     on_the_way = _overlaps(model, qpos[:: max(1, len(qpos) // LOOKED_AT)])
@@ -369,7 +366,7 @@ def _exclude_overlaps(spec: mujoco.MjSpec, model: mujoco.MjModel, qpos: Array) -
 
 
 def _overlaps(model: mujoco.MjModel, qpos: Array) -> set[tuple[int, int]]:
-    """Pairs of moving bodies of one tree that touch by more than `OVERLAP` in any pose (n, nq)."""
+    """Return pairs of moving bodies of one tree that penetrate by more than `OVERLAP` in any pose (n, nq)."""
     data, out, least = mujoco.MjData(model), set[tuple[int, int]](), OVERLAP * size_of(model)
     moving = model.body_weldid != 0
     for row in qpos:
@@ -384,7 +381,7 @@ def _overlaps(model: mujoco.MjModel, qpos: Array) -> set[tuple[int, int]]:
 
 
 def _are_near(model: mujoco.MjModel, first: int, second: int) -> bool:
-    """Whether one of two bodies is at most the other's grandparent; those welded together count as one."""
+    """Return whether one of two bodies is at most the other's grandparent; bodies welded together count as one."""
 
     def above(body: int) -> int:
         return int(model.body_weldid[model.body_parentid[model.body_weldid[body]]])
@@ -394,7 +391,7 @@ def _are_near(model: mujoco.MjModel, first: int, second: int) -> bool:
 
 
 def _exclude(spec: mujoco.MjSpec, first: int, second: int) -> None:
-    """Two bodies, by number, do not collide."""
+    """Exclude contacts between two bodies."""
     bodies = list(spec.bodies)
     for body in (first, second):
         bodies[body].name = bodies[body].name or unique([f"body{body}"], [spec_body.name for spec_body in bodies])[0]
@@ -402,6 +399,6 @@ def _exclude(spec: mujoco.MjSpec, first: int, second: int) -> None:
 
 
 def _exclude_sockets(spec: mujoco.MjSpec, model: mujoco.MjModel) -> None:
-    """Keeps a limb on a fixed base from colliding with the geoms that it is in by design."""
+    """Exclude contacts between a limb and the geoms of its fixed base that it overlaps by design."""
     for first, second in sorted({(body, int(model.geom_bodyid[solid])) for body, solid in bolted(model)}):
         _exclude(spec, first, second)

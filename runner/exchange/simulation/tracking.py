@@ -1,7 +1,7 @@
-"""How far `mj_step` of an exported scene leaves the motion, with `ctrl` interpolated between the keys.
+"""How far `mj_step` of an exported scene deviates from the motion, with `ctrl` interpolated between the keys.
 
 The first second is simulated from the first key. A scene that stays within 0.05 rad and 5 cm follows its motion.
-Otherwise smaller time steps are tried, and if none suffices, the note names the joint that leaves it first, and likely
+Otherwise smaller time steps are tried. If none suffices, the note names the joint that deviates first, and likely
 causes.
 """
 
@@ -23,26 +23,26 @@ from ..forces import Forces
 from ..trajectory import SampledTrajectory
 from .scene import FREE, SLIDE, TIMESTEPS, Simulation
 
-LASTS = 1.0  # [s]
-ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] within which a scene follows its motion
-DEEP = 0.01  # [m] of a contact at the first key that pushes the figure away
-APART = 0.01  # [m] or [rad] by which equality constraints are violated at a key
-GAP, FAR = 0.01, 10.0  # [m] above the ground that is reported, and that is looked for
-FINER = (5e-4, TIMESTEPS[0])  # [s] of time steps to try
-EXCEEDED = 0.01  # [m] or [rad] of a joint beyond its range that is reported
-UNSUPPLIED = 0.05  # of the weight: force at the root that nothing supplies
+LASTS = 1.0  # [s] simulated
+ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] largest deviations of a scene that follows its motion
+DEEP = 0.01  # [m] least penetration in the motion that is reported as pushing the figure away
+APART = 0.01  # [m] or [rad] least violation of equality constraints that is reported
+GAP, FAR = 0.01, 10.0  # [m] least initial height above the ground that is reported, and largest that is measured
+FINER = (5e-4, TIMESTEPS[0])  # [s] smaller time steps to try
+EXCEEDED = 0.01  # [m] or [rad] least excess of a joint's range that is reported
+UNSUPPLIED = 0.05  # fraction of the weight from which a force at the root without supplying contact is reported
 
 Control = Callable[[mujoco.MjData], Array]
 
 
 @dataclass(frozen=True)
 class Tracking:
-    """A simulated scene beside its motion.
+    """Deviations of a simulated scene from its motion.
 
     time    (S,) [s] of the steps
-    angle   (S, nv) [rad] how far the joints are off, nan for slides and the positions of free joints
-    length  (S, nv) [m] likewise, nan for what turns
-    fell    whether MuJoCo gave up
+    angle   (S, nv) [rad] of the joints, nan for translations
+    length  (S, nv) [m] of the joints, nan for rotations
+    fell    whether the simulation became unstable
     """
 
     time: Array
@@ -52,17 +52,18 @@ class Tracking:
 
     @property
     def is_within(self) -> bool:
-        """Whether it follows its motion."""
+        """Whether the scene follows its motion."""
         return not self.fell and self.worst <= 1
 
     @property
     def worst(self) -> float:
-        """The largest error, as a multiple of what is allowed."""
+        """The largest deviation, relative to the allowed one."""
         return float(max(np.nanmax(self.angle, initial=0) / ANGLE, np.nanmax(self.length, initial=0) / DISTANCE))
 
     @property
     def leaves(self) -> tuple[int, int]:
-        """The first step beyond what is allowed, or the last, and the degree of freedom that is farthest off then."""
+        """The first step beyond the allowed deviation, or the last step, and the degree of freedom that deviates most
+        there."""
         share = np.fmax(self.angle / ANGLE, self.length / DISTANCE)
         beyond = np.flatnonzero((share > 1).any(axis=1))
         step = int(beyond[0]) if beyond.size else len(share) - 1
@@ -72,7 +73,7 @@ class Tracking:
 def tracked(
     simulation: Simulation, trajectory: SampledTrajectory, control: Array | None = None, lasts: float = LASTS
 ) -> Tracking:
-    """Simulates a scene from its first key.
+    """Simulate a scene from its first key.
 
     control  (T, nu) `ctrl` at the keys, by default the simulation's
     """
@@ -89,7 +90,7 @@ def tracked(
             before = data.time
             data.ctrl = between(trajectory.time, aims, before)
             mujoco.mj_step(model, data)
-            fell = data.time <= before or not np.isfinite(data.qpos).all()  # MuJoCo starts again where it gives up
+            fell = data.time <= before or not np.isfinite(data.qpos).all()  # MuJoCo resets an unstable simulation
             if not fell:
                 times.append(data.time)
                 errors.append(np.abs(difference(model, trajectory, data)))
@@ -100,9 +101,9 @@ def tracked(
 
 
 def refined(simulation: Simulation, trajectory: SampledTrajectory) -> tuple[Simulation, Tracking]:
-    """The scene with the largest time step of those tried by which it follows its motion, else as it is.
+    """Return the scene with the largest tried time step for which it follows its motion, else unchanged.
 
-    They do not help a free joint that leaves the motion first, which has no actuator, and geoms that are in each other.
+    None is tried if a free joint, which has no actuator, deviates first, or if geoms penetrate in the motion.
     """
     first, model = tracked(simulation, trajectory), simulation.model
     if first.is_within or model.jnt_type[model.dof_jntid[first.leaves[1]]] == FREE or _depths(simulation, trajectory):
@@ -118,21 +119,21 @@ def refined(simulation: Simulation, trajectory: SampledTrajectory) -> tuple[Simu
 
 
 def started(model: mujoco.MjModel, trajectory: SampledTrajectory, aims: Array) -> mujoco.MjData:
-    """The state at the first key."""
+    """Return the state at the first key."""
     data = mujoco.MjData(model)
     data.time, data.qpos, data.qvel, data.ctrl = trajectory.time[0], trajectory.qpos[0], trajectory.qvel[0], aims[0]
     return data
 
 
 def between(times: Array, rows: Array, time: float) -> Array:
-    """Rows at a time between their own."""
+    """Interpolate rows linearly to a time."""
     after = int(np.clip(np.searchsorted(times, time, side="right"), 1, len(times) - 1))
     share = np.clip((time - times[after - 1]) / (times[after] - times[after - 1]), 0, 1)
     return (1 - share) * rows[after - 1] + share * rows[after]
 
 
 def difference(model: mujoco.MjModel, trajectory: SampledTrajectory, data: mujoco.MjData) -> Array:
-    """(nv,) from the motion to a state: [m] of slides and positions, [rad] of what turns."""
+    """Return the deviation (nv,) of a state from the motion: [m] of translations, [rad] of rotations."""
     wanted, out = between(trajectory.time, trajectory.qpos, data.time), np.zeros(model.nv)
     mujoco.mj_normalizeQuat(model, wanted)
     mujoco.mj_differentiatePos(model, out, 1.0, wanted, data.qpos)
@@ -140,7 +141,7 @@ def difference(model: mujoco.MjModel, trajectory: SampledTrajectory, data: mujoc
 
 
 def note(tracking: Tracking, simulation: Simulation, trajectory: SampledTrajectory) -> str:
-    """A line on how far the scene follows its motion, and if it does not, why."""
+    """Return a note on how far the scene follows its motion, and on the reasons if it does not."""
     angle, length = np.nanmax(tracking.angle, initial=0), np.nanmax(tracking.length, initial=0)
     lasts = tracking.time[-1] - tracking.time[0]
     size = f"{_rounded(angle)} rad"
@@ -162,7 +163,7 @@ def _rounded(value: float) -> str:
 
 
 def _depths(simulation: Simulation, trajectory: SampledTrajectory, deepest: float = DEEP) -> list[str]:
-    """The two geoms that the motion has deepest in each other in the first second, if by more than `deepest` [m]."""
+    """Return the two geoms that penetrate deepest in the first second of the motion, if by more than `deepest` [m]."""
     model, data = simulation.model, mujoco.MjData(simulation.model)
     out = list[str]()
     for time, qpos in zip(
@@ -179,7 +180,7 @@ def _depths(simulation: Simulation, trajectory: SampledTrajectory, deepest: floa
 
 
 def _aloft(simulation: Simulation, trajectory: SampledTrajectory) -> list[str]:
-    """The initial height of a figure with a free root above the ground."""
+    """Return the initial height of a figure with a free root above the ground."""
     model, data = simulation.model, mujoco.MjData(simulation.model)
     root, still = trajectory.figure.root, solids(trajectory.model)
     if root is None or not root.is_free or not still:
@@ -197,7 +198,7 @@ def _aloft(simulation: Simulation, trajectory: SampledTrajectory) -> list[str]:
 
 
 def _reasons(tracking: Tracking, simulation: Simulation, trajectory: SampledTrajectory) -> list[str]:
-    """Reasons in the motion that actuators cannot compensate."""
+    """Return reasons in the motion that actuators cannot compensate, else those that tests reveal."""
     model, out = simulation.model, _depths(simulation, trajectory) or _aloft(simulation, trajectory)
     data = started(model, trajectory, simulation.control)
     with quietly():
@@ -225,7 +226,7 @@ def _reasons(tracking: Tracking, simulation: Simulation, trajectory: SampledTraj
 
 
 def _exceeded(model: mujoco.MjModel, trajectory: SampledTrajectory) -> list[str]:
-    """The hinge or slide that the motion has farthest beyond its range, where that exerts forces."""
+    """Return the hinge or slide that exceeds its range most, if joint limits exert forces."""
     if model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_LIMIT):
         return []
     scalar = np.flatnonzero(model.jnt_limited.astype(bool) & (model.jnt_type >= SLIDE))
@@ -240,7 +241,7 @@ def _exceeded(model: mujoco.MjModel, trajectory: SampledTrajectory) -> list[str]
 
 
 def _tested(before: Tracking, simulation: Simulation, trajectory: SampledTrajectory) -> list[str]:
-    """The changes without which the scene follows its motion: contacts or large time steps."""
+    """Return the changes with which the scene follows its motion: no contacts, or smaller time steps."""
     model = copy.copy(simulation.model)
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     if tracked(replace(simulation, model=model), trajectory).is_within:

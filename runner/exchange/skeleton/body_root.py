@@ -1,7 +1,7 @@
-"""A skeleton from its body's root on: the parents that many programs put above the pelvis are folded into it.
+"""A skeleton from the root of its body on: the motion of the parents above the pelvis becomes part of the root's.
 
-They stand still or carry it along: Reference, Armature, world, a trajectory on the ground. The root of the result moves
-in the world as the pelvis did.
+Many programs have such parents, which are static or carry the body along: Reference, Armature, world, a trajectory on
+the ground. The root of the result moves in the world as the pelvis did.
 """
 
 from __future__ import annotations
@@ -18,16 +18,17 @@ from . import bvh_file
 from .bvh_file import Skeleton
 from .roles import apply_bone_map, lineage, roles, unique
 
-STILL = 1e-6  # of a quaternion's entries, or the file's unit of length: less is no movement
-MOST_NAMES = 8  # in a note
+STILL = 1e-6  # [1 for quaternions, or the file's unit of length] largest change that counts as no motion
+MOST_NAMES = 8  # most names in a note
 
 
 def from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Skeleton, tuple[str, ...]]:
-    """The skeleton from its body's root on, and a note on what is not part of it; as it is if that is its root.
+    """Return the skeleton from the root of its body on, and a note on the joints left out.
 
     bone_map: the recording's names by role
 
-    It is left as it is, too, where the body's root stays at one place of its parent and other branches move.
+    The skeleton is unchanged if its root is that of the body, and also if the body's root does not translate in its
+    parent and other branches move.
     """
     root = _body_root(skeleton, bone_map)
     if root == 0:
@@ -59,9 +60,9 @@ def from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Ske
 
 
 def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
-    """The joint that carries all parts of the body that are known by name; else the first that does not move alone.
+    """Return the joint that carries all parts of the body known by name.
 
-    Without names, a joint is above the body's root if it carries nothing but one joint, and that one has positions.
+    Without such names it is the first joint from the top that carries several joints, or one without position channels.
     """
     parents, names = skeleton.parents, unique(skeleton.names)
     parts = set(apply_bone_map(roles(names, parents), bone_map, names, "recording").values())
@@ -77,8 +78,11 @@ def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
 
 
 def _at_zero(skeleton: Skeleton, carried: Array, root: int) -> Array:
-    """(4,) the turn of the pose in which nothing is turned that its parents give it, if they stand still and it stands
-    upright by it: files made z up have such a parent."""
+    """Return the rotation (4,) that its parents give the pose without rotations, if they are static and make it
+    upright.
+
+    Files converted to z up have such a parent.
+    """
     none = np.array([1.0, 0, 0, 0])
     if np.abs(carried - carried[0]).max() > STILL:
         return none

@@ -1,8 +1,8 @@
-"""Arms and legs of a figure whose names tell nothing: by its tree and by where its bodies are at rest.
+"""Arms and legs of a figure without meaningful names, by its tree and the positions of its bodies at rest.
 
-Limbs come in pairs, alike in all lengths, and hang on one body. Legs are the pair that reaches lowest, arms the one
-that hangs highest. A knee or elbow is the joint with the longest stretches before and after it; hinges that turn about
-the limb's own line do not end a stretch: robots have these half-way along upper arms and thighs.
+Limbs come in pairs with equal lengths that hang on one body. Legs are the pair that reaches lowest, arms the one that
+hangs highest. A knee or elbow is the joint between the longest segments. A hinge that rotates about the limb's line
+does not end a segment: robots have such hinges half-way along upper arms and thighs.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from dynsplines.solver.array import Array
 from . import hierarchy
 from .roles import lineage, split, with_trunk
 
-LEAST = 3  # joints of a limb
-ALIKE = 0.03  # of a limb's length that its counterpart may differ
-ALONG = 0.85  # cosine of a hinge to the limb's line about which it turns
-HANGING = 0.7  # of a leg's length that its end is below its beginning
+LEAST = 3  # least number of joints of a limb
+ALIKE = 0.03  # largest difference between the limbs of a pair, as a fraction of the limb's length
+ALONG = 0.85  # least cosine between a hinge's axis and the limb's line for a hinge along the limb
+HANGING = 0.7  # least height of a leg's beginning above its end, as a fraction of its length
 SIDES = ("left", "right")
 PARTS = {"leg": ("thigh", "shin", "foot"), "arm": ("upper_arm", "forearm", "hand")}
 
 
 @dataclass(frozen=True)
 class _Chain:
-    """Bodies that move one on the other; places (N, 3) [m] at rest of each, and of the limb's tip, in the world."""
+    """A chain of bodies; places (N, 3) [m] of each at rest and of the limb's tip, in the world."""
 
     bodies: Sequence[int]
     places: Array
@@ -41,9 +41,9 @@ class _Chain:
 
 
 def completed(model: mujoco.MjModel, found: Mapping[str, int], place: Array, turn: Array) -> dict[str, int]:
-    """Bodies by role as their names tell; a limb of which these do not tell upper and lower part is found by the tree.
+    """Return bodies by role; the tree gives limbs whose names do not identify upper and lower part.
 
-    place (nbody, 3) [m], turn (nbody, 4)  of the bodies at rest
+    found  bodies by role from their names; place (nbody, 3) [m], turn (nbody, 4)  of the bodies at rest
     """
     by_tree = limbs(model, place, turn)
     names, parents = hierarchy.names(model), [-1, *model.body_parentid[1:].tolist()]
@@ -67,9 +67,9 @@ def completed(model: mujoco.MjModel, found: Mapping[str, int], place: Array, tur
 
 
 def limbs(model: mujoco.MjModel, place: Array, turn: Array) -> dict[str, int]:
-    """Bodies by role, "left_thigh" to "right_hand", of those limbs that are found; place (nbody, 3), turn (nbody, 4).
+    """Return bodies by role, "left_thigh" to "right_hand", of identified limbs; place (nbody, 3), turn (nbody, 4).
 
-    None at all if it stands on more than two legs.
+    The result is empty for a figure on more than two legs.
     """
     pairs = list(_pairs(model, place, turn))
     legs = min(pairs, key=lambda pair: pair[0].places[-1][2], default=None)
@@ -86,7 +86,7 @@ def limbs(model: mujoco.MjModel, place: Array, turn: Array) -> dict[str, int]:
 
 
 def _pairs(model: mujoco.MjModel, place: Array, turn: Array) -> Iterator[tuple[_Chain, _Chain]]:
-    """Limbs that hang on one body and are alike, those of the left first."""
+    """Yield pairs of equal limbs that hang on one body, the left one first."""
     for body in range(1, model.nbody):
         below = np.flatnonzero(model.body_parentid[1:] == body) + 1
         chains = [chain for child in below.tolist() if (chain := _chain(model, child, place, turn)) is not None]
@@ -97,7 +97,7 @@ def _pairs(model: mujoco.MjModel, place: Array, turn: Array) -> Iterator[tuple[_
 
 
 def _chain(model: mujoco.MjModel, body: int, place: Array, turn: Array) -> _Chain | None:
-    """The bodies with joints from one on, along what reaches farthest, to where fingers part; None of too few."""
+    """Return the jointed bodies from one on to the first branching, such as at fingers; None for too few."""
     bodies = list[int]()
     while True:
         if model.body_jntnum[body]:
@@ -116,7 +116,7 @@ def _chain(model: mujoco.MjModel, body: int, place: Array, turn: Array) -> _Chai
 
 
 def _moving(model: mujoco.MjModel, top: int) -> bool:
-    """Whether a body has joints, or anything that hangs on it."""
+    """Return whether a body or a descendant has joints."""
     inside = {top}
     for body in range(top, model.nbody):
         if body == top or int(model.body_parentid[body]) in inside:
@@ -127,7 +127,7 @@ def _moving(model: mujoco.MjModel, top: int) -> bool:
 
 
 def _are_alike(one: _Chain, other: _Chain) -> bool:
-    """Whether two limbs are of the same lengths and begin and end at the same heights."""
+    """Return whether two limbs have equal lengths, and begin and end at equal heights."""
     if len(one.bodies) != len(other.bodies) or not one.length > 0:
         return False
     gaps = [np.linalg.norm(np.diff(chain.places, axis=0), axis=1) for chain in (one, other)]
@@ -138,7 +138,8 @@ def _are_alike(one: _Chain, other: _Chain) -> bool:
 
 
 def _is_left(model: mujoco.MjModel, one: _Chain, other: _Chain) -> bool:
-    """Whether a limb is the left one of two: by any name of a body or joint along them, or by where it is."""
+    """Return whether the first of two limbs is the left one, by names of bodies and joints along them, else by
+    position."""
     for chain, side in ((one, "left"), (other, "right"), (one, "right"), (other, "left")):
         names = [model.body(body).name for body in chain.bodies]
         names += [model.joint(joint).name for joint in hierarchy.joints(model, chain.bodies)]
@@ -150,7 +151,7 @@ def _is_left(model: mujoco.MjModel, one: _Chain, other: _Chain) -> bool:
 def _parts(
     model: mujoco.MjModel, pair: tuple[_Chain, _Chain], turn: Array, parts: tuple[str, str, str]
 ) -> dict[str, int]:
-    """Upper part, lower part and end of two limbs; the end only where there is a joint below the lower part's."""
+    """Return upper part, lower part and end of two limbs; the end only if a joint follows the lower part's."""
     out = dict[str, int]()
     for side, chain in zip(SIDES, pair, strict=True):
         middle = _middle(model, chain, turn)
@@ -164,7 +165,7 @@ def _parts(
 
 
 def _middle(model: mujoco.MjModel, chain: _Chain, turn: Array) -> int | None:
-    """The number in a chain of the knee or elbow: the longest stretches meet there."""
+    """Return the index in a chain of the knee or elbow, where the longest segments meet."""
     ends = [0]  # of stretches
     for i in range(1, len(chain.bodies)):
         line = chain.places[i] - chain.places[ends[-1]]
@@ -178,7 +179,7 @@ def _middle(model: mujoco.MjModel, chain: _Chain, turn: Array) -> int | None:
 
 
 def _turns_about(model: mujoco.MjModel, body: int, turn: Array, line: Array) -> bool:
-    """Whether a body only turns about a line."""
+    """Return whether a body only rotates about a line."""
     joints = hierarchy.joints(model, [body])
     if len(joints) != 1 or model.jnt_type[joints[0]] != mujoco.mjtJoint.mjJNT_HINGE:
         return False

@@ -1,8 +1,7 @@
-"""The text of a BVH file, Biovision's hierarchy and motion, to numbers and back; every complaint names the line.
+"""The text of a BVH file (Biovision hierarchy), to and from numbers; every error names the line.
 
-M. Meredith, S. Maddock, "Motion Capture File Formats Explained", University of Sheffield, 2001. Rotations are degrees
-about the axes in the order of the channels, each about what the ones before have turned. Where a joint has positions
-among its channels they take its offset's place, as Blender has it.
+M. Meredith, S. Maddock, "Motion Capture File Formats Explained", University of Sheffield, 2001. Rotations are intrinsic
+Euler angles in degrees, in the order of the channels. As in Blender, position channels of a joint replace its offset.
 """
 
 from __future__ import annotations
@@ -28,13 +27,13 @@ from .roles import lineage, roles
 AXES = "XYZ"
 KINDS = tuple(f"{axis}{kind}" for kind in ("position", "rotation") for axis in AXES)
 NO_NUMBER = re.compile(r"[+-]?(\d+\.#\w+|nan(\(\w+\))?|inf\w*|null|none|n/?a)", re.IGNORECASE)
-LISTED = 8  # names in a note
-MOST_JOINTS = 2000  # of a skeleton: more is a mangled file
+LISTED = 8  # most names in a note
+MOST_JOINTS = 2000  # most joints of a skeleton; a file with more is damaged
 
 
 @dataclass(frozen=True)
 class Joint:
-    """parent: -1 for the root; offset (3,) from the parent; channels in the file's order; end (3,) of the End Site."""
+    """parent: -1 for the root; offset (3,) from the parent; channels in the file's order; end (3,) of the End Site"""
 
     name: str
     parent: int
@@ -45,9 +44,9 @@ class Joint:
 
 @dataclass(frozen=True)
 class Skeleton:
-    """Joints, parents first, and what they do: values (T, channels), in the file's units and degrees.
+    """Joints, parents first, and their motion: values (T, channels), in the file's units and degrees.
 
-    notes: lines on what is missing in the file; up: the axis that is up by convention
+    notes: lines on what is missing in the file; up: the vertical axis by convention
     """
 
     joints: tuple[Joint, ...]
@@ -89,12 +88,12 @@ class Skeleton:
 
     @cached_property
     def at_zero(self) -> Array:
-        """(J, 3) where the joints are when nothing is turned."""
+        """(J, 3) positions of the joints in the pose without rotations."""
         offsets = np.array([joint.offset for joint in self.joints])[None]
         return self.placed(offsets, np.tile([1.0, 0, 0, 0], (1, len(self.joints), 1)))[0][0]
 
     def placed(self, position: Array, rotation: Array) -> tuple[Array, Array]:
-        """From the parents' axes (T, J, ...) to the world's."""
+        """Transform from the parents' axes (T, J, ...) to the world's."""
         position, rotation = position.copy(), rotation.copy()
         for i, parent in enumerate(self.parents):
             if parent >= 0:
@@ -104,9 +103,10 @@ class Skeleton:
 
 
 def skeleton(joints: Sequence[Joint], place: Array, turn: Array, frame_time: float) -> Skeleton:
-    """Joints, without channels yet, that are at places (T, J, 3) and turned (T, J, 4) in their parents' axes."""
+    """Return a skeleton from joints without channels, with positions (T, J, 3) and rotations (T, J, 4) in parents'
+    axes."""
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of two axes that fall together: any of the angles will do
+        warnings.simplefilter("ignore")  # gimbal lock: any of the equivalent angles is correct
         angles = Rotation.from_quat(turn.reshape(-1, 4), scalar_first=True).as_euler("ZYX", degrees=True)
     channels = ("Xposition", "Yposition", "Zposition", "Zrotation", "Yrotation", "Xrotation")
     values = np.concatenate([place, angles.reshape(place.shape)], axis=-1)
@@ -116,7 +116,7 @@ def skeleton(joints: Sequence[Joint], place: Array, turn: Array, frame_time: flo
 
 
 def fps_of(frame_time: float, digits: int) -> float:
-    """The rate [1/s] that is meant by a frame time of so many decimals: 0.0083333 is 120."""
+    """Return the rate [1/s] that a rounded frame time of `digits` decimals represents: 120 for 0.0083333."""
     for rate in (round(1 / frame_time), round(1.001 / frame_time) / 1.001):
         if rate > 0 and abs(1 / rate - frame_time) <= 0.6 * 10.0**-digits + 1e-9 * frame_time:
             return float(rate)
@@ -124,7 +124,7 @@ def fps_of(frame_time: float, digits: int) -> float:
 
 
 class _Lines:
-    """The lines that are not empty, one after the other; a brace counts as a line of its own, wherever it stands."""
+    """The non-empty lines, one after the other; every brace counts as a separate line."""
 
     def __init__(self, path: Path, text: str) -> None:
         self.path, self.number = path, 0
@@ -168,12 +168,12 @@ def _is_number(word: str) -> bool:
 
 
 def shown(text: str) -> str:
-    """The beginning of a text."""
+    """Return the beginning of a text."""
     return text if len(text) <= 40 else text[:40] + "..."
 
 
 def read(path: Path) -> tuple[Skeleton, float]:
-    """The skeleton with its motion, and the images a second; raises UserError that names the line."""
+    """Return the skeleton with its motion, and the rate [1/s]; raises UserError that names the line."""
     try:
         text = _text(path.read_bytes())
     except OSError as error:
@@ -190,7 +190,7 @@ def read(path: Path) -> tuple[Skeleton, float]:
 
 
 def _text(content: bytes) -> str:
-    """A file's text: UTF-8, or Shift JIS, in which programs for MMD write."""
+    """Return a file's text: UTF-8, or Shift JIS, which programs for MMD write."""
     for encoding in ("utf-8-sig", "cp932"):
         try:
             return content.decode(encoding)
@@ -200,7 +200,7 @@ def _text(content: bytes) -> str:
 
 
 def _hierarchy(lines: _Lines) -> list[Joint]:
-    """All joints, up to and including the line MOTION."""
+    """Return all joints, up to and including the line MOTION."""
     joints: list[Joint] = []
     inside: list[int] = []
     while True:
@@ -233,7 +233,7 @@ def _hierarchy(lines: _Lines) -> list[Joint]:
 
 
 def _joint(lines: _Lines, name: str, parent: int) -> Joint:
-    """What stands before a joint's children: its offset, and its channels if it has any."""
+    """Read the lines before a joint's children: its offset, and its channels if it has any."""
     lines.brace("{", f"'{name}'")
     offset = _offset(lines, lines.next(f"OFFSET of '{name}'"), f"'{name}'")
     words = lines.next(f"CHANNELS of '{name}'").split()
@@ -259,7 +259,7 @@ def _offset(lines: _Lines, line: str, what: str) -> Array:
 
 
 def _heading(lines: _Lines) -> tuple[int, float, float]:
-    """Images, frame time [s] and rate [1/s]."""
+    """Return the number of frames, the frame time [s] and the rate [1/s]."""
     words = lines.next("Frames").replace(":", " ").split()
     if words[0].lower() != "frames" or len(words) != 2 or not words[1].isdigit():
         raise lines.wrong(f"'{shown(' '.join(words))}' where 'Frames: N' should be")
@@ -274,9 +274,9 @@ def _heading(lines: _Lines) -> tuple[int, float, float]:
 
 
 def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ...]]:
-    """(T, width) the rest of the file, entries without numbers as nan, and a note if T is not the declared count.
+    """Return the rest of the file (T, width), nan for missing numbers, and a note if T is not the declared count.
 
-    Raises UserError for another number of samples unless gaps are allowed; then what is there is used.
+    Raises UserError for another number of samples unless gaps are allowed; then the samples present are used.
     """
     is_strict, rest, rows = not gaps.are_allowed(), list(lines.rest()), list[Array]()
     for i, (number, line) in enumerate(rest):
@@ -309,7 +309,7 @@ def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ..
 
 
 def _is_last_number_cut(words: list[str], row: list[float | None], rest: Sequence[tuple[int, str]]) -> bool:
-    """Whether the frames before show that the last number of a frame is cut."""
+    """Return whether the previous frames show that the last number of a frame is cut."""
     above = [line.split()[-1] for _, line in rest[:-1]]
     last = row[-1]
     return last is not None and is_number_cut(
@@ -318,7 +318,7 @@ def _is_last_number_cut(words: list[str], row: list[float | None], rest: Sequenc
 
 
 def _number(word: str, *, is_strict: bool) -> float | None:
-    """The number that a word is, nan for one that is not finite; None for other words."""
+    """Return the number in a word, nan for one that is not finite; None for other words."""
     try:
         return float(word)
     except ValueError:
@@ -326,9 +326,9 @@ def _number(word: str, *, is_strict: bool) -> float | None:
 
 
 def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tuple[Array, tuple[str, ...]]:
-    """Values that are numbers, and a note; samples in which a part of the body has none are marked as gaps.
+    """Return finite values, and a note; samples with a missing number of a part of the body are marked as gaps.
 
-    A joint that carries no part of the body keeps the pose of the sample before, or of rest. Raises UserError for
+    A joint that carries no part of the body gets the pose of the sample before, or of rest. Raises UserError for
     entries that are not finite unless gaps are allowed.
     """
     values = np.where(np.isfinite(values), values, np.nan)
@@ -361,7 +361,7 @@ def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tupl
 
 
 def _held(track: Array, rest: float) -> Array:
-    """A track (T,) with the last number before each gap; before the first number, that one; without any, at rest."""
+    """Return a track (T,) with gaps filled by the last number before, else the first number, else the rest value."""
     good = np.flatnonzero(np.isfinite(track))
     if not good.size:
         return np.full(track.shape, rest)
@@ -369,7 +369,7 @@ def _held(track: Array, rest: float) -> Array:
 
 
 def written(skeleton: Skeleton) -> str:
-    """The file's text: six decimals of offsets and values, the frame time to the last digit."""
+    """Return the file's text: offsets and values with six decimals, the frame time to the last digit."""
     lines = ["HIERARCHY"]
     children: dict[int, list[int]] = {}
     for i, parent in enumerate(skeleton.parents):

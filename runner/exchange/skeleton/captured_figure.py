@@ -1,4 +1,4 @@
-"""A captured skeleton as a figure of its own: MJCF with a free root, ball joints, and capsules along the bones."""
+"""A captured skeleton as a new figure: MJCF with a free root, ball joints, and capsules along the bones."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from .captured_skeleton import CapturedSkeleton
 from .roles import lineage, unique
 
 DENSITY = 1000.0  # [kg/m³]
-LEAST = 1e-3  # [m]: a shorter bone gets a ball
-# Radius by its bone's length, and the least and most of it [m]; by role, the trunk is thick and a foot flat
+LEAST = 1e-3  # [m] least length of a bone with a capsule; a shorter one gets a sphere
+# By role: radius of a capsule as a fraction of its bone's length, and its bounds [m]
 THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.13, 0.02, 0.055),
              "foot": (0.2, 0.015, 0.035), "upper_arm": (0.16, 0.02, 0.05), "forearm": (0.15, 0.015, 0.04),
              "pelvis": (0.5, 0.05, 0.1), "chest": (0.4, 0.04, 0.1), "neck": (0.5, 0.03, 0.055),
              "head": (0.5, 0.05, 0.09)}  # fmt: skip
 SIDES = ("left", "right")
-WORLD = "world"  # a body of MuJoCo
+WORLD = "world"  # name reserved by MuJoCo
 COLOURS = {"left": "0.17 0.45 0.56 1", "right": "0.93 0.55 0.22 1", "": "0.45 0.5 0.56 1"}
 
 
 def figure(captured: CapturedSkeleton) -> tuple[str, Array]:
-    """The MJCF text and qpos (T, nq). The angles of the file's own zero are this figure's rest."""
+    """Return the MJCF text and qpos (T, nq); the zero pose of the file is the rest pose of the figure."""
     lowest = min(
         captured.at_zero[:, 2].min(), *(captured.at_zero[i, 2] + end[2] for i, end in captured.ends.items()), 0.0
     )
@@ -54,7 +54,7 @@ def figure(captured: CapturedSkeleton) -> tuple[str, Array]:
         _bones(body, captured, i, names[i], part, colour, taken)
     _soles(bodies, captured)
     _hands(bodies, captured)
-    for body in bodies:  # what belongs to a body before what hangs on it
+    for body in bodies:  # a body's geoms and sites precede its children
         body[:] = sorted(body, key=lambda child: child.tag == "body")
     local = captured.local[:, _depth_first(captured)[1:]].reshape(len(captured.local), -1)
     qpos = np.concatenate([captured.position[:, 0], captured.rotation[:, 0], local], axis=1)
@@ -63,12 +63,12 @@ def figure(captured: CapturedSkeleton) -> tuple[str, Array]:
 
 
 def _depth_first(captured: CapturedSkeleton, joint: int = 0) -> list[int]:
-    """A joint and all below it in the order of MuJoCo's bodies."""
+    """Return a joint and its descendants in the order of MuJoCo's bodies."""
     return [joint, *(below for child in captured.children(joint) for below in _depth_first(captured, child))]
 
 
 def _side(captured: CapturedSkeleton, joint: int, by_joint: dict[int, str]) -> str:
-    """Of the limb that a joint is of."""
+    """Return the side of the limb that a joint belongs to."""
     for i in lineage(joint, captured.parents):
         side = by_joint.get(i, "").partition("_")[0]
         if side in SIDES:
@@ -83,7 +83,7 @@ def _row(values: Iterable[float]) -> str:
 def _bones(
     body: ET.Element, captured: CapturedSkeleton, joint: int, name: str, role: str, colour: str, taken: set[str]
 ) -> None:
-    """A capsule to every child and to the end; a ball where there is none. The first has the body's name."""
+    """Add a capsule to every child and to the end, or a sphere without any; the first has the body's name."""
     share, least, most = THICKNESS[role]
     count = 0
     for start, tip in _lines(captured, joint, role):
@@ -100,7 +100,10 @@ def _bones(
 
 
 def _lines(captured: CapturedSkeleton, joint: int, role: str) -> list[tuple[Array, Array]]:
-    """From where to where (3,) its bones go; where left and right begin, up between them, and from one to the other."""
+    """Return the ends (3,) of the bones of a joint.
+
+    At pelvis and chest, bones lead to the midpoint between the limbs, and from left to right.
+    """
     below = captured.children(joint)
     origin, tips = np.zeros(3), [captured.offset[child] for child in below]
     if role in ("pelvis", "chest"):
@@ -116,7 +119,7 @@ def _lines(captured: CapturedSkeleton, joint: int, role: str) -> list[tuple[Arra
 
 
 def _begins(captured: CapturedSkeleton, joint: int) -> str:
-    """Which side's limb this joint or one below it begins."""
+    """Return the side of the limb that begins at a joint or below it."""
     for side in SIDES:
         limb = [captured.roles[role] for role in captured.roles if role.startswith(side)]
         if any(joint in lineage(i, captured.parents) for i in limb):
@@ -125,7 +128,7 @@ def _begins(captured: CapturedSkeleton, joint: int) -> str:
 
 
 def _soles(bodies: list[ET.Element], captured: CapturedSkeleton) -> None:
-    """Sites at heel and toe, on the ground where the foot is lowest: what is kept from sliding and sinking."""
+    """Add sites at heel and toe, on the ground where the foot is lowest, for the penalties on sliding and sinking."""
     for side, (ankle, toe, end, low) in captured.feet.items():
         over_ankle, over_toe = captured.position[low, ankle], captured.at(toe, end)[low]
         back = over_ankle - 0.25 * (over_toe - over_ankle)

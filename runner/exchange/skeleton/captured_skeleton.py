@@ -1,4 +1,4 @@
-"""A captured skeleton in our axes: metres, z up, looking along x where it stands straight; its feet and the ground."""
+"""A captured skeleton in metres, z up, facing x where it stands straight; with its feet and the ground."""
 
 from __future__ import annotations
 
@@ -17,20 +17,21 @@ from .bvh_file import Skeleton
 from .roles import apply_bone_map, roles, unique, with_trunk
 from .up_axis import NONE, TO_Z, standing_turn, vertical
 
-REACH = 1.25  # [m] from an adult's hips along the bones to the fingertips or toes, about
+REACH = 1.25  # [m] typical distance from an adult's hips along the bones to the fingertips or toes
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
 ODD_UNITS = {"inches": 0.0254, "the CMU database's units": 0.0254 / 0.45}
-UPRIGHT = 0.8  # cosine to the vertical of legs and trunk in a pose that counts as standing
+UPRIGHT = 0.8  # least cosine between the vertical and legs and trunk in a pose that counts as standing
 LIKELY = (0.55, 3.0)  # [m] plausible reach of a person
-DRIFT = 0.01  # of the reach that a bone may change its length unmentioned
+DRIFT = 0.01  # least change of a bone's length that is reported, as a fraction of REACH
 
 
 @dataclass(frozen=True)
 class CapturedSkeleton:
-    """Joints, parents first (-1 for the root), at equal times.
+    """Joints, parents first (-1 for the root), at equal time steps.
 
-    offset (J, 3) [m] from the parent when nothing is turned, ends {joint: (3,)}, position (T, J, 3) and rotation
-    (T, J, 4) in the world, local (T, J, 4) in the parent's axes; notes on what was guessed; bone_map, names by role
+    offset (J, 3) [m] from the parent in the zero pose, that without rotations; ends {joint: (3,)} [m] of End Sites;
+    position (T, J, 3) [m] and rotation (T, J, 4) in the world; local (T, J, 4) in the parent's axes; notes on what was
+    inferred; bone_map, names by role
     """
 
     names: list[str]
@@ -47,7 +48,7 @@ class CapturedSkeleton:
     def of(
         cls, skeleton: Skeleton, scale: float | None = None, bone_map: Mapping[str, str] | None = None
     ) -> CapturedSkeleton:
-        """From a file's unit and axes; scale [m] its unit, inferred if None; bone_map, names by role."""
+        """Convert from a file's unit and axes; scale [m] its unit, inferred if None; bone_map, names by role."""
         bone_map, notes_of_file = bone_map or {}, skeleton.notes
         skeleton, folded = from_body_root(skeleton, bone_map)
         place, turn = skeleton.local
@@ -70,7 +71,7 @@ class CapturedSkeleton:
         return _placed_upright(here, skeleton)
 
     def turned(self, world: Array, rest: Array) -> CapturedSkeleton:
-        """With the world turned (4,), and the pose in which nothing is turned by another turn (4,)."""
+        """Return the skeleton with the world rotated (4,), and the zero pose by another rotation (4,)."""
         back = quat.inverse(rest)
         local = quat.product(quat.product(rest, self.local), back)
         local[:, 0] = quat.product(quat.product(world, self.local[:, 0]), back)
@@ -93,7 +94,7 @@ class CapturedSkeleton:
 
     @cached_property
     def at_zero(self) -> Array:
-        """(J, 3) where the joints are when nothing is turned, the root at the origin."""
+        """(J, 3) positions of the joints in the zero pose, the root at the origin."""
         place = np.zeros_like(self.offset)
         for i, parent in enumerate(self.parents):
             place[i] = self.offset[i] + (place[parent] if parent >= 0 else 0.0)
@@ -101,7 +102,7 @@ class CapturedSkeleton:
 
     @cached_property
     def stands(self) -> bool:
-        """Whether it stands upright when nothing is turned."""
+        """Whether the zero pose stands upright."""
         place, by_role = self.at_zero, self.roles
         needed = [f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "shin")]
         if any(role not in by_role for role in needed):
@@ -118,18 +119,19 @@ class CapturedSkeleton:
         return [i for i, parent in enumerate(self.parents) if parent == joint]
 
     def tip(self, joint: int) -> tuple[int, Array]:
-        """The joint where a limb ends, from here on along the longest bones, and its End Site there (3,)."""
+        """Return the last joint of a limb, along the longest bones from a joint on, and its End Site (3,)."""
         while below := self.children(joint):
             joint = max(below, key=lambda i: float(np.linalg.norm(self.offset[i])))
         return joint, self.ends.get(joint, np.zeros(3))
 
     def at(self, joint: int, point: Array) -> Array:
-        """(T, 3) a joint's point in the world."""
+        """Return the positions (T, 3) of a joint's point in the world."""
         return self.position[:, joint] + quat.rotated(self.rotation[:, joint], point)
 
     @cached_property
     def feet(self) -> dict[str, tuple[int, int, Array, int]]:
-        """By side: the ankle, the toe's joint, the toe's end there (3,), and the image in which the foot is lowest."""
+        """By side: the ankle, the last joint of the toes, their end (3,) in it, and the sample in which the foot is
+        lowest."""
         out = {}
         for side in ("left", "right"):
             if f"{side}_foot" in self.roles:
@@ -141,7 +143,7 @@ class CapturedSkeleton:
 
     @cached_property
     def ground(self) -> float:
-        """The height [m] of the lower foot's toe where it is lowest; nought if there are no feet."""
+        """The least height [m] of the toes of the lower foot; zero without feet."""
         return min((float(self.at(toe, end)[low, 2]) for _, toe, end, low in self.feet.values()), default=0.0)
 
     def raised(self, by: float) -> CapturedSkeleton:
@@ -151,7 +153,7 @@ class CapturedSkeleton:
 def _unit(
     parents: list[int], offset: Array, ends: dict[int, Array], scale: float | None
 ) -> tuple[float, tuple[str, ...]]:
-    """The file's unit [m], by how far its longest limb reaches from the root."""
+    """Return the file's unit [m], by the length of its longest limb from the root, and notes."""
     reach = np.zeros(len(parents))
     for i, parent in enumerate(parents):
         if parent >= 0:
@@ -172,7 +174,7 @@ def _unit(
 
 
 def _placed_upright(captured: CapturedSkeleton, skeleton: Skeleton) -> CapturedSkeleton:
-    """With z up in the world and in the pose in which nothing is turned, of one in the file's axes."""
+    """Return a skeleton in the file's axes converted to z up, both in the world and in the zero pose."""
     up, note = vertical(captured.position, captured.roles, skeleton.up)
     world = TO_Z[up]
     captured = captured.turned(world, world)

@@ -1,11 +1,11 @@
-"""Ball joints as three hinges each, for formats and simulators that know hinges only: the model, its motion, and back.
+"""Ball joints as three hinges each, for formats and simulators with hinges only: model and motion, and back.
 
 A ball joint `left_hip` becomes the hinges `left_hip_x`, `left_hip_z`, `left_hip_y`, in this order, about the axes of
-the body at rest: R = R_x(a) R_z(b) R_y(c). Three hinges in series lock where the middle one is at ±90°. Limbs lie
-along z, so that the middle hinge is the twist about the limb, the narrowest of the three: over eighteen motions,
-cartwheels, hops and high kicks among them, it stayed within 85° and mostly below 50°, where the other orders come to
-86° to 90°. Angles are continuous in time and go beyond ±180° where the motion does; a motion through the lock goes
-through it, and does not jump.
+the body at rest: R = R_x(a) R_z(b) R_y(c). Three hinges in series are in gimbal lock where the middle one is at ±90°.
+Limbs lie along z, so the middle hinge is the twist about the limb, which has the smallest range. In eighteen motions,
+which include cartwheels, hops and high kicks, it stayed within 85° and mostly below 50°; other orders reached 86° to
+90°. Angles are continuous in time and exceed ±180° where the motion does. A motion through the lock passes it without
+a jump.
 
 Tait-Bryan angles of any order: with i, j, k the axes of the order and e = ±1 its parity,
 R_ik = e sin b, R_jk = -e sin a cos b, R_kk = cos a cos b.
@@ -27,9 +27,9 @@ from ...errors import UserError
 from ...scene.assets import Scene
 
 ORDER = "xzy"
-NEAR = np.radians(10)  # from the lock, where angles turn fast enough to be told
-LOCKED = 1e-6  # cos b below which a and c cannot be told apart
-WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}  # of a joint's type in qpos and qvel
+NEAR = np.radians(10)  # [rad] largest distance from gimbal lock that is reported, as angles change fast near it
+LOCKED = 1e-6  # cos b below which a and c are not unique
+WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}  # entries in qpos and qvel by type of joint
 BALL = int(mujoco.mjtJoint.mjJNT_BALL)
 REFERRING = ("actuator", "sensor", "equality", "tendon")
 ROTATION_ONLY = (
@@ -46,7 +46,7 @@ ROTATION_ONLY = (
 
 
 def angles(rotation: Array, order: str = ORDER) -> Array:
-    """Angles (T, n, 3) [rad] in the order given, continuous in time, of quaternions (T, n, 4) of any length > 0."""
+    """Return angles (T, n, 3) [rad] in an order, continuous in time, of quaternions (T, n, 4) of any length > 0."""
     i, j, k = ("xyz".index(letter) for letter in order)
     sign = parity(order)
     matrix = quat.matrices(rotation)
@@ -63,7 +63,7 @@ def angles(rotation: Array, order: str = ORDER) -> Array:
 
 
 def _completed(matrix: Array, a: Array, i: int, j: int, k: int, sign: float) -> Array:
-    """(n, 3): the angles of rotations (n, 3, 3) whose first is known, R_i(a)ᵀ R = R_j(b) R_k(c)."""
+    """Return angles (n, 3) of rotations (n, 3, 3) with the first angle known, from R_i(a)ᵀ R = R_j(b) R_k(c)."""
     cos, sin = np.cos(a)[:, None], sign * np.sin(a)[:, None]
     row_j = cos * matrix[:, j] + sin * matrix[:, k]
     row_k = cos * matrix[:, k] - sin * matrix[:, j]
@@ -73,25 +73,25 @@ def _completed(matrix: Array, a: Array, i: int, j: int, k: int, sign: float) -> 
 
 
 def _near(angle: Array, other: Array) -> Array:
-    """The angle, by whole turns as near as can be to another."""
+    """Shift an angle by whole turns to within half a turn of another."""
     return angle - 2 * np.pi * np.round((angle - other) / (2 * np.pi))
 
 
 def parity(order: str) -> float:
-    """+1 for xyz, yzx and zxy, -1 for the others."""
+    """Return +1 for xyz, yzx and zxy, -1 for the other orders."""
     return 1.0 if order in "xyzxy" else -1.0
 
 
 def rotation_of(angle: Array, order: str = ORDER) -> Array:
-    """Quaternions (..., 4) of angles (..., 3) [rad] in the order given."""
+    """Return quaternions (..., 4) of angles (..., 3) [rad] in an order."""
     turns = [quat.from_rotation_vector(angle[..., n, None] * np.eye(3)["xyz".index(x)]) for n, x in enumerate(order)]
     return quat.product(quat.product(turns[0], turns[1]), turns[2])
 
 
 def rates(angle: Array, spin: Array, order: str = ORDER) -> Array:
-    """Rates (..., 3) [rad/s] of angles (..., 3), of the body's angular velocity (..., 3) in its own axes.
+    """Return rates (..., 3) [rad/s] of angles (..., 3) from the angular velocity (..., 3) in body axes.
 
-    In the lock itself, where some velocities cannot be had, the nearest in the sense of least squares.
+    In gimbal lock some velocities are impossible; there the result is their least-squares approximation.
     """
     i, j, k = (np.eye(3)["xyz".index(letter)] for letter in order)
     last = quat.from_rotation_vector(-angle[..., 2, None] * k)
@@ -104,7 +104,7 @@ def rates(angle: Array, spin: Array, order: str = ORDER) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class HingeLayout:
-    """Where the joints of a model lie in qpos and qvel, and where in those of its variant of hinges.
+    """The joints of a model in qpos and qvel, and those of its variant with hinges.
 
     joints   (joint of the model, its name or three names) in the model's order
     """
@@ -136,7 +136,7 @@ class HingeLayout:
         return [joint for joint, hinges in self.joints if len(hinges) == 3]
 
     def qpos(self, qpos: Array) -> Array:
-        """Configurations (T, nq') of the variant, of configurations (T, nq) of the model."""
+        """Return configurations (T, nq') of the variant for configurations (T, nq) of the model."""
         if not self.balls:
             return np.array(qpos, float)
         rotation = np.stack([qpos[:, self._columns(joint)] for joint in self.balls], 1)
@@ -144,7 +144,7 @@ class HingeLayout:
         return np.concatenate([angle.get(joint, qpos[:, self._columns(joint)]) for joint, _ in self.joints], 1)
 
     def qvel(self, hinges: Array, qvel: Array) -> Array:
-        """Velocities (T, nv') of the variant at configurations hinges (T, nq'), of velocities (T, nv) of the model."""
+        """Return velocities (T, nv') of the variant at `hinges` (T, nq') for velocities (T, nv) of the model."""
         out = []
         for (joint, own), start in zip(self.joints, self._starts, strict=True):
             dof = self.model.jnt_dofadr[joint]
@@ -153,7 +153,7 @@ class HingeLayout:
         return np.concatenate(out, 1)
 
     def back(self, hinges: Array) -> Array:
-        """Configurations (T, nq) of the model, of those (T, nq') of the variant."""
+        """Return configurations (T, nq) of the model for those (T, nq') of the variant."""
         out = []
         for (joint, own), start in zip(self.joints, self._starts, strict=True):
             width = 3 if len(own) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0]
@@ -162,12 +162,12 @@ class HingeLayout:
         return np.concatenate(out, 1)
 
     def at_rest(self, joint: int) -> Array:
-        """The entries of a joint in the variant's qpos, in the model's own pose."""
+        """Return the entries of a joint in the variant's qpos at the model's rest pose."""
         rest = self.model.qpos0[self._columns(joint)]
         return angles(rest[None, None], self.order)[0, 0] if joint in self.balls else np.array(rest)
 
     def nearest_lock(self, hinges: Array) -> tuple[float, str, int] | None:
-        """The angle [rad] from the lock at its least, the ball joint, the sample; None without ball joints."""
+        """Return the least distance [rad] from gimbal lock, its ball joint and sample; None without ball joints."""
         locks = []
         for (_, own), start in zip(self.joints, self._starts, strict=True):
             if len(own) == 3:
@@ -176,9 +176,9 @@ class HingeLayout:
         return min(locks, default=None)
 
     def mjcf(self, text: str) -> str:
-        """The variant's complete MJCF text, of the model's; keyframes, and what acts on or measures ball joints, go.
+        """Return the variant's complete MJCF for the model's, without keyframes and references to ball joints.
 
-        The joints keep damping, stiffness and armature, each hinge the ball's, and have no ranges.
+        Each hinge has the ball joint's damping, stiffness and armature, and no range.
         """
         root = ElementTree.fromstring(text)
         for keyframes in root.findall("keyframe"):
@@ -208,7 +208,7 @@ class HingeLayout:
 
     @cached_property
     def _starts(self) -> list[int]:
-        """The first column in the variant's qpos of every joint of the model."""
+        """The first column of every joint of the model in the variant's qpos."""
         widths = [
             3 if len(hinges) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0] for joint, hinges in self.joints
         ]
@@ -216,7 +216,7 @@ class HingeLayout:
 
 
 def _replace(body: ElementTree.Element, ball: ElementTree.Element, names: tuple[str, ...]) -> None:
-    """Three hinges where a ball joint stands."""
+    """Replace a ball joint by three hinges."""
     place = list(body).index(ball)
     body.remove(ball)
     attributes = {key: value for key, value in ball.attrib.items() if key not in ROTATION_ONLY}
@@ -227,7 +227,7 @@ def _replace(body: ElementTree.Element, ball: ElementTree.Element, names: tuple[
 
 
 def _drop_references(root: ElementTree.Element, balls: set[str]) -> None:
-    """Takes out actuators, sensors and constraints of joints that are no more."""
+    """Remove actuators, sensors and constraints of the replaced joints."""
     for section in (element for tag in REFERRING for element in root.findall(tag)):
         for child in list(section):
             named = {
@@ -239,7 +239,7 @@ def _drop_references(root: ElementTree.Element, balls: set[str]) -> None:
 
 @dataclass(frozen=True, eq=False)
 class HingeModel:
-    """A motion of hinges only: qpos (T, nq), qvel (T, nv) of the model, which mjcf gives in full."""
+    """A motion of a model with hinges only: qpos (T, nq), qvel (T, nv); mjcf is the complete model."""
 
     layout: HingeLayout
     mjcf: str
@@ -249,7 +249,7 @@ class HingeModel:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, scene: Scene, qpos: Array, qvel: Array) -> HingeModel:
-        """The variant of a model, which the scene gives in full, and its motion; without ball joints all stays."""
+        """Return the variant of a model with its motion, unchanged without ball joints; scene is the complete model."""
         layout, mjcf = HingeLayout(model), scene.mjcf
         hinges = layout.qpos(qpos)
         if not layout.balls:
@@ -263,11 +263,11 @@ class HingeModel:
 
     @property
     def is_other(self) -> bool:
-        """Whether there were ball joints."""
+        """Whether the model had ball joints."""
         return bool(self.layout.balls)
 
     def warning(self, time: Array) -> str | None:
-        """One line if the motion comes close to a gimbal lock."""
+        """Return a note if the motion comes close to gimbal lock."""
         lock = self.layout.nearest_lock(self.qpos)
         if lock is None or lock[0] > NEAR:
             return None

@@ -1,4 +1,4 @@
-"""A figure as a person: ball joints by the names that skeletons of motion capture share, and the hips' height."""
+"""A figure with ball joints under common names of motion capture, and the height of its hips."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ JOINTS = ("spine", *(f"{side}_{part}" for side in SIDES for part in ("shoulder",
 
 @dataclass(frozen=True, eq=False)
 class Humanoid:
-    """First columns in qpos of the root and of the ball joints, by name; height [m] of hips above soles at rest."""
+    """First columns in qpos of the root and of the ball joints, by name; height [m] of the hips above the soles at
+    rest."""
 
     model: mujoco.MjModel
     root: int
@@ -29,7 +30,8 @@ class Humanoid:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, form: str) -> Humanoid:
-        """Of a figure like the shipped human: upright at rest, facing x, all of its bodies parallel to the world."""
+        """Return the Humanoid of a figure like the shipped human: at rest upright, facing x, all bodies parallel to the
+        world."""
         kinds = model.jnt_type.tolist()
         balls = {model.joint(j).name: j for j, kind in enumerate(kinds) if kind == BALL}
         missing = [name for name in JOINTS if name not in balls]
@@ -54,12 +56,13 @@ class Humanoid:
         return cls(model, int(model.jnt_qposadr[kinds.index(FREE)]), columns, float(hips - min(soles)))
 
     def rotation(self, qpos: Array, joint: str | None = None) -> Array:
-        """Quaternions (T, 4) of a joint, or of the root."""
+        """Return quaternions (T, 4) of a joint, or of the root."""
         start = self.root + 3 if joint is None else self.columns[joint]
         return qpos[:, start : start + 4]
 
     def posed(self, position: Array, rotation: Array, joints: dict[str, Array]) -> Array:
-        """qpos (T, nq) of the root's position (T, 3) and rotation (T, 4), and the joints' (T, 4); others at rest."""
+        """Return qpos (T, nq) for position (T, 3) and rotation (T, 4) of the root, and (T, 4) of joints; others are at
+        rest."""
         qpos = np.tile(self.model.qpos0, (len(position), 1))
         qpos[:, self.root : self.root + 3] = position
         qpos[:, self.root + 3 : self.root + 7] = quat.aligned(rotation)

@@ -1,8 +1,9 @@
-"""Limbs bent so that hands and feet come where a captured skeleton has them about shoulder and hip, to scale.
+"""Bending of limbs, so that hands and feet have the scaled positions of a captured skeleton relative to shoulder and
+hip.
 
-Directions of limbs alone leave them off where a figure's limbs have other proportions than the skeleton's: a robot's
-leg begins with a bracket that holds it away from the hip. All images are bent at once, each from the pose that has the
-directions, by damped least squares on the limb's hinges and balls.
+Limb directions alone do not give these positions if the figure's limbs have other proportions than the skeleton's: a
+robot's leg begins with a bracket that offsets it from the hip. All samples are bent at once, each from the pose that
+has the directions, by damped least squares on the limb's hinges and ball joints.
 """
 
 from __future__ import annotations
@@ -18,34 +19,37 @@ from dynsplines.solver.array import Array
 
 from .hierarchy import joints
 
-PLACE = 0.01  # [m] that a hand or foot may be off, as what counts one
-TURN, TURN_OF_END = np.radians(15), np.radians(4)  # [rad] likewise parts of the limb, and hand or foot themselves
-STEPS, LONGEST = 30, 0.3  # of least squares; [rad] of a joint in one
-DAMPING = 5.0  # [1/rad²] of a step, beside residuals that count one as above
-STILL = 1e-4  # [rad] a step that is none
-RUN = 2000  # images bent at once
+PLACE = 0.01  # [m] position error of a hand or foot that counts as a residual of 1
+TURN, TURN_OF_END = np.radians(15), np.radians(4)  # [rad] rotation errors of a limb's parts and its end that count as 1
+STEPS, LONGEST = 30, 0.3  # most iterations of least squares; [rad] largest change of a joint in one
+DAMPING = 5.0  # [1/rad²] of steps in the least squares
+STILL = 1e-4  # [rad] step below which a sample has converged
+RUN = 2000  # most samples bent at once, which bounds the memory
 TURNING = [int(kind) for kind in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_BALL)]
 
 
 @dataclass(frozen=True)
 class Limb:
-    """bodies, from the one that hangs on the trunk to hand or foot; about (T, 3) [m] where that is to be, from the
-    first, or None for anywhere; turns {body: (T, 4)} how bodies should be turned in the world."""
+    """bodies, from the first one of the limb to hand or foot; about (T, 3) [m] target of its end relative to the first
+    body, or None for any position; turns {body: (T, 4)} target orientations in the world"""
 
     bodies: Sequence[int]
     about: Array | None
     turns: Mapping[int, Array]
 
     def during(self, run: slice) -> Limb:
-        """In some images."""
+        """Return some samples."""
         about = None if self.about is None else self.about[run]
         return Limb(self.bodies, about, {body: turn[run] for body, turn in self.turns.items()})
 
 
 @dataclass(frozen=True, eq=False)
 class _Bent:
-    """A limb in all images: the place [m] of its end (T, 3) from its first body, the rotations {body: (T, 4)} of its
-    bodies, and of its degrees of freedom, in order, axes (T, D, 3) and anchors (T, D, 3) in the world, bodies (D,)."""
+    """A limb in all samples: position [m] of its end (T, 3) relative to its first body, and rotations {body: (T, 4)}.
+
+    Its D degrees of freedom have axes (T, D, 3) and anchors (T, D, 3) in the world, and belong to the bodies moved
+    (D,).
+    """
 
     end: Array
     turn: dict[int, Array]
@@ -55,22 +59,22 @@ class _Bent:
 
 
 def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
-    """(T, nq) qpos with the joints of a limb set, hinges in their ranges.
+    """Return qpos (T, nq) with the joints of a limb set, hinges within their ranges.
 
-    carried  (T, 4) how what it hangs on is turned in the world
+    carried  (T, 4) orientation in the world of the body that carries the limb
     """
     if not np.isin(model.jnt_type[joints(model, limb.bodies)], TURNING).any():
-        return qpos  # of a robot that carries its arms as they are
+        return qpos  # a robot with rigid arms
     runs = [slice(first, first + RUN) for first in range(0, len(qpos), RUN)]
     return np.concatenate([_bend(model, qpos[run], limb.during(run), carried[run]) for run in runs])
 
 
 def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
-    """The same of a few images: all of ten minutes at once would not fit into the memory."""
+    """Bend the samples of one run."""
     qpos, low, high = qpos.copy(), *_ranges(model, limb)
     spread = {body: TURN_OF_END if body == limb.bodies[-1] else TURN for body in limb.turns}
     best, least = qpos.copy(), np.full(len(qpos), np.inf)
-    going = np.arange(len(qpos))  # images whose limb still moves
+    going = np.arange(len(qpos))  # samples that have not converged
     for _ in range(STEPS):
         now = qpos[going]
         bend_state = _bent(model, now, limb.bodies, carried[going])
@@ -99,7 +103,7 @@ def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arr
 
 
 def _step(jacobian: Array, left: Array, values: Array, low: Array, high: Array) -> Array:
-    """(T, D) [rad] by least squares; a hinge at the end of its range goes no farther."""
+    """Return a least-squares step (T, D) [rad]; a hinge at a bound of its range does not step beyond it."""
     slope = np.einsum("tdr,tr->td", jacobian, left)
     stuck = ((values <= low) & (slope < 0)) | ((values >= high) & (slope > 0))
     jacobian = np.where(stuck[:, :, None], 0.0, jacobian)
@@ -109,7 +113,7 @@ def _step(jacobian: Array, left: Array, values: Array, low: Array, high: Array) 
 
 
 def _ranges(model: mujoco.MjModel, limb: Limb) -> tuple[Array, Array]:
-    """(D,) least and greatest value of every degree of freedom; those of a ball are without."""
+    """Return lower and upper bounds (D,) of the degrees of freedom; ball joints are unbounded."""
     low, high = list[float](), list[float]()
     for joint in joints(model, limb.bodies):
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
@@ -122,7 +126,7 @@ def _ranges(model: mujoco.MjModel, limb: Limb) -> tuple[Array, Array]:
 
 
 def _values(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int]) -> Array:
-    """(T, D) of hinges; nought of balls, that have no range."""
+    """Return the angles (T, D) of hinges, zero for ball joints, which have no range."""
     columns = list[Array]()
     for joint in joints(model, bodies):
         at = model.jnt_qposadr[joint]
@@ -134,7 +138,7 @@ def _values(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int]) -> Array:
 
 
 def _move(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], step: Array, low: Array, high: Array) -> None:
-    """Turns joints by a step (T, D) [rad], a ball about its own axes."""
+    """Rotate joints by a step (T, D) [rad], a ball joint about its own axes."""
     k = 0
     for joint in joints(model, bodies):
         at = model.jnt_qposadr[joint]
@@ -148,7 +152,7 @@ def _move(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], step: Array
 
 
 def _bent(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Array) -> _Bent:
-    """Forward kinematics of a chain of bodies, from the first one's place."""
+    """Return the forward kinematics of a chain of bodies, relative to the first one's position."""
     count, place, turn = len(qpos), np.zeros((len(qpos), 3)), carried
     turns, axes, anchors, moved = dict[int, Array](), list[Array](), list[Array](), list[int]()
     first = np.zeros((count, 3))

@@ -1,4 +1,4 @@
-"""Maps from roles to bodies of a figure and joints of recordings: the map in use, files written, and shipped ones."""
+"""Bone maps from roles to a figure's bodies and a recording's joints: the current one, files, and shipped ones."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ HEADING = '# Bone map, by role: a body of the figure, a joint of the recording; 
 
 @dataclass(frozen=True)
 class Map:
-    """Bone map: the name of a body of the figure, and of a joint of the recording, by role; "" for none."""
+    """The name of the figure's body, and of the recording's joint, by role; "" for none."""
 
     figure: Mapping[str, str] = field(default_factory=dict)
     recording: Mapping[str, str] = field(default_factory=dict)
@@ -27,7 +27,7 @@ class Map:
 
 @dataclass(frozen=True)
 class AppliedMap(Map):
-    """A map as it was used, and the names that it may have: bodies of the figure, joints of the recording."""
+    """A map as applied, with all names that it may contain: bodies of the figure, joints of the recording."""
 
     bodies: Sequence[str] = ()
     joints: Sequence[str] = ()
@@ -38,7 +38,7 @@ _mapping: ContextVar[tuple[Map, list[AppliedMap]] | None] = ContextVar("mapping"
 
 @contextmanager
 def using(chosen: Map) -> Iterator[list[AppliedMap]]:
-    """Retarget recordings with a map in this block; yields the maps as they were used."""
+    """Retarget recordings with a map in this block; yields the maps as applied."""
     used = list[AppliedMap]()
     before = _mapping.set((chosen, used))
     try:
@@ -48,14 +48,14 @@ def using(chosen: Map) -> Iterator[list[AppliedMap]]:
 
 
 def current() -> tuple[Map, list[AppliedMap]]:
-    """Return the map to use, and the list to which it is added as it was used."""
+    """Return the current map, and the list that collects maps as applied."""
     return _mapping.get() or (Map(), [])
 
 
 def map_of(file: Path | None, *, writes: bool = False) -> Path | None:
-    """Return the file of a map, given by its path, or by its name if it ships. Raises UserError if there is neither.
+    """Return the file of a map, from its path or the name of a shipped one; raises UserError if there is neither.
 
-    writes  the map is written to the file, which need not exist
+    writes  whether the map is to be written to the file, which need not exist
     """
     if writes and file is None:
         raise UserError("--write-map: name the file, --map FILE")
@@ -68,13 +68,13 @@ def map_of(file: Path | None, *, writes: bool = False) -> Path | None:
 
 
 def text_of(used: AppliedMap) -> str:
-    """The file of a map as it was used; roles that were not found are lines to fill in."""
+    """Return the file of a map as applied; roles without a name are lines to fill in."""
     figure = _table("figure", used.figure, used.recording, used.bodies)
     return f"{HEADING}{figure}\n{_table('recording', used.recording, used.figure, used.joints)}"
 
 
 def _table(title: str, found: Mapping[str, str], other: Mapping[str, str], names: Sequence[str]) -> str:
-    """One table of a map; other, the roles that the other side has."""
+    """Return one table of a map; other: the roles of the other table."""
     out = f"[{title}]\n" + "".join(f"{line}\n" for line in written(dict(found)).splitlines() if line)
     missing = [role for role in ROLES if role not in found and (role in NEEDED or role in other)]
     if missing:

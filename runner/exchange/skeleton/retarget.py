@@ -1,12 +1,12 @@
-"""A captured skeleton's motion on another figure: parts turn alike, hands and feet are where they are, to scale.
+"""A captured skeleton's motion on another figure: parts rotate alike; hands and feet have the same scaled positions.
 
-Every body that has a counterpart by its role turns with it: R_body(t) = R_joint(t) A, A constant; feet without toes
-turn with the line from the ankle to the end of the skeleton's. Where the captured skeleton stands upright when nothing
-is turned, as in a T-pose, A takes the figure's bones at rest to the skeleton's there by the shortest way. Where it does
-not (LAFAN1's bones all lie along x), A is made of two directions: the bone's, and the axis about which knee and elbow
-bend in the motion itself; hips and shoulders give those of pelvis and chest. Robots rest with bent elbows: for A limbs
-are straightened first. Arms and legs are then bent until hands and feet are, about shoulder and hip, where the skeleton
-has them, to scale.
+Every body with a counterpart of the same role rotates with it: R_body(t) = R_joint(t) A with constant A. Feet without
+toes follow the line from the ankle to the end of the skeleton's toes. If the skeleton's zero pose, that without
+rotations, stands upright, such as a T-pose, A takes the figure's bones at rest to the skeleton's there by the shortest
+rotation. Otherwise (LAFAN1's bones all lie along x) A follows from two directions: the bone's, and the axis about which
+knee and elbow bend in the motion; hips and shoulders give those of pelvis and chest. Robots rest with bent elbows, so
+limbs are straightened before A is computed. Arms and legs are then bent until hands and feet have the skeleton's
+positions relative to shoulder and hip, scaled to the figure.
 """
 
 from __future__ import annotations
@@ -34,17 +34,17 @@ from .root_motion import carrying, shifted
 from .up_axis import standing_turn, unit
 
 NEXT = {**ONWARD, "foot": "toe", "clavicle": "upper_arm"}
-BENT = 0.15  # mean sine of an elbow's or knee's bend that tells its axis
-LOWEST = 2.0  # per cent of the images whose soles may be in the ground
-LEVEL = 0.001  # [m] that soles may be off the ground and be left there
+BENT = 0.15  # least mean sine of an elbow's or knee's bend that determines its axis
+LOWEST = 2.0  # [%] of the samples whose soles may be below the ground
+LEVEL = 0.001  # [m] largest distance of soles from the ground that is not corrected
 LISTED = 12
-ROOT_TURN = 5.0  # [degrees] of a root's motion beyond its slides and hinges from which on it is noted
-ROOT_MOVE = 0.05  # [m] likewise
+ROOT_TURN = 5.0  # [degrees] least rotation beyond a root's slides and hinges that is reported
+ROOT_MOVE = 0.05  # [m] least translation beyond a root's slides and hinges that is reported
 LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
-SHORTEST = 1e-9  # [m] of a limb
-STUCK = 0.02  # [rad] more than this off, it is tried again
+SHORTEST = 1e-9  # [m] least length of a limb, to avoid division by zero
+STUCK = 0.02  # [rad] rotation error above which a sample is solved again from another start
 RETRIES = 4
 
 
@@ -52,7 +52,7 @@ RETRIES = 4
 class _Standing:
     """The figure at rest, upright and facing x: place (nbody, 3), turn (nbody, 4), and its bodies by role.
 
-    notes  how the model's rest pose was turned to be so
+    notes  how the model's rest pose was rotated to stand so
     """
 
     model: mujoco.MjModel
@@ -71,19 +71,21 @@ class _Standing:
         return cls(model, place, turn, completed(model, bodies, place, turn), notes)
 
     def joint_of(self, role: str) -> Array:
-        """(3,) where a part of a limb is hung up: a robot's hip is a body for each hinge, which lie apart."""
+        """Return where a part of a limb begins (3,): the first of several bodies for the hinges of a robot's hip."""
         return self.place[self.first_of(role)]
 
     def straightened(self, role: str) -> Array:
-        """(4,) that turns forearm or shin into the line of upper arm or thigh: robots rest with bent elbows."""
+        """Return the rotation (4,) of a forearm or shin into the line of the upper arm or thigh."""
         above = f"{role.partition('_')[0]}_{HANGS_ON.get(role.partition('_')[2], '')}"
         if above not in self.roles:
             return np.array([1.0, 0, 0, 0])
         return swing(self.bone(role), self.bone(above), np.array([0.0, 1, 0]))
 
     def bracket(self, side: str) -> Array:
-        """(3,) [m] how far aside of its first hinge a hip holds the thigh, if the foot cannot roll: it stands flat only
-        under a leg that goes straight down from there."""
+        """Return the offset (3,) [m] of the thigh from the hip's first hinge, across the leg, if the foot cannot roll.
+
+        Such a foot is flat only under a leg that is vertical below this offset.
+        """
         if len(hierarchy.joints(self.model, self._below(f"{side}_shin", f"{side}_foot"))) > 1:
             return np.zeros(3)
         first, thigh = self.joint_of(f"{side}_thigh"), self.place[self.roles[f"{side}_thigh"]]
@@ -91,18 +93,19 @@ class _Standing:
         return (thigh - first) - down * (down @ (thigh - first))
 
     def _below(self, upper: str, lower: str) -> list[int]:
-        """The bodies from below one part to another; none if there is no other."""
+        """Return the bodies below one part down to another; none if the latter does not exist."""
         chain = hierarchy.above(self.model, self.roles[lower], itself=True) if lower in self.roles else []
         return [body for body in chain if body > self.roles[upper]]
 
     def along_limb(self, role: str) -> Array:
-        """(3,) where a limb goes through: hung up at hip and knee, and ends where hand and foot themselves are."""
+        """Return the point (3,) of a limb at a role: where thigh and shin begin, but for hand and foot their bodies'
+        origins."""
         if role.endswith("thigh"):
             return self.joint_of(role) + self.bracket(role.partition("_")[0])
         return self.place[self.roles[role]] if role.endswith(ENDS) else self.joint_of(role)
 
     def first_of(self, role: str) -> int:
-        """The body by which a part of a limb is hung up."""
+        """Return the first body of a part of a limb."""
         body, others = self.roles[role], {0, *self.roles.values()}
         while int(self.model.body_parentid[body]) not in others:
             body = int(self.model.body_parentid[body])
@@ -110,7 +113,7 @@ class _Standing:
 
     @cached_property
     def feet(self) -> Index:
-        """The geoms of the feet: those that touch something, if any do."""
+        """The geoms of the feet: the colliding ones, if there are any."""
         tops = [self.roles[role] for role in ("left_foot", "right_foot") if role in self.roles]
         bodies = [body for body in range(1, self.model.nbody) if any(_is_above(self.model, top, body) for top in tops)]
         geoms = np.flatnonzero(np.isin(self.model.geom_bodyid, bodies))
@@ -118,7 +121,7 @@ class _Standing:
         return touching if touching.size else geoms
 
     def bone(self, role: str) -> Array:
-        """(3,) from a body to where its limb goes on, or to its farthest site or geom."""
+        """Return the vector (3,) from a body to the next part of its limb, or to its farthest site or geom."""
         body, (side, _, part) = self.roles[role], role.partition("_")
         onward = self.roles.get(f"{side}_{NEXT.get(part, '')}")
         if onward is not None:
@@ -131,7 +134,7 @@ class _Standing:
 
 
 def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
-    """qpos (T, nq) of the figure, and notes; where is how errors call the file."""
+    """Return qpos (T, nq) of the figure, and notes; where is the label of the file in errors."""
     standing, (chosen, used) = _Standing.of(model), maps.current()
     names = hierarchy.names(model)
     standing = replace(standing, roles=apply_bone_map(standing.roles, chosen.figure, names, "figure"))
@@ -198,7 +201,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
 
 
 def _limbs(captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, Array], scale: float) -> Iterator[Limb]:
-    """Arms and legs, with where their hands and feet are about shoulder and hip; scale: of legs."""
+    """Yield arms and legs with the target positions of hands and feet; scale: of legs."""
     for side, parts in product(("left", "right"), (LEG, ARM)):
         chain = [f"{side}_{part}" for part in parts]
         if not all(role in standing.roles and role in captured.roles for role in chain):
@@ -217,12 +220,11 @@ def _limbs(captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, 
 
 
 def _length(places: Sequence[Array] | Array) -> float:
-    """[m] along points."""
     return float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
 
 
 def _has_toes(captured: CapturedSkeleton, side: str) -> bool:
-    """Whether there is a joint of toes between ankle and tip of a foot, and anything beyond it that it turns."""
+    """Return whether a foot has a joint of toes between ankle and tip, with an extent that it rotates."""
     toes = captured.roles.get(f"{side}_toe")
     if toes is None or side not in captured.feet:
         return False
@@ -231,9 +233,9 @@ def _has_toes(captured: CapturedSkeleton, side: str) -> bool:
 
 
 def _toes_in_foot(captured: CapturedSkeleton, side: str, *, at_zero: bool) -> CapturedSkeleton:
-    """Turned at an ankle so that, with stiff toes, the foot would end where it does with those that bend.
+    """Rotate an ankle so that a foot with stiff toes ends where the foot with bending toes does.
 
-    at_zero  toes are straight when nothing is turned; otherwise they are in the image in which the foot is lowest
+    at_zero  whether toes are straight in the zero pose; otherwise they are in the sample in which the foot is lowest
     """
     ankle, toe, end, low = captured.feet[side]
     turn, along = captured.rotation[:, ankle], captured.at(toe, end) - captured.position[:, ankle]
@@ -244,7 +246,7 @@ def _toes_in_foot(captured: CapturedSkeleton, side: str, *, at_zero: bool) -> Ca
     start, stop = quat.rotated(turn, straight), along
     sizes = np.linalg.norm(start, axis=1) * np.linalg.norm(stop, axis=1)
     swung = np.concatenate([(sizes + np.sum(start * stop, axis=1))[:, None], np.cross(start, stop)], axis=1)
-    swung[swung[:, 0] <= 1e-6 * sizes] = [1, 0, 0, 0]  # toes turned right back, or without length: not a foot's
+    swung[swung[:, 0] <= 1e-6 * sizes] = [1, 0, 0, 0]  # toes turned back by 180°, or without length
     rotation = captured.rotation.copy()
     rotation[:, ankle] = quat.product(quat.normalised(swung), turn)
     return replace(captured, rotation=rotation)
@@ -256,7 +258,7 @@ def _some(names: list[str]) -> str:
 
 
 def _root(standing: _Standing) -> int:
-    """The body that carries the figure's legs."""
+    """Return the body that carries the figure's legs."""
     body = standing.roles.get("pelvis", standing.roles["left_thigh"])
     while standing.model.body_parentid[body]:
         body = int(standing.model.body_parentid[body])
@@ -264,14 +266,14 @@ def _root(standing: _Standing) -> int:
 
 
 def _is_above(model: mujoco.MjModel, top: int, body: int) -> bool:
-    """Whether a body is another or hangs on it."""
+    """Return whether a body is another or its ancestor."""
     while body > top:
         body = int(model.body_parentid[body])
     return body == top
 
 
 def _leg(place: Mapping[str, Array]) -> float:
-    """Mean length [m] of both legs, to the ankle where there is one, by the places of the joints."""
+    """Return the mean length [m] of both legs, to the ankle if there is one, from positions of the joints."""
     total = 0.0
     for side in ("left", "right"):
         chain = [place[f"{side}_{part}"] for part in ("thigh", "shin", "foot") if f"{side}_{part}" in place]
@@ -280,14 +282,14 @@ def _leg(place: Mapping[str, Array]) -> float:
 
 
 def _frame(first: Array, second: Array) -> Array:
-    """(3, 3) columns: the first direction, the second made perpendicular to it, and their cross product."""
+    """Return a frame (3, 3) with columns: the first direction, the orthogonalised second, and their cross product."""
     x = unit(first)
     y = unit(second - x * (x @ second))
     return np.stack([x, y, np.cross(x, y)], axis=-1)
 
 
 def swing(start: Array, end: Array, otherwise: Array) -> Array:
-    """(4,) the shortest rotation of one direction to another; about `otherwise` where they are opposite."""
+    """Return the shortest rotation (4,) of one direction to another; about `otherwise` if they are opposite."""
     start, end = unit(start), unit(end)
     axis, cosine = np.cross(start, end), float(start @ end)
     if cosine < -0.999999:
@@ -296,12 +298,12 @@ def swing(start: Array, end: Array, otherwise: Array) -> Array:
 
 
 def _heading(left: Array) -> Array:
-    """(4,) the turn about the vertical that takes our left, y, to a direction."""
+    """Return the rotation (4,) about the vertical that takes y, a figure's left, to a direction."""
     return quat.from_rotation_vector(np.array([0, 0, np.arctan2(-left[0], left[1])]))
 
 
 def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str]) -> dict[str, Array]:
-    """A by role, from the pose in which nothing is turned."""
+    """Return A by role, from an upright zero pose."""
     captured_left = captured.at_zero[captured.roles["left_thigh"]] - captured.at_zero[captured.roles["right_thigh"]]
     standing_left = standing.place[standing.roles["left_thigh"]] - standing.place[standing.roles["right_thigh"]]
     facing = quat.product(_heading(captured_left), quat.conjugate(_heading(standing_left)))
@@ -313,22 +315,22 @@ def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str])
             continue
         straight = quat.product(facing, standing.straightened(role))
         mine, theirs = quat.rotated(straight, standing.bone(role)), _bone(captured, role)
-        if part == "foot":  # soles are level in either; only where they point may differ
+        if part == "foot":  # soles are level in both; only their headings may differ
             mine, theirs = mine * [1, 1, 0], theirs * [1, 1, 0]
         if min(np.linalg.norm(mine), np.linalg.norm(theirs)) > 1e-3:
             out[role] = quat.product(swing(mine, theirs, quat.rotated(facing, np.array([1.0, 0, 0]))), straight)
-    for side in ("left", "right"):  # in line with the forearm in either
+    for side in ("left", "right"):  # in line with the forearm in both
         if {f"{side}_hand", f"{side}_forearm"} <= out.keys():
             out[f"{side}_hand"] = out[f"{side}_forearm"]
     return out
 
 
 def _bone(captured: CapturedSkeleton, role: str) -> Array:
-    """(3,) from a joint to where its limb goes on, in the joint's axes."""
+    """Return the vector (3,) from a joint to the next part of its limb, in the joint's axes."""
     joint, (side, _, part) = captured.roles[role], role.partition("_")
     onward = captured.roles.get(f"{side}_{NEXT.get(part, '')}")
     if onward is not None:
-        place = np.zeros(3)  # several bones may lie between; they are taken as straight
+        place = np.zeros(3)  # bones between the two are taken as straight
         for step in lineage(onward, captured.parents):
             if step == joint:
                 return place
@@ -338,12 +340,12 @@ def _bone(captured: CapturedSkeleton, role: str) -> Array:
 
 
 def _seen(captured: CapturedSkeleton, role: str, vector: Array) -> Array:
-    """(3,) the mean of directions (T, 3) of the world, as a joint sees them."""
+    """Return the mean (3,) of world directions (T, 3) in a joint's axes."""
     return quat.rotated(quat.conjugate(captured.rotation[:, captured.roles[role]]), vector).mean(axis=0)
 
 
 def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]) -> dict[str, Array]:
-    """A by role, from two directions of every bone, whatever the pose in which nothing is turned."""
+    """Return A by role from two directions of every bone, for any zero pose."""
     out: dict[str, Array] = {}
     lateral: dict[str, Array] = {}
     for role, limb, top in (("pelvis", "thigh", "chest"), ("chest", "upper_arm", "neck")):
@@ -353,7 +355,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
         place = captured.position
         across = place[:, ends[0]] - place[:, ends[1]]
         above, middle = captured.roles.get(top, captured.roles.get("head")), place[:, ends].mean(axis=1)
-        if role == "chest":  # from there to the neck, or to between the shoulders
+        if role == "chest":  # its bone leads to the neck, or to the midpoint of the shoulders
             up = (place[:, above] if above is not None else middle) - place[:, captured.roles[role]]
         else:
             up = place[:, above] - middle if above is not None else np.tile([0.0, 0, 1], (len(place), 1))
@@ -376,18 +378,18 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
         if f"{side}_foot" in shared and side in captured.feet:
             out[f"{side}_foot"] = _flat(captured, standing, side)
     for role in shared:
-        if role not in out:  # as the part that it hangs on
+        if role not in out:  # as for its parent
             out[role] = _like_parent(captured, role, out)
     return out
 
 
 def _world(captured: CapturedSkeleton, role: str) -> Array:
-    """(T, 3) a bone's direction in the world."""
+    """Return a bone's direction (T, 3) in the world."""
     return quat.rotated(captured.rotation[:, captured.roles[role]], unit(_bone(captured, role)))
 
 
 def _flat(captured: CapturedSkeleton, standing: _Standing, side: str) -> Array:
-    """A of a foot: level, and pointing where it does, in the image in which it is lowest."""
+    """Return A of a foot that, in the sample in which it is lowest, is level and has the heading of the skeleton's."""
     ankle, toe, end, low = captured.feet[side]
     up = np.array([0.0, 0, 1])
     ahead = (captured.at(toe, end)[low] - captured.position[low, ankle]) * [1, 1, 0]
@@ -398,7 +400,7 @@ def _flat(captured: CapturedSkeleton, standing: _Standing, side: str) -> Array:
 
 
 def _like_parent(captured: CapturedSkeleton, role: str, out: dict[str, Array]) -> Array:
-    """A that keeps a part as it lies on the next one above with an A, in the mean."""
+    """Return A with which a part has the mean orientation relative to its nearest ancestor with an A."""
     joint = captured.roles[role]
     role_of = {captured.roles[other]: other for other in out}
     above = next((i for i in lineage(joint, captured.parents)[1:] if i in role_of), None)
@@ -409,7 +411,7 @@ def _like_parent(captured: CapturedSkeleton, role: str, out: dict[str, Array]) -
 
 
 def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
-    """qpos (T, nq) that turns bodies (T, 4) in the world as near as their joints let them."""
+    """Return qpos (T, nq) with orientations (T, 4) of bodies in the world, as far as their joints permit."""
     count = len(next(iter(turns.values())))
     qpos = np.tile(model.qpos0, (count, 1))
     world = np.zeros((count, model.nbody, 4))
@@ -420,7 +422,7 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
         world[:, body] = _forward(model, qpos, [body], world[:, parent[body]])
         if body not in turns:
             continue
-        chain = [body]  # and those above that nothing has turned yet
+        chain = [body]  # with its ancestors that have no orientation yet
         while int(parent[chain[0]]) not in settled:
             chain.insert(0, int(parent[chain[0]]))
         _reach(model, qpos, chain, world[:, parent[chain[0]]], turns[body])
@@ -434,7 +436,7 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
 
 
 def _forward(model: mujoco.MjModel, qpos: Array, bodies: list[int], start: Array) -> Array:
-    """(T, 4) the last body's rotation in the world, from that of what carries the first."""
+    """Return the last body's orientation (T, 4) in the world, from that of the first one's parent."""
     turn = start
     for body in bodies:
         turn = quat.product(turn, model.body_quat[body])
@@ -452,7 +454,8 @@ def _forward(model: mujoco.MjModel, qpos: Array, bodies: list[int], start: Array
 
 
 def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array) -> None:
-    """Sets the joints of a chain so that its last body turns as wanted: a ball exactly, hinges by least squares."""
+    """Set the joints of a chain for a wanted orientation of its last body: ball joints exactly, hinges by least
+    squares."""
     joints = hierarchy.joints(model, chain)
     for joint in joints:
         at = model.jnt_qposadr[joint]
@@ -474,14 +477,14 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
         return
 
     def turned(qpos: Array, rows: Index | slice) -> tuple[Array, Array]:
-        """qpos with the hinges turned, and the angles (T,) [rad] that are left."""
+        """Return qpos with the hinges rotated, and the remaining angles (T,) [rad]."""
         there = bend(model, qpos, Limb(chain, None, {chain[-1]: wanted[rows]}), start[rows])
         short = quat.product(wanted[rows], quat.conjugate(_forward(model, there, chain, start[rows])))
         return there, np.linalg.norm(quat.rotation_vector(short), axis=1)
 
     columns = model.jnt_qposadr[hinges]
     qpos[:], short = turned(qpos, slice(None))
-    for _ in range(RETRIES):  # from where a neighbouring image came to
+    for _ in range(RETRIES):  # starting from the result of a neighbouring sample
         far = short > STUCK
         if not far.any() or far.all():
             return
@@ -497,8 +500,10 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
 def _placed(
     captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float
 ) -> tuple[Array, Array]:
-    """The root where the middle of the hips comes to the captured one's, scaled about the world's origin; and (T, 3)
-    [m] by how much it misses that, on slides."""
+    """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin.
+
+    With it comes the position error (T, 3) [m] of a root on slides.
+    """
     model = standing.model
     hips = captured.position[:, [captured.roles["left_thigh"], captured.roles["right_thigh"]]].mean(axis=1)
     middle = 0.5 * (standing.joint_of("left_thigh") + standing.joint_of("right_thigh"))
@@ -520,7 +525,7 @@ def _placed(
 def _beyond_root(
     model: mujoco.MjModel, root: Root, qpos: Array, turns: Mapping[int, Array], missed: Array
 ) -> list[str]:
-    """A note on what a root of slides and hinges cannot follow: (T, 3) [m] of its place, and its turn."""
+    """Return a note on motion that a root of slides and hinges cannot follow; missed (T, 3) [m] of its position."""
     if root.is_free:
         return []
     body = next((body for body in hierarchy.above(model, root.body, itself=True) if body in turns), None)
@@ -540,9 +545,9 @@ def _beyond_root(
 
 
 def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, float]:
-    """Raised or lowered as a whole so that the soles are nearly never in the ground; and by how much [m].
+    """Shift the motion vertically so that the soles are nearly never below the ground; return also the shift [m].
 
-    Soles are sites called heels or toes, or else the boxes about the geoms of the feet.
+    Soles are sites with heel or toe in their name, or else the bounding boxes of the feet's geoms.
     """
     model, feet = standing.model, standing.feet
     soles = [i for i in range(model.nsite) if any(word in model.site(i).name.lower() for word in ("heel", "toe"))]

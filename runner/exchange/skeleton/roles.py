@@ -1,7 +1,7 @@
-"""Which part of a body a joint is, by its name and its place in the tree: for skeletons of many makers.
+"""Which part of the body a joint is, by its name and its position in the tree.
 
-Words as in the skeletons of CMU, Mixamo, LAFAN1, SFU, ACCAD, Unreal, 3ds Max' Biped, VRM, VRoid, MMD, Rigify, Daz,
-Character Creator, OptiTrack, Second Life, Kinect, SMPL, and our own figures.
+The words are those of skeletons from CMU, Mixamo, LAFAN1, SFU, ACCAD, Unreal, 3ds Max' Biped, VRM, VRoid, MMD, Rigify,
+Daz, Character Creator, OptiTrack, Second Life, Kinect and SMPL, and those of the shipped figures.
 """
 
 from __future__ import annotations
@@ -58,10 +58,10 @@ EITHER = {
     "shoulder": ("clavicle", "upper_arm"),
     "hip": ("thigh",),
 }
-ONWARD = {"upper_arm": "forearm", "forearm": "hand", "thigh": "shin", "shin": "foot", "foot": "toe"}  # along a limb
+ONWARD = {"upper_arm": "forearm", "forearm": "hand", "thigh": "shin", "shin": "foot", "foot": "toe"}  # next in a limb
 KNOWN = {word for words in WORDS.values() for word in words} | set(EITHER)
 ROLES = ("pelvis", "chest", *MIDDLE, *(f"{side}_{role}" for side in ("left", "right") for role in WORDS))
-NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")  # for retargeting
+NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")  # required for retargeting
 AXES = {"pitch", "roll", "yaw"}  # robots have a body for each: hip pitch, hip roll, hip yaw
 FILLING = {"link", "joint", "body", "jnt", "bone", "bind", *AXES}
 PREFIX = re.compile(
@@ -71,8 +71,8 @@ PREFIX = re.compile(
 )
 SECONDARY = re.compile(r"^(.*[:|])?(j_)?(sec|adj|opt)_", re.IGNORECASE)  # VRoid: hair, skirts, helpers
 SEPARATORS = re.compile(r"[ _:.|-]+")
-SHARED = 0.8  # of the names that have a prefix in common, which names the character
-CJK = {  # as MMD has them, and Chinese rigs: the whole name but for its side, so that IK and twist bones are not found
+SHARED = 0.8  # least fraction of the names with a common prefix, which is the name of a character
+CJK = {  # names in MMD and Chinese rigs without their side; matched as a whole, which excludes IK and twist bones
     "肩": "clavicle", "腕": "upperarm", "上腕": "upperarm", "上臂": "upperarm", "ひじ": "elbow", "肘": "elbow",
     "前腕": "forearm", "前臂": "forearm", "手首": "wrist", "手": "hand", "足": "thigh", "太もも": "thigh",
     "大腿": "thigh", "ひざ": "knee", "膝": "knee", "小腿": "shin", "足首": "ankle", "脚": "foot", "つま先": "toe",
@@ -84,7 +84,7 @@ SPLIT = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 
 
 def split(name: str) -> tuple[str | None, str]:
-    """("left", "forearm") of "mixamorig:LeftForeArm"; the side is None for what is in the middle."""
+    """Return side and word of a name: ("left", "forearm") for "mixamorig:LeftForeArm"; None as side in the middle."""
     if SECONDARY.match(name):
         return None, ""
     before, name = None, unicodedata.normalize("NFKC", name)
@@ -106,7 +106,7 @@ def split(name: str) -> tuple[str | None, str]:
 
 
 def _cjk(name: str) -> tuple[str | None, str]:
-    """As `split`, of a name in Japanese or Chinese: its side stands first, or last as in Blender, "足.L"."""
+    """Return `split` for a name in Japanese or Chinese: its side is first, or last as in Blender's "足.L"."""
     side = None
     if name[:1] in CJK_SIDE:
         side, name = CJK_SIDE[name[0]], name[1:]
@@ -116,7 +116,7 @@ def _cjk(name: str) -> tuple[str | None, str]:
 
 
 def without_prefix(names: Sequence[str]) -> list[str]:
-    """Names without what nearly all of them begin with, such as the name of a character."""
+    """Return names without the beginning that nearly all of them share, such as the name of a character."""
     starts = Counter(name[: separator.end()] for name in names for separator in SEPARATORS.finditer(name))
     least = max(2, SHARED * len(names))
     prefix = max((start for start, count in starts.items() if count >= least), key=len, default="")
@@ -124,11 +124,11 @@ def without_prefix(names: Sequence[str]) -> list[str]:
 
 
 def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
-    """Index by role: "pelvis", "chest", "neck", "head", "left_upper_arm", ... as far as they are found.
+    """Return indices by role: "pelvis", "chest", "neck", "head", "left_upper_arm", ... as far as identified.
 
-    The pelvis is where the legs come together, the chest where the arms do; parents stand before their children, -1
-    above the first. Of several joints that a role fits, it is the first on which the limb goes on: bones of a drawing
-    hang beside the skeleton's in some files, "L_Humerus" beside "LeftArm".
+    The pelvis is where the legs meet, the chest where the arms do; parents precede their children, -1 for none. If a
+    role fits several joints, it is the first with a continuation of the limb: some files contain bones of a drawing
+    next to the skeleton's, "L_Humerus" next to "LeftArm".
     """
     parts = [split(name) for name in without_prefix(names)]
     hinged = [bool(AXES.intersection(word.lower() for word in SPLIT.findall(name))) for name in names]
@@ -150,7 +150,7 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
         _first(by_role, role, [i for i, (side, word) in enumerate(parts) if side is None and word in words])
     for side in ("left", "right"):
         _foot_below_ankle(by_role, side, parts, parents)
-    for role, first in by_role.items():  # of bodies that turn a hip one after the other, the last is the thigh
+    for role, first in by_role.items():  # of several bodies for the hinges of one hip, the last is the thigh
         same = [i for i, part in enumerate(parts) if part == parts[first] and hinged[i]]
         if hinged[first] and all(first in lineage(i, parents) for i in same):
             by_role[role] = max(same, key=lambda i: len(lineage(i, parents)))
@@ -160,7 +160,7 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
 
 
 def with_trunk(found: Mapping[str, int], names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
-    """With pelvis and chest, where they are told by the legs and arms that are found."""
+    """Return roles with pelvis and chest added, if legs and arms determine them."""
     out, words = dict(found), [split(name)[1] for name in without_prefix(names)]
     for role, limb in (("pelvis", "thigh"), ("chest", "upper_arm")):
         ends = [found[f"{side}_{limb}"] for side in ("left", "right") if f"{side}_{limb}" in found]
@@ -174,10 +174,10 @@ def with_trunk(found: Mapping[str, int], names: Sequence[str], parents: Sequence
 def apply_bone_map(
     found: Mapping[str, int], bone_map: Mapping[str, str], names: Sequence[str], whose: str
 ) -> dict[str, int]:
-    """Return the indices by role, with those of a bone map: a name, or "" for none.
+    """Return indices by role with those of a bone map: a name, or "" for none.
 
     Raises:
-        UserError: for a name or role that does not exist.
+        UserError: For a name or role that does not exist.
     """
     out = dict(found)
     for role, name in bone_map.items():
@@ -192,14 +192,14 @@ def apply_bone_map(
 
 
 def _trunk(role: str, shared: list[int], words: list[str]) -> int:
-    """Where two limbs come together; Biped hangs arms on the neck and legs on the spine."""
+    """Return the joint where two limbs meet; Biped attaches arms to the neck and legs to the spine."""
     if role == "chest":
         return next((i for i in shared if words[i] != "neck"), shared[0])
     return next((i for i in shared if words[i] in ("pelvis", "hips", "hip")), shared[0])
 
 
 def _going_on(role: str, side: str, parts: Sequence[tuple[str | None, str]], parents: Sequence[int]) -> set[int]:
-    """The joints that carry one that could be the next part of the limb; none at its end."""
+    """Return the joints with a descendant that may be the next part of the limb; none at its end."""
     onward = ONWARD.get(role)
     if onward is None:
         return set()
@@ -209,7 +209,7 @@ def _going_on(role: str, side: str, parts: Sequence[tuple[str | None, str]], par
 
 
 def _preferred(fitting: list[int], on: set[int]) -> list[int]:
-    """Those first on which the limb goes on."""
+    """Sort joints with a continuation of the limb first."""
     return sorted(fitting, key=lambda i: i not in on)
 
 
@@ -221,7 +221,7 @@ def _first(found: dict[str, int], role: str, fitting: list[int]) -> None:
 def _foot_below_ankle(
     found: dict[str, int], side: str, parts: Sequence[tuple[str | None, str]], parents: Sequence[int]
 ) -> None:
-    """Without a toe by name: a "foot" below the "ankle" is the toe, as in SMPL and Kinect."""
+    """Without a toe by name, take a "foot" below the "ankle" as the toe, as in SMPL and Kinect."""
     ankle = found.get(f"{side}_foot")
     if f"{side}_toe" not in found and ankle is not None and parts[ankle][1] == "ankle":
         feet = [i for i, part in enumerate(parts) if part == (side, "foot")]
@@ -229,7 +229,7 @@ def _foot_below_ankle(
 
 
 def _spine_above_chest(found: dict[str, int], parts: Sequence[tuple[str | None, str]], parents: Sequence[int]) -> None:
-    """Without neck and head by name: bones of the spine above the chest, first and last, as in Rigify."""
+    """Without neck and head by name, take the first and last bone of the spine above the chest, as in Rigify."""
     chest = found.get("chest")
     if chest is None or "neck" in found or parts[chest][1] != "spine":
         return
@@ -240,7 +240,10 @@ def _spine_above_chest(found: dict[str, int], parts: Sequence[tuple[str | None, 
 
 
 def _fits(found: dict[str, int], side: str, role: str, word: str, same: list[int], parents: Sequence[int]) -> bool:
-    """An "arm" is the upper arm above a forearm and the forearm below an upper arm, a "shoulder" its collar."""
+    """Return whether joints `same` with an ambiguous word fit a role.
+
+    An "arm" is the upper arm above a forearm and the forearm below an upper arm; a "shoulder" is its clavicle.
+    """
     if not same:
         return False
     if word == "shoulder" and role == "clavicle":
@@ -254,7 +257,7 @@ def _fits(found: dict[str, int], side: str, role: str, word: str, same: list[int
 
 
 def unique(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
-    """Names without duplicates, and with none of those taken: later ones are numbered."""
+    """Return unique names, none of which is in `taken`: duplicates get a number."""
     used, out = set(taken), []
     for name in names:
         count, candidate = 2, name
@@ -266,7 +269,7 @@ def unique(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
 
 
 def lineage(index: int, parents: Sequence[int]) -> list[int]:
-    """A joint and all above it."""
+    """Return a joint and all its ancestors."""
     out = []
     while index >= 0:
         out.append(index)

@@ -1,4 +1,4 @@
-"""The root of a figure in a recording: moved by what a recording moves, on a free joint or on slides."""
+"""The root of a figure in a recording, moved on a free joint or on slides."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from dynsplines.solver.figure.root import SLIDE, Root, roots_of
 from ...errors import UserError
 from . import hierarchy
 
-STEPS, LONGEST = 60, 0.5  # of Gauss-Newton on a root's hinges, at most; [rad] of one step
-TURNED, MOVED = float(np.radians(0.5)), 0.005  # [rad, m] that a root may miss a recorded one
+STEPS, LONGEST = 60, 0.5  # most Gauss-Newton steps on a root's hinges; [rad] most rotation in one
+TURNED, MOVED = float(np.radians(0.5)), 0.005  # [rad, m] allowed deviation of a root from the recorded one
 
 
 def carrying(model: mujoco.MjModel, body: int) -> Root | None:
-    """The root of the tree that a body is part of; None where it hangs on the world by hinges, or does not move."""
+    """Return the root of the tree of a body; None if the tree is fixed to the world or moves on hinges alone."""
     chain = hierarchy.above(model, body, itself=True)
     return next((root for root in roots_of(model) if root.body in chain), None)
 
 
 def shifted(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
-    """qpos (T, nq) with the root moved by vectors (T, 3) [m] of the world, as far as its slides reach."""
+    """Return qpos (T, nq) with the root translated by vectors (T, 3) [m] in world axes, as far as its slides permit."""
     out = qpos.copy()
     if root.is_free:
         start = int(model.jnt_qposadr[root.joints[0]])
@@ -39,10 +39,10 @@ def shifted(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
 
 
 def placed(model: mujoco.MjModel, root: Root, qpos: Array, position: Array, rotation: Array, where: object) -> Array:
-    """qpos (T, nq) with a root of slides and hinges at positions (T, 3) [m], turned by rotations (T, 4) wxyz.
+    """Return qpos (T, nq) with a root of slides and hinges at positions (T, 3) [m] and orientations (T, 4) wxyz.
 
-    Hinges go on in the winding that they are in. Raises UserError where the joints do not reach the recorded root;
-    where: how errors call the file.
+    Each sample is solved from the previous one, so that hinges are continuous. Raises UserError if the joints do not
+    reach the recorded root; where: label of the file in errors.
     """
     out, data = qpos.copy(), mujoco.MjData(model)
     turning = [joint for joint in root.joints if model.jnt_type[joint] != SLIDE]
@@ -74,7 +74,7 @@ def _entries(model: mujoco.MjModel, joint: int) -> int:
 
 
 def _places(model: mujoco.MjModel, data: mujoco.MjData, root: Root, qpos: Array) -> Array:
-    """(T, 3) [m] where the root's body is."""
+    """Return the positions (T, 3) [m] of the root's body."""
     out = np.zeros((len(qpos), 3))
     for i, row in enumerate(qpos):
         data.qpos[:] = row
@@ -84,7 +84,7 @@ def _places(model: mujoco.MjModel, data: mujoco.MjData, root: Root, qpos: Array)
 
 
 def _turn(model: mujoco.MjModel, data: mujoco.MjData, root: Root, row: Array, dofs: Index, target: Array) -> float:
-    """Turns a root's body in one pose (nq,) to a rotation (4,), in place; returns the angle [rad] that is left."""
+    """Rotate a root's body in a pose (nq,) to an orientation (4,), in place; return the remaining angle [rad]."""
     spin, error = np.zeros((3, model.nv)), np.zeros(3)
     for _ in range(STEPS):
         data.qpos[:] = row

@@ -1,7 +1,7 @@
-"""The SMPL body: its 22 joints, their places in the mean shape, and the axes and unit of its recordings.
+"""The SMPL body: its 22 joints, their offsets in the mean shape, and the axes and unit of recordings.
 
-Joints are named as in SMPL, except for its left_foot and right_foot, which are the toes. They are turned relative to
-their parent. Without turns the body has its arms to the sides, x to its left, y up and z forward. Offsets are those of
+Joints are named as in SMPL, except for its left_foot and right_foot, which are the toes. Rotations are relative to the
+parent. Without rotations the body has its arms to the sides, x to its left, y up and z forward. Offsets are those of
 the mean shape (betas of zero), rounded to a millimetre and made symmetric.
 
 Sources: M. Loper et al., SMPL: A Skinned Multi-Person Linear Model, SIGGRAPH Asia 2015, for joints and their order;
@@ -23,7 +23,7 @@ NAMES = (
     "right_shoulder", "left_elbow", "right_elbow", "left_wrist", "right_wrist",
 )  # fmt: skip
 PARENT = (-1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19)
-OFFSET_OF = {  # [m] from the parent, of the left side and the middle
+OFFSET_OF = {  # [m] offset from the parent, for the left side and the middle
     "pelvis": (0, 0, 0), "left_hip": (0.069, -0.091, -0.006), "left_knee": (0.036, -0.379, -0.007),
     "left_ankle": (-0.015, -0.398, -0.043), "left_toe": (0.026, -0.052, 0.121), "spine1": (0, 0.109, -0.027),
     "spine2": (0, 0.135, 0.001), "spine3": (0, 0.053, 0.025), "neck": (0, 0.214, -0.043), "head": (0, 0.065, 0.051),
@@ -31,18 +31,18 @@ OFFSET_OF = {  # [m] from the parent, of the left side and the middle
     "left_elbow": (0.257, -0.013, -0.024), "left_wrist": (0.252, 0.008, -0.003),
 }  # fmt: skip
 END_OF = {"left_toe": (0, -0.018, 0.072), "head": (0, 0.18, 0), "left_wrist": (0.17, -0.014, -0.026)}  # [m], about
-UPRIGHT = 0.5  # cosine to the vertical of a body that counts as upright, from ankles to head
-MOST = 0.5  # of the samples
-FLOOR = 0.125  # [m] height of the lowest joint of a body that lies on the floor, and as much more or less
-AXES = {"z": (1, 2), "y": (1, 1), "-y": (-1, 1)}  # sign and column of what may be up
-OFF_FLOOR = 0.3  # [m] height of the soles of a body that does not stand on the floor
-STANDS, WALKS = 0.3, 0.3  # of the pelvis' height above the soles; [m] of a path by the feet: enough to measure a unit
+UPRIGHT = 0.5  # least cosine between the vertical and the line from ankles to head of an upright body
+MOST = 0.5  # fraction of the samples that counts as most
+FLOOR = 0.125  # [m] height of the lowest joint of a body lying on the floor, and tolerance of this height
+AXES = {"z": (1, 2), "y": (1, 1), "-y": (-1, 1)}  # sign and column of possible vertical axes
+OFF_FLOOR = 0.3  # [m] height of the soles from which a body does not stand on the floor
+STANDS, WALKS = 0.3, 0.3  # least relative height of the pelvis and path [m] by the feet that determine a unit
 LOW = 0.05  # [m] least height of the pelvis above the soles
 UNITS = {2: ("centimetres", 0.01), 3: ("millimetres", 0.001)}  # by the power of ten
 
 
 def _mirrored(table: dict[str, tuple[float, float, float]]) -> dict[str, Array]:
-    """With the right side, whose x is opposite."""
+    """Return a table with the right side added, whose x is opposite."""
     return {
         name: np.array(table[name] if name in table else table[f"left{name[5:]}"]) * [1 - 2 * (name not in table), 1, 1]
         for name in NAMES
@@ -58,7 +58,7 @@ TO_SMPL = np.array([0.5, -0.5, -0.5, -0.5])  # from axes x forward, y left, z up
 
 
 def in_world(local: Array) -> Array:
-    """Rotations (T, 22, 4) in the world, of those relative to the parent."""
+    """Return rotations (T, 22, 4) in the world from those relative to the parent."""
     out = local.copy()
     for joint, parent in enumerate(PARENT):
         if parent >= 0:
@@ -67,7 +67,7 @@ def in_world(local: Array) -> Array:
 
 
 def about_pelvis(turn: Array) -> Array:
-    """(T, 22, 3) [m] the joints' places about the pelvis, by their rotations (T, 22, 4) in the world."""
+    """Return positions (T, 22, 3) [m] of the joints relative to the pelvis, from rotations (T, 22, 4) in the world."""
     place = np.zeros((*turn.shape[:2], 3))
     for joint, parent in enumerate(PARENT):
         if parent >= 0:
@@ -76,7 +76,7 @@ def about_pelvis(turn: Array) -> Array:
 
 
 def z_up(position: Array, local: Array) -> tuple[Array, Array, tuple[str, ...]]:
-    """The pelvis' positions (T, 3) and the joints' rotations (T, 22, 4) in a world whose z is up, and notes."""
+    """Return the pelvis' positions (T, 3) and the joints' rotations (T, 22, 4) in a world with z up, and notes."""
     up, notes = _up(position, about_pelvis(in_world(local)))
     if up == "z":
         return position, local, notes
@@ -87,11 +87,11 @@ def z_up(position: Array, local: Array) -> tuple[Array, Array, tuple[str, ...]]:
 
 
 def _up(position: Array, away: Array) -> tuple[str, tuple[str, ...]]:
-    """The vertical axis, "z", "y" or "-y", and notes; of places (T, 22, 3) about the pelvis.
+    """Return the vertical axis, "z", "y" or "-y", and notes; away: positions (T, 22, 3) relative to the pelvis.
 
-    It is the axis along which the body is upright at most samples, from its ankles to its head, and otherwise z, as
-    AMASS specifies. A body on the floor by z whose feet are not on the floor by the other axis lies there; one that is
-    on the floor by y alone lies in a file with y up.
+    It is the axis along which the body is upright in most samples, and otherwise z, as AMASS specifies. Lying bodies
+    are distinguished by the floor. A body that is on the floor by z lies there, if its feet are not on the floor by the
+    other axis. A body on the floor by y alone lies in a file with y up.
     """
     along = away[:, HEAD] - away[:, ANKLES].mean(axis=1)
     cosine = along / np.linalg.norm(along, axis=1, keepdims=True)
@@ -118,10 +118,10 @@ def _up(position: Array, away: Array) -> tuple[str, tuple[str, ...]]:
 
 
 def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
-    """Positions (T, 3) of the pelvis [m], z up, and notes: by its height above the soles, and its path by the feet.
+    """Return positions (T, 3) [m] of the pelvis, z up, and notes.
 
-    Lengths are those of the mean shape. They are metres unless all measured lengths are a hundred or a thousand
-    times too long.
+    The unit is inferred by comparison with the mean shape, from the pelvis' height above the soles and the path by the
+    feet. It is the metre unless all measured lengths are a hundred or a thousand times too long.
     """
     place = about_pelvis(in_world(local))
     ratios = []
@@ -141,7 +141,7 @@ def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
 
 
 def captured(position: Array, local: Array) -> CapturedSkeleton:
-    """The mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a world whose z is up."""
+    """Return the mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a z-up world."""
     ours, turn = quat.inverse(TO_SMPL), in_world(local)
     place = position[:, None] + about_pelvis(turn)
     relative = quat.product(quat.product(ours, local), TO_SMPL)

@@ -1,7 +1,8 @@
-"""Which way is up: in a model's rest pose, which lies down in MuJoCo's world where it is built y up, and in recordings.
+"""The vertical axis of rest poses and recordings.
 
-A recording's vertical is the axis along which the person is upright at most samples. Without one it is the axis by
-convention, unless along another the lowest joint is much more often at the same height, as if on a floor.
+The rest pose of a model built with y up lies down in MuJoCo's world. A recording has the conventional vertical axis if
+the person is upright along it in enough samples. Otherwise it is an axis along which the person is upright in most
+samples, or one along which the lowest joint has a much more constant height, as on a floor.
 """
 
 from __future__ import annotations
@@ -13,22 +14,22 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
 
-CLEARLY = 0.3  # by which the cosines of up and left, summed, must be better in another orientation
+CLEARLY = 0.3  # least gain in the sum of the cosines of up and left for which a rest pose is rotated
 AXES = "xyz"
 NONE = np.array([1.0, 0, 0, 0])
-TO_Z = {  # the turn that takes an axis to z; y as animators have it, where a figure looks along z
+TO_Z = {  # rotation of an axis to z; that of y is for figures facing z, as in animation
     "z": NONE, "y": np.array([0.5, 0.5, 0.5, 0.5]), "x": np.array([0.5, -0.5, -0.5, -0.5]),
     "-z": np.array([0.0, 1, 0, 0]), "-y": np.array([0.5, -0.5, 0.5, -0.5]), "-x": np.array([0.5, -0.5, 0.5, 0.5]),
 }  # fmt: skip
-UPRIGHT = 0.7  # cosine to the vertical of a person that counts as upright, from feet to head
-SOME, MOST = 0.2, 0.5  # of the samples
-LEVEL = 0.25  # of how much the lowest joint goes up and down by the convention, less of which indicates a floor
+UPRIGHT = 0.7  # least cosine between the vertical and the line from feet to head of an upright person
+SOME, MOST = 0.2, 0.5  # fractions of the samples that count as enough and as most
+LEVEL = 0.25  # ratio of standard deviations of the lowest joint's height below which an axis indicates a floor
 
 
 def vertical(position: Array, roles: Mapping[str, int], usual: str) -> tuple[str, tuple[str, ...]]:
-    """The axis that is up in a recording, of "x", "-x", ..., and a note if it is not the usual one.
+    """Return the vertical axis of a recording, of "x", "-x", ..., and a note if it is not the usual one.
 
-    position (T, J, 3) of joints, roles which joint is which part; usual, the axis by convention
+    position (T, J, 3) of joints; roles: joints by part of the body; usual: the axis by convention
     """
     tops = [roles[role] for role in ("head", "neck", "left_upper_arm", "right_upper_arm", "chest") if role in roles][:1]
     tops = tops or [roles[role] for role in ("pelvis",) if role in roles]
@@ -57,10 +58,10 @@ def vertical(position: Array, roles: Mapping[str, int], usual: str) -> tuple[str
 
 
 def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[str, ...]]:
-    """(4,) the turn by multiples of 90° that stands a rest pose upright, facing x with y to its left, and a note.
+    """Return the rotation (4,) by multiples of 90° with which a rest pose stands upright and faces x, and a note.
 
-    place (nbody, 3) [m] of bodies at rest, roles which body is which part. The head is above the hips and these above
-    the feet; the left hip is to the left. A figure without known legs is taken to stand.
+    place (nbody, 3) [m] of bodies at rest; roles: bodies by part. Upright, the head is above the hips, these are above
+    the feet, and the left hip is to the left. A figure without identified legs is taken to stand.
     """
     none = NONE
     thighs, ends = ([roles.get(f"{side}_{part}") for side in ("left", "right")] for part in ("thigh", "foot"))
@@ -89,5 +90,5 @@ def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[
 
 
 def unit(vector: Array) -> Array:
-    """Return a vector (3,) of length 1, or zero."""
+    """Return a vector (3,) scaled to length 1; zero stays zero."""
     return vector / max(float(np.linalg.norm(vector)), 1e-12)

@@ -1,5 +1,5 @@
 """Tables of numbers by other programs.
 
-table_text  the text of a table: separator, decimal sign, comments and heading are detected
-headings    which columns are which components of qpos, by their names
+table_text  the text of a table, with detection of separator, decimal sign, comments and heading
+headings    assignment of columns to components of qpos by name
 """

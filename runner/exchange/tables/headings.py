@@ -1,8 +1,9 @@
-"""Which columns of a table are which components of qpos, by their names: our own, or those of other programs.
+"""Assignment of a table's columns to components of qpos, by names of this program or of others.
 
-Exact names have precedence. Of others, letter case, punctuation, units in brackets and words such as `joint`, `dof` or
-`pos` around a joint's name do not count: `root_pos_x`, `base_quat_w`, `left_knee_joint`, `dof.left_knee [deg]`. The
-root is called by its joint, its body, or root, base, pelvis and the like. Numbered columns are taken in their order.
+Exact names have precedence. For other names, letter case, punctuation, units in brackets, and words such as `joint`,
+`dof` or `pos` around a joint's name are ignored: `root_pos_x`, `base_quat_w`, `left_knee_joint`,
+`dof.left_knee [deg]`. The root may have the name of its joint or body, or root, base, pelvis and the like. Numbered
+columns are taken in their order.
 """
 
 from __future__ import annotations
@@ -33,10 +34,11 @@ NUMBERED = re.compile(r"^(.*?)[\W_]*([0-9]+)\W*$")
 
 @dataclass(frozen=True)
 class Columns:
-    """The columns of the components of qpos in a table.
+    """The columns of a table with the components of qpos.
 
-    places  of each component of qpos, and its factor to metres or radians; clock: of the times, and to seconds
-    is_numbered  whether columns were only numbered, so that their order is the file's
+    places  column of each component of qpos, and its factor to metres or radians
+    clock   column of the times, and its factor to seconds
+    is_numbered  whether columns are only numbered, so that their order is the file's
     """
 
     places: tuple[tuple[int, float], ...]
@@ -45,22 +47,22 @@ class Columns:
     notes: tuple[str, ...]
 
     def qpos(self, numbers: Array) -> Array:
-        """(T, nq) of the table (T, n)."""
+        """Return qpos (T, nq) of the table (T, n)."""
         return numbers[:, [place for place, _ in self.places]] * np.array([factor for _, factor in self.places])
 
     def time(self, numbers: Array) -> Array | None:
-        """(T,) [s] of the table, None if it has none."""
+        """Return the times (T,) [s] of the table, None without any."""
         return None if self.clock is None else numbers[:, self.clock[0]] * self.clock[1]
 
 
 def resolve(model: mujoco.MjModel, wanted: Sequence[str], names: Sequence[str], where: object) -> Columns:
-    """Return where a table with named columns has qpos.
+    """Return the columns of qpos in a table with named columns.
 
     Args:
         model: The figure.
-        wanted: (nq,) our names of the components of qpos.
+        wanted: (nq,) names of the components of qpos in this program.
         names: (n,) of the table's columns.
-        where: How errors call the file.
+        where: Label of the file in errors.
 
     Raises:
         UserError: A component has no column, or several.
@@ -117,7 +119,7 @@ def _clock(bare: Sequence[str], units: Sequence[str], taken: set[int]) -> tuple[
 
 
 def _words(name: str) -> list[str]:
-    """The words of a name in lower case: `basePosX` and `base_pos.x` alike."""
+    """Return the words of a name in lower case, the same for `basePosX` and `base_pos.x`."""
     parts = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name)
     return [word for word in re.split(r"[\W_]+", parts.lower()) if word]
 
@@ -125,7 +127,7 @@ def _words(name: str) -> list[str]:
 def _aliases(
     model: mujoco.MjModel, wanted: Sequence[str], columns: Sequence[tuple[int, str]], where: object
 ) -> dict[str, int]:
-    """Columns by other programs' names; raises UserError for ambiguous ones."""
+    """Return the columns that have other programs' names; raises UserError for ambiguous ones."""
     root = root_of(model)
     out: dict[str, int] = {}
 
@@ -159,7 +161,7 @@ def _aliases(
 
 
 def _is_component(words: list[str], axis: str, own: set[str], *, is_turn: bool) -> bool:
-    """Whether a column's words name a component of the root's position or quaternion."""
+    """Return whether a column's words name a component of the root's position or quaternion."""
     if not words:
         return False
     last, before = words[-1], words[:-1]
@@ -171,7 +173,7 @@ def _is_component(words: list[str], axis: str, own: set[str], *, is_turn: bool) 
 
 
 def _stem(name: str) -> str:
-    """A joint's name without the words around it."""
+    """Return a joint's name without the words around it."""
     words = _words(name)
     while words and words[0] in AROUND:
         words = words[1:]
@@ -181,7 +183,7 @@ def _stem(name: str) -> str:
 
 
 def _numbered(wanted: Sequence[str], places: dict[str, int], columns: Sequence[tuple[int, str]]) -> dict[str, int]:
-    """Components without a column, of as many columns that have one name and a number each, in their order."""
+    """Return columns for the missing components: the group of equally many columns with one name and a number each."""
     groups: dict[str, list[tuple[int, int]]] = {}
     for i, text in columns:
         if (match := NUMBERED.match(text)) is not None:

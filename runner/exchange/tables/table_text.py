@@ -1,11 +1,11 @@
-"""Tables of numbers as text: their separator, decimal sign, comments and heading are detected.
+"""Tables of numbers as text, with detection of separator, decimal sign, comments and heading.
 
-Commas, semicolons, tabs or spaces separate the cells; decimal commas go with any of them but unquoted commas. Lines
-that begin with #, % or // are comments, but for one directly before the numbers that has a name for every column. A
-line `sep=;` is Excel's. Empty cells are nan.
+Commas, semicolons, tabs or spaces separate the cells; decimal commas are possible with all of them except unquoted
+commas. Lines that begin with #, % or // are comments. Such a line directly before the numbers is the heading if it has
+a name for every column. A line `sep=;` is Excel's. Empty cells are nan.
 
-A table is cut short if its last row has fewer cells than the others, or if the file ends within the last number. That
-is inferred if no end of line follows the number, and it is shorter than those above it or far from them.
+A table is truncated if its last row has fewer cells than the others, or if the file ends within the last number. The
+latter is inferred if no end of line follows the number, and it is shorter than those above it or far from them.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ RATE = re.compile(
 ENCODINGS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
 BEGINNING = re.compile(r"[+-]?([0-9]*[.,]?[0-9]*(e[+-]?)?|na?|inf?|infin?i?t?)", re.IGNORECASE)  # of a number
 NUMBER = re.compile(r"[+-]?[0-9]*(?:[.,](?P<decimals>[0-9]*))?(?:e[+-]?(?P<exponent>[0-9]+))?", re.IGNORECASE)
-PRECISE = 9  # decimals: numbers with as many are right within 1e-9, whatever of them is missing
-FAR, NEAR = 3, 1e-6  # times the largest step of a column, and besides: a number farther off lacks its exponent
+PRECISE = 9  # decimals with which even a truncated number has an error of at most 1e-9
+FAR, NEAR = 3, 1e-6  # multiple of a column's largest step, and margin, beyond which a number lacks its exponent
 Rows = list[list[str]]
 
 
 @dataclass(frozen=True)
 class Table:
-    """numbers (T, n); names (n,) of the columns, or None; fps [1/s] of a comment; notes on choices made."""
+    """numbers (T, n); names (n,) of the columns, or None; fps [1/s] from a comment; notes on what was inferred"""
 
     numbers: Array
     names: list[str] | None = None
@@ -54,14 +54,14 @@ class Dialect:
     has_decimal_comma: bool = False
 
     def cells(self, line: str) -> list[str]:
-        """The cells of a line; spaces around them and a separator at its end do not count."""
+        """Return the cells of a line without surrounding spaces; a separator at its end is ignored."""
         if self.separator == " ":
             return line.split()
         row = [cell.strip() for cell in next(csv.reader([line], delimiter=self.separator, skipinitialspace=True))]
         return row[:-1] if len(row) > 1 and not row[-1] else row
 
     def number(self, cell: str) -> float | None:
-        """A cell's number, nan if it is empty, None if it holds something else."""
+        """Return a cell's number, nan if it is empty, None if it contains anything else."""
         text = cell.replace(",", ".") if self.has_decimal_comma else cell
         try:
             return float(text) if text else np.nan
@@ -69,7 +69,7 @@ class Dialect:
             return None
 
     def is_numeric(self, line: str) -> bool:
-        """Whether all cells of a line are numbers."""
+        """Return whether all cells of a line are numbers."""
         cells = self.cells(line)
         return any(cells) and all(self.number(cell) is not None for cell in cells)
 
@@ -112,7 +112,7 @@ def table(path: Path) -> Table:
 
 
 def _cut(rows: Rows, numbers: list[list[float | None]], *, is_ended: bool) -> str | None:
-    """The defect of an incomplete last row; None if it is complete, or damaged otherwise."""
+    """Return how a last row is incomplete; None if it is complete, or damaged otherwise."""
     last, values, width = rows[-1], numbers[-1], len(rows[0])
     if len(last) > width or None in values[:-1] or (values[-1] is None and not BEGINNING.fullmatch(last[-1])):
         return None
@@ -125,7 +125,7 @@ def _cut(rows: Rows, numbers: list[list[float | None]], *, is_ended: bool) -> st
 
 
 def _truncated(path: Path, cut: str, count: int, is_wide: bool) -> str:
-    """Return the note on a table with this number of complete rows; raises UserError unless these may be used."""
+    """Return the note on a table with `count` complete rows; raises UserError unless these may be used."""
     cut = f"the file is cut short: {cut}"
     if count < gaps.FEWEST:
         raise UserError(f"{path}: {cut}; a motion has at least {gaps.FEWEST} complete rows")
@@ -152,7 +152,7 @@ def is_cut(cell: str, number: float, above: Sequence[tuple[str, float | None]]) 
 
 
 def _lines(path: Path) -> tuple[list[str], list[str], str | None, bool]:
-    """The lines that are not empty, the comments, the one before the first line, and whether the last line ends."""
+    """Return the non-empty lines, the comments, the comment before the first line, and whether the last line ends."""
     content = path.read_bytes()
     encoding = next((name for mark, name in ENCODINGS.items() if content.startswith(mark)), "utf-8")
     try:
@@ -178,7 +178,7 @@ def _lines(path: Path) -> tuple[list[str], list[str], str | None, bool]:
 
 
 def _dialect(lines: Sequence[str]) -> Dialect:
-    """The way of writing in which most lines are numbers, as many in each; of several the one with the most columns."""
+    """Return the notation for which most lines are equally many numbers, of several the one with the most columns."""
     look = list(lines[:50])
 
     def fits(dialect: Dialect) -> tuple[int, int]:
@@ -193,7 +193,7 @@ def _dialect(lines: Sequence[str]) -> Dialect:
 
 
 def _names(lines: Sequence[str], comment: str | None, dialect: Dialect, width: int) -> list[str] | None:
-    """The names of the columns, of the line or else the comment before the numbers."""
+    """Return the names of the columns, from the heading or else the comment before the numbers."""
     if lines:
         names, *units = map(dialect.cells, lines)
         return (
