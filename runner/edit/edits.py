@@ -219,7 +219,7 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, F
     clip = of_motion(replace(saved, text=text, keys=ends, timeline=one))
     objective = renormalised(clip.problem.plain_objective, saved.raw)
     progress.step("solving the transition", 0.0, force=True)
-    return optimised(objective, begin, tolerance=TOLERANCE)
+    return optimised(objective, begin, max_evaluations=clip.settings.max_evaluations, tolerance=TOLERANCE)
 
 
 def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:

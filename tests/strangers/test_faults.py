@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Iterator
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +43,8 @@ COMMANDS = {
 EDITS = ("export", "import", "new", "thin", "trim", "mirror")
 SEARCHING = ("solve", "thin")  # which keep what they have found by then
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
+SHARES = (0.02, 0.6, 0.97, 0.3)  # of a command's calls
+MOMENTS = list(zip(COMMANDS, cycle(CODES), cycle(SHARES), strict=False))
 
 
 @pytest.fixture(scope="module")
@@ -105,23 +108,24 @@ def left(folder: Path) -> list[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("command", COMMANDS)
-def test_a_signal_at_any_moment_leaves_the_older_file_or_the_whole_new_one(command: str, tried: Tried, tmp_path: Path):
+@pytest.mark.parametrize(("command", "number", "share"), MOMENTS)
+def test_a_signal_at_any_moment_leaves_the_older_file_or_the_whole_new_one(
+    command: str, number: int, share: float, tried: Tried, tmp_path: Path
+):
     words = COMMANDS[command]
     target = tmp_path / words[-1] if words[-2] == "-o" else None
     more = ("--overwrite",) if command in EDITS else ()
     whole = tried(*words, calls=True)
     assert whole["code"] == 0 and whole["calls"] > 50, whole
     new = target.read_bytes() if target else b""
-    for number, share in zip((signal.SIGINT, signal.SIGTERM, signal.SIGHUP), (0.02, 0.6, 0.97), strict=True):
-        if target:
-            target.write_bytes(b"older")
-        ended = tried(*words, *more, at=max(1, int(share * whole["calls"])), signal=int(number))
-        assert ended["code"] == CODES[number], (share, ended)
-        assert "Traceback" not in ended["err"]
-        if target:
-            assert target.read_bytes() in (b"older", new) or (command in SEARCHING and is_whole(target))
-        assert left(tmp_path) == []
+    if target:
+        target.write_bytes(b"older")
+    ended = tried(*words, *more, at=max(1, int(share * whole["calls"])), signal=int(number))
+    assert ended["code"] == CODES[number], ended
+    assert "Traceback" not in ended["err"]
+    if target:
+        assert target.read_bytes() in (b"older", new) or (command in SEARCHING and is_whole(target))
+    assert left(tmp_path) == []
 
 
 # disks and folders
@@ -184,13 +188,13 @@ def test_a_folder_that_vanished_beneath_the_command_is_no_harm_to_what_lies_else
     assert_told(tried("solve", "tiny.toml", before=GONE), "the folder that the command was started in is gone")
 
 
-@pytest.mark.parametrize("home", ["", "os.environ['HOME'] = '/nowhere'; "])
-@pytest.mark.parametrize("temporary", ["", "os.environ['TMPDIR'] = '/nowhere'; "])
-def test_without_a_home_and_a_folder_for_temporary_files_it_is_solved(
-    home: str, temporary: str, tried: Tried, tmp_path
-):
+@pytest.mark.parametrize("place", ["", "/nowhere"])
+def test_without_a_home_and_a_folder_for_temporary_files_it_is_solved(place: str, tried: Tried, tmp_path):
     before = "for name in ('DYNSPLINES_CACHE', 'HOME', 'XDG_CACHE_HOME'):\n    os.environ.pop(name, 0)\n"
-    before += "os.environ.pop('TMPDIR', 0)\n" + home + temporary + "import tempfile; tempfile.tempdir = None\n"
+    before += "os.environ.pop('TMPDIR', 0)\n"
+    if place:
+        before += f"os.environ |= dict.fromkeys(['HOME', 'TMPDIR'], {place!r})\n"
+    before += "import tempfile; tempfile.tempdir = None\n"
     assert tried("solve", "tiny.toml", "-o", "out.npz", before=before)["code"] == 0
     assert motion.load(tmp_path / "out.npz").name == "tiny"
 
@@ -217,9 +221,7 @@ def test_a_closed_stream_hinders_no_work(number: int, name: str, tried: Tried, t
     assert motion.load(tmp_path / "out.npz").name == "tiny"
 
 
-@pytest.mark.parametrize(
-    "words", [("report", "motion.npz"), ("report", "motion.npz", "--json"), ("clips",), ("formats",)]
-)
+@pytest.mark.parametrize("words", [("report", "motion.npz"), ("clips",)])
 @pytest.mark.parametrize("before", [FULL.format(1), CLOSED.format(1, "stdout")])
 def test_what_cannot_be_printed_is_no_mistake_of_the_program(words: tuple[str, ...], before: str, tried: Tried):
     ended = tried(*words, before=before)
@@ -235,7 +237,7 @@ def test_who_reads_no_further_ends_the_command_quietly(tried: Tried):
 # limits
 
 
-@pytest.mark.parametrize("handles", [8, 12, 16, 24])
+@pytest.mark.parametrize("handles", [8, 16])
 def test_too_few_handles_are_reported(handles: int, tried: Tried, tmp_path: Path):
     few = f"import resource; resource.setrlimit(resource.RLIMIT_NOFILE, ({handles}, {handles}))\n"
     for words in (("solve", "tiny.toml", "-o", "out.npz"), ("export", "motion.npz", "-o", "out.html")):
@@ -244,7 +246,7 @@ def test_too_few_handles_are_reported(handles: int, tried: Tried, tmp_path: Path
     assert left(tmp_path) == []
 
 
-@pytest.mark.parametrize("megabytes", [0, 5, 40])
+@pytest.mark.parametrize("megabytes", [0, 40])
 def test_too_little_memory_is_reported(megabytes: int, tried: Tried, tmp_path: Path):
     little = (
         "import resource; used = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()\n"

@@ -6,8 +6,10 @@ sends to itself `at` a call of one of our functions, or `calls`, to count them. 
 
 from __future__ import annotations
 
+import importlib
 import json
 import os
+import pkgutil
 import signal
 import sys
 import tempfile
@@ -21,9 +23,15 @@ OWN = ("/runner/", "/solver/")  # files whose functions count
 
 
 def main() -> None:
+    """Imports everything once, for all forks."""
     import matplotlib.backends.backend_agg  # noqa: F401
     import platformdirs.unix  # noqa: F401
 
+    import dynsplines
+
+    for module in pkgutil.walk_packages(dynsplines.__path__, "dynsplines."):
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
     for line in sys.stdin:
         print(json.dumps(tried(json.loads(line))), flush=True)
 
@@ -76,7 +84,7 @@ def _run(case: dict, calls: Path) -> None:
         try:
             start.main()
         finally:
-            sys.setprofile(None)
+            sys.settrace(None)
             if "calls" in case:
                 calls.write_text(str(counted[0]))
     except SystemExit as ended:
@@ -97,14 +105,14 @@ def _count(case: dict) -> list[int]:
     """Counts calls of our own functions from now on, and sends the signal at the one that was asked for."""
     counted, wanted = [0], case.get("at")
 
-    def profile(frame, event, _):
-        if event == "call" and any(part in frame.f_code.co_filename for part in OWN):
+    def trace(frame, event, _):  # of calls of Python functions alone
+        if any(part in frame.f_code.co_filename for part in OWN):
             counted[0] += 1
             if counted[0] == wanted:
                 os.kill(os.getpid(), case["signal"])
 
     if wanted is not None or "calls" in case:
-        sys.setprofile(profile)
+        sys.settrace(trace)
     return counted
 
 
