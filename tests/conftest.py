@@ -23,6 +23,7 @@ from rich.console import Console
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
+from dynsplines.measure import report
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.figure.figure import Figure
@@ -30,6 +31,7 @@ from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
 
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
+report.LOCAL_EVALUATIONS = 2  # the local solves of a report take most of its time; test_report has all of them
 shipped.open_folder()
 
 

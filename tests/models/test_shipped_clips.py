@@ -73,8 +73,8 @@ def name(request: pytest.FixtureRequest) -> str:
 
 
 def test_the_raw_spline_penetrates_and_the_solved_motion_does_not(name):
-    assert of(name).deep(raw=True, rate=200).deepest >= PROMISES[name].raw
-    assert of(name).deep(raw=False).deepest <= PROMISES[name].deepest
+    assert of(name).deep(raw=True, rate=60).deepest >= PROMISES[name].raw
+    assert of(name).deep(raw=False, rate=200).deepest <= PROMISES[name].deepest
 
 
 def test_keyframes_are_met_and_it_gets_where_it_is_to(name):

@@ -20,7 +20,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.penalty import StancePenalty
 from dynsplines.solver.posing import entries
 
-HEIGHTS = [(0.9, True), (0.8, False), (0.7, True), (0.65, False), (0.55, False), (0.45, True), (0.45, False)]
+HEIGHTS = [(0.8, False), (0.7, True), (0.45, False)]
 KNEES = ("left_knee", "right_knee")
 ROUNDING = 0.1  # degrees beyond a range that a soft constraint leaves
 REST = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n'

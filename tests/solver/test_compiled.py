@@ -16,7 +16,7 @@ needs_kernel = pytest.mark.skipif(compiled.kernel is None, reason="the kernel wa
 
 
 @needs_kernel
-@pytest.mark.parametrize("name", ["run_and_step", "carry_box", "walk_loop"])
+@pytest.mark.parametrize("name", ["run_and_step", "walk_loop"])
 def test_a_model_by_the_kernel_is_numpys(name, monkeypatch):
     problem = clips.load(name).problem
     discretised = problem.objective.on(split(problem.raw, midpoints(problem.raw)))

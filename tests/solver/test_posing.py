@@ -120,7 +120,7 @@ def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
 
 
 @pytest.mark.slow
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=8, deadline=None)
 @given(seed=st.integers(0, 10**6), side=st.sampled_from(["left", "right"]), limb=st.sampled_from(["heel", "hand"]))
 def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
     figure, rng = HUMAN["world"], np.random.default_rng(seed)

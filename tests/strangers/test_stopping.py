@@ -113,7 +113,7 @@ def test_a_signal_that_a_command_is_started_to_ignore_stays_ignored(start: Start
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("number", "words"), [(signal.SIGTERM, ()), (signal.SIGINT, FIGURES)])
+@pytest.mark.parametrize(("number", "words"), [(signal.SIGINT, FIGURES)])
 def test_a_signal_ends_the_papers_claims_and_figures_with_nothing_half_done(
     start: Start, tmp_path: Path, number: signal.Signals, words: tuple[str, ...]
 ):

@@ -102,7 +102,7 @@ def check_simulation(saved: Saved, folder: Path, expected: Array) -> None:
 
 @pytest.mark.slow
 @settings(
-    max_examples=16,
+    max_examples=6,
     deadline=None,
     database=None,
     derandomize=True,

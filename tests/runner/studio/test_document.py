@@ -99,7 +99,7 @@ def edited(found, name, entries):
     found.commit(text, words)
 
 
-@settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(deeds, min_size=1, max_size=12))
 def test_undo_after_any_edits_gives_the_first_text_byte_for_byte(some):
     found = document()
