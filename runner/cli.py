@@ -559,7 +559,16 @@ def batch(
         clean=clean_all, onto=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, within=within
     )
     options = batches.Options(
-        listed, workers, scheduler, to, fps, batches.Limits(limit_time, limit_memory), measure, retry_failed, cleaning
+        listed,
+        workers,
+        scheduler,
+        to,
+        fps,
+        batches.Limits(limit_time, limit_memory),
+        measure,
+        retry_failed,
+        cleaning,
+        within,
     )
     with terminal.Progress() as progress:
         tally = batches.run(clips or [], output, progress, options)

@@ -4,11 +4,11 @@ inputs      the clips that a command names, and the files that each needs
 task        a clip as it is sent to a worker, the options and limits of the batch, and the outcome
 manifest    the state of every clip, in a file that survives the end of the program
 solving     the work on a clip: its files in, the files of its motion out
-worker      worker processes with limits
-workers     the processes of this machine, as an executor
+worker      worker processes with limits, and those of this machine as an executor
 cluster     the workers of a Dask cluster, as an executor
-recordings  batches of recordings: their options and their summary
+recordings  the options of batches of recordings
 dispatch    the assignment of clips to workers
+tally       the results of a batch at its end
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .task import Limits, Options
 
 if TYPE_CHECKING:
     from ..system.progress import Progress
-    from .dispatch import Tally
+    from .tally import Tally
 
 __all__ = ["Limits", "Options", "run"]
 PACKAGES = ("psutil", "distributed", "dask")
@@ -41,12 +41,6 @@ def run(words: list[str], folder: Path, progress: Progress, options: Options) ->
             f"dynsplines batch needs '{error.name}'; install it: pip install 'dynamic-splines[batch]'"
         ) from None
     tally = dispatch.run(words, folder, options, progress)
-    lines = tally.violations
-    if options.cleaning is not None:
-        from . import recordings
-
-        lines = []
-        recordings.tell(tally, progress)
-    for line in (*lines, *tally.failures(), f"{folder}: {tally.line}"):
-        progress.say(line)
+    tally.report(progress, are_recordings=options.cleaning is not None)
+    progress.say(f"{folder}: {tally.line}")
     return tally

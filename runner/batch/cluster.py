@@ -20,8 +20,7 @@ from distributed import Client, Worker, WorkerPlugin, get_worker
 from ..errors import UserError, one_line
 from ..system.progress import Progress
 from .task import Limits, Outcome
-from .worker import Do, Pool
-from .workers import Workers
+from .worker import Do, Pool, Workers
 
 CONNECT_SECONDS = 10  # [s] time limit of the connection to a cluster
 CLOSE_SECONDS = 10  # [s] time limit of closing a client

@@ -7,7 +7,7 @@ from asyncio import CancelledError
 from collections import Counter, deque
 from collections.abc import Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, wait
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from pathlib import Path, PurePosixPath
 
 from ..errors import UserError, one_line
@@ -19,57 +19,13 @@ from ..system.workers import cores
 from .inputs import Contents, Source, files_of, named_apart, sources
 from .manifest import Entry, Manifest, check_below, digest_of
 from .solving import solved
+from .tally import Tally
 from .task import Options, Outcome, Result, Task
-from .worker import Do
-from .workers import Workers, local
+from .worker import Do, Workers, local
 
 TRIES = 3  # attempts per run for a clip whose process or Dask worker ends
 TICK_SECONDS = 0.5  # [s] interval of checks of the folder and the workers
 READING_EVERY = 500  # clips per line of progress
-
-
-@dataclass(frozen=True)
-class Tally:
-    """The entries of all clips of a batch at its end, and the number of clips that this run has solved."""
-
-    entries: tuple[Entry, ...]
-    solved: int
-
-    @property
-    def failed(self) -> list[Entry]:
-        return sorted((entry for entry in self.entries if entry.state == "failed"), key=lambda entry: entry.clip)
-
-    @property
-    def good(self) -> list[Entry]:
-        return [entry for entry in self.entries if entry.state == "done"]
-
-    @property
-    def wrong(self) -> list[Entry]:
-        """Solved clips with violations, worst first, by the ratio of the worst violation to its bound."""
-
-        def severity(entry: Entry) -> tuple[float, str]:
-            return entry.violations[0]["amount"] / entry.violations[0]["bound"], entry.clip
-
-        return sorted((entry for entry in self.good if entry.violations), key=severity, reverse=True)
-
-    @property
-    def line(self) -> str:
-        unchanged = len(self.entries) - self.solved - len(self.failed)
-        return f"{self.solved} solved{f', {unchanged} already there' if unchanged else ''}, {len(self.failed)} failed"
-
-    @property
-    def violations(self) -> list[str]:
-        """ "3 of 200 clips have violations; worst: walk: left_heel is 196 mm in the floor at 1.00 s", or no line."""
-        wrong = self.wrong[:1]
-        count = sum(bool(entry.violations) for entry in self.good)
-        share = f"{count} of {len(self.good)} clips {'has' if count == 1 else 'have'} violations"
-        return [f"{share}; worst: {entry.clip}: {entry.violations[0]['text']}" for entry in wrong]
-
-    def failures(self, most: int = 50) -> list[str]:
-        """Return a line for each failed clip, up to `most` clips."""
-        lines = [f"failed: {entry.clip}: {entry.error}" for entry in self.failed[:most]]
-        more = len(self.failed) - most
-        return [*lines, f"... and {more} more; the manifest has them all"] if more > 0 else lines
 
 
 def run(words: list[str], folder: Path, options: Options, progress: Progress, *, do: Do = solved) -> Tally:

@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
 
 from dynsplines import models
 
@@ -18,7 +19,10 @@ from ..exchange import formats
 from ..scene import file_access
 from ..scene.file_access import lies_in
 from ..scene.model_files import is_there, paths_read
-from .task import Cleaning, Files
+from .task import Files
+
+if TYPE_CHECKING:
+    from ..clean.command import Source as Recording
 
 ENDINGS = (".toml", ".xml")
 Contents = dict[Path, bytes]  # of files
@@ -95,7 +99,7 @@ def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:
     return out
 
 
-def files_of(source: Source, figures: dict[Path, Contents], cleaning: Cleaning | None = None) -> Files:
+def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording | None = None) -> Files:
     """Return a clip with all files to which it refers. The worker reports missing ones.
 
     Raises OSError, and UserError for a model that refers to files outside its folder.
@@ -110,8 +114,7 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Cleaning |
         return Files(str(source.name), {f"{source.name}.toml": models.clip_text(str(source.name)).encode()})
     if cleaning is not None:
         roles = {"figure": cleaning.figure, "scene": cleaning.scene, "map": cleaning.map}
-        referenced = {role: name for role, name in roles.items() if name is not None and name not in models.figures()}
-        others = {role: _absolute(Path(name)) for role, name in referenced.items()}
+        others = {role: _absolute(Path(name)) for role, name in roles.items() if name and name not in models.figures()}
         files = {place: place.read_bytes() for place in (path, *others.values())}
         files |= _model(others["figure"], figures) if "figure" in others else {}
     elif path.suffix.lower() == ".xml":

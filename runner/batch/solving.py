@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 from ..errors import UserError
 from ..system import mujoco_warnings
-from .task import NPZ, Cleaning, Outcome, Task, program
+from .task import NPZ, Outcome, Task, program
 
 if TYPE_CHECKING:
+    from ..clean.command import Source
     from ..motion import Saved
 
 
@@ -30,7 +31,8 @@ def solved(task: Task, folder: Path) -> Outcome:
 
     warned: list[str] = []
     with mujoco_warnings.reported_to(warned.append), file_access.allowed(task.allow_outside):
-        outcome = _cleaned(task, folder) if task.options.cleaning else _solved(task, folder)
+        cleaning = task.options.cleaning
+        outcome = _solved(task, folder) if cleaning is None else _cleaned(task, cleaning, folder)
     return replace(outcome, notes=(*outcome.notes, *warned))
 
 
@@ -50,25 +52,18 @@ def _solved(task: Task, folder: Path) -> Outcome:
     return replace(_written(saved, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
 
-def _cleaned(task: Task, folder: Path) -> Outcome:
+def _cleaned(task: Task, cleaning: Source, folder: Path) -> Outcome:
     from rich.console import Console
 
     from ..clean import command
     from ..clean.comparison import Comparison
     from ..system.progress import Progress
 
-    cleaning = task.options.cleaning or Cleaning()
+    options, recording = task.options, folder / task.files.clip
     others = {word: folder / path for word, path in task.files.others.items()}
-    source = command.Source(
-        folder / task.files.clip,
-        str(others["figure"]) if "figure" in others else cleaning.figure,
-        cleaning.kind,
-        task.options.fps,
-        scene=others.get("scene"),
-        map=others.get("map"),
-        apart=cleaning.apart,
-    )
-    result, saved = command.made(source, cleaning.within, Progress(Console(quiet=True)))
+    figure = str(others.pop("figure")) if "figure" in others else cleaning.figure
+    source = replace(cleaning, file=recording, figure=figure, fps=options.fps, **others)
+    result, saved = command.made(source, options.within, Progress(Console(quiet=True)))
     comparison = Comparison(result)
     outcome = _written(saved, task, folder, None)
     return replace(outcome, violations=tuple(comparison.violations), figures=comparison.figures)

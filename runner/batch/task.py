@@ -7,12 +7,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import metadata
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import AfterValidator, AliasChoices, Field
 
 from ..errors import UserError
 from ..exchange import formats
+
+if TYPE_CHECKING:
+    from ..clean.command import Source as Recording
 
 NPZ = "npz"
 
@@ -55,27 +58,6 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Cleaning:
-    """Options of a batch of recordings.
-
-    Attributes:
-        figure: The name of a shipped figure, or the path of an MJCF file.
-        scene: The path of a TOML file, as for the command `clean`.
-        map: The path of a TOML file, as for the command `clean`.
-        kind: The format, if the extension does not specify it.
-        within: The largest displacement of hands, feet and pelvis [m].
-        apart: Whether to avoid self-collision, for another figure.
-    """
-
-    figure: str | None = None
-    scene: str | None = None
-    map: str | None = None
-    kind: str | None = None
-    within: float | None = None
-    apart: bool = False
-
-
-@dataclass(frozen=True)
 class Options:
     """The options of a batch. Raises UserError for invalid ones.
 
@@ -88,7 +70,8 @@ class Options:
         limits: The limits of each clip.
         report: Whether to measure every motion in full.
         retry_failed: Whether to solve unchanged clips again that have failed.
-        cleaning: Options of recordings; None for clips.
+        cleaning: A recording to clean, but for its file; None for clips.
+        within: The largest displacement of hands, feet and pelvis [m].
     """
 
     listed: str | None = None
@@ -99,7 +82,8 @@ class Options:
     limits: Limits = Limits()
     report: bool = False
     retry_failed: bool = False
-    cleaning: Cleaning | None = None
+    cleaning: Recording | None = None
+    within: float | None = None
 
     def __post_init__(self) -> None:
         if self.workers is not None and self.scheduler is not None:
@@ -115,7 +99,7 @@ class Options:
 
     def digest(self, files: Files) -> str:
         """Return a hash of everything that the output of a clip depends on."""
-        return files.digest(program(), self.to, self.fps, self.report, self.cleaning)
+        return files.digest(program(), self.to, self.fps, self.report, self.cleaning, self.within)
 
 
 @dataclass(frozen=True)

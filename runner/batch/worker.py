@@ -1,4 +1,4 @@
-"""Worker processes that solve clips. If a clip exceeds a limit, its process is ended, and another one starts."""
+"""Executors of clips, and their worker processes. If a clip exceeds a limit, its process is ended and replaced."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from typing import Any
 import psutil
 
 from ..errors import UserError, one_line
+from ..system.scratch import scratch
 from ..system.threads import THREADS
 from ..system.workers import Worker, WorkerEnded
 from .task import Limits, Outcome
@@ -30,6 +32,7 @@ READY = Outcome()
 START = Limits(120.0)  # limits of a process while it imports its modules
 WATCH_SECONDS = 0.1  # [s] interval of checks of time and memory
 IDLE_SECONDS = 120.0  # [s] without a clip after which a process ends, because its batch may have been killed
+CGROUP = ("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes")  # a container's limits
 
 
 class Pool:
@@ -128,3 +131,38 @@ def _outcome(_: None, clip: tuple[Do, Any, Path]) -> Outcome:
     if hasattr(libc := ctypes.CDLL(None), "malloc_trim"):
         libc.malloc_trim(0)  # otherwise glibc retains twice the used memory
     return outcome
+
+
+@dataclass(frozen=True)
+class Workers:
+    """An executor of clips.
+
+    Attributes:
+        submit: (do, task, limits) -> future outcome.
+        count: Returns the number of clips to submit at a time, 0 while there are no workers. Raises UserError if they
+            are lost.
+    """
+
+    submit: Callable[..., Future[Outcome]]
+    count: Callable[[], int]
+
+
+@contextmanager
+def local(count: int) -> Iterator[Workers]:
+    """Start `count` processes on this machine, which end with the block."""
+    with scratch() as folder, ThreadPoolExecutor(count) as threads:
+        pool = Pool(folder, _memory() / count)
+        try:
+            yield Workers(partial(threads.submit, pool.run), lambda: count)
+        finally:
+            pool.stop()
+            threads.shutdown(cancel_futures=True)
+
+
+def _memory() -> float:
+    """Return the memory of this machine, or of the container [MB]."""
+    size = psutil.virtual_memory().total
+    for path in CGROUP:
+        with suppress(OSError, ValueError):  # "max" without a limit
+            size = min(size, int(Path(path).read_text(encoding="ascii")))
+    return size / 2**20

@@ -13,8 +13,9 @@ from rich.console import Console
 
 pytest.importorskip("distributed")
 
-from dynsplines.batch.dispatch import Tally, run
+from dynsplines.batch.dispatch import run
 from dynsplines.batch.manifest import ENTRY, Entry, Manifest
+from dynsplines.batch.tally import Tally
 from dynsplines.batch.task import Options
 from dynsplines.errors import UserError
 from dynsplines.system.progress import Progress

@@ -15,11 +15,12 @@ from rich.console import Console
 pytest.importorskip("distributed")
 
 from dynsplines import UserError, load_motion
-from dynsplines.batch import recordings
-from dynsplines.batch.dispatch import Tally, run
+from dynsplines.batch.dispatch import run
 from dynsplines.batch.inputs import files_of, sources
 from dynsplines.batch.manifest import Entry, Manifest
-from dynsplines.batch.task import Cleaning, Options
+from dynsplines.batch.tally import Tally
+from dynsplines.batch.task import Options
+from dynsplines.clean.command import Source
 from dynsplines.exchange import formats
 from dynsplines.system.progress import Progress
 
@@ -55,14 +56,14 @@ def test_all_that_is_requested_goes_along_and_counts(folder: Path, tmp_path: Pat
     scene = tmp_path / "scene.toml"
     scene.write_text("[scene]\n", encoding="utf-8")
     (source,) = sources([str(folder / "walk.bvh")], recordings=True)
-    asked = Cleaning("human", scene=str(scene))
+    asked = Source(Path(), "human", scene=scene)
     files = files_of(source, {}, asked)
     assert files.others.keys() == {"scene"}
     assert files.files[files.others["scene"]] == scene.read_bytes()
     assert files.files[files.clip] == (folder / "walk.bvh").read_bytes()
     before = Options(cleaning=asked).digest(files)
     assert before == Options(cleaning=asked).digest(files_of(source, {}, asked))
-    assert before != Options(cleaning=Cleaning("human", scene=str(scene), within=0.02)).digest(files)
+    assert before != Options(cleaning=asked, within=0.02).digest(files)
     scene.write_text("[scene]\n# another\n", encoding="utf-8")
     assert before != Options(cleaning=asked).digest(files_of(source, {}, asked))
 
@@ -70,7 +71,7 @@ def test_all_that_is_requested_goes_along_and_counts(folder: Path, tmp_path: Pat
 @pytest.mark.slow
 def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(folder: Path, tmp_path: Path) -> None:
     shutil.copytree(folder, tmp_path / "in")
-    options = Options(workers=1, cleaning=Cleaning("human"))
+    options = Options(workers=1, cleaning=Source(Path(), "human"))
     into = tmp_path / "in" / "out"  # below what is read, which it is no part of
     tally = run([str(tmp_path / "in")], into, options, quiet())
     assert (tally.solved, [entry.clip for entry in tally.failed]) == (2, ["torn"])
@@ -94,7 +95,7 @@ def entry(name: str, slip: float, problem: float | None = None) -> Entry:
 def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
     good = tuple(entry(f"r{i}", float(i), 5.0 + i if i > 2 else None) for i in range(15))
     out = io.StringIO()
-    recordings.tell(Tally(good, 15), Progress(Console(file=out, width=100)))
+    Tally(good, 15).report(Progress(Console(file=out, width=100)), are_recordings=True)
     lines = out.getvalue().splitlines()
     assert lines[0].split() == ["15", "recordings", "median", "before", "after", "worst", "before", "after"]
     assert lines[1].split() == ["slip", "[mm]", "40", "7", "40", "14"]
