@@ -11,6 +11,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.root import root_of
 
+from ..scene.configuration import posed
 from .trajectory import BodyPoses, Recording
 
 CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] allowed difference between forward kinematics and recorded bodies
@@ -99,13 +100,8 @@ def _angle(one: Array, other: Array) -> Array:
 
 def _poses(model: mujoco.MjModel, qpos: Array) -> tuple[Array, Array]:
     """Return positions (T, nbody, 3) and orientations (T, nbody, 4) of all bodies."""
-    data = mujoco.MjData(model)
-    position, rotation = np.zeros((len(qpos), model.nbody, 3)), np.zeros((len(qpos), model.nbody, 4))
-    for i, row in enumerate(qpos):
-        data.qpos = row
-        mujoco.mj_kinematics(model, data)
-        position[i], rotation[i] = data.xpos, data.xquat
-    return position, rotation
+    position, rotation = zip(*((data.xpos.copy(), data.xquat.copy()) for data in posed(model, qpos)), strict=True)
+    return np.array(position), np.array(rotation)
 
 
 def spread(count: int, most: int = LOOKED_AT) -> Index:

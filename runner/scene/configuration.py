@@ -1,6 +1,8 @@
-"""Checks of configurations qpos of a model, for untrusted input."""
+"""Configurations qpos of a model: their kinematics, and checks for untrusted input."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
 
 import mujoco
 import numpy as np
@@ -11,6 +13,15 @@ from ..system.quantity import LARGEST
 
 SHORTEST = 1e-6  # [1] minimum norm of a quaternion
 QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # offset of the quaternion in a joint
+
+
+def posed(model: mujoco.MjModel, qpos: Array) -> Iterator[mujoco.MjData]:
+    """Yield the kinematics of configurations (T, nq), one after another in the same MjData: copy what is needed."""
+    data = mujoco.MjData(model)
+    for row in qpos:
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        yield data
 
 
 def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, str] | None:

@@ -10,6 +10,8 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import Root
 from dynsplines.solver.surface.touch import moves
 
+from .configuration import posed
+
 MOST_POSES = 60  # maximum number of poses from which a camera's frame is computed
 STANDING = 2.05  # [m] height of a person with a hand raised over the head
 PEOPLE = (1.3, 2.2)  # [m] range of heights of people
@@ -44,9 +46,7 @@ def _carriers(model: mujoco.MjModel) -> Array:
 
 def rest_box(model: mujoco.MjModel) -> tuple[Array, Array]:
     """Return the same for the rest pose."""
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
-    return box(model, data)
+    return box(model, next(posed(model, model.qpos0[None])))
 
 
 def is_of_people_size(model: mujoco.MjModel) -> bool:
@@ -87,12 +87,7 @@ def root_places(model: mujoco.MjModel, root: Root, qpos: Array) -> Array:
     if root.is_free:
         start = int(model.jnt_qposadr[root.joints[0]])
         return qpos[:, start : start + 3]
-    data, out = mujoco.MjData(model), np.zeros((len(qpos), 3))
-    for i, row in enumerate(qpos):
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
-        out[i] = data.xpos[root.body]
-    return out
+    return np.array([data.xpos[root.body].copy() for data in posed(model, qpos)]).reshape(-1, 3)
 
 
 def height(figure: Figure, qpos: Array) -> float:
@@ -111,11 +106,5 @@ def _chosen(count: int) -> Index:
 
 def _boxes(figure: Figure, qpos: Array) -> tuple[Array, Array]:
     """Return the figure's boxes in these poses: lowest and highest corners, (n, 3) each."""
-    data = mujoco.MjData(figure.model)
-    boxes = []
-    for i in _chosen(len(qpos)):
-        data.qpos[:] = qpos[i]
-        mujoco.mj_kinematics(figure.model, data)
-        boxes.append(box(figure.model, data))
-    low, high = (np.array(side) for side in zip(*boxes, strict=True))
-    return low, high
+    low, high = zip(*(box(figure.model, data) for data in posed(figure.model, qpos[_chosen(len(qpos))])), strict=True)
+    return np.array(low), np.array(high)

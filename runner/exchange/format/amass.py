@@ -35,6 +35,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
+from ...scene.configuration import posed
 from .. import missing_input
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
 from ..pickles import plain_pickle
@@ -189,10 +190,4 @@ def _lowest(model: mujoco.MjModel, qpos: Array) -> float:
     """Return the least height [m] of the figure's sites, which include those at the soles."""
     if model.nsite == 0:
         return 0.0
-    data = mujoco.MjData(model)
-    lowest = np.inf
-    for row in qpos:
-        data.qpos = row
-        mujoco.mj_kinematics(model, data)
-        lowest = min(lowest, float(data.site_xpos[:, 2].min()))
-    return lowest
+    return min(float(data.site_xpos[:, 2].min()) for data in posed(model, qpos))

@@ -24,6 +24,7 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.root import Root
 
 from ...errors import UserError
+from ...scene.configuration import posed
 from .. import missing_input
 from . import hierarchy, maps
 from .branches import completed
@@ -511,12 +512,8 @@ def _placed(
     offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.place[pelvis])
 
     def away(qpos: Array) -> Array:
-        data, out = mujoco.MjData(model), np.zeros((len(qpos), 3))
-        for i, row in enumerate(qpos):
-            data.qpos = row
-            mujoco.mj_kinematics(model, data)
-            out[i] = scale * hips[i] - data.xpos[pelvis] - quat.rotated(data.xquat[pelvis], offset)
-        return out
+        places = [data.xpos[pelvis] + quat.rotated(data.xquat[pelvis], offset) for data in posed(model, qpos)]
+        return scale * hips - np.array(places)
 
     there = shifted(model, root, qpos, away(qpos))
     return there, np.zeros((len(qpos), 3)) if root.is_free else away(there)
@@ -554,13 +551,11 @@ def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, flo
     if not soles and not feet.size:
         return qpos, 0.0
     middle, half = model.geom_aabb[feet, :3], model.geom_aabb[feet, 3:]
-    data, lowest = mujoco.MjData(model), np.zeros(len(qpos))
-    for i, row in enumerate(qpos):
-        data.qpos = row
-        mujoco.mj_kinematics(model, data)
+    lowest = []
+    for data in posed(model, qpos):
         up = data.geom_xmat[feet, 6:]
         heights = data.geom_xpos[feet, 2] + np.sum(up * middle - np.abs(up) * half, axis=1)
-        lowest[i] = (data.site_xpos[soles, 2] if soles else heights).min()
+        lowest.append((data.site_xpos[soles, 2] if soles else heights).min())
     lift = -float(np.percentile(lowest, LOWEST))
     if abs(lift) < LEVEL:
         return qpos, 0.0

@@ -10,8 +10,11 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.root import SLIDE, Root, roots_of
 
 from ...errors import UserError
+from ...scene.configuration import posed
+from ...scene.framing import root_places
 from . import hierarchy
 
+BALL = int(mujoco.mjtJoint.mjJNT_BALL)
 STEPS, LONGEST = 60, 0.5  # most Gauss-Newton steps on a root's hinges; [rad] most rotation in one
 TURNED, MOVED = float(np.radians(0.5)), 0.005  # [rad, m] allowed deviation of a root from the recorded one
 
@@ -30,11 +33,9 @@ def shifted(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
         out[:, start : start + 3] += by
         return out
     slides = [joint for joint in root.joints if model.jnt_type[joint] == SLIDE]
-    columns, data = model.jnt_qposadr[slides], mujoco.MjData(model)
-    for i, row in enumerate(out):
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
-        out[i, columns] += np.linalg.lstsq(data.xaxis[slides].T, by[i], rcond=None)[0]
+    columns = model.jnt_qposadr[slides]
+    for row, move, data in zip(out, by, posed(model, qpos), strict=True):
+        row[columns] += np.linalg.lstsq(data.xaxis[slides].T, move, rcond=None)[0]
     return out
 
 
@@ -46,16 +47,17 @@ def placed(model: mujoco.MjModel, root: Root, qpos: Array, position: Array, rota
     """
     out, data = qpos.copy(), mujoco.MjData(model)
     turning = [joint for joint in root.joints if model.jnt_type[joint] != SLIDE]
-    dofs = np.array([int(model.jnt_dofadr[j]) + k for j in turning for k in range(_width(model, j))], int)
-    columns = np.array([int(model.jnt_qposadr[j]) + k for j in turning for k in range(_entries(model, j))], int)
+    is_ball = [model.jnt_type[joint] == BALL for joint in turning]
+    dofs = _runs(model.jnt_dofadr[turning], [3 if ball else 1 for ball in is_ball])
+    columns = _runs(model.jnt_qposadr[turning], [4 if ball else 1 for ball in is_ball])
     turned = np.zeros(len(out))
     for i, row in enumerate(out):
         if i:
             row[columns] = out[i - 1, columns]
         turned[i] = _turn(model, data, root, row, dofs, rotation[i])
-    away = position - _places(model, data, root, out)
+    away = position - root_places(model, root, out)
     out = shifted(model, root, out, away)
-    missed = np.linalg.norm(position - _places(model, data, root, out), axis=1)
+    missed = np.linalg.norm(position - root_places(model, root, out), axis=1)
     if turned.max() > TURNED or missed.max() > MOVED:
         names = ", ".join(f"'{model.joint(joint).name}'" for joint in root.joints)
         raise UserError(
@@ -65,22 +67,8 @@ def placed(model: mujoco.MjModel, root: Root, qpos: Array, position: Array, rota
     return out
 
 
-def _width(model: mujoco.MjModel, joint: int) -> int:
-    return 3 if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL else 1
-
-
-def _entries(model: mujoco.MjModel, joint: int) -> int:
-    return 4 if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL else 1
-
-
-def _places(model: mujoco.MjModel, data: mujoco.MjData, root: Root, qpos: Array) -> Array:
-    """Return the positions (T, 3) [m] of the root's body."""
-    out = np.zeros((len(qpos), 3))
-    for i, row in enumerate(qpos):
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
-        out[i] = data.xpos[root.body]
-    return out
+def _runs(starts: Index, lengths: list[int]) -> Index:
+    return np.array([start + k for start, length in zip(starts, lengths, strict=True) for k in range(length)], int)
 
 
 def _turn(model: mujoco.MjModel, data: mujoco.MjData, root: Root, row: Array, dofs: Index, target: Array) -> float:
