@@ -585,7 +585,6 @@ def _name(source: str, model: str | None, keys: str | None) -> str:
 
 
 def _measured(source: str, model: str | None, keys: str | None, fresh: bool) -> "motion.Saved":
-    """Return the motion of a source with its report."""
     _name(source, model, keys)
     with terminal.Progress() as progress:
         return inputs.measured(inputs.load(source, model=model, keys=keys), progress, fresh=fresh)

@@ -94,13 +94,8 @@ class Saved:
     """A solved clip: both timelines, the figure, and its measurements.
 
     Attributes:
-        name: The name of the motion.
         text: The clip's text, or "".
-        scene: The model and its files.
         fps: Samples per second [1/s].
-        keys: The keyframes.
-        timeline: The motion.
-        raw: The raw spline.
         trace: The evaluations that lowered E.
         report: The measurements; empty before they are made.
         search: Data of the search, see `solving.Solved.search`; for a motion that was not searched, the reason.

@@ -55,10 +55,7 @@ def from_text(
     """Return the clip of a TOML text, see `clip.load.from_parsed`, after the motion that it follows, if any.
 
     Args:
-        text: The text.
-        name: The name of the clip.
         where: The label in errors; None: NAME.toml.
-        folder: The folder of relative paths.
         fps: See `clip.load.from_parsed`; also `spec` and `like`.
     """
     return _loaded(parse(text, name, where or f"{name}.toml", folder), (), fps=fps, spec=spec, like=like)
@@ -84,7 +81,6 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
     """Return the motion that a clip follows; None if it follows none.
 
     Args:
-        source: The parsed clip.
         figure_file: The present path of the figure, if it has moved.
         following: The chain of clips that leads to this one.
 

@@ -50,7 +50,6 @@ class Solved:
 
     @cached_property
     def violations(self) -> tuple[Violation, ...]:
-        """The violations, worst first."""
         return violations(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
 
     @property
@@ -111,8 +110,6 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
     """Solve a clip and report every improvement. Ctrl-C stops the search and returns the best path.
 
     Args:
-        clip: The clip.
-        progress: The receiver of reports.
         stop_after: The number of evaluations after which to stop; None: no limit.
     """
     tell_notes(clip, progress)

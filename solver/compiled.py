@@ -29,8 +29,6 @@ def call(name: str, out: Array, *arguments: object) -> None:
     """Call a function of the kernel, which adds to `out` or sets it.
 
     Args:
-        name: The function.
-        out: The output array.
         arguments: Numbers, arrays, and None for omitted arrays.
     """
     assert kernel is not None, "callers ask first"

@@ -84,7 +84,6 @@ def projection(left: Unsupplied, edges: Array, softness: float) -> Array:
     """Return ½ ∂²E/∂w² for a constant active set, (S, n, n).
 
     Args:
-        left: The result of `unsupplied`.
         edges: The edges of the cones, (n, K, S).
         softness: The regularisation ε.
     """

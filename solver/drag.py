@@ -42,7 +42,6 @@ class FixedPoints:
     """Goal: target positions for n points of one body.
 
     Attributes:
-        name: The name of the goal.
         index: MuJoCo's id of the body.
         offsets: The points in the frame of the body, (n, 3) [m].
         positions: The targets in the world, (n, 3) [m]; NaN along unconstrained axes.
@@ -161,8 +160,6 @@ class Constraints:
     """Constraints of a drag, by descending priority.
 
     Attributes:
-        fixed: The goals that must be met.
-        limits: The one-sided constraints.
         preferred: Pairs of a weight [1/rad or 1/m] and a goal that is met approximately.
     """
 
@@ -189,11 +186,8 @@ def dragged(
     missed, the descent is therefore repeated with bent knees and elbows.
 
     Args:
-        figure: The figure.
         home: The preferred pose, (nq,).
         free: Entries that may change, (nq,).
-        target: The target of the dragged point.
-        constraints: The constraints.
         bends: Limits of knees and elbows on ball joints.
         begin: The previous pose, from which the descent starts, (nq,).
         limb: Entries of the dragged limb, for restarts that bend it more, (nq,).

@@ -79,7 +79,6 @@ def continue_from(
         problem: The keyframes, soft constraints and settings.
         begin: A timeline through the keyframes with variable frames, see `refine.warm_start`.
         between: The edited intervals [s]. If specified, only segments near them are searched.
-        improved: See `inbetween`.
 
     Returns:
         The best path and the trace of the search.
@@ -157,7 +156,6 @@ class _Loop:
         return not np.isfinite([self.since, self.until]).any()
 
     def fresh(self) -> Optimiser:
-        """Return an optimiser in its initial state."""
         return optimiser_of(self.settings.optimiser, self.objective.figure.width, self.settings.tolerance)
 
     def better_than(self, raw: Timeline, found: Timeline) -> Timeline:
@@ -210,9 +208,6 @@ class _Loop:
         """Return the whole timeline with one part at its nearest minimum.
 
         Args:
-            cut: The part.
-            begin: The whole timeline.
-            raw: The timeline of the raw spline.
             budget: The limit of variable frames in the whole clip.
             parts: The terms of E before the edits, (segments, terms); None if there is only one edit.
         """

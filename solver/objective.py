@@ -39,7 +39,6 @@ class Term:
     """One soft constraint f_j of the objective.
 
     Attributes:
-        penalty: The soft constraint.
         weight: Its weight α_j [1].
         factor: The multiplier of f_j in the objective: α_j, or α_j / ∫ f_j,raw after renormalisation.
     """
@@ -54,9 +53,7 @@ class Objective:
     """E as a functional of paths.
 
     Attributes:
-        figure: The figure.
         terms: The soft constraints, with their weights and factors.
-        quadrature: The quadrature rule of the integral.
         heavy: Upper limit of E where tolerances are relative to E, so that gross violations do not loosen them.
         key_times: Times of the keyframes, (K,) [s], from which tension is computed. If None, the tension is 1
             everywhere.
@@ -102,7 +99,6 @@ class Objective:
         the divisor of another term, times their reference value.
 
         Args:
-            raw: The raw spline.
             initial_guess: A path near the optimum, if one is available. Terms other than violations are divided by the
                 larger of their integrals over the two paths.
         """
@@ -218,7 +214,6 @@ class Objective:
         For terms that are evaluated only at given instants, Σ f_j over the instants replaces the integral.
 
         Args:
-            path: The path.
             times: The edges of the integration spans [s]; None: the knots of the path.
         """
         t, _, w = self.nodes(path.spline.times if times is None else times)
@@ -296,7 +291,6 @@ class Seen:
     """The evaluated samples of one run.
 
     Attributes:
-        piece: The sampling of the run.
         samples: The figure's motion at the samples.
         blocks: The residual blocks of every term; None for a term without them.
     """
@@ -329,10 +323,8 @@ class Discretised:
     Attributes:
         objective: The objective E.
         timeline: The timeline whose unknowns are x.
-        spline: The spline through the timeline.
         unknowns: The map between x (n,) and the spline's rows.
         weights: The weights of the samples in an integral, (S,) [s].
-        sampling: The sampling of the spline at all samples.
         instants: The terms that are evaluated only at given instants, each with the sampling of these instants.
     """
 

@@ -42,7 +42,6 @@ class Settings:
         batch: The maximum share of the segments that are split in one round.
         optimiser: The NLopt algorithm of the last stage, by name; "none": Gauss-Newton steps alone. An `Optimiser`
             replaces the whole search.
-        max_evaluations: The evaluation budget of each round.
         tolerance: Relative progress at which the last round ends.
         renormalise: Whether each term is divided by its integral over the raw spline (eq. 7).
         quadrature: The quadrature rule of E.
@@ -77,7 +76,6 @@ class Settings:
 
         Args:
             times: The times of the keyframes, (K,) [s].
-            in_windows: Whether the clip is solved in windows.
         """
         spans = np.diff(times)
         count = np.full(spans.size, self.in_each(spans.size, in_windows=in_windows))
@@ -105,11 +103,9 @@ class Problem:
     """Keyframes of a figure, and the soft constraints on the motion between them.
 
     Attributes:
-        figure: The figure.
         keys: At least two keyframes in order of time. Their states are configurations qpos (nq,), with masks of the
             fixed entries.
         penalties: The soft constraints f with their weights α.
-        settings: The settings of the search.
         ends: The end conditions: "free", "clamped", "clamped start", "clamped end" or "periodic".
         end_slope: The velocities at clamped ends, (2, N), in the figure's coordinates.
         travel: The displacement of a loop's root per period, (3,) [m]; None: that of the keyframes in x and y.
@@ -159,7 +155,6 @@ class Guides:
     parts: tuple[Guide, ...]
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
-        """See `Guide.initial_guess`."""
         for guide in self.parts:
             timeline = guide.initial_guess(timeline, most)
         return timeline

@@ -28,7 +28,6 @@ class Improvement:
         round: The index of the round.
         value: E.
         parts: The contributions of terms, by name.
-        build: Returns the timeline.
     """
 
     evaluation: int
@@ -48,9 +47,6 @@ class Solution:
     """The result of in-betweening.
 
     Attributes:
-        figure: The figure.
-        objective: The objective that was minimised.
-        timeline: The best timeline.
         raw: The timeline of the spline through the keyframes alone.
         trace: (evaluation, round, E, parts) of every evaluation that lowered E.
         evaluations: The number of evaluations.

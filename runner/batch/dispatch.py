@@ -188,8 +188,7 @@ class Batch:
         self.failed += bool(outcome.cause)
 
     def _check(self, files: Mapping[str, bytes]) -> None:
-        """Raise UserError if a file differs from another clip's file of the same name, or a link leads out of the
-        folder."""
+        """Raise UserError if a file differs from another clip's file of its name, or a link leaves the folder."""
         for name, content in list(files.items())[1:]:
             check_below(self.folder, name)
             if self.written.get(name, digest_of(content)) != digest_of(content):

@@ -56,7 +56,6 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
     Raises UserError for words that denote nothing.
 
     Args:
-        words: The words.
         listed: A file of such words, one per line; "-" is the standard input.
         recordings: Whether they denote recordings. Folders then contribute files with the extension of a motion or
             format.
@@ -105,9 +104,7 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording 
     Raises OSError, and UserError for a model that refers to files outside its folder.
 
     Args:
-        source: The clip or recording.
         figures: A cache of the files of models, by the path of the model.
-        cleaning: The options of a recording.
     """
     path, others = source.path, dict[str, Path]()
     if path is None:

@@ -50,7 +50,6 @@ class Entry(Result):
         attempts: The number of attempts.
         output: The file in the manifest's folder.
         size: The size of this file [bytes].
-        sha256: The hash of this file.
         beside: Further files of the output, with their hashes; several clips may share one.
     """
 
@@ -71,7 +70,6 @@ class Entry(Result):
 
     @property
     def hashes(self) -> dict[str, str]:
-        """The hashes of all files of the output, by name."""
         return {self.output: self.sha256, **self.beside} if self.output else {}
 
     def holds(self, folder: Path) -> bool:

@@ -67,7 +67,6 @@ class Options:
         scheduler: The address of a Dask cluster to use instead.
         to: The format of the output.
         fps: Samples per second [1/s]; None: those of the clip.
-        limits: The limits of each clip.
         report: Whether to measure every motion in full.
         retry_failed: Whether to solve unchanged clips again that have failed.
         cleaning: A recording to clean, but for its file; None for clips.
@@ -107,9 +106,7 @@ class Task:
     """A clip to solve, or a recording to clean.
 
     Attributes:
-        files: Its files.
         output: The name of the file to write.
-        options: The options of the batch.
         allow_outside: Whether models may refer to files outside their folder, which are in `files`.
         program: The version of this program at the sender.
     """
@@ -135,10 +132,8 @@ class Result:
 
     Attributes:
         cause: Of a failure: "error", "time", "memory" or "lost" (its process or worker ended).
-        error: The message.
         bound: The limit of a failure by time [s] or memory [MB].
         seconds: The duration of the last attempt [s].
-        worker: The address of the Dask worker.
         violations: The violations, worst first, as tables.
         figures: Values of a recording before and after cleaning, by quantity and unit.
         notes: Content that the output's format cannot store, and warnings.

@@ -39,7 +39,6 @@ class Pool:
     """Worker processes, one for every thread that calls `run` at the same time. Each serves one clip after another.
 
     Attributes:
-        folder: For temporary files.
         megabytes: The memory limit of a clip whose limits specify none [MB].
     """
 

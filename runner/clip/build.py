@@ -181,10 +181,6 @@ def build_following(
     """Return a clip whose keyframes edit a recording.
 
     Args:
-        source: The parsed clip.
-        scene: The figure in its scene.
-        recording: The recording.
-        edits: The keyframes.
         fps: Samples per second [1/s] of outputs.
         known: The stances that a file contains, see `Clip.stances`; None: they are inferred.
 

@@ -54,9 +54,6 @@ class Context:
     """The inputs of soft constraints.
 
     Attributes:
-        figure: The figure.
-        keys: The keyframes.
-        surfaces: The surfaces of the scene.
         where: The name of the clip in error messages.
         points: The contact points: those of the soles, or the sites listed for `collision`.
         bends: The knees and elbows on ball joints: all, or those listed for `limits`.
@@ -180,11 +177,9 @@ class Context:
 
     @cached_property
     def grasped(self) -> tuple[int, ...]:
-        """The indices of the links of grasped objects."""
         return tuple(grasped_links(self.figure, self.holds))
 
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
-        """Return the points that do not belong to grasped objects."""
         return tuple(point for point in points if point.link not in self.grasped)
 
     @property

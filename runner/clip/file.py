@@ -27,8 +27,6 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     """Write a clip (.toml) and return the files written, including the scene of a figure that is not shipped.
 
     Args:
-        saved: The motion.
-        target: The file.
         note: A comment for the first lines.
         exact: Whether the [solve] table returns the spline through the keyframes unchanged.
         overwrite: Whether to overwrite a different scene next to the clip.

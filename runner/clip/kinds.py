@@ -154,7 +154,6 @@ class Part:
 
     Attributes:
         weight: The default α in E.
-        quantity: The penalised quantity.
         build: Returns the penalty for a clip's context and the options of its table; None if it does not apply.
         name: The key in a table of weights; the term is KIND.NAME. Empty for the only part of a kind.
         option: The option that switches it on; None: always on.
@@ -172,9 +171,7 @@ class Kind:
     """A kind of soft constraint in clip files.
 
     Attributes:
-        name: The name in clip files.
         parts: The terms of E.
-        options: The schema of its table.
         is_default: Whether it is on in clips that do not list it.
     """
 
@@ -234,11 +231,7 @@ def bend_limits(bends: tuple[Bend, ...], options: LimitOptions) -> BendLimits:
 
 
 def _body(context: Context, options: CollisionOptions) -> Penalty:
-    """Return the penalty of the body in surfaces.
-
-    The body's corners are tested against floors and steps, and spheres that fill it against round, thin or raised
-    surfaces.
-    """
+    """Return the penalty of the body in surfaces: its corners on floors and steps, else spheres that fill it."""
     figure, margin = context.figure, options.margin or 0.0
     ground = tuple(s for s in context.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
@@ -324,8 +317,7 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:
-    """Return the penalty of closed loops [m²] and coupled joints [rad² or m²]. An error of 1° costs as much as one of
-    17 mm."""
+    """Return the penalty of closed loops [m²] and coupled joints [rad² or m²]; 1° costs as much as 17 mm."""
     loops, followers = closures(context.figure), couplings(context.figure)
     parts = list[Penalty]()
     if loops:
@@ -371,7 +363,6 @@ def _inside(joint: Range) -> float:
 
 
 def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
-    """Raise UserError for a keyframe that is beyond a hard range."""
     allowed = JointRange(tuple(joints)).allowing(context.figure, context.keys).allowed
     assert allowed is not None, "of some joints"
     for joint, excess in zip(joints, allowed.excess.max(axis=0), strict=True):
@@ -415,8 +406,6 @@ class Renamed:
     """A kind of older clip files.
 
     Attributes:
-        kind: The present kind.
-        part: The present part.
         options: New names of its options, without those that no longer exist.
         requires: Options that the present kind needs.
     """

@@ -86,10 +86,7 @@ def from_text(
     """Return the clip of a TOML text, see `from_parsed`.
 
     Args:
-        text: The text.
-        name: The name of the clip.
         where: The label of the clip in errors; None: NAME.toml.
-        folder: The folder of relative paths.
         fps: See `from_parsed`; also `spec`, `unmet` and `like`.
     """
     source = parse(text, name, where or f"{name}.toml", folder)
@@ -109,7 +106,6 @@ def from_parsed(
     """Return the clip of a parsed text.
 
     Args:
-        source: The parsed text.
         figure_file: The present path of the figure, if it has moved.
         fps: Samples per second [1/s] of outputs, instead of the clip's.
         spec: The figure, instead of the one that the text names.
@@ -164,11 +160,7 @@ def _ground(source: Parsed, figure_file: str | None, spec: mujoco.MjSpec | None)
 
 
 def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
-    """Return the figure of a scene.
-
-    Raises:
-        UserError: For a model that the solver does not support.
-    """
+    """Return the figure of a scene; raises UserError for a model that the solver does not support."""
     try:
         return Figure(scene.model(), coordinates)
     except (FigureError, ValueError) as error:
@@ -274,12 +266,9 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
     """Return the clip of complete keyframes from arrays, with defaults for everything else.
 
     Args:
-        name: The name of the clip.
-        scene: The figure in its scene.
         time: Times, (K,) [s].
         qpos: Configurations, (K, nq).
         fps: Samples per second [1/s] of outputs; None: the default.
-        where: The label in errors.
 
     Raises:
         UserError: For arrays that do not fit the figure.
@@ -310,7 +299,6 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     """Return the clip that a saved motion solves, with the keyframes and the ends of the motion itself.
 
     Args:
-        saved: The motion.
         contacts: Whether contacts and holds of its text, and positions left to the search, still apply.
     """
     source, placed = Parsed.of(saved.text, saved.name, saved.name), list[Placed]()

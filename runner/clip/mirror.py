@@ -130,11 +130,7 @@ def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTabl
 
 
 def mirrored_keyframe(row: KeyframeTable, figure: Figure, mirror: Mirror) -> KeyframeTable:
-    """Return one keyframe's table for the mirrored figure.
-
-    Raises:
-        UserError: For a keyframe without a mirror image.
-    """
+    """Return one keyframe's table for the mirrored figure; raises UserError for a keyframe without a mirror image."""
     _check_symmetric(row.others, figure, mirror)
     return _keyframe(row, _Sides.of(figure, mirror))
 

@@ -44,13 +44,9 @@ class Parsed:
     """A clip's text and its tables, validated as far as possible without its figure.
 
     Attributes:
-        name: The name of the clip.
         text: The TOML text; empty for keyframes of an MJCF file or of arrays.
         where: The label of the clip in errors.
-        table: The tables.
         options: The options of the listed kinds of soft constraint.
-        settings: The settings of the search.
-        folder: The folder of relative paths.
     """
 
     name: str
@@ -79,11 +75,7 @@ class Parsed:
 
 
 def parse(text: str, name: str, where: str, folder: Path | None = None) -> Parsed:
-    """Return a clip's text with its tables.
-
-    Raises:
-        UserError: For tables that fit no figure.
-    """
+    """Return a clip's text with its tables; raises UserError for tables that fit no figure."""
     if not text:
         raise UserError(f"{where}: {EMPTY}")
     source = Parsed.of(text, name, where, folder)

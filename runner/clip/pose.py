@@ -34,7 +34,6 @@ class Posed:
     """The keyframes of a clip, qpos (nq,) and mask each.
 
     Attributes:
-        keys: The keyframes.
         placed: Points whose positions the search determines.
         missed: A line for each unreachable position; the keyframe is then as near as possible.
     """
@@ -48,8 +47,6 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
     """Return the keyframes of a clip.
 
     Args:
-        source: The parsed clip.
-        figure: The figure.
         base: Returns qpos (nq,) at a time [s], for unspecified degrees of freedom of keyframes that edit a recording.
 
     Raises:
@@ -126,7 +123,7 @@ def soles_of(figure: Figure, keys: Sequence[Frame]) -> tuple[Point, ...]:
 
 
 def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], where: str) -> Frame:
-    """Return the qpos and mask of a keyframe. Unspecified degrees of freedom are free, at rest, or as in `before`.
+    """Return the qpos and mask of a keyframe; unspecified degrees of freedom are free, at rest, or as in `before`.
 
     The joints of the links `loose` are free whatever `others` is.
     """

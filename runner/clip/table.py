@@ -34,7 +34,6 @@ class Table(BaseModel):
 
     @classmethod
     def unchecked(cls, **values: Any) -> Self:
-        """Return a table with these values, by field names."""
         return cls.model_construct(set(values), **values)
 
     @property
@@ -48,7 +47,6 @@ class Table(BaseModel):
         return self.model_copy(update=changes)
 
     def without(self, *names: str) -> Self:
-        """Return a copy with these keys unset."""
         fields = type(self).model_fields
         out = self.model_copy(update={name: fields[name].get_default(call_default_factory=True) for name in names})
         out.model_fields_set.difference_update(names)
@@ -66,12 +64,10 @@ class RotationTable(Table):
 
     @property
     def is_rotation(self) -> bool:
-        """Whether a rotation is specified."""
         return not self.model_fields_set.isdisjoint(RotationTable.model_fields)
 
     @property
     def is_heading(self) -> bool:
-        """Whether only a heading is specified."""
         return self.heading is not None and self.model_fields_set.isdisjoint({"rotvec", "euler", "quat", "order"})
 
     def check_rotation(self) -> None:
@@ -170,7 +166,6 @@ class _ObstacleTable(Table):
     rotation: RotationTable | None = None
 
     def check_place(self) -> None:
-        """Raise ValueError for an obstacle without a position."""
         if self.position is None and self.body is None:
             raise ValueError("'position' is missing")
 
@@ -237,7 +232,6 @@ class PenaltyTable(Table):
 
     @classmethod
     def of(cls, kind: str, **options: Any) -> PenaltyTable:
-        """Return a penalty table with these entries."""
         return cls.model_validate({"kind": kind, **options})
 
     @property

@@ -39,8 +39,6 @@ def describe(
     """Return a line on the first error of a validation: its place in the file and the expected value.
 
     Args:
-        error: The error.
-        raw: The content of the file.
         inside: The location in `raw` of the table that was validated.
         root: The type of the whole file's table.
     """
@@ -116,7 +114,6 @@ def _role(words: list[str], names: list[str]) -> str:
 
 
 def _schema(words: list[str], names: list[str], root: type[Table]) -> type[Table]:
-    """Return the table that contains an unknown key."""
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][1]
     if names:
@@ -125,7 +122,6 @@ def _schema(words: list[str], names: list[str], root: type[Table]) -> type[Table
 
 
 def _shown(value: object) -> str:
-    """Return a short form of a value for a message."""
     if isinstance(value, dict):
         return "a table"
     if isinstance(value, bool):

@@ -277,8 +277,7 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
 
 
 def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None, more: Lasting = Lasting()) -> str:
-    """Return the clip's text with other keyframes, and its contacts, holds and flights with those of `more`, cut to its
-    time.
+    """Return the clip's text with other keyframes, and its and `more`'s contacts, holds and flights, cut to its time.
 
     There are no flights if the times of those of `more` are unknown. With `solve` None the clip has free ends.
     """

@@ -97,10 +97,7 @@ def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
 
 
 def _write_clip(table: ClipTable, source: str, target: Path) -> None:
-    """Write a clip from another one's tables, with the figure's path relative to the new file.
-
-    Raises UserError for invalid tables before anything is written.
-    """
+    """Write a clip from another one's tables, with the figure's path relative to it; raises UserError if invalid."""
     if table.figure not in models.figures():
         figure = Path(source).parent / table.figure
         table = table.changed(figure=Path(os.path.relpath(figure, target.parent)).as_posix())

@@ -31,8 +31,6 @@ class ToThin:
 
     Attributes:
         source: The file, or a shipped clip.
-        figure: The figure.
-        kind: The format.
         fps: Samples per second [1/s].
         fresh: Whether to solve a clip even if its solution is cached.
         skip_rest: Whether to remove a T-pose or rest pose before the motion.
@@ -79,13 +77,10 @@ def run(
     """Thin a motion and write the result. A clip's file is read and solved again, to report its deviations.
 
     Args:
-        recording: The input.
         bound: The error bounds [m], [rad].
         target: The output; None: SOURCE_thin.toml.
         solve: Whether the bound applies to the solved motion, not only to the spline.
         exact: Whether the clip's settings return the spline unchanged.
-        overwrite: Whether to overwrite an existing file.
-        progress: The receiver of reports.
     """
     if solve and exact:
         raise UserError("--solve bounds the solved motion, --exact writes a clip that is not searched: give one")

@@ -39,7 +39,6 @@ class ThinnedMotion:
     """The result of thinning: the motion through the remaining keyframes, and its errors at the samples.
 
     Attributes:
-        motion: The motion.
         instants: The number of samples.
         distance: The largest error of a body's origin, a site or a tip [m].
         angle: The largest error of a link [rad].
@@ -108,8 +107,7 @@ def measured(recorded: Recorded, motion: Saved) -> ThinnedMotion:
 
 
 def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
-    """Return the samples of a motion for comparison: a recording's samples, or a solved motion at RATE and its
-    keyframes."""
+    """Return the samples for comparison: those of a recording, or of a solved motion at RATE and its keyframes."""
     for value, what, example in ((distance, "metres", "0.02"), (angle, "radians", "0.1")):
         if not (np.isfinite(value) and value > 0):
             raise UserError(

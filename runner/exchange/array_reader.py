@@ -23,10 +23,7 @@ SAMPLES = "samples"  # name of the first axis of arrays with one row per sample
 
 
 class ArrayReader:
-    """A file's entries by name; errors name the file, the missing entry, and the entries present.
-
-    where   label of the file in errors
-    """
+    """A file's entries by name; errors name the file `where`, the missing entry, and the entries present."""
 
     def __init__(self, where: object, entries: Mapping[str, Any]) -> None:
         self.where, self.entries = where, entries
@@ -90,8 +87,7 @@ class ArrayReader:
         return np.roll(array, 1, -1) if scalar_last else array
 
     def rate(self, name: str, fps: float | None = None) -> float:
-        """Return the sampling rate [1/s], stored as a number or an array of one; `fps` is the default for a missing
-        entry."""
+        """Return the sampling rate [1/s], a number or an array of one; `fps` is the default for a missing entry."""
         if fps is not None and name not in self:
             return fps
         array = self._array(name, 1)
@@ -107,7 +103,6 @@ class ArrayReader:
         return int(array.reshape(()))
 
     def texts(self, name: str) -> list[str]:
-        """Return a list of names."""
         array = self._array(name, 1)
         if array.ndim != 1 or array.dtype.kind not in "UO" or not all(isinstance(item, str) for item in array.tolist()):
             raise UserError(f"{self.where}: '{name}' is not a list of names")

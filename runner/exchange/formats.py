@@ -91,12 +91,10 @@ class Format:
 
     @property
     def write_endings(self) -> tuple[str, ...]:
-        """The extensions that select the format for writing."""
         return self.ending, *self.variants
 
     @property
     def read_endings(self) -> tuple[str, ...]:
-        """The extensions of files that may be of the format."""
         return "." + self.ending.rpartition(".")[2], *self.also, *self.containers
 
     def check_name(self, target: Path) -> None:
@@ -183,7 +181,6 @@ def chosen(name: str | None, target: Path | None) -> Format:
 
 
 def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None:
-    """Return the format with the longest extension that fits a name."""
     fitting = [(len(ending), form) for ending, form in endings if path.name.lower().endswith(ending)]
     return max(fitting, key=lambda each: each[0])[1] if fitting else None
 

@@ -23,10 +23,7 @@ FEWEST = 2  # least number of samples of a motion
 
 
 class UnequalSamples(UserError):
-    """The error of files whose arrays differ in their number of samples.
-
-    shapes   of the arrays, by name, the samples first
-    """
+    """The error of files whose arrays differ in their number of samples; shapes: of the arrays, by name."""
 
     def __init__(self, where: object, shapes: Mapping[str, tuple[int, ...]]) -> None:
         self.count = min(shape[0] for shape in shapes.values())

@@ -52,13 +52,11 @@ def recording(
     """Return a recording with the layouts that its file may have.
 
     Args:
-        model: The figure.
         time: (T,) [s].
         readings: Functions that return qpos (T, nq), wxyz, by words that describe their layout. The documented one,
             without words, is first. A function that raises UserError does not fit the file.
         scalar_last: Whether quaternions are documented as xyzw; None where their order is certain.
         has_names: Whether the file names its joints, so that their order is certain.
-        bodies, fps, loops: As in `Recording`.
 
     Raises:
         UserError: The first of the readings' errors, if none fits.
@@ -199,7 +197,6 @@ def _doubted(first: Judged, best: Sequence[Judged]) -> str:
 
 
 def _equally(rivals: Sequence[Judged]) -> str:
-    """Return the error for equally plausible layouts."""
     names = " and ".join(_called(*candidate) for _, candidate in rivals)
     forms = list(dict.fromkeys(form for _, (form, _) in rivals))
     do = f"{missing_input.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"

@@ -51,10 +51,7 @@ class Drawn(TypedDict):
 
 
 def drawn(model: mujoco.MjModel, reach: float) -> Drawn:
-    """Return the visible parts of a model.
-
-    reach  [m] distance from its middle to which an infinite plane is drawn
-    """
+    """Return the visible parts of a model; reach [m]: distance from its middle to which infinite planes are drawn."""
     meshes: dict[int, int] = {}
     pictures: dict[int, int] = {}
     visible = pieces(model)

@@ -107,8 +107,7 @@ def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
 
 
 def constraint_notes(trajectory: SampledTrajectory, forces: Forces) -> list[str]:
-    """Return a note on the forces of joint limits and equality constraints, where these are a large part of the
-    torques."""
+    """Return a note on forces of joint limits and equality constraints, if they are a large part of the torques."""
     model = trajectory.model
     if not (model.neq or model.jnt_limited.any() or model.tendon_limited.any()):
         return []

@@ -23,7 +23,7 @@ FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 class Robot:
     """A model with one free joint, and hinges and slides otherwise.
 
-    bodies  MuJoCo's ids, the root first; joints  ids of hinges and slides; root  first column of the root in qpos
+    bodies  the root first; joints  hinges and slides; root  first column of the root in qpos
     """
 
     model: mujoco.MjModel

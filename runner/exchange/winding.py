@@ -18,7 +18,6 @@ def unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, t
     """Return a recording in which hinges stored within one turn are continuous, and a note on them.
 
     Args:
-        model: The figure.
         time: (T,) [s].
         qpos: (T, nq), hinges in radians.
 

@@ -154,8 +154,7 @@ def _middle(paths: Array, height: float) -> float:
 
 
 def _corners(paths: Array, height: float) -> Array:
-    """Return the corners of a box around every figure, (T, 8 n, 3): an arm's reach to each side, lowest to highest
-    point."""
+    """Return the corners (T, 8 n, 3) of a box around every figure, with an arm's reach to each side."""
     low, high = _vertical(paths, height)
     reach = 0.4 * height
     boxes = [

@@ -72,7 +72,6 @@ def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float) -
     On failure, an existing file is unchanged and no temporary file remains.
 
     Args:
-        path: The file.
         images: Frames, each (H, W, 3), all of one size.
         fps: Frames per second [1/s].
     """
@@ -269,7 +268,6 @@ def sheet_picks(count: int) -> list[int]:
 
 
 def _tile(image: Picture) -> Picture:
-    """Return a frame reduced to the size of a tile."""
     height, width = image.shape[:2]
     scale = SHEET_TILE / max(height, width)
     if scale >= 1:

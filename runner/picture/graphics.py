@@ -65,12 +65,7 @@ class GraphicsError(UserError):
 
 @dataclass(frozen=True)
 class Graphics:
-    """The renderer to use.
-
-    Attributes:
-        kind: The renderer.
-        line: A line for users, such as "renderer: EGL".
-    """
+    """The renderer to use; line: a line for users, such as "renderer: EGL"."""
 
     kind: Kind
     line: str

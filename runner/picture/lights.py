@@ -42,8 +42,7 @@ class Shadow(NamedTuple):
         return cls(eye, Faces(eye, points).cover(np.array([0.5, 0.5]))[0])
 
     def lit(self, points: Array, normals: Floats) -> Floats:
-        """Return the share of the light that arrives at surface points (n, 3), (n,): interpolated over a texel, 1
-        outside."""
+        """Return the fraction of light at surface points (n, 3), (n,): interpolated over a texel, 1 outside."""
         eye = self.eye
         texel = np.linalg.norm(points - eye.position, axis=1, keepdims=True) / eye.focus
         x, y, depth = eye.project(points + LIFT * texel * normals).T
@@ -100,8 +99,7 @@ class Light(NamedTuple):
         return reached * slope, reached * np.maximum(cosine, 0) ** sharpness
 
     def _towards(self, points: Array) -> tuple[Floats, Floats]:
-        """Return unit directions to the light (n, 3), and its strength (n,), which decreases at the rim of a spot's
-        cone."""
+        """Return unit directions to the light (n, 3), and its strength (n,), less at the rim of a spot's cone."""
         everywhere = np.ones(len(points), np.float32)
         if self.kind is Lamp.DIRECTIONAL:
             return np.broadcast_to(-self.direction, points.shape), everywhere

@@ -64,8 +64,7 @@ class Hits(NamedTuple):
 
 
 class Materials(NamedTuple):
-    """Materials by geom: colour (k, 3), emission (k,) and so on; for textured planes index, position, frame, tint,
-    pattern."""
+    """Materials by geom: colour (k, 3), emission (k,) ...; for textured planes index, position, frame, tint, pattern"""
 
     colour: Floats
     emission: Floats

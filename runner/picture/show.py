@@ -146,10 +146,6 @@ def images(
     """Yield the frames of a video, independent of the number of workers.
 
     Args:
-        saved: The motion.
-        look: The appearance.
-        graphics: The renderer.
-        still_keys: Whether each keyframe is one frame.
         workers: The maximum number of processes.
         picks: Indices of the frames to draw; None: all.
     """
@@ -224,8 +220,8 @@ def _key_ghosts(saved: Saved) -> tuple[Ghost, ...]:
 
 
 def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BETWEEN_RATE) -> Picture:
-    """Return one still: keyframes darkest, variable frames lighter, in-betweens (`rate` [1/s]) lightest (paper, figure
-    6)."""
+    """Return one still as figure 6 of the paper: keyframes darkest, then variable frames, then in-betweens (`rate`
+    [1/s])."""
     figure = saved.figure
     timeline = saved.raw if look.only == "before" else saved.timeline
     keys = {key.time for key in saved.keys}

@@ -38,12 +38,8 @@ class Stage:
     def __init__(self, scene: Scene, width: int, height: int, graphics: Graphics, *, shrunk: float = 1.0) -> None:
         """Open the renderer.
 
-        Args:
-            scene: The model.
-            width: Width of the pictures [pixels].
-            height: Height of the pictures [pixels].
-            graphics: The renderer.
-            shrunk: The factor by which pictures are shown smaller. OpenGL then omits invisible detail.
+        width, height  of the pictures [pixels]; shrunk  factor by which they are shown smaller, so that detail is
+        omitted
         """
         if width < 1 or height < 1:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
@@ -78,7 +74,6 @@ class Stage:
 
     @property
     def cameras(self) -> tuple[str, ...]:
-        """The names of the model's cameras."""
         return tuple(self.model.camera(k).name for k in range(self.model.ncam))
 
     def picture(self, qpos: ArrayLike | None, view: View, *, ghosts: Sequence[Ghost] = ()) -> Picture:
@@ -88,7 +83,6 @@ class Stage:
 
         Args:
             qpos: The main figure, (nq,); None: only the ghosts.
-            view: The camera.
             ghosts: More figures, each with its shade.
         """
         figures = list(ghosts) if qpos is None else [Ghost(np.asarray(qpos, dtype=np.float64)), *ghosts]
@@ -110,7 +104,6 @@ class Stage:
         return np.rint(out).astype(np.uint8)
 
     def _draw(self, figures: Sequence[Ghost], view: View) -> Picture:
-        """Return a picture of the scene and these figures, all opaque."""
         scene = self._renderer.scene
         self._pose(figures[0].qpos if figures else self.model.qpos0)
         still, moving = int(mujoco.mjtCatBit.mjCAT_STATIC), int(mujoco.mjtCatBit.mjCAT_DYNAMIC)

@@ -17,7 +17,6 @@ def dress(spec: mujoco.MjSpec, bare: mujoco.MjModel, prefix: str) -> None:
     """Assign the stage's materials to the geoms that have neither a colour nor a material.
 
     Args:
-        spec: The figure.
         bare: The figure compiled without the stage.
         prefix: The prefix of the stage's names.
     """

@@ -179,7 +179,6 @@ def is_plain(name: str) -> bool:
 
 
 def _plain(name: str) -> str:
-    """Return a similar name that is plain."""
     name = ODD.sub("_", name).lstrip(".") or "file"
     return name if is_plain(name) else f"file{Path(name).suffix[:16]}"
 

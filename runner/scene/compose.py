@@ -103,9 +103,6 @@ def compose(
     Only the <key> elements `keys` are included, because MuJoCo writes others with few digits or omits them.
 
     Args:
-        spec: The figure.
-        step: The step, if any.
-        obstacles: The obstacles.
         bare: The compiled figure, if available; compilation of large meshes is slow.
         keys: Names of the model's <key> elements to include.
     """
@@ -137,14 +134,8 @@ def compose(
 
 
 def _with_keys(text: str, poses: Mapping[str, Array], bare: mujoco.MjModel, model: mujoco.MjModel) -> str:
-    """Return a model's text with <key> elements, by name, of the figure's configurations, with obstacles at rest.
-
-    Args:
-        text: The text.
-        poses: Configurations (nq,) of the figure; an empty one is the rest pose.
-        bare: The figure alone.
-        model: The figure on its stage.
-    """
+    """Return a model's text with <key> elements for configurations (nq,) of the figure by name; an empty one is at
+    rest."""
     keys = []
     for name, pose in poses.items():
         if pose.size not in (0, bare.nq):

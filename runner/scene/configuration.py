@@ -25,8 +25,7 @@ def posed(model: mujoco.MjModel, qpos: Array) -> Iterator[mujoco.MjData]:
 
 
 def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, str] | None:
-    """Return the index of the first invalid keyframe, time (K,) [s] and qpos (K, nq), and the reason; None if all are
-    valid."""
+    """Return index and reason of the first invalid keyframe, time (K,) [s] and qpos (K, nq); None if all are valid."""
     entries = np.column_stack([time, qpos])
     checks = [
         (np.isfinite(entries).all(axis=1), "an entry is not a finite number"),

@@ -50,11 +50,7 @@ def check_file(path: Path) -> None:
 
 @dataclass
 class _Count:
-    """The bytes of models by file, and the number of keyframes.
-
-    Attributes:
-        open: Files that are being counted, so that recursive inclusion ends.
-    """
+    """The bytes of models by file, and the number of keyframes; `open` are files being counted, to end recursion."""
 
     folder: Path | None
     assets: Mapping[str, bytes]

@@ -23,14 +23,7 @@ ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
 
 @dataclass
 class Model:
-    """A model and its references.
-
-    Attributes:
-        folder: The model's folder.
-        folders: The folders that it specifies for its files.
-        files: The names of its files.
-        texts: The model's file, included files, and the files of its flexible bodies.
-    """
+    """A model and its references; texts: the model's file, included files, and the files of its flexible bodies."""
 
     folder: Path
     folders: set[str] = field(default_factory=lambda: {""})

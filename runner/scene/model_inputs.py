@@ -79,7 +79,6 @@ def _of_model(model: mujoco.MjModel) -> mujoco.MjSpec:
 
 
 def _is_same(one: mujoco.MjModel, two: mujoco.MjModel) -> bool:
-    """Return whether two models have the same names and, to rounding, the same numbers."""
     return one.names == two.names and all(
         _is_close(getattr(mine, name), getattr(other, name))
         for mine, other in ((one, two), (one.opt, two.opt))

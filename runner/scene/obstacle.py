@@ -28,7 +28,6 @@ class Obstacle:
     """A static geom, or a part of a free body.
 
     Attributes:
-        name: The name of the geom.
         kind: "box", "sphere", "capsule" or "cylinder".
         size: MuJoCo's size: half sizes, or radius and half length [m].
         place: The centre, (3,) [m].

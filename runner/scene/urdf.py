@@ -24,7 +24,6 @@ def fixed_base(figure: str, model: mujoco.MjModel) -> str:
 
 
 def _root_link(text: str) -> str:
-    """Return the link that is no joint's child."""
     links = list(elements(text))
     children = {attributes.get("link") for tag, attributes in links if tag == "child"}
     return next(

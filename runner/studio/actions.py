@@ -36,8 +36,7 @@ class Dragged(Bodies):
 
 
 class Actions:
-    """The actions of one page on a session. The figure is prepared in the background, so that the page never waits for
-    it."""
+    """The actions of one page on a session; the figure is prepared in the background, so the page never waits."""
 
     def __init__(self, session: Session, number: int) -> None:
         self.session, self.number = session, number
@@ -126,8 +125,7 @@ class Actions:
         return "" if edit is None else await self.session.edit(*edit)
 
     def _meant(self, poser: Poser) -> tuple[str, Message, int | None] | None:
-        """Return the edit that ending the drag now would make, as arguments of `Session.edit`; None if nothing has
-        moved."""
+        """Return the edit, as arguments of `Session.edit`, that ends the current drag; None if nothing has moved."""
         home, last, index = self._home, self._last, self.key_at(self._time)
         entries = poser.keyframe_entries(last, home)
         if not any(entries.values()):
@@ -319,7 +317,6 @@ class Actions:
         return np.array(self.session.loaded["keys"][index]["qpos"], float)
 
     def key_at(self, time: float) -> int | None:
-        """Return the index of the keyframe at a time."""
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
 

@@ -47,11 +47,8 @@ class Document:
 
     Attributes:
         name: Its display name: that of its file or of its source.
-        text: The present text.
-        folder: The folder of its file, or of relative paths.
         file: The file to which it is saved; None before the first save.
         saved: The text on the disk.
-        revision: The number of changes.
         newline: The line ending on the disk; the text itself has line feeds.
     """
 
@@ -74,7 +71,6 @@ class Document:
 
     @property
     def place(self) -> str:
-        """The label in messages."""
         return self.file.name if self.file else f"{self.name}.toml"
 
     @property

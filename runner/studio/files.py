@@ -42,7 +42,6 @@ class Files:
 
     @property
     def folder(self) -> Path:
-        """The folder of all files."""
         return self.session.document.folder
 
     async def save(self, *, name: str | None = None, overwrite: bool = False) -> str:

@@ -59,8 +59,7 @@ class Spheres:
 
 
 class Footing:
-    """The spheres that cover a figure's links, and the surfaces of its scene; `soles` are the contact points of its
-    feet."""
+    """Spheres that cover a figure's links, and the surfaces of its scene; `soles` are contact points of its feet."""
 
     def __init__(self, figure: Figure, soles: Sequence[Point], surfaces: Sequence[Surface]) -> None:
         self.figure, self.soles, self.surfaces = figure, tuple(soles), tuple(surfaces)
@@ -80,7 +79,6 @@ class Footing:
 
     @cached_property
     def rest(self) -> mujoco.MjData:
-        """The figure at rest."""
         data = mujoco.MjData(self.figure.model)
         mujoco.mj_kinematics(self.figure.model, data)
         return data
@@ -120,8 +118,7 @@ class Footing:
         return FixedPoints("sole", foot.body, outermost.offsets, positions)
 
     def floor(self, root: int, data: mujoco.MjData) -> FloorClearance | None:
-        """Return the limit that keeps a tree above the highest level plane, or at its present depth; None without a
-        plane."""
+        """Return the limit of a tree to above the highest level plane, or its present depth; None without a plane."""
         planes = [surface for surface in self.surfaces if isinstance(surface, Plane) and surface.normal[2] > LEVEL]
         moving = [spheres for link, spheres in self.spheres.items() if self.figure.tables.path[link, root]]
         if not planes or not moving:

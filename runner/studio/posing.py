@@ -304,7 +304,6 @@ class Poser:
         return self.figure.links[root.link].name
 
     def select_joints(self, entries: PoseEntries, names: Collection[str]) -> PoseEntries:
-        """Return the entries of the named joints and free bodies."""
         out: PoseEntries = {"joints": {name: value for name, value in entries["joints"].items() if name in names}}
         if self.root in names and "root" in entries:
             out["root"] = entries["root"]
@@ -313,8 +312,7 @@ class Poser:
         return out
 
     def deciding_joints(self, place: str) -> tuple[set[str], set[str]]:
-        """Return the joints that determine the position of a point: all, and those of its limb. Unknown points have
-        none."""
+        """Return the joints that determine a point's position: all, and those of its limb; none for unknown points."""
         body = self._places.body(place)
         links_of = ([], []) if body is None else (chain(self.figure, body), limb(self.figure, body))
         whole, limb_names = ({self.figure.links[link].name for link in links} for links in links_of)

@@ -135,7 +135,6 @@ class Session:
         self.want_curves(number, False)
 
     def tell(self, message: Message | bytes) -> None:
-        """Send a message to every page."""
         text = message if isinstance(message, bytes) else json.dumps(message)
         for send in list(self.pages.values()):
             send(text)
@@ -169,7 +168,6 @@ class Session:
             return words
 
     def _edited(self, name: str, arguments: Message, revision: int | None) -> tuple[str, str]:
-        """Return the text after an edit, and its description."""
         from .edits import EDITS  # imported here, as in `document`
 
         if name not in EDITS:
@@ -271,7 +269,6 @@ class Session:
         self.solver.send(self._trying if found is None else {**self._trying, "found": found})
 
     def _named(self, text: str) -> Message:
-        """Return a text, its name in messages, and the folder of its files."""
         document = self.document
         return {"text": text, "name": document.name, "place": document.place, "folder": str(document.folder)}
 

@@ -38,7 +38,6 @@ class Solver:
 
     @property
     def is_started(self) -> bool:
-        """Whether there is a process."""
         return self._process is not None
 
     def start(self, *, is_seen: bool = False) -> None:
@@ -64,7 +63,6 @@ class Solver:
             self._line.send(message)
 
     def close(self) -> None:
-        """End the process."""
         self._is_closed = True
         with suppress(OSError, AttributeError):
             self._line.close()

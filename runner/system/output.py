@@ -71,8 +71,7 @@ class Replacement:
                 os.close(self._handle)
 
     def _begun(self, mode: int) -> bool:
-        """Create and lock a temporary file. Returns False if another writer removed it as a leftover before it was
-        locked."""
+        """Create and lock a temporary file; return False if another writer removed it before it was locked."""
         name = f".{self._real.name[:MOST_OF_A_NAME]}.{secrets.token_hex(8)}.partial{self.target.suffix}"
         self.temporary = self._real.with_name(name)
         flags = os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_CLOEXEC", 0)
@@ -174,8 +173,7 @@ def _locked(handle: int) -> bool:
 
 
 def _older(target: Path) -> os.stat_result | None:
-    """Return the status of the present file, after resolving links; None if it is missing. Raises UserError if
-    unreadable."""
+    """Return the status of the present file, behind links; None if it is missing, UserError if unreadable."""
     try:
         return target.stat()
     except (FileNotFoundError, NotADirectoryError):

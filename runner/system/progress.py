@@ -48,7 +48,6 @@ class Progress:
             self._bars.stop()
 
     def say(self, line: str) -> None:
-        """Print a line."""
         self.console.print(line, markup=False, soft_wrap=True)
 
     def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:
@@ -63,7 +62,6 @@ class Progress:
             self.say(f"{work}{done} {note}".rstrip())
 
     def over(self, items: Iterable[Item], work: str, count: int) -> Iterator[Item]:
-        """Iterate over the items and report each."""
         for i, item in enumerate(items):
             yield item
             self.step(work, (i + 1) / max(count, 1), f"{i + 1} of {count}", force=i + 1 == count)

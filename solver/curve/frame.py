@@ -62,7 +62,6 @@ class Frame:
 
     @classmethod
     def variable(cls, time: float, state: ArrayLike) -> Frame:
-        """Return a variable frame, without fixed entries."""
         state = np.asarray(state, float)
         return cls(time, state, np.zeros(state.shape, bool))
 

@@ -25,7 +25,6 @@ def close_loop(
     """Close the keyframes of a loop.
 
     Args:
-        figure: The figure.
         keys: Keyframes that hold qpos.
         travel: Displacement (3,) [m] of the first free root over one period; None: x and y from the keyframes.
         turn: Rotation [rad] of the first free root about the vertical; None: from the keyframes.
@@ -60,7 +59,6 @@ def close_loop(
 
 
 def _unit(figure: Figure, frame: Frame) -> Frame:
-    """Return the keyframe with unit quaternions."""
     state = np.array(frame.state)
     for columns in figure.tables.quaternion_columns.T:
         if frame.known[columns].all():

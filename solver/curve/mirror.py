@@ -56,7 +56,6 @@ class Mirror:
     world.
 
     Attributes:
-        of_states: The linear part for states.
         of_qpos: The linear part for configurations.
         shift: The constant part, for hinges and slides whose rest value is not zero, (N,).
         partner: The partner of each link on the other side, or the link itself in the middle, (L,).
@@ -77,7 +76,6 @@ class Mirror:
         """Return the mirror map of a figure, its links paired by name, otherwise by geometry.
 
         Args:
-            figure: The figure.
             middle: Tolerance of axes from their partners' images, relative to the figure's size.
 
         Raises:

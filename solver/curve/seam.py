@@ -56,7 +56,6 @@ class Seam:
         """Return the seam between states for known headings.
 
         Args:
-            figure: The figure.
             first: The first state, (N,).
             last: The last state, (N,).
             headings: The rotation of each free root, (f,) [rad]; used instead of that between the states.
@@ -81,7 +80,6 @@ class Seam:
 
     @classmethod
     def of(cls, figure: Figure, timeline: Timeline) -> Seam:
-        """Return the seam of a periodic timeline."""
         return cls.between(figure, timeline.states[0], timeline.states[-1])
 
     @property

@@ -225,7 +225,6 @@ class Sampling:
     """A spline at sample times: y, y', y'' for any rows, and the pull-back of their gradients (method of §2).
 
     Attributes:
-        spline: The spline.
         t: The sample times, (S,) [s].
         first: The first of the 4 nonzero B-splines at each sample, (S,).
         values: Those B-splines and two derivatives, (S, 3, 4).
@@ -292,7 +291,6 @@ class Piece:
     """A run of a sampling's samples.
 
     Attributes:
-        which: The samples.
         t: Their times, (S,) [s].
         first: The first of the 4 coefficients that each depends on, (S,).
         values: The B-splines of these, and two derivatives, (S, 3, 4).

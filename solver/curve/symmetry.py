@@ -137,7 +137,6 @@ def symmetric(figure: Figure, middle: float) -> tuple[Rest, Index, Array]:
     """Pair the links of a figure.
 
     Args:
-        figure: The figure.
         middle: Tolerance of axes from the images of their partners', relative to the figure's size.
 
     Returns:
@@ -195,11 +194,7 @@ def _planes(figure: Figure, root: int) -> list[Array]:
 
 
 def _named(figure: Figure, link: int) -> int | None:
-    """Return the link with the name of the other side, or with the same name except for the side; None if there is
-    none.
-
-    An example of the latter is thigh_joint with thigh_left_joint.
-    """
+    """Return the link named for the other side, or without a side (thigh_joint for thigh_left_joint), or None."""
     name = figure.links[link].name
     other, plain = other_side(name), _without_side(name)
     for i, candidate in enumerate(figure.links):
@@ -212,7 +207,6 @@ def _named(figure: Figure, link: int) -> int | None:
 
 
 def _without_side(name: str) -> str:
-    """Return a name without left and right, and without separators."""
     return re.sub(r"[\W_]", "", SIDE.sub("", name))
 
 

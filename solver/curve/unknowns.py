@@ -233,7 +233,6 @@ def raw_timeline(
     specifies them. In a loop, entries that the first or the last keyframe fixes are fixed in both.
 
     Args:
-        figure: The figure.
         keys: Keyframes that hold *qpos* and the fixed mask, in order of time.
         ends: "free", "clamped", "clamped start", "clamped end" or "periodic", see `Timeline`.
         end_slope: The slopes of clamped ends, (2, N); the row of a free end is ignored.

@@ -55,7 +55,6 @@ class Placement:
         return out
 
     def timeline(self, figure: Figure, timeline: Timeline) -> Timeline:
-        """Return the timeline of the moved motion."""
         frames = Frame.many(timeline.times, self.states(figure, timeline.states), timeline.fixed)
         return Timeline(tuple(frames), self.slopes(figure, timeline.end_slope), timeline.ends)
 
@@ -78,8 +77,7 @@ def heading(rotation: Array) -> Array:
 
 
 def following(figure: Figure, before: Timeline, after: Timeline, duration: float) -> Placement:
-    """Return the placement that continues a motion with its trunk's heading, and moves on at both motions' mean
-    velocity."""
+    """Return the placement that continues a motion with its trunk's heading and both motions' mean velocity."""
     still = Placement(np.array([1.0, 0, 0, 0]), np.zeros(3))
     roots = figure.tables.position_columns
     if not roots.size:
@@ -125,10 +123,7 @@ def bridge(figure: Figure, before: Timeline, after: Timeline, *, variable: int =
     """Return the initial transition: y, y', y'' of both sides, and variable frames on the quintic between them.
 
     Args:
-        figure: The figure.
-        before: The first motion.
         after: The second motion, which begins later than the first ends, see `signed_like` for its quaternions' signs.
-        variable: The number of variable frames.
 
     Raises:
         TimelineError: There are too few frames, or the transition has no duration.
@@ -155,8 +150,7 @@ def bridge(figure: Figure, before: Timeline, after: Timeline, *, variable: int =
 
 
 def _quintic(begin: Array, end: Array, u: Array, length: float) -> Array:
-    """Return the polynomial of degree 5 with y, y', y'' (3, N) at both ends, at shares u (S,) of its length [s], (S,
-    N)."""
+    """Return the polynomial of degree 5 with y, y', y'' (3, N) at both ends, at fractions u (S,) of its length [s]."""
     power = u[:, None] ** np.arange(6)
     ends = np.zeros((6, 6))
     for order in range(3):
@@ -169,8 +163,7 @@ def _quintic(begin: Array, end: Array, u: Array, length: float) -> Array:
 
 
 def signed_like(figure: Figure, before: Timeline, after: Timeline) -> Timeline:
-    """Return a motion with signs of its quaternions such that joints take the shortest arcs from the end of another
-    motion."""
+    """Return a motion with quaternion signs such that joints take the shortest arcs from another motion's end."""
     end, start = before.states[-1], after.states[0]
     keys = [Frame.key(t, figure.to_qpos(state)) for t, state in ((0.0, end), (1.0, start))]
     raw = raw_timeline(figure, keys).states

@@ -202,8 +202,7 @@ class Recorded:
         return Seam.between(self.figure, self._states[0], self._states[-1])
 
     def _unrolled(self, instants: Index) -> tuple[Array, Array]:
-        """Return times (...) and states (..., N) at instants (...), for a loop also before its start and beyond its
-        end."""
+        """Return times (...) and states (..., N) at instants (...), which may lie outside the period of a loop."""
         if self.ends != "periodic":
             return self.times[instants], self._states[instants]
         turns, within = np.divmod(instants, len(self.times) - 1)
@@ -269,7 +268,6 @@ def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
     """Return the tips of limbs, farthest from their last joint: name, link and position (3,) [m] in it.
 
     Args:
-        figure: The figure.
         marked: Bodies that have a site, which serves as the tip of their limbs.
     """
     model, out = figure.model, []
@@ -304,7 +302,6 @@ def natural_splines(times: Array, values: Array, owner: Index, t: Array) -> Arra
         times: Knots, (C, K) [s].
         values: Values at the knots, (C, K, N).
         owner: The spline of each time, (S,).
-        t: The times.
     """
     h = np.diff(times)
     count = times.shape[1]
@@ -359,8 +356,7 @@ def _repaired(recorded: Recorded, kept: list[int], told: Callable[[str], None]) 
 
 
 def _moved(recorded: Recorded, kept: list[int], at: int) -> list[int] | None:
-    """Return instants with those near index `at` moved, one at a time, until the bound holds there; None if it does
-    not.
+    """Return instants with those near index `at` moved one at a time until the bound holds there, or None.
 
     The first steps are half the distance to the neighbour. They become shorter if none helps, down to one instant.
     """

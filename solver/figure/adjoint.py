@@ -83,7 +83,6 @@ class Cotangent:
         """Add a gradient with respect to one of the quantities.
 
         Args:
-            name: The quantity.
             gradient: The gradient, see the class for shapes.
             donate: Whether the array may be stored and modified, because the caller does not use it again.
         """
@@ -115,7 +114,6 @@ class Cotangent:
         return (3, 3, *links) if name == "swing" else (3, *links)
 
     def add_wrenches(self, wrenches: Wrenches) -> None:
-        """Add the gradient that the sum of wrenches represents."""
         self._wrenches.append(wrenches)
 
     def add_forces(self, flat: Index, offset: Array, force: Array) -> None:
@@ -130,7 +128,6 @@ class Cotangent:
         self.add_wrenches(of_point(at, link, offset, force))
 
     def _flush_wrenches(self) -> None:
-        """Add all wrenches to the gradients of their quantities."""
         count, shape = self.samples.count, (3, len(self.samples.figure.links), self.samples.count)
         size = shape[1] * shape[2]
         for name, kind in ON_LINKS.items():
@@ -185,7 +182,6 @@ class Cotangent:
         return total
 
     def get(self, name: Quantity) -> Array | None:
-        """Return a gradient, or None if it is zero."""
         return self._parts.get(name)
 
 
@@ -195,8 +191,6 @@ def attached_pulled_back(
     """Pull gradients of vectors s (3, n, S) that turn with links, s' = ω × s and s'' = A s, back to those of the links.
 
     Args:
-        into: The cotangent.
-        s: The vectors.
         gradients: The gradients of s, s', s''.
         owners: The link of each vector, (n,); None: one vector per link.
         swing: The matrices A of these links, (3, 3, n, S), if already computed.

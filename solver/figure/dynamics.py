@@ -151,7 +151,6 @@ def inverse_dynamics(model: mujoco.MjModel, qpos: Array, qvel: Array, qacc: Arra
     those of continuous time.
 
     Args:
-        model: The model, which is not changed.
         qpos: Configurations (T, nq), [m] and [rad], unit quaternions wxyz.
         qvel: Velocities (T, nv), [m/s] and [rad/s].
         qacc: Accelerations (T, nv), [m/s²] and [rad/s²].

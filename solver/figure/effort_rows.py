@@ -65,7 +65,6 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None, *, moment: boo
     """Return the gradients of a free root's force and moment, in world axes, with respect to y, y', y'', (S, 6, 3, N).
 
     Args:
-        wrench: The wrench.
         pushes: External forces, constant; their moments (p − c) × f about the centre of mass c are subtracted.
         moment: Whether to include the moment; otherwise the result is (S, 3, 3, N).
     """
@@ -117,8 +116,7 @@ def joint_rows(samples: Samples) -> Array:
 
 
 def _add_armature(samples: Samples, out: Array) -> None:
-    """Add the effect of armature: of hinges and slides in proportion to y'', of ball joints by the rates of their
-    links."""
+    """Add the effect of armature: of hinges and slides in proportion to y'', of ball joints by their links' rates."""
     tables, omega = samples.figure.tables, samples.links.omega
     motors, balls = np.concatenate([tables.hinge_links, tables.slide_links]), tables.ball_links
     columns = np.concatenate([tables.hinge_columns, tables.slide_columns])
@@ -151,9 +149,7 @@ class _Links:
         """Compute the quantities.
 
         Args:
-            samples: The samples.
             own: 1 for the links of the set, else 0, (L,).
-            pushes: The external forces.
             moment: Whether changes include the 3 rows of the moment.
         """
         self.samples, self.figure, self.rows = samples, samples.figure, 6 if moment else 3

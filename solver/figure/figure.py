@@ -87,9 +87,7 @@ class Figure:
     """A jointed figure: links, the columns of its state, and the conversions between state and qpos.
 
     Attributes:
-        model: The MuJoCo model.
         coordinates: "world" or "joint"; "auto" becomes "world" where that makes a difference.
-        links: The links, the world first.
         body_link: The link of each body, (nbody,).
         body_offset: Each body's origin in its link, (nbody, 3) [m].
         body_turn: Each body's orientation in its link, (nbody, 4) wxyz.
@@ -158,8 +156,7 @@ class Figure:
         return state
 
     def to_qpos(self, state: ArrayLike) -> Array:
-        """Return the MuJoCo configurations (..., nq), with unit quaternions, of states (..., N) with quaternions of any
-        length."""
+        """Return configurations (..., nq), with unit quaternions, of states (..., N) with quaternions of any length."""
         state = np.asarray(state, float)
         qpos = state.copy()
         for i, link in enumerate(self.links[1:], start=1):
@@ -428,8 +425,7 @@ def _run(indices: Index) -> slice | None:
 
 
 def on_links(vectors: Array, owners: Index, count: int) -> Array:
-    """Return vectors (3, n) fixed on links as weights of the rotations of `count` links, (n, 3 L), see
-    `LinkMotion.fixed`."""
+    """Return vectors (3, n) on links as weights (n, 3 L) of the rotations of `count` links, see `LinkMotion.fixed`."""
     out = np.zeros((owners.size, 3, count))
     out[np.arange(owners.size), :, owners] = vectors.T
     return out.reshape(owners.size, 3 * count)

@@ -83,7 +83,6 @@ class Samples:
         y: The states, (S, N); y_d and y_dd are their derivatives [1/s, 1/s²].
         t: Times for penalties of a part of the clip, (S,) [s]; zeros by default.
         q: The states' quaternion blocks, (4, n, S); q_d and q_dd are their derivatives.
-        links: The motion of the links.
     """
 
     def __init__(
@@ -145,8 +144,7 @@ class Samples:
         return LinkMotion(self._states)
 
     def once(self, make: Callable[[LinkMotion], Derived]) -> Derived:
-        """Return a quantity derived from the links' motion, computed once. It may refer to the motion, not to the
-        samples."""
+        """Return a quantity derived from the links' motion, computed once; it must not refer to the samples."""
         if make not in self._once:
             self._once[make] = make(self.links)
         return self._once[make]
@@ -223,8 +221,7 @@ class LinkMotion:
         return np.take(self.swing, self.figure.tables.parents, axis=2)
 
     def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
-        """Return the positions of points at `positions` (3, n) on links (n,), and their offsets from the origins, (3,
-        n, S)."""
+        """Return points at `positions` (3, n) on links (n,), and their offsets from the origins, (3, n, S) each."""
         offset = self.fixed(on_links(positions, links, len(self.figure.links)))
         return self.x.take(links, axis=1) + offset, offset
 
@@ -332,8 +329,7 @@ def _world_quaternions(states: States) -> Array:
 
 
 def from_parents(states: States) -> Array:
-    """Return each link's rotation c, c', c'' relative to its parent, or to the world if that is the state, (3, 4, L,
-    S)."""
+    """Return rotations c, c', c'' (3, 4, L, S) of links relative to the parent, or to the world if the state is."""
     tables, out = states.figure.tables, _local_quaternions(states)
     if tables.has_turns and tables.levels:
         order = np.concatenate(tables.levels)

@@ -33,6 +33,5 @@ def _names(model: mujoco.MjModel) -> tuple[str, ...]:
 
 
 def _of_body(model: mujoco.MjModel, geom: int) -> str:
-    """Return the name of a geom's body, "" for the world."""
     body = int(model.geom_bodyid[geom])
     return str(model.body(body).name) if body else ""

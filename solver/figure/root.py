@@ -44,8 +44,7 @@ class Root:
 
     @property
     def is_ambiguous(self) -> bool:
-        """Whether other articulated trees are equally plausible. Among rigid objects, the first is the root without
-        ambiguity."""
+        """Whether other articulated trees are equally plausible; among rigid objects the first is the root."""
         return bool(self.rivals and self.limbs)
 
     @property
@@ -75,8 +74,7 @@ def roots_of(model: mujoco.MjModel) -> list[Root]:
 
 
 def _moving(model: mujoco.MjModel) -> list[_Tree]:
-    """Return the mobile trees. Rigid objects on slides (a drawer, a target) are excluded if there are articulated
-    trees."""
+    """Return the mobile trees, without rigid objects on slides (a drawer) if there are articulated trees."""
     trees = [_Tree(model, joint) for joint in _first_joints(model)]
     has_limbs = any(tree.limbs.size for tree in trees)
     return [tree for tree in trees if tree.moves_about and (tree.root.is_free or tree.limbs.size or not has_limbs)]
@@ -127,8 +125,7 @@ class _Tree:
             body = onward
 
     def _onward(self, body: int) -> int | None:
-        """Return the only child of a light body without collision geoms, or None: the root then carries the body
-        itself."""
+        """Return the only child of a light body without collision geoms; None for any other body."""
         model = self.model
         rigid = np.flatnonzero(model.body_weldid == body)
         hanging = [

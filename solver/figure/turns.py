@@ -136,7 +136,6 @@ def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index
     """Set the entries of rows that depend on φ, φ', φ'' of n links' joints, small rotations about the world's axes.
 
     Args:
-        samples: The samples.
         links: The links, (n,).
         changes: The coefficients, by order and component of φ, (3, 3, C, n, S).
         row: The row of `out` of each coefficient, (C, n).

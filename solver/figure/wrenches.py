@@ -244,8 +244,7 @@ def _padded(path: Mask, links: Index) -> Index:
 
 @dataclass(frozen=True, eq=False)
 class _Pairs:
-    """Q pairs of a wrench and a joint on the chain to its link: indices of the wrench, the sample, and the joint's
-    link."""
+    """Q pairs of a wrench and a joint on the chain to its link: indices of wrench, sample, and the joint's link."""
 
     wrench: Index
     at: Index
@@ -275,8 +274,7 @@ class _Sweep:
         return _Pairs(wrench, self.at[wrench], joints[level, wrench])
 
     def _moments(self, pairs: _Pairs, after: Index | None = None) -> Orders:
-        """Return M₀, M₁, M₂ about the joints' anchors; `after` (Q,) are links whose anchors replace the wrenches'
-        points."""
+        """Return M₀, M₁, M₂ about the joints' anchors; the anchors of `after` (Q,) replace the wrenches' points."""
         motion, there = self.motion, (slice(None), pairs.joint, pairs.at)
         moments: Orders = [None, None, None]
         force, force_d, _ = self._of_pairs(self.forces, pairs)
@@ -297,8 +295,7 @@ class _Sweep:
         return [None if part is None else part[:, pairs.wrench] for part in vectors]
 
     def _ends(self, places: Array, anchors: Array, pairs: _Pairs, after: Index | None) -> Array:
-        """Return the next links' anchors if there are any, else the wrenches' points, (3, Q); or the velocities of
-        these."""
+        """Return the next links' anchors if there are any, else the wrenches' points, or their velocities, (3, Q)."""
         points = places[:, self.link[pairs.wrench], pairs.at]
         return points if after is None else np.where(after > 0, anchors[:, after, pairs.at], points)
 
@@ -363,7 +360,6 @@ class _Sweep:
         self._add_quaternions(out, pairs, [None if part is None else turned_back(axes, part) for part in moments])
 
     def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:
-        """Add the coefficients of quaternions, for moments in the quaternions' axes."""
         place = self.place[pairs.joint]
         columns = self.tables.quaternion_columns[:, place]
         turns = self.samples.once(ways)[: out.shape[1], :, place, pairs.at]

@@ -21,16 +21,14 @@ class Allowance:
     excess: Array
 
     def at(self, t: Array) -> Array:
-        """Return the tolerated excesses (..., S) at times t (S,) [s]; constant before the first and after the last
-        keyframe."""
+        """Return the tolerated excesses (..., S) at times t (S,) [s], constant outside the range of the keyframes."""
         if not self.excess.any():
             return np.zeros((*self.excess.shape[:-1], t.size))
         span, share = self._place(t)
         return self.excess[..., span] * (1 - share) + self.excess[..., span + 1] * share
 
     def of(self, index: Index, t: Array) -> Array:
-        """Return the tolerated excesses (..., P) at times t (P,) [s] of entries (P,) of the axis before that of the
-        keyframes."""
+        """Return the tolerated excesses (..., P) at times t (P,) [s] for entries (P,) of the second-last axis."""
         span, share = self._place(t)
         return self.excess[..., index, span] * (1 - share) + self.excess[..., index, span + 1] * share
 

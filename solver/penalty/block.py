@@ -236,7 +236,6 @@ def every(
     """Return residuals of single entries of y, y' or y'' at every sample.
 
     Args:
-        samples: S samples of the motion.
         columns: The columns of the entries, (C,).
         order: 0, 1 or 2, for entries of y, y' or y''.
         value: The residuals (S, C), with a derivative of 1 with respect to the entries; None: the entries.

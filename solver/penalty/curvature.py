@@ -42,8 +42,7 @@ class Curvature:
             self._rows.append((at, jacobian * np.sqrt(2 * scale)[:, None, None], orders))
 
     def add_blocks(self, columns: Index, jacobian: Array, scale: Array) -> None:
-        """Add residuals of n blocks of k columns (n, k), with Jacobians (S, n, r, 3, k) at every sample, times scale
-        (S,)."""
+        """Add residuals of n blocks of k columns (n, k): Jacobians (S, n, r, 3, k) at all samples, times scale (S,)."""
         if not columns.size:
             return
         count, n, residuals, _, k = jacobian.shape
@@ -152,8 +151,6 @@ def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, 
     """Return the gradients of P residuals at samples `at` (P,) with respect to y, y', y'', (P, 3, N).
 
     Args:
-        samples: The samples.
-        at: The sample of each residual.
         seeded: seeded(copies, cotangent, rows) adds the seeds of rows (R,) to the cotangent of R copied samples.
     """
     out = np.empty((at.size, 3, samples.y.shape[1]))

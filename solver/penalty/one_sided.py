@@ -81,8 +81,7 @@ class Rows:
         return out
 
     def squared(self, some: Index, factor: Array) -> tuple[Index, Array]:
-        """Return samples (A,) and rows (A, N) with the Σ rowᵀrow at every sample of the rows `some`, each times its
-        factor."""
+        """Return samples (A,) and rows (A, N) with Σ rowᵀrow at every sample of the rows `some`, each with a factor."""
         if self.is_plain:
             return self.at[some], factor[:, None] * self.basis[some, 0]
         k = self.shares.shape[1]
@@ -109,7 +108,6 @@ class OneSidedResiduals:
     Attributes:
         at: The sample of each residual, (P,).
         value: The signed excess over the bound, negative within it, (P,).
-        gradients: The gradients of consecutive groups of residuals.
     """
 
     at: Index
@@ -123,17 +121,14 @@ class OneSidedResiduals:
 
     @classmethod
     def none(cls) -> OneSidedResiduals:
-        """Return an empty set of residuals."""
         return cls(np.zeros(0, np.intp), np.zeros(0), ())
 
     @classmethod
     def joined(cls, parts: Sequence[OneSidedResiduals]) -> OneSidedResiduals:
-        """Return the concatenated residuals of several sets."""
         at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
         return cls(at, value, tuple(rows for part in parts for rows in part.gradients))
 
     def shifted(self, first: int) -> OneSidedResiduals:
-        """Return the residuals with sample indices increased by `first`."""
         gradients = tuple(replace(rows, at=rows.at + first) for rows in self.gradients)
         return OneSidedResiduals(self.at + first, self.value, gradients)
 

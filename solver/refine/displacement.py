@@ -52,9 +52,7 @@ def displacement(
 
     Args:
         objective: E.
-        timeline: The timeline.
         variable: The number of variable frames inside each segment.
-        max_evaluations: The evaluation budget of each solve.
         tolerance: Relative progress at which a solve ends.
         told: Called with (number of solved segments, number of segments).
     """
@@ -77,8 +75,7 @@ def displacement(
 
 
 def _segment(path: Path, first: float, last: float, variable: int) -> Timeline:
-    """Return one segment as a separate clip, with fixed position and velocity at its ends and variable frames on the
-    curve."""
+    """Return one segment as a clip with fixed positions and velocities at its ends and frames on the curve."""
     states, slopes = path.at(np.array([first, last])), path.at(np.array([first, last]), 1)
     ends = (Frame.key(first, states[0]), Frame.key(last, states[1]))
     inner = np.linspace(first, last, variable + 2)[1:-1]

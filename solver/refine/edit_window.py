@@ -47,7 +47,6 @@ class EditWindow:
         """Return the part that an edit affects, or None for a loop and if the part is nearly the whole clip.
 
         Args:
-            timeline: The timeline.
             keys: The times of the keyframes, (K,) [s].
             between: The interval that was edited [s].
         """
@@ -86,7 +85,6 @@ class EditWindow:
 
         Args:
             objective: E.
-            timeline: The whole timeline.
             keys: The times of the keyframes, (K,) [s].
             known: The contributions of all segments between keyframes, if already computed, (segments, terms).
         """

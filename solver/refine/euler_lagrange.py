@@ -33,7 +33,6 @@ def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
     """Return X + Y'' + Z of eq. 10 for f = f₂ + λ f₁ on one quaternion, (S, 4): half of the left side of eq. 24.
 
     Args:
-        path: The path of one quaternion.
         t: Times, (S,) [s].
         unit_weight: The weight λ of f₁.
     """

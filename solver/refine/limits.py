@@ -65,8 +65,7 @@ def limited(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Time
 
 
 def farthest(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> list[tuple[Range, float, float]]:
-    """Return the joints beyond their bounds by more than the tolerance, with the largest excess [rad, m] and its time
-    [s]."""
+    """Return joints that exceed their bounds beyond tolerance, with the largest excess [rad, m] and its time [s]."""
     excesses, t = [], _dense(timeline)
     for joint in joints:
         value = _values(figure, timeline, joint, t)
@@ -209,9 +208,6 @@ def _turned_back(figure: Figure, timeline: Timeline, joint: Range, deviation: Ar
     """Return the timeline with a changed angle of a ball joint. Descendant links rotate with it.
 
     Args:
-        figure: The figure.
-        timeline: The timeline.
-        joint: The ball joint.
         deviation: Changes of the angle at the frames [rad] and of its rates at both ends [rad/s], (M + 2,).
     """
     columns = quaternion_columns(figure.links[joint.link])

@@ -44,8 +44,7 @@ def by_objective(objective: Objective, timeline: Timeline) -> Array:
 
 
 def by_resolution(objective: Objective, timeline: Timeline) -> Array:
-    """Return ∫ |y − y_fine| dt over every segment, with y_fine the optimum at twice the resolution (Welch & Witkin
-    1992)."""
+    """Return ∫ |y − y_fine| dt per segment, with y_fine the optimum at twice the resolution (Welch & Witkin 1992)."""
     fine = optimised(objective, split(timeline, midpoints(timeline)))
     t, w = gauss_nodes(np.asarray(timeline.times), 6)
     apart = np.linalg.norm(path_of(timeline).at(t) - path_of(fine).at(t), axis=1)

@@ -36,7 +36,6 @@ def warm_start(
     """Return the warm start through edited keyframes, with the variable frames of an earlier solution.
 
     Args:
-        figure: The figure.
         found: The earlier solution's timeline.
         before: The keyframes of the earlier solution, which hold qpos.
         keys: The edited keyframes, which hold qpos.
@@ -92,8 +91,7 @@ def _stretched(times: Array, here: Array, there: Array) -> Array:
 
 
 def _warm(key: Frame, was: Frame | None, pose: Array) -> Frame:
-    """Return a keyframe with unspecified entries from the earlier path. Posed entries of an edited keyframe do not
-    change."""
+    """Return a keyframe with unspecified entries from the earlier path, unless an edited keyframe poses them."""
     same = was is not None and np.array_equal(was.fixed, key.fixed) and np.abs(was.state - key.state).max() < SAME
     is_known = key.fixed if same else key.known
     return Frame(key.time, np.where(is_known, key.state, pose), key.fixed, ~key.fixed)

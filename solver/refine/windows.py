@@ -35,8 +35,7 @@ def is_long(raw: Timeline) -> bool:
 
 @dataclass(frozen=True)
 class Window:
-    """A window, as indices of segments: fixed from `held`, kept from `first` to `kept`, look-ahead from `kept` to
-    `last`."""
+    """A window of segments: fixed from `held`, solved from `first` to `kept`, look-ahead from `kept` to `last`."""
 
     held: int
     first: int
@@ -98,8 +97,7 @@ class Assembly:
         return min(round(budget * (window.last - window.first) / segments), budget - others)
 
     def close(self, window: Window, solved: Timeline) -> None:
-        """Replace the window's frames by its solution; the solution of its look-ahead segments is the start of the next
-        window."""
+        """Replace the window's frames by its solution; that of its look-ahead segments starts the next window."""
         whole = self.around(window)(solved)
         self.frames, self.end_slope = list(whole.frames), np.array(whole.end_slope)
         self.solved_path = path_of(solved)

@@ -64,8 +64,6 @@ class Descent:
         """Minimise E; the x (n,) of the result are the unknowns of the timeline.
 
         Args:
-            optimiser: A method by name, or an optimiser.
-            max_evaluations: The evaluation budget.
             tolerance: Relative progress at which the search ends.
             improved: Called with (evaluation, Evaluation, x) whenever E falls.
         """

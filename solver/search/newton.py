@@ -54,7 +54,6 @@ class GaussNewton:
 
         Args:
             problem: E and its gradient.
-            max_evaluations: The evaluation budget.
             tolerance: The search ends when the predicted reduction of the next step is less than this share of E, or of
                 a thousandth of the first E.
             improved: Called with (evaluation, Evaluation, x) whenever E falls. It may raise StopSearch to end the

@@ -265,8 +265,7 @@ class Layout:
         np.add.at(matrix.reshape(-1), flat.ravel(), values.ravel())
 
     def _column_springs(self, first: Index, weights: Array, hold: Array) -> tuple[Index, Index, Array]:
-        """Return the springs of `_hold_columns`: entries (S, N), their columns (S,), and distances below the diagonal
-        (S,)."""
+        """Return the springs of `_hold_columns`: entries (S, N), columns (S,), and offsets from the diagonal (S,)."""
         weights = weights / np.sqrt(np.sum(weights**2, axis=1, keepdims=True))
         rank = self.rank[first[:, None] + np.arange(DEGREE)]
         offset = rank[:, :, None] - rank[:, None, :]
@@ -363,7 +362,6 @@ class OneSidedTerms:
     sample.
 
     Attributes:
-        residuals: The residuals of all terms, concatenated.
         weight: Their weights in E, (P,).
         sampling: The samples of E.
     """
@@ -431,7 +429,6 @@ class Proposal(NamedTuple):
 
     Attributes:
         step: The step of the unknowns to the minimum, (n,).
-        predicted_reduction: The reduction of m.
         factor: The Cholesky factor of the curvature; None if it is not positive definite.
     """
 
@@ -454,7 +451,6 @@ class Model:
         """Build the model.
 
         Args:
-            layout: The layout of the matrices.
             x: The unknowns, (n,).
             gradient: dE/dx there, (n,).
             scale: The unit of the damping; None: from this model.
@@ -470,8 +466,7 @@ class Model:
             self.gradient -= self.sided.pulled_back(pull)
 
     def _add_smooth(self, path: Path, evaluated: Sequence[Seen], scale: float | None) -> float:
-        """Add the curvature of the two-sided residuals; return its median density in y'', or `scale` if that is not
-        None."""
+        """Add the curvature of the two-sided residuals; return its median density in y'', or `scale` unless None."""
         layout, problem = self.layout, self.layout.problem
         matrix, sizes, rows = layout.empty(), [], []
         terms = problem.objective.terms

@@ -47,8 +47,7 @@ def algorithm(method: str) -> int:
 
 
 def is_practical(method: str, size: int) -> bool:
-    """Return whether an iteration with `size` unknowns is short enough for Ctrl-C, which takes effect between
-    iterations."""
+    """Return whether an iteration with `size` unknowns is short enough, as Ctrl-C takes effect between iterations."""
     return size <= DENSE.get(method.lower(), size)
 
 
@@ -56,7 +55,6 @@ def refine(search: Search, factor: Array, tolerance: float, method: str = LBFGS)
     """Lower E from the best point of a search, in variables whitened by the Cholesky factor of its last model.
 
     Args:
-        search: The search, which is updated.
         factor: The banded Cholesky factor of its last model.
         tolerance: Stop when PATIENCE evaluations gain less than this share of E each.
         method: The algorithm, see `algorithm`.
@@ -98,7 +96,6 @@ def minimise(
         fun: fun(x) -> (value, gradient (n,)). It may raise StopSearch or KeyboardInterrupt to end the search.
         x0: The start, (n,).
         method: The algorithm, see `algorithm`.
-        max_evaluations: The evaluation budget.
         tolerance: The search ends when a step changes the value by less than this share of it, or by less than a
             thousandth of this share of the first value.
 

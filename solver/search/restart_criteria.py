@@ -32,7 +32,6 @@ def is_poor_minimum(objective: Objective, timeline: Timeline, parts: Mapping[str
 
     Args:
         objective: E, renormalised by the raw path.
-        timeline: The timeline at which the search ended.
         parts: The terms of E there, by name.
     """
     figure = objective.figure
@@ -73,8 +72,6 @@ def largest_deviation(figure: Figure, timeline: Timeline, expected: Path | None 
     Distances are between positions relative to the root of the joint's tree, so that the root's travel is ignored.
 
     Args:
-        figure: The figure.
-        timeline: The timeline to check.
         expected: The reference path; None: the straight path between frames with specified degrees of freedom.
     """
     fixed = np.flatnonzero(timeline.fixed.any(axis=1))

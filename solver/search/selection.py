@@ -60,7 +60,6 @@ def common_grid(timelines: Sequence[Timeline], quaternions: Sequence[Index] | In
     """Return the edges [s] of spans that are finer than those of any of the timelines.
 
     Args:
-        timelines: Timelines of one clip.
         quaternions: The columns (4,) of each quaternion to sample around moments at which it is short.
     """
     edges = np.concatenate([timeline.times for timeline in timelines])

@@ -35,8 +35,7 @@ Spheres = tuple[Array, Array]
 
 @lru_cache(maxsize=2)  # editing a clip needs them repeatedly
 def covering_points(figure: Figure) -> tuple[Point, ...]:
-    """Return spheres that fill the solid geoms of the figure's links, without those inside another sphere of their
-    link."""
+    """Return spheres that fill the solid geoms of the figure's links, without those inside others of their link."""
     model = figure.model
     out: list[Point] = []
     by_link: dict[int, list[tuple[str, Array, Array]]] = {}

@@ -86,8 +86,7 @@ class HeightField:
         return float(np.hypot(np.abs(across).max(), np.abs(along).max()))
 
     def _place(self, local: Array) -> tuple[Index, Index, Array, Array]:
-        """Return the cells (column, row) below points, and the positions in them, 0 to 1. Outside the field, use its
-        border."""
+        """Return the cells (column, row) below points, at most the border, and the positions in them, 0 to 1."""
         rows, columns = self.elevation.shape
         u, v = (np.clip(local[:2], -self.half[:, None], self.half[:, None]) + self.half[:, None]) / self._cell[:, None]
         column, row = np.minimum(u.astype(np.intp), columns - 2), np.minimum(v.astype(np.intp), rows - 2)

@@ -19,7 +19,6 @@ def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tu
     """Return the signed height of spheres above the nearest supporting surface below them, and its gradient.
 
     Args:
-        surfaces: The surfaces.
         points: Centres, (3, n, S) [m].
         radius: Radii, (n,) [m].
 
@@ -55,7 +54,6 @@ def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: fl
     """Return `height_over` for points of uncertain position, above the surface below them or a higher one nearby.
 
     Args:
-        surfaces: The surfaces.
         points: Centres, (3, n, S) [m].
         radius: Radii, (n,) [m].
         reach: The uncertainty of the position [m].

@@ -72,8 +72,7 @@ class Hull(Solid):
 
     @cached_property
     def _planes(self) -> tuple[Array, Array]:
-        """Outward unit normals (f, 3) and offsets (f,) of the half spaces, each plane once, without those on which it
-        stands."""
+        """Unique outward unit normals (f, 3) and offsets (f,) of half spaces, without faces that the hull rests on."""
         a, b, c = (self.corners[:, self.faces[:, k]].T for k in range(3))
         normals = np.cross(b - a, c - a)
         sizes = np.linalg.norm(normals, axis=1)

@@ -160,9 +160,7 @@ def placed(figure: Figure, told: Mask, points: Sequence[Point]) -> Mask:
     """Return whether a keyframe specifies every joint from the root to a point, and so its position, (n, K).
 
     Args:
-        figure: The figure.
         told: Entries of qpos that keyframes specify, (K, nq).
-        points: The points.
     """
     entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
     whole = [told[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]

@@ -37,7 +37,6 @@ def moving_surface(model: mujoco.MjModel, geom: int, centre: Array, axes: Array)
     """Return the surface of a geom that moves, or None for shapes without one. All its faces are equivalent exits.
 
     Args:
-        model: The model.
         geom: MuJoCo's id of the geom.
         centre: The centre in the axes of the carrying link, (3,) [m].
         axes: The geom's axes in those of the carrying link, (3, 3).
@@ -106,7 +105,6 @@ def hull_of(vertices: Array, most: int = -1) -> tuple[Array, Index] | None:
     """Return corners (3, v) and triangles (f, 3) of the convex hull of points (n, 3), or None if they lie in a plane.
 
     Args:
-        vertices: The points.
         most: The maximum number of corners; −1: no limit.
     """
     hull = _fresh_hull("hull", vertices, -np.inf, most)

@@ -122,8 +122,8 @@ def _touches(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) 
 
 
 def _slides_out(model: mujoco.MjModel, geom: int, solid: int) -> bool:
-    """Return whether a slide separates a moving geom from a static one, as a walker's from the floor, not a cart's from
-    its rail."""
+    """Return whether a slide separates a moving geom from a static one: a walker's from the floor, no cart from its
+    rail."""
     data = mujoco.MjData(model)
     for joint in _way(model, int(model.geom_bodyid[geom])):
         if model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_SLIDE):

@@ -74,9 +74,6 @@ class Ground:
     """The soles of a figure, and the surfaces on which it stands.
 
     Attributes:
-        figure: The figure.
-        points: The points of its soles.
-        surfaces: The surfaces that it must not penetrate.
         apart: Whether self-collision is penalised, which takes twice as long.
         speed: The maximum speed of its joints [rad/s], if any.
         bends: The limits of its knees and elbows on ball joints.
@@ -191,15 +188,7 @@ def stances_in(stances: object, ground: Ground, where: str) -> tuple[Rest, ...]:
 def problem(
     near: TrackingPenalty, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()
 ) -> Problem:
-    """Return the problem of tracking a recording.
-
-    Args:
-        near: The tracking penalty.
-        ground: The soles and surfaces.
-        rests: The stances.
-        times: Times of the frames, (M,) [s].
-        edits: Keyframes that edit the recording.
-    """
+    """Return the problem of tracking a recording; times: times of the frames, (M,) [s]."""
     figure, path = near.recorded.figure, near.recorded.path
     free = _clear(times, np.array([edit.time for edit in edits]))
     frames = loose(figure, free, path.at(free))

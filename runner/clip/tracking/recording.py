@@ -54,10 +54,8 @@ class TrackedRecording:
     """A recording on the time axis of the clip.
 
     Attributes:
-        recorded: The recording.
         knots: The times of its own frames, (M,) [s].
         table: The [recording] table.
-        where: The label in errors.
     """
 
     recorded: RecordedMotion
@@ -91,15 +89,13 @@ class TrackedRecording:
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
     def stances(self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]) -> tuple[Rest, ...]:
-        """Return the recording's stances, except for points that a contact covers or a keyframe moves, and those of
-        `given`."""
+        """Return the recording's stances without points that contacts cover or keyframes move, and those of `given`."""
         recorded_rests = (
             Rest(*one, rolls=True) for one in infer_stances(self.recorded, ground.points, ground.surfaces)
         )
         return (*(rest for rest in recorded_rests if not self._is_void(rest, edits, given)), *given)
 
     def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Rest]) -> Problem:
-        """Return the problem to solve with these stances."""
         near = TrackingPenalty(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
         unweighted = problem(near, ground, rests, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
@@ -127,8 +123,7 @@ class TrackedRecording:
         return recorded.bent(curve(np.clip(recorded.times, every.min(), every.max())))
 
     def _times(self, near: TrackingPenalty, edits: Sequence[Frame]) -> Array:
-        """Return the times of frames (M,) [s]: the recording's own where it is unchanged, otherwise as many as are
-        needed."""
+        """Return the times of frames (M,) [s]: the recording's where it is unchanged, otherwise as many as needed."""
         times = near.times(DETAIL)
         if self.table.blend is None:
             return times
@@ -143,8 +138,7 @@ class TrackedRecording:
         return frames[np.append(True, np.diff(frames) > CLOSE)]
 
     def _exact_knots(self) -> Array:
-        """Return the knots, and midpoints between them where a spline through the knots alone differs from the
-        recording.
+        """Return the knots, and midpoints where a spline through the knots alone differs from the recording.
 
         A difference arises where the recording's quaternions have another length than 1 between its own frames.
         """
@@ -176,7 +170,6 @@ class TrackedRecording:
         return any(self._moves(point, edit) for edit in near)
 
     def _moves(self, point: Point, edit: Frame) -> bool:
-        """Return whether a keyframe moves a point away from its recorded position."""
         figure = self.recorded.figure
         if not placed(figure, edit.fixed[None], [point])[0, 0]:
             return False

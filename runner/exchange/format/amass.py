@@ -107,7 +107,6 @@ def _arrays(path: Path) -> ArrayReader:
 
 
 def _first(found: ArrayReader, names: tuple[str, ...]) -> str | None:
-    """Return the first of some names that a file has."""
     return next((name for name in names if name in found), None)
 
 

@@ -209,8 +209,7 @@ def _matrix(node: Any) -> Array:
 
 
 def _composed(still: Array, parts: dict[str, Array], count: int) -> Array:
-    """Return matrices (T, 4, 4) from translations, rotations xyzw and scales (T, ...); others are those of `still` (4,
-    4)."""
+    """Return matrices (T, 4, 4) from translations, rotations xyzw and scales (T, ...), by default those of `still`."""
     size = np.linalg.norm(still[:3, :3], axis=0)
     out = np.tile(still, (count, 1, 1))
     turns = np.tile(still[:3, :3] / np.maximum(size, 1e-12), (count, 1, 1))

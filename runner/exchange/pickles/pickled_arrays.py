@@ -33,8 +33,7 @@ class Trailing:
 
 
 class Unfinished:
-    """The result of a call that a later state completes, as for NumPy's arrays and types; `value` is the completed
-    object."""
+    """The result of a call that a later state completes, such as NumPy's arrays and types; `value` when completed."""
 
     def __init__(self, complete: Callable[[Any], Any]) -> None:
         self.complete = complete

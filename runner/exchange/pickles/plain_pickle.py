@@ -59,17 +59,13 @@ InPython: Any = pickle._Unpickler  # the one joblib uses, as it can pause where 
 
 
 class _Unpickler(InPython):
-    """Loads plain data from a stream.
-
-    size  [bytes] of the file, to which those of its instructions are added
-    """
+    """Loads plain data from a stream; size [bytes]: of the file, to which those of its instructions are added."""
 
     def __init__(self, stream: io.BytesIO, size: int, where: object) -> None:
         super().__init__(stream, encoding="latin1")
         self.stream, self.size, self.where, self.most = stream, size, where, size_limit.bound()
 
     def find_class(self, module: str, name: str) -> Any:
-        """Return the safe constructor for a name."""
         constructor = CONSTRUCTORS.get((module, name))
         if constructor is None:
             raise Refused(f"{module}.{name}")

@@ -186,10 +186,7 @@ def _standing(figure: Figure, feet: set[int]) -> set[int]:
 
 
 def targets(trajectory: SampledTrajectory, model: mujoco.MjModel, actuators: list[Drive]) -> Array:
-    """Return `ctrl` (T, nu) at the samples; unknown torques are omitted.
-
-    model  the scene to simulate, whose torques are added
-    """
+    """Return `ctrl` (T, nu) at the samples; model: the scene to simulate, whose torques are added if known."""
     torques = np.nan_to_num(Forces.of(trajectory, model).torques)
     out = np.zeros((len(trajectory.qpos), len(actuators)))
     for column, drive in enumerate(actuators):
@@ -391,7 +388,6 @@ def _are_near(model: mujoco.MjModel, first: int, second: int) -> bool:
 
 
 def _exclude(spec: mujoco.MjSpec, first: int, second: int) -> None:
-    """Exclude contacts between two bodies."""
     bodies = list(spec.bodies)
     for body in (first, second):
         bodies[body].name = bodies[body].name or unique([f"body{body}"], [spec_body.name for spec_body in bodies])[0]

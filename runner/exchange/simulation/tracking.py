@@ -62,8 +62,7 @@ class Tracking:
 
     @property
     def leaves(self) -> tuple[int, int]:
-        """The first step beyond the allowed deviation, or the last step, and the degree of freedom that deviates most
-        there."""
+        """The first step beyond the allowed deviation, or the last, and the degree of freedom that deviates most."""
         share = np.fmax(self.angle / ANGLE, self.length / DISTANCE)
         beyond = np.flatnonzero((share > 1).any(axis=1))
         step = int(beyond[0]) if beyond.size else len(share) - 1
@@ -73,10 +72,7 @@ class Tracking:
 def tracked(
     simulation: Simulation, trajectory: SampledTrajectory, control: Array | None = None, lasts: float = LASTS
 ) -> Tracking:
-    """Simulate a scene from its first key.
-
-    control  (T, nu) `ctrl` at the keys, by default the simulation's
-    """
+    """Simulate a scene from its first key; control: (T, nu) `ctrl` at the keys, by default the simulation's."""
     model, aims = simulation.model, simulation.control if control is None else control
     first = float(trajectory.time[0])
     last = min(first + lasts, float(trajectory.time[-1]))

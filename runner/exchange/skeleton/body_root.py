@@ -78,11 +78,7 @@ def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
 
 
 def _at_zero(skeleton: Skeleton, carried: Array, root: int) -> Array:
-    """Return the rotation (4,) that its parents give the pose without rotations, if they are static and make it
-    upright.
-
-    Files converted to z up have such a parent.
-    """
+    """Return the rotation (4,) of the zero pose by static parents that make it upright, as in files made z up."""
     none = np.array([1.0, 0, 0, 0])
     if np.abs(carried - carried[0]).max() > STILL:
         return none

@@ -116,7 +116,6 @@ def _chain(model: mujoco.MjModel, body: int, place: Array, turn: Array) -> _Chai
 
 
 def _moving(model: mujoco.MjModel, top: int) -> bool:
-    """Return whether a body or a descendant has joints."""
     inside = {top}
     for body in range(top, model.nbody):
         if body == top or int(model.body_parentid[body]) in inside:
@@ -138,8 +137,7 @@ def _are_alike(one: _Chain, other: _Chain) -> bool:
 
 
 def _is_left(model: mujoco.MjModel, one: _Chain, other: _Chain) -> bool:
-    """Return whether the first of two limbs is the left one, by names of bodies and joints along them, else by
-    position."""
+    """Return whether the first limb is the left one of a pair, by names of bodies and joints, else by position."""
     for chain, side in ((one, "left"), (other, "right"), (one, "right"), (other, "left")):
         names = [model.body(body).name for body in chain.bodies]
         names += [model.joint(joint).name for joint in hierarchy.joints(model, chain.bodies)]
@@ -179,7 +177,6 @@ def _middle(model: mujoco.MjModel, chain: _Chain, turn: Array) -> int | None:
 
 
 def _turns_about(model: mujoco.MjModel, body: int, turn: Array, line: Array) -> bool:
-    """Return whether a body only rotates about a line."""
     joints = hierarchy.joints(model, [body])
     if len(joints) != 1 or model.jnt_type[joints[0]] != mujoco.mjtJoint.mjJNT_HINGE:
         return False

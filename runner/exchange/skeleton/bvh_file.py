@@ -103,8 +103,7 @@ class Skeleton:
 
 
 def skeleton(joints: Sequence[Joint], place: Array, turn: Array, frame_time: float) -> Skeleton:
-    """Return a skeleton from joints without channels, with positions (T, J, 3) and rotations (T, J, 4) in parents'
-    axes."""
+    """Return a skeleton from joints without channels; positions (T, J, 3) and rotations (T, J, 4) in parents' axes."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # gimbal lock: any of the equivalent angles is correct
         angles = Rotation.from_quat(turn.reshape(-1, 4), scalar_first=True).as_euler("ZYX", degrees=True)

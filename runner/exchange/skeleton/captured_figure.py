@@ -68,7 +68,6 @@ def _depth_first(captured: CapturedSkeleton, joint: int = 0) -> list[int]:
 
 
 def _side(captured: CapturedSkeleton, joint: int, by_joint: dict[int, str]) -> str:
-    """Return the side of the limb that a joint belongs to."""
     for i in lineage(joint, captured.parents):
         side = by_joint.get(i, "").partition("_")[0]
         if side in SIDES:
@@ -119,7 +118,6 @@ def _lines(captured: CapturedSkeleton, joint: int, role: str) -> list[tuple[Arra
 
 
 def _begins(captured: CapturedSkeleton, joint: int) -> str:
-    """Return the side of the limb that begins at a joint or below it."""
     for side in SIDES:
         limb = [captured.roles[role] for role in captured.roles if role.startswith(side)]
         if any(joint in lineage(i, captured.parents) for i in limb):

@@ -130,8 +130,7 @@ class CapturedSkeleton:
 
     @cached_property
     def feet(self) -> dict[str, tuple[int, int, Array, int]]:
-        """By side: the ankle, the last joint of the toes, their end (3,) in it, and the sample in which the foot is
-        lowest."""
+        """By side: ankle, last joint of the toes, their end (3,) in it, and the sample in which the foot is lowest."""
         out = {}
         for side in ("left", "right"):
             if f"{side}_foot" in self.roles:

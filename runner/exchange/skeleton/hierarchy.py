@@ -23,10 +23,7 @@ def names(model: mujoco.MjModel) -> list[str]:
 
 
 def local(model: mujoco.MjModel, bodies: Bodies) -> tuple[Array, Array]:
-    """Return positions (T, nbody, 3) and rotations (T, nbody, 4) of every body in its parent's axes; the world at 0.
-
-    Quaternions are unit and sign-continuous.
-    """
+    """Return continuous positions (T, nbody, 3) and rotations (T, nbody, 4) in the parent's axes; the world at 0."""
     parent = model.body_parentid
     turn = quat.conjugate(quat.normalised(bodies.rotation[:, parent]))
     position = quat.rotated(turn, bodies.position - bodies.position[:, parent])

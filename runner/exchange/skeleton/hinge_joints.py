@@ -104,10 +104,7 @@ def rates(angle: Array, spin: Array, order: str = ORDER) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class HingeLayout:
-    """The joints of a model in qpos and qvel, and those of its variant with hinges.
-
-    joints   (joint of the model, its name or three names) in the model's order
-    """
+    """The joints of a model in qpos and qvel, and those of its variant with hinges."""
 
     model: mujoco.MjModel
     order: str = ORDER
@@ -216,7 +213,6 @@ class HingeLayout:
 
 
 def _replace(body: ElementTree.Element, ball: ElementTree.Element, names: tuple[str, ...]) -> None:
-    """Replace a ball joint by three hinges."""
     place = list(body).index(ball)
     body.remove(ball)
     attributes = {key: value for key, value in ball.attrib.items() if key not in ROTATION_ONLY}
@@ -263,7 +259,6 @@ class HingeModel:
 
     @property
     def is_other(self) -> bool:
-        """Whether the model had ball joints."""
         return bool(self.layout.balls)
 
     def warning(self, time: Array) -> str | None:

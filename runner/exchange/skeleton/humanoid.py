@@ -20,8 +20,7 @@ JOINTS = ("spine", *(f"{side}_{part}" for side in SIDES for part in ("shoulder",
 
 @dataclass(frozen=True, eq=False)
 class Humanoid:
-    """First columns in qpos of the root and of the ball joints, by name; height [m] of the hips above the soles at
-    rest."""
+    """First columns in qpos of the root and of ball joints, by name; height [m] of the hips above the soles at rest."""
 
     model: mujoco.MjModel
     root: int
@@ -30,7 +29,7 @@ class Humanoid:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, form: str) -> Humanoid:
-        """Return the Humanoid of a figure like the shipped human: at rest upright, facing x, all bodies parallel to the
+        """Return the Humanoid of a figure like the shipped human: at rest upright, facing x, bodies parallel to the
         world."""
         kinds = model.jnt_type.tolist()
         balls = {model.joint(j).name: j for j, kind in enumerate(kinds) if kind == BALL}
@@ -61,8 +60,7 @@ class Humanoid:
         return qpos[:, start : start + 4]
 
     def posed(self, position: Array, rotation: Array, joints: dict[str, Array]) -> Array:
-        """Return qpos (T, nq) for position (T, 3) and rotation (T, 4) of the root, and (T, 4) of joints; others are at
-        rest."""
+        """Return qpos (T, nq) for the root's position (T, 3) and rotation (T, 4), and joints' (T, 4), else at rest."""
         qpos = np.tile(self.model.qpos0, (len(position), 1))
         qpos[:, self.root : self.root + 3] = position
         qpos[:, self.root + 3 : self.root + 7] = quat.aligned(rotation)

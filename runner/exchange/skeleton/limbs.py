@@ -38,7 +38,6 @@ class Limb:
     turns: Mapping[int, Array]
 
     def during(self, run: slice) -> Limb:
-        """Return some samples."""
         about = None if self.about is None else self.about[run]
         return Limb(self.bodies, about, {body: turn[run] for body, turn in self.turns.items()})
 
@@ -59,10 +58,7 @@ class _Bent:
 
 
 def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
-    """Return qpos (T, nq) with the joints of a limb set, hinges within their ranges.
-
-    carried  (T, 4) orientation in the world of the body that carries the limb
-    """
+    """Return qpos (T, nq) with a limb's joints set within their ranges; carried: (T, 4) orientation of its parent."""
     if not np.isin(model.jnt_type[joints(model, limb.bodies)], TURNING).any():
         return qpos  # a robot with rigid arms
     runs = [slice(first, first + RUN) for first in range(0, len(qpos), RUN)]

@@ -74,7 +74,6 @@ def text_of(used: AppliedMap) -> str:
 
 
 def _table(title: str, found: Mapping[str, str], other: Mapping[str, str], names: Sequence[str]) -> str:
-    """Return one table of a map; other: the roles of the other table."""
     out = f"[{title}]\n" + "".join(f"{line}\n" for line in written(dict(found)).splitlines() if line)
     missing = [role for role in ROLES if role not in found and (role in NEEDED or role in other)]
     if missing:

@@ -51,10 +51,7 @@ RETRIES = 4
 
 @dataclass(frozen=True)
 class _Standing:
-    """The figure at rest, upright and facing x: place (nbody, 3), turn (nbody, 4), and its bodies by role.
-
-    notes  how the model's rest pose was rotated to stand so
-    """
+    """The figure at rest, rotated to be upright and facing x: place (nbody, 3), turn (nbody, 4), bodies by role."""
 
     model: mujoco.MjModel
     place: Array
@@ -99,8 +96,7 @@ class _Standing:
         return [body for body in chain if body > self.roles[upper]]
 
     def along_limb(self, role: str) -> Array:
-        """Return the point (3,) of a limb at a role: where thigh and shin begin, but for hand and foot their bodies'
-        origins."""
+        """Return where a limb's line begins and bends (3,), or for hand and foot the origin of their body."""
         if role.endswith("thigh"):
             return self.joint_of(role) + self.bracket(role.partition("_")[0])
         return self.place[self.roles[role]] if role.endswith(ENDS) else self.joint_of(role)
@@ -267,7 +263,6 @@ def _root(standing: _Standing) -> int:
 
 
 def _is_above(model: mujoco.MjModel, top: int, body: int) -> bool:
-    """Return whether a body is another or its ancestor."""
     while body > top:
         body = int(model.body_parentid[body])
     return body == top
@@ -455,8 +450,7 @@ def _forward(model: mujoco.MjModel, qpos: Array, bodies: list[int], start: Array
 
 
 def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array) -> None:
-    """Set the joints of a chain for a wanted orientation of its last body: ball joints exactly, hinges by least
-    squares."""
+    """Set the joints of a chain for an orientation of its last body: ball joints exactly, hinges by least squares."""
     joints = hierarchy.joints(model, chain)
     for joint in joints:
         at = model.jnt_qposadr[joint]

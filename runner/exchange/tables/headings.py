@@ -59,7 +59,6 @@ def resolve(model: mujoco.MjModel, wanted: Sequence[str], names: Sequence[str], 
     """Return the columns of qpos in a table with named columns.
 
     Args:
-        model: The figure.
         wanted: (nq,) names of the components of qpos in this program.
         names: (n,) of the table's columns.
         where: Label of the file in errors.

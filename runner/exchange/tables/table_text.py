@@ -69,7 +69,6 @@ class Dialect:
             return None
 
     def is_numeric(self, line: str) -> bool:
-        """Return whether all cells of a line are numbers."""
         cells = self.cells(line)
         return any(cells) and all(self.number(cell) is not None for cell in cells)
 

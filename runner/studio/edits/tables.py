@@ -105,7 +105,6 @@ class Blocks:
             block.tree = None
 
     def as_string(self) -> str:
-        """Return the text."""
         return "".join(block.written() for block in self.blocks)
 
     def rows(self, *path: str) -> list[Block]:

@@ -143,13 +143,8 @@ class Work:
         """Load a text and send its clip and keyframes; then search from the path nearest to the present one.
 
         Args:
-            text: The text.
-            name: The name of the clip.
-            place: The label in errors.
-            folder: The folder of relative paths.
-            revision: The revision of the text.
             go: Whether to search.
-            first: Whether it was just opened.
+            first: Whether the text was just opened.
             found: The initial path after a restart of this process, pickled.
         """
         self._is_going, self._astray = go, None
@@ -370,7 +365,6 @@ class Work:
         """Return the result of a search, also if a message interrupts it; None if it had no result yet.
 
         Args:
-            clip: The clip.
             begin: The initial guess; None: the raw spline.
             between: The edited interval [s]; None: the whole clip.
             improved: Receives every better path.
@@ -393,7 +387,6 @@ class Work:
         return Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.INTERRUPTED)
 
     def _take(self, found: Solution) -> None:
-        """Set the present path."""
         clip = self.clip
         assert clip is not None
         self.found = found

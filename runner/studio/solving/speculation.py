@@ -15,9 +15,6 @@ class Speculation:
     """A clip, and the state of the search of its path.
 
     Attributes:
-        before: The clip from which it was edited.
-        clip: The clip.
-        begin: The initial guess.
         between: The edited interval [s]; None: the whole clip.
         found: The best path so far; None as long as none is better than `begin`.
     """

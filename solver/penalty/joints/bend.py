@@ -53,7 +53,6 @@ class BendLimits(Penalty):
     bounds.
 
     Attributes:
-        joints: The knees and elbows.
         least: The bound of flexion [rad].
         sideways: The bound of the sideways angle [rad].
         twist: The bound of the twist angle [rad].
@@ -142,8 +141,7 @@ class BendLimits(Penalty):
 
 
 def _turning_axes(seen: Seen, angle: Index, joint: Index, at: Index) -> Array:
-    """Return the derivatives (3, P) of angles (0 to 2) of joints by a small rotation of the child relative to the
-    parent."""
+    """Return the derivatives (3, P) of joints' angles (0 to 2) by a small rotation of the child in the parent."""
     world, frame = (part[..., joint, at] for part in seen[:2])
     (x, z, _), v, planar, p = (part[..., joint, at] for part in seen[2:])
     flexes, leans, twists = ((angle == k).astype(float) for k in range(3))
@@ -160,8 +158,7 @@ def _turning_axes(seen: Seen, angle: Index, joint: Index, at: Index) -> Array:
 
 
 def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
-    """Return flexion, sideways bend and twist of n joints for rotations `relative` (..., n, 4), as in qpos, (3, ...,
-    n)."""
+    """Return flexion, sideways bend and twist (3, ..., n) of n joints for rotations `relative` (..., n, 4) of qpos."""
     turn = np.array([figure.links[joint.link].turn for joint in joints])
     lateral = np.array([joint.lateral for joint in joints])
     down = np.array([joint.long_axis for joint in joints])

@@ -26,9 +26,7 @@ class Coupling:
     """A column of the state that follows another: follower − rest[0] = Σ coefficients (driver − rest[1])^k.
 
     Attributes:
-        follower: The column of the follower.
         driver: The column of the driver; −1 for a constant follower.
-        rest: The values of both at rest.
         coefficients: The coefficients a₀ to a₄.
         unit: The unit of the follower, "degrees" or "m".
     """
@@ -45,7 +43,6 @@ class Coupling:
         return np.asarray(self.rest[0] + polyval(driver - self.rest[1], self.coefficients), float)
 
     def slope(self, driver: Array) -> Array:
-        """Return the derivative of the follower with respect to the driver."""
         return np.asarray(polyval(driver - self.rest[1], polyder(self.coefficients)), float)
 
 

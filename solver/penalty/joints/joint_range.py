@@ -35,7 +35,6 @@ class Range:
     """The bounds of one joint.
 
     Attributes:
-        link: The index of the link.
         kind: The kind of bounded coordinate.
         low: The lower bound of the coordinate [rad, m].
         high: The upper bound of the coordinate, or of a ball joint's angle [rad, m].
@@ -61,9 +60,7 @@ class JointRange(Penalty):
     """Σ over joints of their squared excess over the range [rad² or m²].
 
     Attributes:
-        joints: The ranges.
         allowed: The tolerance below and above the ranges, (2, n, K).
-        called: The name of the term.
         hard: Ranges that the path must satisfy at all times; those of `joints` are then slightly tighter.
     """
 

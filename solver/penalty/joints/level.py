@@ -38,7 +38,6 @@ class Level(Penalty):
         """Return the penalty of bodies by index.
 
         Args:
-            figure: The figure.
             bodies: MuJoCo's ids of the bodies.
             axis: The axis in each body's frame, (3,); None: the axis that points up at rest.
 

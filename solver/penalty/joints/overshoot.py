@@ -91,8 +91,6 @@ class Track:
     """A coordinate of a joint, or its rotation.
 
     Attributes:
-        name: The joint's name.
-        link: The index of the link.
         unit: "angle" [rad] or "length" [m].
         columns: One column of qpos, or the four of a quaternion.
         axis: The axis of a free joint's position, 0 to 2.
@@ -146,8 +144,6 @@ def steady(
     """Return the joints that keyframes hold and the raw spline does not, with their bounds.
 
     Args:
-        figure: The figure.
-        keys: The raw timeline.
         repeats: Whether the clip is a loop or a gait cycle.
         aloft: Flights (first, last) [s], in which a root rises and falls between two keyframes of one height.
     """

@@ -79,7 +79,6 @@ class SelfContact(Penalty):
     """Σ over pairs of capsules of depth² [m²], with a `margin` [m] between them.
 
     Attributes:
-        bars: The capsules.
         pairs: Indices of the bars of each pair, with the links in ascending order, (2, n).
         margin: The minimum distance [m].
     """

@@ -72,8 +72,6 @@ def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, .
     """Return the tilt of roots in the keyframes that were posed with free rotation.
 
     Args:
-        figure: The figure.
-        keys: The raw timeline.
         roots: Links with a quaternion, or the link of the figure's root of slides and hinges.
     """
     states = keys.states

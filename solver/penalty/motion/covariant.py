@@ -105,7 +105,6 @@ def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intri
     Args:
         q: Quaternion blocks, (..., 4), with derivatives q_d and q_dd.
         dots: q·q, q·q', q·q'', (3, ...).
-        intrinsic: The form of the residuals.
     """
     inverse = 1 / dots[0][..., None]
     along = dots[2][..., None] * inverse

@@ -130,8 +130,7 @@ class Cycle(Guide):
         return np.hstack([turns, gait_cycle.angles, gait_cycle.heights, gait_cycle.trust[:, None]])
 
     def _at(self, t: Array) -> tuple[Array, Array]:
-        """Return the target (S, 4 q + h + f), with quaternions of any length, and its trust (S,), 0 outside the cycle's
-        times."""
+        """Return the target (S, 4 q + h + f), quaternions not normalised, and its trust (S,), 0 outside the cycle."""
         times = self.gait_cycle.times
         place = (np.clip(t, times[0], times[-1]) - times[0]) / (times[1] - times[0])
         before = np.minimum(place.astype(np.intp), times.size - 2)

@@ -57,7 +57,6 @@ class TrackingPenalty(Guide):
     limbs' ends from their recorded positions.
 
     Attributes:
-        recorded: The recorded motion.
         eased: (time, width) [s] of edits. Near these times poses have less weight, velocities and accelerations do not.
     """
 
