@@ -19,6 +19,7 @@ from .curve.unknowns import Unknowns
 from .figure.adjoint import Cotangent
 from .figure.figure import Figure
 from .figure.kinematics import Samples
+from .figure.size import Size
 from .penalty import Block, Dense, Penalty
 from .penalty.block import summed
 from .penalty.penalty import instants_of
@@ -107,22 +108,23 @@ class Objective:
             costs = np.array([not term.penalty.normalization.is_violation for term in self.terms])
             guessed = self._typical(initial_guess, self.integrals(initial_guess))
             integrals = np.where(costs, np.maximum(integrals, guessed), integrals)
-        first, last = raw.span
+        (first, last), size = raw.span, Size.of(self.figure)
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
             scale, instants = term.penalty.normalization, instants_of(term.penalty)
             length = instants.size or last - first
-            whole = scale.reference * length / spacing**scale.time_power
+            whole = scale.reference * size.length**scale.length_power * length / spacing**scale.time_power
             most = whole if scale.is_violation else scale.raw_cap * length
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
-        measures = {term.penalty.name: term.factor / term.weight for term in terms if term.weight > 0}
+        measures = {term.penalty.name: term for term in terms if term.weight > 0}
         for i, term in enumerate(terms):
-            normalize_by = term.penalty.normalization.normalize_by
-            if normalize_by in measures:
-                terms[i] = replace(
-                    term, factor=term.weight * measures[normalize_by] / term.penalty.normalization.reference
-                )
+            scale = term.penalty.normalization
+            if scale.normalize_by in measures:
+                other = measures[scale.normalize_by]
+                slowed = size.time ** (other.penalty.normalization.time_power - scale.time_power)
+                reference = scale.reference * size.length**scale.length_power * slowed
+                terms[i] = replace(term, factor=term.weight * other.factor / other.weight / reference)
         return replace(self, terms=tuple(terms), heavy=HEAVY * self.raw_cost or np.inf)
 
     @property
@@ -171,7 +173,7 @@ class Objective:
             return np.ones(t.size)
         segment = np.searchsorted(self.key_times, t, side="right").clip(1, self.key_times.size - 1) - 1
         gaps = np.diff(self.key_times)[segment]
-        return ((gaps / LONG) ** TENSION_POWER).clip(1.0, MAX_TENSION)
+        return ((gaps / (LONG * Size.of(self.figure).time)) ** TENSION_POWER).clip(1.0, MAX_TENSION)
 
     def factor(self, term: Term, t: Array) -> Array:
         """Return the multiplier of f_j of a term at times t (S,) [s], including tension, (S,)."""

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
@@ -24,8 +25,7 @@ from ..clip.tracking.penalties import Ground, loose, problem
 from .penetration import depth, unseen
 from .repairs import Repaired
 
-NOISY = 0.008  # [m] of the soles' places, from which on stances are looked for twice
-DEEP, OFTEN = 0.04, 30.0  # [m] in the ground likewise, when soles are on it: tips of stiff feet; [1/s] looked at
+OFTEN = 30.0  # [1/s] at which depths are measured first
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # shares of the weights of all else, for a first look, and for the next
 ROUGHLY = 0.1  # relative progress of E at which such a search ends
 FAR = 0.04  # [s]
@@ -105,7 +105,7 @@ def cleaned(
     rests = tuple(Rest(*stance, rolls=True) for stance in stances)
     near = TrackingPenalty(recorded)
     asked = problem(near, ground, rests, near.times())
-    is_noisy = unsure(recorded, ground.points) > NOISY
+    is_noisy = unsure(recorded, ground.points) > Thresholds.of(figure).noisy
     if is_noisy:
         asked = _eased(asked, near, SOFTEST, improved)
         if given is None:
@@ -170,7 +170,7 @@ def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
     """Whether the recording is far in what it stands on, set down as it is."""
     first, last = recorded.path.span
     times = np.linspace(first, last, max(2, round((last - first) * OFTEN)))
-    return bool(depth(ground, recorded.path, times).max() > DEEP)
+    return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).deep)
 
 
 def _eased(

@@ -14,12 +14,12 @@ from itertools import pairwise
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Hold, Rest, Spot, Stance, slipped
 from dynsplines.solver.penalty.allowance import Allowance
-from dynsplines.solver.penalty.ground.stance import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, placed, places_of
@@ -29,10 +29,7 @@ from .posing.places import Places
 from .table import ContactTable, HoldTable
 
 ROUNDING = 1e-9  # [s]
-STRETCH = 0.01  # [m] by which the distance of two points of one body may change
-NEARLY = 1e-3  # [m, rad] by which a pose may miss a place that it still specifies
-REACH = 0.15  # [m] by which a keyframe may put a hold out of reach of the limb, which is stretched towards it
-SLACK = 1.0  # of that, what the site may be away from there: a limb stretched to its end whips there and back
+SLACK = 1.0  # of what a hold is out of reach, the site may be away: a limb stretched to its end whips there and back
 
 
 @dataclass(frozen=True)
@@ -88,7 +85,7 @@ def contacts(
             stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
         else:
             rests.append(given[-1])
-    _check_bodies(stances, where)
+    _check_bodies(stances, where, Thresholds.of(figure).stretch)
     return Contacts(tuple(stances), tuple(rests), tuple(given))
 
 
@@ -124,7 +121,7 @@ def _spots(
     figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
 ) -> list[tuple[float, Array]]:
     """Return the point's specified places at times of the interval, from the table and from keyframes."""
-    samples = Samples.still(figure, keys.states)
+    samples, drift = Samples.still(figure, keys.states), Thresholds.of(figure).same_spot
     centres, _, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
     setting = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
@@ -135,10 +132,10 @@ def _spots(
         where = "the contact's position" if first is None else f"where keyframe {first + 1} does"
         return (
             f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from {where}; "
-            f"a contact may drift by {SAME_SPOT:g} m"
+            f"a contact may drift by {drift:.3g} m"
         )
 
-    agreed = agreeing(centres[:, 0], setting, exact, wanted, contradicts)
+    agreed = agreeing(centres[:, 0], setting, exact, wanted, drift, contradicts)
     if not agreed:
         return [] if wanted is None else [(table.start, wanted)]
     height, up = height_over(surfaces, centres, np.array([point.radius]))
@@ -164,9 +161,10 @@ def agreeing(
     specified: Index,
     exact: Mask,
     wanted: Array | None,
+    drift: float,
     contradicts: Callable[[int, float, int | None], str],
 ) -> list[int]:
-    """Return the keyframes of `specified` whose places, of (3, K) [m], agree with the wanted one (3,) within the drift.
+    """Return the keyframes of `specified` whose places, of (3, K) [m], agree with the wanted one (3,) within a drift.
 
     Without a wanted place, that of the first keyframe counts.
 
@@ -178,7 +176,7 @@ def agreeing(
     for k in specified.tolist():
         reference = places[:, specified[0]] if wanted is None else wanted
         apart = float(np.linalg.norm(places[:, k] - reference))
-        if apart <= SAME_SPOT:
+        if apart <= drift:
             kept.append(k)
         elif exact[k]:
             raise UserError(contradicts(k, apart, int(specified[0]) if wanted is None else None))
@@ -195,8 +193,9 @@ def stretches(
             yield start, end, spot, landed
 
 
-def _check_bodies(stances: Sequence[Stance], where: str) -> None:
-    """Two points of one body cannot rest farther apart, or nearer, than they are on it."""
+def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None:
+    """Raises UserError if two points of one body rest farther apart than they are on it, or nearer, by more than a
+    stretch [m]."""
     for i, one in enumerate(stances):
         for other in stances[:i]:
             start, end = max(one.first, other.first), min(one.last, other.last)
@@ -204,7 +203,7 @@ def _check_bodies(stances: Sequence[Stance], where: str) -> None:
                 continue
             apart = float(np.linalg.norm(one.spot - other.spot))
             own = float(np.linalg.norm(one.point.position - other.point.position))
-            if abs(apart - own) > STRETCH:
+            if abs(apart - own) > stretch:
                 raise UserError(
                     f"{where}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
                     f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {own:.3f} m on their body"
@@ -270,7 +269,7 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
 
 def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
     """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
-    hold, table = row.hold, row.table
+    hold, table, limits = row.hold, row.table, Thresholds.of(figure)
     setting, places, exact = _hold_places(figure, keys, hold)
     wanted = None
     if table.position is not None:
@@ -280,11 +279,12 @@ def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
         where = "the hold's position" if first is None else f"where keyframe {first + 1} has it"
         return (
             f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {apart:.3f} m from {where} on "
-            f"the body; a hold may drift by {SAME_SPOT:g} m"
+            f"the body; a hold may drift by {limits.same_spot:.3g} m"
         )
 
     firm = setting[exact[setting]] if exact[setting].any() else setting
-    spots = {float(keys.times[k]): places[:, k].copy() for k in agreeing(places, firm, exact, wanted, contradicts)}
+    agreed = agreeing(places, firm, exact, wanted, limits.same_spot, contradicts)
+    spots = {float(keys.times[k]): places[:, k].copy() for k in agreed}
     if wanted is not None and not spots:
         spots = {hold.first: wanted}
     if not spots:
@@ -296,8 +296,8 @@ def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
         spot = there.spot(np.array([t]))
         assert spot is not None
         short = float(np.linalg.norm(places[:, k] - spot[:, 0]))
-        if short <= REACH:
-            spots[t], slack[t] = places[:, k].copy(), SLACK * short * (short > NEARLY)
+        if short <= limits.out_of_reach:
+            spots[t], slack[t] = places[:, k].copy(), SLACK * short * (short > limits.met)
     return [
         Spot(*stretch, (slack.get(stretch[0], 0.0), slack.get(stretch[1], 0.0)))
         for stretch in _hold_stretches(spots, hold)

@@ -10,6 +10,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
@@ -32,7 +33,7 @@ from dynsplines.solver.penalty import (
     stances,
     steady,
 )
-from dynsplines.solver.penalty.ground.hover import TOUCHING, clearance
+from dynsplines.solver.penalty.ground.hover import clearance
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging
 
@@ -42,9 +43,7 @@ from .posing.feet import sole_points
 from .posing.places import Places
 from .table import ContactTable, HoldTable
 
-FAR_APART = 0.4  # [s] shortest time between keyframes that is long enough for a step
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
-TRAVELS = 0.5  # [m/s] horizontal speed of a travelling root between keyframes: half the speed of a walk
 REPEATED = 1e-3  # [m, 1] largest difference between equal keyframes; 1e-3 in a quaternion's entry is about 0.1°
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
@@ -109,9 +108,10 @@ class Context:
         """Whether the figure is stationary at the first and at the last keyframe.
 
         An end is stationary if its keyframe equals the neighbouring keyframe, or if all feet are planted and the root
-        moves slower than TRAVELS. Both are False unless the clip has free ends. A partial keyframe is never stationary.
+        is slow (0.5 m/s for an adult). Both are False unless the clip has free ends. A partial keyframe is never
+        stationary.
         """
-        keys = self.keys
+        keys, limits = self.keys, Thresholds.of(self.figure)
         if keys.ends != "free":
             return False, False
         feet, inferred = {point.link for point in self.points}, (*self.stances, *self.contacts.stances)
@@ -125,7 +125,7 @@ class Context:
             if not keys.fixed[end].all():
                 return False
             travel = np.linalg.norm(moves[self.figure.tables.position_columns[:2]], axis=0).max(initial=0.0)
-            is_slow = travel < TRAVELS * abs(keys.times[beside] - keys.times[end])
+            is_slow = travel < limits.travels * abs(keys.times[beside] - keys.times[end])
             return bool(np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
 
         return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
@@ -149,15 +149,16 @@ class Context:
         In such a pair, both keyframes are complete and touch the ground, every foot has moved by more than a step, and
         no flight is between them. There is no note if the keyframes form a gait cycle.
         """
-        keys, support = self.keys, self.support
+        keys, support, limits = self.keys, self.support, Thresholds.of(self.figure)
         if support is None or self.gait_cycle is not None or not self.points:
             return []
         feet = sorted({point.link for point in self.points if self.figure.tables.path[point.link, support.root]})
         places = Samples.still(self.figure, keys.states).links.x[:2, feet]
         moves = np.linalg.norm(np.diff(places, axis=2), axis=0).min(axis=0, initial=np.inf)
         gaps, whole = np.diff(keys.times), keys.fixed.all(axis=1)
-        stands = whole & (clearance(self.figure, keys, self.points, self.surfaces) < TOUCHING)
-        lost = (gaps >= FAR_APART) & (moves > STEP * height(self.figure, support.root)) & stands[:-1] & stands[1:]
+        stands = whole & (clearance(self.figure, keys, self.points, self.surfaces) < limits.touching)
+        strides = moves > STEP * height(self.figure, support.root)
+        lost = (gaps >= limits.far_apart) & strides & stands[:-1] & stands[1:]
         for first, last in support.flights:
             lost &= (keys.times[1:] <= first) | (last <= keys.times[:-1])
         if not feet or not lost.any():

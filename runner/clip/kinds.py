@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Discriminator, Field, StrictBool, Tag
 
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.penalty import (
@@ -52,7 +53,6 @@ from dynsplines.solver.penalty import (
     open_intervals,
     surfaces_on,
 )
-from dynsplines.solver.penalty.ground.hover import CLOSE
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import Point, body_points, hanging
@@ -298,7 +298,7 @@ def _no_slip(context: Context, options: Reach) -> Penalty | None:
     if not context.points:
         return None
     bound = Bound.of(context.figure, context.keys, context.points, swings=not context.flies)
-    return Skate(context.points, context.surfaces, options.reach or Skate.reach, bound)
+    return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, bound)
 
 
 def _grounded(context: Context, options: Reach) -> Penalty | None:
@@ -312,8 +312,9 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
     figure, keys, surfaces = context.figure, context.keys, context.surfaces
     firm = open_intervals(figure, support.root, keys, points, surfaces, aloft) if support and context.points else ()
     rest = tuple(one for one in grounded_intervals(figure, keys, points, surfaces, aloft) if one not in firm)
-    blend = CLOSE if firm else HoverPenalty.blend
-    return HoverPenalty(points, surfaces, rest, options.reach or HoverPenalty.reach, blend, firm)
+    limits = Thresholds.of(figure)
+    blend = limits.firm_blend if firm else limits.float_blend
+    return HoverPenalty(points, surfaces, rest, options.reach or limits.float_reach, blend, firm)
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.kinematics import Samples
@@ -23,11 +24,7 @@ from .measurement import Measurement, feet_of
 from .swings import runs
 
 RATE = 60.0  # [1/s]
-BRIEF = 0.1  # [s] that a figure may be above the ground as before a landing
 CARRIED = 0.5  # of its weight that something carries: nothing does in free fall
-NEAR = 0.05  # [m] up to which a foot is near the ground
-STEP = 0.2  # [s] for which a foot may move there, as it lands or takes off
-
 
 Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
 
@@ -76,14 +73,15 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         return
     if root not in figure.tables.free_links:
         return
+    limits = Thresholds.of(figure)
     carried = RootWrench(samples, root).force[2] / max(weight(figure, root), 1e-9)
-    for start, end in runs(height > BOUNDS["float"].most):
+    for start, end in runs(height > limits.aloft):
         run = np.arange(start, end)
         t = samples.t[run]
         explained = any(first < t[-1] and t[0] < last for first, last in (*flights, *contacts))
         if (
             explained
-            or np.ptp(t) < BRIEF
+            or np.ptp(t) < limits.brief_flight
             or np.diff(t) @ (carried[run][1:] + carried[run][:-1]) / 2 < CARRIED * np.ptp(t)
         ):
             continue
@@ -102,15 +100,16 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
     context, figure = motion.clip.context, motion.clip.figure
     if not context.points:
         return
+    limits = Thresholds.of(figure)
     links, positions, _ = arrays_of(context.points)
     speed = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
     height, feet = _heights(context.surfaces, context.points, samples), feet_of(figure, context.points)[links]
     for foot in np.unique(feet):
-        slowest = np.where((height[feet == foot] < NEAR).all(axis=0), speed[feet == foot].min(axis=0), 0.0)
+        slowest = np.where((height[feet == foot] < limits.touching).all(axis=0), speed[feet == foot].min(axis=0), 0.0)
         for start, end in runs(slowest > BOUNDS["slide"].most):
             run = np.arange(start, end)
             seconds = float(np.ptp(samples.t[run]))
-            if seconds >= STEP:
+            if seconds >= limits.step:
                 top, name = run[slowest[run].argmax()], figure.model.body(figure.links[foot].body).name
                 row = row_of("slide", name, f"{name} slides along the ground for {seconds:.2f} s, at up to {{}}")
                 yield row, float(slowest[top]), float(samples.t[top]), None

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
@@ -36,8 +37,6 @@ from .measurement import Measurement, bend_limits, inferred
 from .swings import swings
 
 RATE = 1000.0  # [1/s], between the samples that the optimiser saw
-RESTING = 0.01  # [m] from a surface, up to which a point that moves skates
-LEAST_STANCE = 0.05  # [s] shorter ones are two neighbouring samples of a recording
 HIGHEST = 1.0  # [m] above which heights of a foot count as equal
 STIFF = 1e-7  # softness of what supports: what is left then is what cannot be supplied
 
@@ -176,7 +175,7 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
     if not clip.context.points or not clip.context.surfaces:
         return {}
     centres, _, _ = places_of(clip.context.points, samples)
-    low = np.abs(_heights(clip, samples)) < RESTING
+    low = np.abs(_heights(clip, samples)) < Thresholds.of(clip.figure).rests
     steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
     together = low[:, 1:] & low[:, :-1]
     pace = np.diff(samples.t)
@@ -189,7 +188,8 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
 
 def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, and its slide."""
-    long_stances = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > LEAST_STANCE]
+    shortest = Thresholds.of(clip.figure).brief_stance
+    long_stances = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > shortest]
     groups: dict[tuple[float, float, int], list[Any]] = {}
     for stance in long_stances:
         groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)

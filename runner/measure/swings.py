@@ -6,14 +6,13 @@ from typing import Any
 
 import numpy as np
 
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import places_of
 
 from ..clip.build import Clip
 
-DOWN = 0.01  # [m] up to which a foot is on the ground
-SHORTEST = 0.05  # [s] of a swing: what is up for less only bounces
 MOST_SHOWN = 6  # swings of a foot that a table lists one by one
 
 
@@ -21,7 +20,7 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
     """By foot, its swings: from when to when [s], and how far its lowest point gets over the surface below it [m]."""
     if not clip.context.points or not clip.context.surfaces:
         return {}
-    model, links = clip.figure.model, clip.figure.links
+    model, links, limits = clip.figure.model, clip.figure.links, Thresholds.of(clip.figure)
     by_foot: dict[str, list[dict[str, float]]] = {}
     for link in sorted({point.link for point in clip.context.points}):
         points = tuple(point for point in clip.context.points if point.link == link)
@@ -31,8 +30,8 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
         name = model.body(links[link].body).name or links[link].name
         by_foot[name] = [
             {"from, s": float(samples.t[a]), "to, s": float(samples.t[b - 1]), "height, m": float(lowest[a:b].max())}
-            for a, b in runs(lowest > DOWN)
-            if samples.t[b - 1] - samples.t[a] >= SHORTEST and lowest[a:b].max() < FAR
+            for a, b in runs(lowest > limits.swings)
+            if samples.t[b - 1] - samples.t[a] >= limits.brief_swing and lowest[a:b].max() < FAR
         ]
     return by_foot
 

@@ -18,11 +18,8 @@ from .pose_vectors import PoseVectors
 
 LENGTH = 0.9  # of the periodic kernel: how much of a cycle is alike, [rad] of phase at half amplitude
 DECAY = 4.0  # periods over which cycles drift apart
-SMOOTH = 0.25  # [s] over which what is not periodic is alike
 PERIODIC, REST = 0.85, 0.15  # shares of the variance
 NOISE = 1e-3  # of the variance
-ALIKE = (0.15, 0.25, 0.5, 1.0)  # [s] lengths of the smooth kernels that a gait cycle has to beat
-TICK = 0.02  # [s] between the times at which a gait cycle's poses are kept
 QUARTER = 0.25  # of how far the spline is off the cycle, what is at least the spline's own error
 SURE = 0.03  # [rad] standard deviation that is as good as none
 
@@ -41,7 +38,7 @@ class PoseProcess:
     def _smooth_likelihood(self) -> float:
         blocks = np.kron(np.eye(self.poses.sides), np.ones((self.poses.times.size,) * 2))
         times = np.tile(self.poses.times, self.poses.sides)
-        return max(self._likelihood(blocks * _smooth(times, times, length)) for length in ALIKE)
+        return max(self._likelihood(blocks * _smooth(times, times, length)) for length in self.poses.limits.alike)
 
     def _likelihood(self, covariance: Array) -> float:
         """Of all rows, their common variance the likeliest; per entry, but for constants."""
@@ -57,9 +54,9 @@ class PoseProcess:
         shifted = np.concatenate([times + side * period / 2 for side in range(sides)])
         out = PERIODIC * _periodic(shifted if at is None else at, shifted, period)
         if at is not None:
-            out[:, : times.size] += REST * _smooth(at, times, SMOOTH)
+            out[:, : times.size] += REST * _smooth(at, times, self.poses.limits.smooth)
             return out
-        alike = REST * _smooth(times, times, SMOOTH)
+        alike = REST * _smooth(times, times, self.poses.limits.smooth)
         for first in range(0, out.shape[0], times.size):
             block = slice(first, first + times.size)
             out[block, block] += alike

@@ -13,16 +13,17 @@ from functools import cached_property
 import numpy as np
 
 from ..array import Array
+from ..contacts.thresholds import Thresholds
 from ..curve.frame import Timeline
 from ..curve.spline import natural_end_slopes, path_of
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
+from ..figure.wrench import STANDARD_GRAVITY
 from ..surface import Surface
 from ..surface.points import Point, places_of
-from .gait import TICK, GaitCycle, PoseProcess
+from .gait import GaitCycle, PoseProcess
 from .pose_vectors import PoseVectors
 
-SLOWEST = 0.25  # [m/s] of a body with hips 1 m high, below which it does not travel
 STRIDE, POWER = 2.3, 0.3  # of Alexander's
 SHORTER, LONGER = 0.65, 1.6  # periods that may be, of Alexander's
 FINENESS = 0.02  # of a period, how far apart periods are tried at first
@@ -36,13 +37,9 @@ SLIP = 0.33  # of the travel, most that feet which are low may slide
 LOOSE = 0.85
 RIVAL, AS_LIKELY = 1.5, 0.3  # and the difference in log-likelihood up to which a period is a rival
 UNSTEADY = 0.25  # least spread of the speeds between keyframes, as a share of their mean, of what is not steady
-LEVEL = 0.05  # [m] by which the ground may rise or fall
 TRUST = 0.4  # least of a gait cycle, over all of the clip
-LOW = 0.04  # [m] over where soles are lowest
 LOWEST = 0.25  # of the keyframes, those in which they are lowest
 TRIED = 4  # candidates that are looked at
-ANY_PERIOD = (0.3, 3.0)  # [s] of what does not travel
-GRAVITY = 9.81  # [m/s²] that strides are known at
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +54,11 @@ class Gait:
     keys: Timeline
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
+
+    @property
+    def limits(self) -> Thresholds:
+        """The thresholds of the figure."""
+        return Thresholds.of(self.figure)
 
     def infer(self) -> GaitCycle | None:
         """Return the cycle of the keyframes, if it is beyond doubt.
@@ -119,7 +121,7 @@ class Gait:
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None:
             return None
-        between = self._periods if self._may_walk else ANY_PERIOD
+        between = self._periods if self._may_walk else self.limits.any_period
         cycles = self.candidates(PoseProcess(poses), between, -np.inf)
         return min(cycles, key=lambda gait_cycle: (gait_cycle.slip > SLIP, -gait_cycle.gain), default=None)
 
@@ -148,7 +150,7 @@ class Gait:
     def _plain(self) -> tuple[Array, Array]:
         """Times (T,) [s], and the configurations (T, nq) of the spline through the keyframes."""
         first, last = float(self.keys.times[0]), float(self.keys.times[-1])
-        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / TICK)) + 1))
+        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / self.limits.tick)) + 1))
         return times, self.figure.to_qpos(path_of(self.keys).at(times))
 
     @cached_property
@@ -156,14 +158,14 @@ class Gait:
         """Whether it has feet and ground, one root, and gets on."""
         if not self.points or not self.surfaces or self.figure.tables.free_links.size != 1:
             return False
-        return self._hips > 0 and self._travel > SLOWEST * np.sqrt(self._hips)
+        return self._hips > 0 and self._travel > self.limits.slowest
 
     @property
     def _is_level(self) -> bool:
         """Whether the ground below the lowest sole point is as high at all keyframes: steps are no cycle of poses."""
         places, heights = self._standing
         lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
-        return float(np.ptp((places[2] - heights)[lowest])) < LEVEL
+        return float(np.ptp((places[2] - heights)[lowest])) < self.limits.floor_level
 
     @property
     def _root(self) -> Array:
@@ -199,7 +201,8 @@ class Gait:
     @property
     def usual_period(self) -> float:
         """[s] of a body of this size at this speed, by dynamic similarity."""
-        froude = self._travel**2 / (GRAVITY * self._hips)
+        gravity = float(np.linalg.norm(self.figure.gravity)) or STANDARD_GRAVITY
+        froude = self._travel**2 / (gravity * self._hips)
         return STRIDE * froude**POWER * self._hips / self._travel
 
     def slip(self, gait_cycle: GaitCycle) -> float:
@@ -209,7 +212,7 @@ class Gait:
         qpos[:, over] = self._plain[1][:, over]
         places, heights = self._soles(self.figure.to_state(qpos))
         speed = np.linalg.norm(np.gradient(places[:2], times, axis=2), axis=0)
-        low = heights < LOW + np.quantile(self._standing[1].min(axis=0), LOWEST)
+        low = heights < self.limits.low + np.quantile(self._standing[1].min(axis=0), LOWEST)
         slowest = np.where(low, speed, np.inf).min(axis=0)
         down = np.isfinite(slowest)
         return float(slowest[down].mean() / self._travel) if down.any() else np.inf

@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
+from ..contacts.thresholds import Thresholds
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
@@ -20,8 +21,7 @@ from ..surface.points import Point, arrays_of, places_of
 from .recording import RecordedMotion
 from .stances import RecordedStance
 
-LOWEST, ELSEWHERE = 2.0, 0.05  # per cent of samples that may be deeper; [m] that a floor is elsewhere
-NOTHING = 0.001  # [m] that is left as it is
+LOWEST = 2.0  # per cent of samples that may be deeper
 MOST = np.radians(25)  # a sole that is off by more than this stands on its toes
 ENOUGH = 5  # samples in which all of a sole stands
 RUN = 1000  # samples looked at at once
@@ -40,7 +40,7 @@ def align_to_ground(
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
     standing = np.array([_during(recorded.times, [one for one in stances if one.point is point]) for point in points])
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
-    return recorded if abs(lift) < NOTHING else recorded.moved([0, 0, lift])
+    return recorded if abs(lift) < Thresholds.of(recorded.figure).level else recorded.moved([0, 0, lift])
 
 
 def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]) -> RecordedMotion:
@@ -51,7 +51,7 @@ def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: 
     radii = np.array([[point.radius] for point in points])
     lowest = np.min([surface.height(places) for surface in surfaces], axis=0) - radii
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
-    return recorded.moved([0, 0, lift]) if abs(lift) > ELSEWHERE else recorded
+    return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).floor_off else recorded
 
 
 def _levelled(recorded: RecordedMotion, stances: Sequence[RecordedStance], link: int) -> RecordedMotion:

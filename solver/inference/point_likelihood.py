@@ -12,17 +12,16 @@ from itertools import pairwise
 import numpy as np
 
 from ..array import Array, Mask
-
-LIVELY = 100.0  # [m²/s³] squared acceleration by frequency: 45 m/s² of a foot, or a hand, up to 10 Hz
-FASTEST = 3.0  # [m/s] about so fast is a point when nothing is known of it yet
+from ..contacts.thresholds import Thresholds
 
 
-def surprisal(times: Array, places: Array, variance: Array, known: Mask) -> Array:
+def surprisal(times: Array, places: Array, variance: Array, known: Mask, limits: Thresholds) -> Array:
     """Return minus the log density [m⁻³] of each of places (3, p, T) after the previous ones, (p, T); 0 where unknown.
 
     times     (T,) [s], rising
     variance  (p,) [m²] of a sample, in every direction
     known     (T,) whether there is a sample; the first one has no density
+    limits    thresholds of the figure: how its points move
     """
     count, size = times.size, variance.size
     out = np.zeros((size, count))
@@ -30,15 +29,15 @@ def surprisal(times: Array, places: Array, variance: Array, known: Mask) -> Arra
     if not samples.size:
         return out
     place, velocity = places[:, :, samples[0]], np.zeros((3, size))
-    variance_of_place, both, speed = np.array(variance), np.zeros(size), np.full(size, FASTEST**2)
+    variance_of_place, both, speed = np.array(variance), np.zeros(size), np.full(size, limits.fastest**2)
     for before, now in pairwise(samples.tolist()):
         h = float(times[now] - times[before])
         place = place + h * velocity
         variance_of_place, both = (
-            variance_of_place + h * (2 * both + h * speed) + LIVELY * h**3 / 3,
-            both + h * speed + LIVELY * h**2 / 2,
+            variance_of_place + h * (2 * both + h * speed) + limits.lively * h**3 / 3,
+            both + h * speed + limits.lively * h**2 / 2,
         )
-        speed = speed + LIVELY * h
+        speed = speed + limits.lively * h
         expected, off = variance_of_place + variance, places[:, :, now] - place
         out[:, now] = 0.5 * np.sum(off**2, axis=0) / expected + 1.5 * np.log(2 * np.pi * expected)
         place, velocity = place + variance_of_place / expected * off, velocity + both / expected * off

@@ -13,12 +13,12 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Index
+from ..contacts.thresholds import Thresholds
 from ..curve.frame import Timeline
 from ..curve.mirror import Mirror
 from ..curve.symmetry import MirrorError
 from ..figure.figure import Figure, quaternion_columns
 
-HEIGHT = 5.0  # [rad/m] how much of a joint's turn the root's height counts like
 LOPSIDED = 0.05  # of its size, how far from symmetric a measured body may be
 STILL = 1e-6  # [rad] poses that differ by less than this carry no information
 FEW = 8  # poses up to which an evenly changing heading is their only information
@@ -54,6 +54,7 @@ class PoseMap:
     root      which of them (f,) are free
     hinges    (h,) columns in qpos
     heights   (f,) columns of the free root's height, and its mean [m]
+    up        [rad/m] turn of a joint that counts like a metre of height
     """
 
     heading: Heading
@@ -64,6 +65,7 @@ class PoseMap:
     hinges: Index
     heights: Index
     mean_height: float
+    up: float
 
     def off_heading(self, qpos: Array, times: Array) -> Array:
         """Configurations (T, nq) at times (T,) [s] with the heading taken off."""
@@ -75,7 +77,7 @@ class PoseMap:
     def vectors(self, qpos: Array) -> Array:
         """(T, D) [rad] of configurations (T, nq) whose heading is off."""
         turned = quat.rotation_vector(quat.product(quat.inverse(self.means), qpos[:, self.columns.T]))
-        up = HEIGHT * (qpos[:, self.heights] - self.mean_height)
+        up = self.up * (qpos[:, self.heights] - self.mean_height)
         return np.hstack([turned.reshape(len(qpos), -1), qpos[:, self.hinges], up])
 
     def rotations(self, vectors: Array, times: Array) -> Array:
@@ -89,7 +91,7 @@ class PoseMap:
         """The hinges' angles (T, h) [rad] and the root's height (T, f) [m]."""
         first = 3 * self.links.size
         last = first + self.hinges.size
-        return vectors[:, first:last], vectors[:, last:] / HEIGHT + self.mean_height
+        return vectors[:, first:last], vectors[:, last:] / self.up + self.mean_height
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,12 +100,14 @@ class PoseVectors:
 
     times  (n,) [s]
     rows   (sides · n, D) [rad] all poses as they are, then, if sides is 2, all mirrored
+    limits of the figure
     """
 
     map: PoseMap
     times: Array
     rows: Array
     sides: int
+    limits: Thresholds = Thresholds()  # noqa: RUF009 - frozen
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline) -> PoseVectors | None:
@@ -131,11 +135,10 @@ class PoseVectors:
         heights = tables.position_columns[2]
         mean_height = float(poses[:, heights].mean()) if heights.size else 0.0
         root = np.flatnonzero(np.isin(tables.quaternion_links, tables.free_links))
-        drawn = PoseMap(
-            heading, tables.quaternion_links, root, columns.T, means, tables.hinge_columns, heights, mean_height
-        )
+        links, hinges, limits = tables.quaternion_links, tables.hinge_columns, Thresholds.of(figure)
+        drawn = PoseMap(heading, links, root, columns.T, means, hinges, heights, mean_height, limits.height_turn)
         rows = drawn.vectors(poses)
-        return None if np.ptp(rows, axis=0).max() < STILL else cls(drawn, times, rows, len(poses) // len(qpos))
+        return None if np.ptp(rows, axis=0).max() < STILL else cls(drawn, times, rows, len(poses) // len(qpos), limits)
 
 
 def _mean(rotations: Array) -> Array:

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..array import Array, Mask
+from ..contacts.thresholds import Thresholds
 from ..figure.kinematics import Samples
 from ..surface import Plane, Surface
 from ..surface.heights import ground_at, grounds
@@ -21,19 +22,9 @@ from ..surface.points import Point, places_of
 from .point_likelihood import surprisal
 from .recording import GAIN, NORMAL, ORDER, RecordedMotion
 
-ROLLS = 0.015  # [m] that a point which stands may be off its middle, by and large
-HOVERS = 0.04  # [m] that a stance is over the ground, or in it, by and large
-HIGHEST = 0.3  # [m] up to which what does not stand is as often as anywhere; no stance is half as high
-REACH = 0.1  # [m] beside a point, that the edge of what it stands on may be: recordings drift
-LONGEST = 1.0  # [s] of a stance that is looked at at once
-FINEST = 60.0  # [1/s] rate above which samples are thinned
 DEAR = 6.0  # prior cost of a stance: one sample in e³ begins or ends one
-FAST = 0.35  # [m/s] from which on a point does not stand
-BLURRED = 0.03  # [s]: the noise of places by so much is that of speeds, once they are smoothed
 SURE = 3.0  # noises that two samples may be apart
-INTERRUPTED = 0.1  # [s] between runs that may be one stance
-SAME = 0.03  # [m] between the middles of neighbouring runs that are one stance
-INSTANT = 1e-3 / FINEST  # [s] before and after a moment, between which a speed is measured
+INSTANT = 1e-3  # of the time between samples, before and after a moment, between which a speed is measured
 
 
 class RecordedStance(NamedTuple):
@@ -51,18 +42,20 @@ def infer_stances(
     """The stances of points on surfaces, point after point, in order of time."""
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
+    limits = Thresholds.of(recorded.figure)
     times, centres, is_known, noise = _seen(recorded, points)
-    height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), REACH)
-    moving = surprisal(times, centres, noise**2 + ROLLS**2, is_known)
-    slow = _speeds(recorded, points, times) <= (FAST + noise / BLURRED)[:, None]
+    height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), limits.edge)
+    moving = surprisal(times, centres, noise**2 + limits.rolls**2, is_known, limits)
+    slow = _speeds(recorded, points, times) <= (limits.fast + noise / limits.blurred)[:, None]
     result = []
     for i, point in enumerate(points):
         place, point_noise = centres[:, i], float(noise[i])
-        runs = _joined(times, _cut(times, place, height[i], moving[i], is_known, point_noise), place, point_noise)
+        cuts = _cut(times, place, height[i], moving[i], is_known, point_noise, limits)
+        runs = _joined(times, cuts, place, point_noise, limits)
         trimmed = [_trimmed(slow[i], *run) for run in runs]
         for a, b in trimmed:
             if b - a > 1:
-                ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, REACH)
+                ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
                 result.append(RecordedStance(point, float(times[a]), float(times[b - 1]), ground))
     return tuple(result)
 
@@ -84,7 +77,7 @@ class _Seen(NamedTuple):
 
 
 def _seen(recorded: RecordedMotion, points: Sequence[Point]) -> _Seen:
-    step = max(1, round(recorded.rate / FINEST))
+    step = max(1, round(recorded.rate / Thresholds.of(recorded.figure).finest))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _, _ = places_of(points, Samples.still(recorded.figure, states))
     is_known = recorded.known.min(axis=1)[::step]
@@ -93,7 +86,8 @@ def _seen(recorded: RecordedMotion, points: Sequence[Point]) -> _Seen:
 
 def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> Array:
     """(p, T) [m/s] of points of the smoothed motion at times (T,)."""
-    ends = [np.clip(times + shift, *recorded.path.span) for shift in (-INSTANT, INSTANT)]
+    instant = INSTANT / Thresholds.of(recorded.figure).finest
+    ends = [np.clip(times + shift, *recorded.path.span) for shift in (-instant, instant)]
     before, after = (places_of(points, Samples.still(recorded.figure, recorded.path.at(t)))[0] for t in ends)
     return np.linalg.norm(after - before, axis=0) / (ends[1] - ends[0])
 
@@ -109,16 +103,18 @@ def white(places: Array, known: Array) -> Array:
     return NORMAL * np.median(differences.swapaxes(0, 1).reshape(places.shape[1], -1), axis=1)
 
 
-def _cut(times: Array, place: Array, height: Array, moving: Array, known: Mask, noise: float) -> list[tuple[int, int]]:
+def _cut(
+    times: Array, place: Array, height: Array, moving: Array, known: Mask, noise: float, limits: Thresholds
+) -> list[tuple[int, int]]:
     """The runs [a, b) of samples of a point that stands, at places (3, T) [m] and heights (T,) [m] over the ground.
 
     moving  (T,) minus the log density of its places if it moves;  known  (T,) which of them were seen
     """
-    count, size = times.size, noise**2 + ROLLS**2
+    count, size = times.size, noise**2 + limits.rolls**2
     middle = place - place[:, known].mean(axis=1, keepdims=True)
     rows = (*middle, np.sum(middle**2, axis=0), height, np.ones(count), moving)
     sums = [np.concatenate([[0.0], np.cumsum(np.where(known, row, 0.0))]) for row in rows]
-    longest = max(2, int(np.searchsorted(times, times[0] + LONGEST)))
+    longest = max(2, int(np.searchsorted(times, times[0] + limits.longest)))
     best, came = np.zeros(count + 1), np.full(count + 1, -1)
     for j in range(1, count + 1):
         best[j] = best[j - 1]
@@ -128,10 +124,10 @@ def _cut(times: Array, place: Array, height: Array, moving: Array, known: Mask, 
             continue
         x, y, z, squares, high, n, moved = (row[j] - row[a] for row in sums)
         scatter = (squares - (x**2 + y**2 + z**2) / n) / size + 3 * (n - 1) * np.log(2 * np.pi * size) + 3 * np.log(n)
-        spread = HOVERS**2 + noise**2 / n
-        hover = (high / n) ** 2 / spread + np.log(2 * np.pi * spread / HIGHEST**2)
+        spread = limits.hovers**2 + noise**2 / n
+        hover = (high / n) ** 2 / spread + np.log(2 * np.pi * spread / limits.highest**2)
         total = best[a] + DEAR + 0.5 * (scatter + hover) - (moved - moving[a])
-        total[np.abs(high / n) > HIGHEST / 2] = np.inf
+        total[np.abs(high / n) > limits.highest / 2] = np.inf
         k = int(total.argmin())
         if total[k] < best[j]:
             best[j], came[j] = total[k], a[k]
@@ -145,14 +141,16 @@ def _cut(times: Array, place: Array, height: Array, moving: Array, known: Mask, 
     return runs[::-1]
 
 
-def _joined(times: Array, runs: list[tuple[int, int]], place: Array, noise: float) -> list[tuple[int, int]]:
+def _joined(
+    times: Array, runs: list[tuple[int, int]], place: Array, noise: float, limits: Thresholds
+) -> list[tuple[int, int]]:
     """Runs that follow each other at once, with the same middle, as one."""
     out: list[tuple[int, int]] = []
     for a, b in runs:
-        if out and times[a] - times[out[-1][1] - 1] <= INTERRUPTED:
+        if out and times[a] - times[out[-1][1] - 1] <= limits.interrupted:
             first, last = out[-1]
             apart = place[:, first:last].mean(axis=1) - place[:, a:b].mean(axis=1)
-            if np.linalg.norm(apart) < SAME + SURE * noise / np.sqrt(min(last - first, b - a)):
+            if np.linalg.norm(apart) < limits.same_middle + SURE * noise / np.sqrt(min(last - first, b - a)):
                 out[-1] = (first, b)
                 continue
         out.append((a, b))

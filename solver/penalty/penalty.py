@@ -28,10 +28,12 @@ class Normalization:
     """The normalization of a soft constraint, see `Objective.renormalised`.
 
     Attributes:
-        reference: The value of f_j for a violation of 1 cm or 1°. For accelerations: the value for 8 rad (2 m) per
-            squared key spacing, with keyframes 1 s apart.
+        reference: The value of f_j for a violation of 1 cm or 1° of a figure as large as an adult. For accelerations:
+            the value for 8 rad (2 m) per squared key spacing, with keyframes 1 s apart.
         is_violation: Whether f_j is zero wherever the constraint is satisfied, e.g. a depth. Otherwise all motion has a
             cost.
+        length_power: The exponent p with which f_j grows to λ^p f_j for a figure λ times as large; 2 for squared
+            lengths.
         time_power: The exponent p with which f_j falls to f_j / λ^p in a clip slowed by a factor λ; 4 for squared
             accelerations.
         normalize_by: The name of a term whose divisor this term uses, if the objective contains that term. A value of
@@ -49,6 +51,7 @@ class Normalization:
     raw_cap: float = np.inf
     is_sharp: bool = False
     by_tension: float = 0.0
+    length_power: int = 0
 
 
 class Role(Enum):

@@ -127,6 +127,7 @@ STRATA = {
         compiled quaternion cone one_thread cache
         figure
         curve surface
+        contacts
         inference
         penalty
         objective posing

@@ -19,6 +19,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import (
     LEAST_TYPICAL,
     MOST_OF_TIME,
@@ -60,6 +61,11 @@ def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
     np.testing.assert_allclose([t.weight for t in renormalised.terms], [weight for _, weight in penalties])
 
 
+def little(figure: Figure) -> float:
+    """[m²] the square of what counts as a centimetre does for an adult."""
+    return (0.01 * Size.of(figure).length) ** 2
+
+
 def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_clip(figure, rng):
     raw = path_of(clip(figure, rng))
     length = TIMES[-1] - TIMES[0]
@@ -67,7 +73,7 @@ def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_cli
         floor = Plane("floor", np.array([0.0, 0, height]), np.array([0.0, 0, 1]))
         contact = Contact((Point("p", 1, np.zeros(3)),), (floor,))
         (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
-        np.testing.assert_allclose(term.factor, 3.0 / (1e-4 * share * length), rtol=1e-12)
+        np.testing.assert_allclose(term.factor, 3.0 / (little(figure) * share * length), rtol=1e-12)
 
 
 def test_a_term_that_starts_at_zero_is_divided_by_its_reference_over_a_hundredth_of_the_clip(figure, rng):
@@ -75,7 +81,7 @@ def test_a_term_that_starts_at_zero_is_divided_by_its_reference_over_a_hundredth
     contact = Contact((Point("p", 1, np.zeros(3)),), (floor,))
     raw = path_of(clip(figure, rng))
     (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
-    np.testing.assert_allclose(term.factor, 3.0 / (1e-4 * 0.01 * (TIMES[-1] - TIMES[0])), rtol=1e-12)
+    np.testing.assert_allclose(term.factor, 3.0 / (little(figure) * 0.01 * (TIMES[-1] - TIMES[0])), rtol=1e-12)
 
 
 def hinge_path(times: np.ndarray, angles: np.ndarray) -> tuple[Objective, Path]:
@@ -328,7 +334,9 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
             below += both.factor < own.factor
         else:
             measure = [t for t in found if t.penalty.name == scale.normalize_by][-1]
-            assert both.factor * scale.reference / both.weight == pytest.approx(measure.factor / measure.weight)
+            size, powers = Size.of(figure), (scale.time_power, measure.penalty.normalization.time_power)
+            reference = scale.reference * size.length**scale.length_power * size.time ** (powers[1] - powers[0])
+            assert both.factor * reference / both.weight == pytest.approx(measure.factor / measure.weight)
     assert below > 0
 
 

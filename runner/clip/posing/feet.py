@@ -17,6 +17,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import Root, roots_of
@@ -30,12 +31,10 @@ LOW = 0.1  # of a figure's height, how far above its lowest point a foot may be
 THICK = 0.02  # the same of the points of a foot above its lowest
 THIN, HALF = (0.0015, 0.003, 0.006), 0.45  # the same of those on which it stands, if they are so much of its extent
 SUNK = 0.005  # of the height of a figure with muscles, how far above its lowest point a site named as a sole may be
-LEVEL = 0.002  # [m] by which what carries toes may be above them
 STEEP = 0.5  # of a slide's way, how much of it goes up
 WHOLE = 6  # joints of a root that moves as a free one does
 UPRIGHT = 0.8  # of the tallest pose, one that is looked at, too
 NEARLY = 0.9  # of the tallest pose, from which on the one at rest is taken
-SAME = 1e-3  # [m] poses as tall as each other
 CORNERS = 4  # points a foot, at most
 ROUND = (int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE))
 SKIN = 0.1  # of a sphere's radius that a mark may be off its skin
@@ -135,7 +134,7 @@ def _feet(figure: Figure, root: Root, points: Sequence[Point], qpos: Array) -> l
     bottom = places[2] - radii[:, None]
     tall = samples.links.x[2, root.link] - bottom.min(axis=0)
     tall[0] = max(tall[0], tall.max()) if tall[0] >= NEARLY * tall.max() else tall[0]
-    order = np.argsort(-np.where(tall > tall.max() - SAME, np.inf, tall), kind="stable")
+    order = np.argsort(-np.where(tall > tall.max() - Thresholds.of(figure).as_tall, np.inf, tall), kind="stable")
     fewest = 2 if root.is_free or len(root.joints) >= WHOLE else 1
     for pose in order[tall[order] >= UPRIGHT * tall.max()]:
         feet = _feet_in(figure, root.link, points, places[:, :, pose], radii)
@@ -153,7 +152,7 @@ def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, 
         members = np.flatnonzero(links == foot)
         beyond = bottom[(figure.tables.path[links, foot] > 0) & (links != foot)]
         least = float(bottom[members].min())
-        carries = beyond.size and beyond.min() < least - LEVEL
+        carries = beyond.size and beyond.min() < least - Thresholds.of(figure).ankle
         if not carries and least <= bottom.min() + LOW * height:
             if foot == root:
                 return []

@@ -15,13 +15,12 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.penalty import flights, stances
-from dynsplines.solver.penalty.ground.hover import TOUCHING
-from dynsplines.solver.penalty.ground.stance import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed, places_of
@@ -29,7 +28,6 @@ from dynsplines.solver.surface.points import Point, body_points, free_root, hang
 HANGING = 0.15  # of the figure's height, how far over the ground it may hang that is to stand: models rest so
 ROUNDS, MET = 30, 1e-9  # of going down on what is below; [m] what is left then
 ALONG = 0.999  # least cosine between a slide's axis and an axis of the world
-SHALLOW = 0.002  # [m] by which one place is no deeper than another
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,6 +125,10 @@ class Grounding:
         """The entry of the root's height."""
         return self._columns[2][0]
 
+    @property
+    def _limits(self) -> Thresholds:
+        return Thresholds.of(self.figure)
+
     @cached_property
     def _length(self) -> float:
         return height(self.figure, self.root)
@@ -139,10 +141,11 @@ class Grounding:
         between  whether there are two; then this one must set the place of its feet except the height
         """
         is_free = self.figure.links[self.root].kind is JointKind.FREE
+        touching = self._limits.touching
         time, alone = timeline.times[k], self.figure.tables.free_links.size == int(is_free)
         if any(first < time < last for first, last in self.aloft):
             return False
-        if low.size and not (low < (max(HANGING * self._length, TOUCHING) if alone else TOUCHING)).any():
+        if low.size and not (low < (max(HANGING * self._length, touching) if alone else touching)).any():
             return False
         if not between:
             return True
@@ -179,7 +182,7 @@ class Grounding:
         best, least = None, np.inf
         for move in moves:
             deep = max(float(surface.inside(skin + move[:, None]).max()) for surface in self.surfaces)
-            if deep < least - SHALLOW:
+            if deep < least - self._limits.shallow:
                 best, least = move, deep
         return best
 
@@ -190,11 +193,12 @@ class Grounding:
         """
         count = len(self.soles)
         above, _ = heights(self.surfaces, centres[:, :count, None], radii[:count])
-        away = (spots - centres[:, :count])[:2, (above[:, 0] < TOUCHING) & ~np.isnan(spots[0])]
+        away = (spots - centres[:, :count])[:2, (above[:, 0] < self._limits.touching) & ~np.isnan(spots[0])]
         if not away.size:
             return None
         mean = away.mean(axis=1)
-        return np.array([*mean, 0.0]) if np.linalg.norm(away - mean[:, None], axis=0).max() < SAME_SPOT else None
+        spread = float(np.linalg.norm(away - mean[:, None], axis=0).max())
+        return np.array([*mean, 0.0]) if spread < self._limits.same_spot else None
 
     def _placed(self, key: Frame, there: Array, by: Array, which: Sequence[bool]) -> Frame:
         """A keyframe with the root moved from a state (N,) by (3,) [m] along some axes that it does not specify."""

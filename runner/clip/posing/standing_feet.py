@@ -16,13 +16,13 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Hold, Placed
-from dynsplines.solver.penalty.ground.stance import NEAR_SURFACE, SAME_SPOT
 from dynsplines.solver.posing import (
     BodyGoal,
     Goal,
@@ -38,12 +38,13 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, placed
 
-from ..contacts import NEARLY, REACH, ROUNDING, Contacts, contacts, holds
+from ..contacts import ROUNDING, Contacts, contacts, holds
 from ..table import ContactTable, HoldTable, SolveTable
 from .feet import sole_points
 from .grounding import Grounding
 
 BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
+NEARLY = 1e-3  # [m, rad] by which a pose that is searched may miss its goals
 STARTS = 4  # poses to begin with, at most
 OWN_TURN = 1e-3  # weight of a foot's orientation beside its points, which leave a roll about the line through two free
 TURNS = 4  # times that it takes itself as its own, so that nothing of that is left
@@ -232,7 +233,7 @@ class Stander:
         goals = [goal for goal in missed if isinstance(goal, HoldGoal)]
         while goals:
             pose = posed(self.figure, home, free, goals, self.bends, STARTS)
-            if pose.worst <= REACH:
+            if pose.worst <= Thresholds.of(self.figure).out_of_reach:
                 return pose.qpos, pose.fixed & free
             del goals[int(np.argmax(pose.missed))]
         return home, np.zeros(self.figure.width, bool)
@@ -254,7 +255,7 @@ class _Seen:
         held: Sequence[Hold] = (),
     ) -> None:
         self.figure, self.timeline, self.soles, self.contacts = figure, timeline, tuple(soles), found
-        self.holds = tuple(held)
+        self.holds, self.limits = tuple(held), Thresholds.of(figure)
         rests = [stance.point for stance in found.stances]
         self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
         states = timeline.states
@@ -268,7 +269,7 @@ class _Seen:
         centres, _ = self.samples.links.points(links, positions)
         heights = [surface.height(centres) for surface in surfaces]
         above = np.min(heights, axis=0) - radii[:, None] if heights else np.full(centres.shape[1:], np.inf)
-        times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < NEAR_SURFACE
+        times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < self.limits.near_surface
         if self.timeline.ends != "periodic":
             return times, centres, low
         seam, period = Seam.of(self.figure, self.timeline), times[-1] - times[0]
@@ -338,7 +339,7 @@ class _Seen:
         if before is None or after is None:
             return self.centres[i, neighbours[0]]
         spot, landed = self.centres[i, before], self.centres[i, after]
-        if np.linalg.norm(landed - spot) >= SAME_SPOT:
+        if np.linalg.norm(landed - spot) >= self.limits.same_spot:
             return None
         share = (self.timeline.times[k] - self.times[before]) / (self.times[after] - self.times[before])
         return spot + share * (landed - spot)
@@ -357,7 +358,7 @@ class _Seen:
             for stance in self.contacts.stances
             if _is_same(stance.point, point) and stance.first - ROUNDING <= t <= stance.last + ROUNDING
         ]
-        if not spots or any(np.linalg.norm(spot - spots[0]) >= SAME_SPOT for spot in spots):
+        if not spots or any(np.linalg.norm(spot - spots[0]) >= self.limits.same_spot for spot in spots):
             return None
         return spots[0]
 

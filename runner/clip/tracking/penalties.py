@@ -15,6 +15,7 @@ import numpy as np
 from pydantic import TypeAdapter, ValidationError
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -66,7 +67,6 @@ NEXT_TO = 0.008  # [s] minimum distance of frames from a keyframe, half of their
 RARE = 2.0  # [%] share of poses with extreme knee and elbow angles that is ignored
 LOOKED_AT = 50  # number of poses from which soles are inferred
 SLOWER = 0.95  # [1] factor on the speed limit of joints, because soft constraints yield a little
-FLUSH = 0.0005  # [m] maximum depth of body points below the soles at rest
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,9 +99,11 @@ class Ground:
         soles = np.array([point.link for point in self.points])
         lowest = {link: heights[len(body) :][soles == link].min() for link in np.unique(soles).tolist()}
 
+        flush = Thresholds.of(figure).flush
+
         def is_below(point: Point, height: float) -> bool:
             feet = [link for link in lowest if point.link in (link, figure.links[link].parent)]
-            return any(height < lowest[link] - FLUSH for link in feet)
+            return any(height < lowest[link] - flush for link in feet)
 
         return tuple(
             p for p, height in zip(body, heights[: len(body)].tolist(), strict=True) if not is_below(p, height)

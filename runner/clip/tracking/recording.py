@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.retime import repeated
@@ -34,7 +35,6 @@ CLOSE = 0.004  # [s] minimum distance of frames
 RATE = 120.0  # [1/s] minimum rate at which a motion is sampled
 EASE = 0.4  # [s] default of `blend`
 DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less than 1 mm; see `TrackingPenalty.times`
-MOVED = 0.02  # [m] displacement of a recorded stance point by a keyframe above which the stance is dropped
 INNER, MARGIN = 0.75, 6  # share of a blend within which frames are free; fixed frames from there to its end
 EXACT = 2e-4  # [m], [1] error in entries of the state (0.02° in a quaternion) above which a fixed frame is inserted
 TOLERANCE = 1e-3  # [1] progress relative to E at which a search ends; small, because an edit starts far from its goal
@@ -176,7 +176,7 @@ class TrackedRecording:
         qpos = np.stack([edit.state, self.pose(edit.time)])
         states = figure.to_state(qpos)
         places, _, _ = places_of((point,), Samples.still(figure, states))
-        return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
+        return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > Thresholds.of(figure).moved
 
 
 def followed(table: RecordingTable, figure: Figure, motion: RecordedPath | None, where: str) -> TrackedRecording:

@@ -14,6 +14,7 @@ from ...curve.frame import Timeline
 from ...figure.algebra import applied, dot
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
 from ...surface.points import Point, arrays_of, placed, places_of
@@ -21,7 +22,7 @@ from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-NEAR = 0.03  # [m] within which a point may touch after one step of the search
+NEAR = 0.03  # [m] within which a point of an adult may touch after one step of the search
 ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
 MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 10-30
 _Near = tuple[Index, Array, Array, Array]
@@ -43,7 +44,7 @@ class Contact(Penalty):
     carrier: int = 0
 
     role = Role.OBSTACLE
-    normalization = Normalization(1e-4, is_violation=True)
+    normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     @property
     def name(self) -> str:
@@ -147,7 +148,7 @@ class Contact(Penalty):
         return self._within(samples, 0.0)
 
     def nearby(self, samples: Samples) -> Iterator[Block]:
-        return self._within(samples, NEAR)
+        return self._within(samples, NEAR * Size.of(samples.figure).length)
 
     def _within(self, samples: Samples, margin: float) -> Iterator[Block]:
         """Points that are deep in a surface, or less than a margin [m] off it."""

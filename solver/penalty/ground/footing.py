@@ -13,21 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...array import Array, Mask
+from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench
 from ...surface import Plane, Surface
-from ...surface.points import Point, placed, places_of
+from ...surface.points import TIE, Point, placed, places_of
 from .rest import Rest
-from .stance import NEAR_SURFACE, Stance
+from .stance import Stance
 
-HIGHEST = 0.6  # [m] that a centre of mass rises in an inferred flight, at most
 PUSHED = 0.2  # of its speed at take-off and landing, the centre of mass has on the average in the segments beside
-ALOFT = 0.05  # [m] over which all soles are in the air beyond doubt
-STRAY = 0.15  # [m] that keyframes in the air may be off the free fall between the ends of the flight
-STEP = 0.2  # [s] that a foot is on the ground for in a running step
-DOWN = 2.0  # [m/s] at which a foot comes down for a step and is lifted after it
 TURNED = 0.3  # of the angle between them, by which ways across a normal are turned so that no two points tie
 Interval = tuple[float, float]
 
@@ -90,7 +86,7 @@ class _Spots:
         samples = Samples.still(figure, keys.states)
         centres, _, _ = places_of(points, samples)
         height, over = _heights(figure, keys, points, surfaces)
-        touches = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points)
+        touches = (np.abs(height) < Thresholds.of(figure).near_surface) & placed(figure, keys.known, points)
         return cls(samples, points, surfaces, touches, centres, over)
 
     def outermost(
@@ -105,7 +101,8 @@ class _Spots:
         rotation = self.samples.links.rotation[:, :, link, keys]
         local = np.einsum("ijp,ip->jp", rotation, touched)
         directions = rotation[:, :, 0].T @ _around(normal)
-        outer = np.unique(np.argmax(local.T @ directions, axis=0))
+        reach = local.T @ directions
+        outer = np.unique(np.argmax(reach >= reach.max(axis=0) - TIE, axis=0))
         return [(int(points[i]), local[:, i]) for i in outer], normal
 
 
@@ -165,12 +162,12 @@ def flights(
 @dataclass(frozen=True)
 class _Keys:
     """Contact in keyframes: free (K − 1,) segments that nothing carries; touched, flat (K,): whether a foot
-    touches there, and with all its points; lowest (K,) [m] how high the lowest point of a foot is."""
+    touches there, and with all its points; step (K,) [s] how long the lowest foot needs to or from half a step."""
 
     free: Mask
     touched: Mask
     flat: Mask
-    lowest: Array
+    step: Array
 
     @classmethod
     def of(
@@ -182,10 +179,10 @@ class _Keys:
         stances: Sequence[Stance | Rest],
         body: Sequence[Point],
     ) -> _Keys:
-        height = _heights(figure, keys, points, surfaces)[0]
-        low = np.abs(height) < NEAR_SURFACE
+        height, limits = _heights(figure, keys, points, surfaces)[0], Thresholds.of(figure)
+        low = np.abs(height) < limits.near_surface
         known = np.logical_and.reduce(placed(figure, keys.known, points))
-        known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > ALOFT)  # otherwise contact is unknown
+        known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > limits.aloft)  # otherwise contact is unknown
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
         flat = np.zeros_like(known)
         for foot in feet:
@@ -193,12 +190,13 @@ class _Keys:
                 flat |= np.logical_and.reduce(low[foot])
         others = [point for point in body if point.link not in {p.link for p in points}]
         if others:
-            known &= ~np.logical_or.reduce(_heights(figure, keys, others, surfaces)[0] < NEAR_SURFACE)
+            known &= ~np.logical_or.reduce(_heights(figure, keys, others, surfaces)[0] < limits.near_surface)
+        step = limits.step / 2 + height.min(axis=0) / limits.lowering
         begin, end = keys.times[:-1], keys.times[1:]
         carried = np.zeros(begin.size, bool)
         for stance in stances:
             carried |= (stance.first < end) & (begin < stance.last)
-        return cls(~carried & known[:-1] & known[1:], np.logical_or.reduce(low), flat, height.min(axis=0))
+        return cls(~carried & known[:-1] & known[1:], np.logical_or.reduce(low), flat, step)
 
     def leaves(self, k: int) -> bool:
         """Whether a flight may begin at a keyframe."""
@@ -212,7 +210,7 @@ class _Keys:
         """Whether there is time for a step between keyframes at both ends that are in the air."""
         if last > first + 1 or self.touched[first] or self.touched[last]:
             return False
-        return bool(times[last] - times[first] >= STEP + (self.lowest[first] + self.lowest[last]) / DOWN)
+        return bool(times[last] - times[first] >= self.step[first] + self.step[last])
 
     def lands(self, k: int) -> bool:
         """Whether a flight may end at a keyframe."""
@@ -245,12 +243,13 @@ def _rising(figure: Figure, root: int, keys: Timeline) -> Array:
 def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -> bool:
     """Whether heights (K,) of a centre of mass look like one free fall between two keyframes, and like a push-off and
     a landing in the segments beside."""
+    limits = Thresholds.of(figure)
     g, t = float(np.linalg.norm(figure.gravity)), times[first : last + 1] - times[first]
     speed = (height[last] - height[first]) / t[-1] + g * t[-1] / 2
     rise = speed**2 / (2 * g) if 0 < speed < g * t[-1] else 0.0
     path = height[first] + speed * t - g * t**2 / 2
-    falls = rise + min(height[first] - height[last], 0) <= HIGHEST
-    falls &= np.abs(height[first : last + 1] - path).max() <= STRAY
+    falls = rise + min(height[first] - height[last], 0) <= limits.rise
+    falls &= np.abs(height[first : last + 1] - path).max() <= limits.stray
     if first > 0:
         falls &= height[first] - height[first - 1] >= PUSHED * speed * (times[first] - times[first - 1])
     if last + 1 < times.size:

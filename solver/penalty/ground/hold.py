@@ -12,13 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Index, Mask
+from ...contacts.thresholds import Thresholds
 from ...figure.algebra import applied, cross
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_point, of_velocity
 from ...surface.points import Point
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
-from .rest import SETTLING
 
 TINY = 1e-12  # [m] a distance without a direction
 
@@ -97,13 +97,14 @@ class Hold:
 @dataclass(frozen=True)
 class HoldPenalty(Penalty):
     """Σ over holds of the squared distance [m²] of the point from its spot on the body, less the spot's slack, or of
-    (0.05 s)² |u|², u its velocity relative to the body there, if the spot is unknown; while they last."""
+    τ² |u|², τ = 0.05 s for an adult, u its velocity relative to the body there, if the spot is unknown; while they
+    last."""
 
     holds: tuple[Hold, ...]
 
     name = "attach.hold"
     role = Role.CONTACT
-    normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
+    normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         for hold, at in self._during(samples.t):
@@ -144,7 +145,7 @@ def _sliding(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array)
         of_point(when, first, arm, other),
         of_point(when, second, leg, -other),
     )
-    return Block(when, slide.ravel(), changes, SETTLING**2)
+    return Block(when, slide.ravel(), changes, Thresholds.of(samples.figure).settling ** 2)
 
 
 def slipped(samples: Samples, hold: Hold) -> Array:

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from ...array import Array, Index, Mask
+from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
@@ -24,12 +25,10 @@ from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 from .flight import within
 
-TOUCHING = 0.05  # [m] largest height of the lowest point in a keyframe that touches the ground
 AWAY = 0.25  # [1] share of the segment to a keyframe in the air during which a grounded body stays low
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 TINY = 1e-300  # [m] a residual that is zero
-REACH, BLEND = 0.05, 0.01  # [m] defaults of `reach` and `blend`
-CLOSE, FIRM = 0.002, 10.0  # [m] the blend of a body that nothing else holds to a height, and how much firmer it is held
+FIRM = 10.0  # times as much a body is held down that nothing else holds to a height
 Interval = tuple[float, float]
 
 
@@ -52,13 +51,13 @@ class HoverPenalty(Penalty):
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     intervals: tuple[Interval, ...]
-    reach: float = REACH
-    blend: float = BLEND
+    reach: float = Thresholds.float_reach
+    blend: float = Thresholds.float_blend
     firm: tuple[Interval, ...] = ()
 
     name = "grounded"
     role = Role.CONTACT
-    normalization = Normalization(1e-4, is_violation=True)
+    normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
@@ -106,7 +105,7 @@ def grounded_intervals(
     flights: Sequence[Interval] = (),
 ) -> tuple[Interval, ...]:
     """The segments between two keyframes that both touch the ground, but for those in a flight."""
-    down = clearance(figure, keys, points, surfaces) < TOUCHING
+    down = clearance(figure, keys, points, surfaces) < Thresholds.of(figure).touching
     segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), down[:-1] & down[1:], strict=True)
     return tuple(
         (first, last)
@@ -128,7 +127,7 @@ def open_intervals(
     is_open = ~keys.fixed[:, figure.links[root].qpos + 2]
     if not is_open.any():
         return ()
-    down = clearance(figure, keys, points, surfaces) < TOUCHING
+    down = clearance(figure, keys, points, surfaces) < Thresholds.of(figure).touching
     is_open &= down
     intervals: list[Interval] = []
     for k in np.flatnonzero(is_open[:-1] | is_open[1:]).tolist():

@@ -43,7 +43,7 @@ class Placement(Momentary):
 
     name = "attach.placement"
     role = Role.TRACKING
-    normalization = Normalization(1e-4, is_violation=True)
+    normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     @property
     def times(self) -> Array:

@@ -15,6 +15,7 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index, Mask
+from ...contacts.thresholds import Thresholds
 from ...figure.algebra import cross, dot
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_point, of_velocity
@@ -25,7 +26,6 @@ from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
 UP = np.array([0.0, 0, 1])  # of level ground
-SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
 
 
 @dataclass(frozen=True)
@@ -66,22 +66,22 @@ class Rolling:
 
 @dataclass(frozen=True)
 class RestPenalty(Penalty):
-    """Σ over rests of (0.05 s)² |v|² + h² [m²], h the height of a point, or sphere, over the surface below it, v the
-    velocity of what of it rests: that of its centre or, if it rolls, v_centre − r ω × n, n the way up."""
+    """Σ over rests of τ² |v|² + h² [m²], τ = 0.05 s for an adult, h the height of a point, or sphere, over the surface
+    below it, v the velocity of its contact: that of its centre or, if it rolls, v_centre − r ω × n, n the normal."""
 
     rests: tuple[Rest, ...]
     surfaces: tuple[Surface, ...]
 
     name = "attach.contact"
     role = Role.CONTACT
-    normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
+    normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         below = self._seen(samples)
         yield Block(below.at, below.height, (of_point(below.at, below.link, below.offset, below.up),))
         at, link, axes = along_axes(below.at, below.link)
         moved = of_velocity(samples, at, link, np.tile(below.foot, 3), axes, turning=np.tile(below.offset, 3))
-        yield Block(at, below.velocity.ravel(), (moved,), SETTLING**2)
+        yield Block(at, below.velocity.ravel(), (moved,), Thresholds.of(samples.figure).settling ** 2)
 
     @cached_property
     def _grounds(self) -> tuple[Mask, Array, Array]:

@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from ...array import Array, Index
+from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.algebra import cross
 from ...figure.figure import Figure
@@ -24,11 +25,7 @@ from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
 NEGLIGIBLE, TINY = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
-STRIDDEN = 0.08  # [m] smallest displacement between neighbouring keyframes that implies a swing in the air
-SHORTLY = 0.25  # [s] longest time between them that leaves no time for a stance as well
-LONG = 0.45  # [s] time between keyframes beyond which they specify the feet between them poorly
 WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the ground cost as much as half a radian per s²
-REACH = 0.04  # [m] default of `Skate.reach`
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,16 +46,16 @@ class Bound:
 
         In long segments, the weight falls with the square of the length, because feet may take steps between the
         keyframes. If `swings` is set, the weight is zero where a point moves by more than 8 cm between keyframes at
-        most 0.25 s apart: a foot that swings so fast passes low over the ground and must not be braked.
+        most 0.25 s apart (for an adult): a foot that swings so fast passes low over the ground and must not be braked.
         """
-        spans = np.diff(keys.times)
-        shares = np.tile(np.minimum(1.0, (LONG / spans) ** 2), (len(points), 1))
+        spans, limits = np.diff(keys.times), Thresholds.of(figure)
+        shares = np.tile(np.minimum(1.0, (limits.long / spans) ** 2), (len(points), 1))
         if swings:
             samples = Samples.still(figure, keys.states)
             centres, _, _ = places_of(points, samples)
             steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
             is_set = placed(figure, keys.known, points)
-            shares[(steps > STRIDDEN) & (spans <= SHORTLY) & is_set[:, 1:] & is_set[:, :-1]] = 0.0
+            shares[(steps > limits.strode) & (spans <= limits.shortly) & is_set[:, 1:] & is_set[:, :-1]] = 0.0
         return cls(keys.times, shares)
 
     def at(self, t: Array) -> Array:
@@ -83,12 +80,12 @@ class Skate(Penalty):
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
-    reach: float = REACH
+    reach: float = Thresholds.slip_reach
     bound: Bound | None = None
 
     name = "no_slip"
     role = Role.CONTACT
-    normalization = Normalization(WORTH, time_power=2, normalize_by="acceleration.angular")
+    normalization = Normalization(WORTH, length_power=2, time_power=2, normalize_by="acceleration.angular")
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from ...array import Array, Index
+from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.algebra import applied
 from ...figure.figure import Figure
@@ -22,10 +23,6 @@ from ...surface.points import Point, placed, places_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-NEAR_SURFACE = 0.012  # [m] largest distance of a planted sole from its surface in a keyframe
-SAME_SPOT = 0.05  # [m] largest distance between the positions of a planted point in neighbouring keyframes
-SAME_PLACE = 0.001  # [m] largest distance between the positions of a stationary object in neighbouring keyframes
-ARM = 0.2  # [m] distance of the points that fix an object's pose from its origin: half the size of a portable object
 HELD = 10.0  # [1] weight of stances of posed keyframes, which meet positions only approximately
 
 
@@ -63,7 +60,7 @@ class StancePenalty(Penalty):
 
     name = "attach.stance"
     role = Role.CONTACT
-    normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
+    normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         stance, at = self._during(samples.t)
@@ -110,25 +107,25 @@ class StancePenalty(Penalty):
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
     """Return the stances inferred from keyframes.
 
-    In both of two neighbouring keyframes, the point is within 12 mm of a surface and every joint from the root to the
-    point is set. The two positions are less than 5 cm apart.
+    In both of two neighbouring keyframes, the point is near a surface and every joint from the root to the point is
+    set. The two positions are close to each other (12 mm and 5 cm for an adult, see `Thresholds`).
     """
     if not points or not surfaces:
         return ()
-    states = keys.states
+    states, limits = keys.states, Thresholds.of(figure)
     samples = Samples.still(figure, states)
     centres, _, _ = places_of(points, samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
     low, exact = (
-        (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points),
+        (np.abs(height) < limits.near_surface) & placed(figure, keys.known, points),
         placed(figure, keys.fixed, points),
     )
     result = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
             spot, landed = centres[:, i, k], centres[:, i, k + 1]
-            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
+            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < limits.same_spot:
                 weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
                 result.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
     return tuple(result)
@@ -139,7 +136,8 @@ def resting_objects(figure: Figure, keys: Timeline, links: Sequence[int]) -> tup
 
     An object is a link with a separate kinematic tree.
     """
-    points = [Point(figure.links[link].name, link, ARM * axis) for link in links for axis in np.eye(3)]
+    limits = Thresholds.of(figure)
+    points = [Point(figure.links[link].name, link, limits.object_arm * axis) for link in links for axis in np.eye(3)]
     if not points:
         return ()
     states = keys.states
@@ -151,6 +149,6 @@ def resting_objects(figure: Figure, keys: Timeline, links: Sequence[int]) -> tup
             here, there = centres[:, i, k], centres[:, i, k + 1]
             trio = slice(i - i % 3, i - i % 3 + 3)
             moved = np.linalg.norm(centres[:, trio, k + 1] - centres[:, trio, k], axis=0)
-            if is_set[i, k] and is_set[i, k + 1] and np.all(moved < SAME_PLACE):
+            if is_set[i, k] and is_set[i, k + 1] and np.all(moved < limits.same_place):
                 resting.append(Stance(point, float(first), float(last), here.copy(), there.copy()))
     return tuple(resting)

@@ -44,7 +44,7 @@ class LoopClosure(Penalty):
 
     name = "closed"
     role = Role.EQUALITY
-    normalization = Normalization(1e-4, is_violation=True)
+    normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     @cached_property
     def _sides(self) -> tuple[tuple[Index, Array], tuple[Index, Array]]:

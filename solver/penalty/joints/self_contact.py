@@ -88,7 +88,7 @@ class SelfContact(Penalty):
     margin: float = 0.0
 
     role = Role.OBSTACLE
-    normalization = Normalization(1e-4, is_violation=True)
+    normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     @property
     def name(self) -> str:

@@ -21,7 +21,6 @@ from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton,
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...inference.gait import GaitCycle
-from ...inference.pose_vectors import HEIGHT
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Guide, Normalization, Role
@@ -120,7 +119,7 @@ class Cycle(Guide):
         """The state's columns of hinges and the root's height, and their weights [1, rad/m]."""
         pose_map = self.gait_cycle.poses.map
         columns = np.concatenate([pose_map.hinges, pose_map.heights])
-        return columns, np.repeat([1.0, HEIGHT], [pose_map.hinges.size, pose_map.heights.size])
+        return columns, np.repeat([1.0, pose_map.up], [pose_map.hinges.size, pose_map.heights.size])
 
     @cached_property
     def _table(self) -> Array:

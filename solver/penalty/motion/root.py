@@ -18,7 +18,7 @@ class RootAcceleration(Penalty):
 
     name = "acceleration.linear"
     role = Role.SMOOTHNESS
-    normalization = Normalization(4.0, time_power=4, by_tension=-1.0)
+    normalization = Normalization(4.0, length_power=2, time_power=4, by_tension=-1.0)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         tables = samples.figure.tables

@@ -10,6 +10,7 @@ from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.swings import runs, swings, words
 from dynsplines.motion import samples_at
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
 
 HOPPER = """<mujoco><worldbody>
@@ -20,7 +21,7 @@ HOPPER = """<mujoco><worldbody>
       <geom type="capsule" size=".02" fromto="0 0 .02 .1 0 .02"/>
       <site name="left_toe" pos=".1 0 0"/></body></body>
 </worldbody></mujoco>"""
-LIFTS = {0.0: 0.0, 0.5: 0.3, 1.0: 0.0, 1.2: 0.005, 1.5: 0.0, 2.0: 0.12, 2.5: 0.0}
+LIFTS = {0.0: 0.0, 0.5: 0.3, 1.0: 0.0, 1.2: 0.002, 1.5: 0.0, 2.0: 0.12, 2.5: 0.0}
 
 
 def hopper(folder, start=0.0):
@@ -47,7 +48,7 @@ def test_every_swing_is_reported_with_its_height(tmp_path):
         for swing, (first, last) in zip(own, ((0, 1), (1.3, 2.5)), strict=True):
             inside = (time > first) & (time < last)
             assert swing["height, m"] == pytest.approx(height[inside].max(), abs=1e-9)
-            up = time[inside & (height > 0.01)]
+            up = time[inside & (height > Thresholds.of(problem.figure).swings)]
             assert (swing["from, s"], swing["to, s"]) == pytest.approx((up[0], up[-1]))
 
 

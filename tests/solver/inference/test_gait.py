@@ -13,11 +13,12 @@ from dynsplines.clip.constraints import chosen, constraints
 from dynsplines.clip.context import Context
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.gait import ALIKE, NOISE, PoseProcess
+from dynsplines.solver.inference.gait import NOISE, PoseProcess
 from dynsplines.solver.inference.gait_period import SLIP, Gait
 from dynsplines.solver.inference.pose_vectors import PoseVectors
 from dynsplines.solver.penalty import Cycle
@@ -193,7 +194,7 @@ def test_a_likelihood_is_scipys_of_a_normal_distribution_with_the_likeliest_vari
         assert process._likelihood(covariance) == pytest.approx(expected, abs=1e-7)
     n = process.poses.times.size
     smooth = []
-    for length in ALIKE:
+    for length in Thresholds().alike:
         one = np.exp(-0.5 * (np.subtract.outer(process.poses.times, process.poses.times) / length) ** 2)
         smooth.append(by_scipy(process, np.block([[one, 0 * one], [0 * one, one]])) + 0.5 * (1 + np.log(2 * np.pi)))
     assert process._across(PERIOD).shape == (2 * n, 2 * n)

@@ -6,9 +6,10 @@ import pytest
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.ground_alignment import ENOUGH, LOWEST, NOTHING, align_to_ground, move_to_ground
+from dynsplines.solver.inference.ground_alignment import ENOUGH, LOWEST, align_to_ground, move_to_ground
 from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.solver.inference.stances import RecordedStance
 from dynsplines.solver.surface import Plane
@@ -88,11 +89,11 @@ def test_only_what_stands_says_how_high_the_ground_is() -> None:
     np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -0.03, atol=1e-9)
 
 
-@pytest.mark.parametrize(("over", "moves"), [(0.3, True), (-0.3, True), (0.06, True), (0.04, False), (-0.04, False)])
+@pytest.mark.parametrize(("over", "moves"), [(6, True), (-6, True), (1.2, True), (0.8, False), (-0.8, False)])
 def test_a_recording_of_another_floor_comes_down_or_up_to_this_one_straight_and_one_that_is_near_stays(
     over: float, moves: bool
 ) -> None:
-    points = sole(0.02, 0.02, 0.04, 0.04)
+    points, over = sole(0.02, 0.02, 0.04, 0.04), over * Thresholds.of(FIGURE).floor_off
     before = recorded(0.64 + over, np.zeros(3))
     found = move_to_ground(before, points, [FLOOR])
     way = np.zeros(FIGURE.width)
@@ -131,7 +132,7 @@ def test_a_sole_is_level_if_all_of_it_stands_in_enough_samples(samples: int, lev
 def test_what_is_next_to_nothing_off_is_left_there() -> None:
     points = sole(0.02, 0.02, 0.02, 0.02)
     for share, moves in ((0.8, False), (-0.8, False), (1.2, True), (-1.2, True)):
-        over = share * NOTHING
+        over = share * Thresholds.of(FIGURE).level
         before = recorded(0.62 + over, np.zeros(3))
         found = align_to_ground(before, standing(points), [FLOOR])
         np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -over * moves, atol=1e-9)

@@ -4,15 +4,18 @@ import numpy as np
 import pytest
 from densities import log_normal
 
-from dynsplines.solver.inference.point_likelihood import FASTEST, LIVELY, surprisal
+from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.inference.point_likelihood import surprisal
+
+ADULT = Thresholds()
 
 
 def covariance(times: np.ndarray, variance: float, first: float) -> np.ndarray:
     """Of a place that begins known to a sample's noise at `first`, at unknown speed, its acceleration white noise."""
     t = times - first
     early, late = np.minimum.outer(t, t), np.maximum.outer(t, t)
-    wiener = LIVELY * (early**2 * (3 * late - early) / 6)  # twice integrated
-    return variance + FASTEST**2 * np.multiply.outer(t, t) + wiener + variance * np.eye(t.size)
+    wiener = ADULT.lively * (early**2 * (3 * late - early) / 6)  # twice integrated
+    return variance + ADULT.fastest**2 * np.multiply.outer(t, t) + wiener + variance * np.eye(t.size)
 
 
 @pytest.mark.parametrize("share", [1.0, 0.6])
@@ -22,7 +25,7 @@ def test_it_adds_up_to_the_density_of_all_samples_together(rng, share):
     known[3:5] = True
     places = rng.normal(0, 0.2, (3, 2, 14))
     variance = np.array([0.01, 0.03]) ** 2
-    found = surprisal(times, places, variance, known)
+    found = surprisal(times, places, variance, known, ADULT)
     first, *later = np.flatnonzero(known)
     for i, own in enumerate(variance):
         whole = covariance(times[later], own, times[first])
@@ -36,4 +39,4 @@ def test_it_adds_up_to_the_density_of_all_samples_together(rng, share):
 
 
 def test_nothing_is_surprising_where_nothing_is_known():
-    assert np.all(surprisal(np.arange(4.0), np.zeros((3, 1, 4)), np.ones(1), np.zeros(4, bool)) == 0)
+    assert np.all(surprisal(np.arange(4.0), np.zeros((3, 1, 4)), np.ones(1), np.zeros(4, bool), ADULT) == 0)

@@ -13,7 +13,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.pose_vectors import HEIGHT, Heading, PoseVectors
+from dynsplines.solver.inference.pose_vectors import Heading, PoseVectors
 
 
 def facing(angles: Array) -> Array:
@@ -84,6 +84,6 @@ def test_a_body_that_turns_evenly_and_rises_and_falls_tells_its_height_alone():
     poses[:, 3:] = quat.from_rotation_vector(np.outer(0.5 + 1.4 * times, [0, 0, 1.0]))
     found = seen(figure, poses, times)
     np.testing.assert_allclose(found.rows[:, :3], 0, atol=1e-9)
-    np.testing.assert_allclose(found.rows[:9, 3], HEIGHT * (heights - heights.mean()), atol=1e-12)
+    np.testing.assert_allclose(found.rows[:9, 3], found.map.up * (heights - heights.mean()), atol=1e-12)
     still = Frame.key(0, poses[0]), Frame.key(1, poses[0]), Frame.key(2, poses[0])
     assert PoseVectors.of(figure, raw_timeline(figure, list(still))) is None

@@ -10,15 +10,13 @@ from faulted import Take
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inference.ground_alignment import align_to_ground
 from dynsplines.solver.inference.point_likelihood import surprisal
 from dynsplines.solver.inference.recording import ORDER, RecordedMotion
 from dynsplines.solver.inference.stances import (
     DEAR,
-    HIGHEST,
-    HOVERS,
-    ROLLS,
     RecordedStance,
     _cut,
     infer_stances,
@@ -29,6 +27,7 @@ from dynsplines.solver.surface import Box, Plane, static_surfaces
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, places_of
 
+ADULT = Thresholds()
 FPS = 60.0
 
 
@@ -79,10 +78,11 @@ def test_what_shakes_slides_and_sinks_keeps_most_of_them(take, rng):
     assert (found & ~true).sum() <= 0.25 * found.sum()
 
 
+# of the size of an adult
 SLED = Figure(
     mujoco.MjModel.from_xml_string(
-        """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".1"/>
-        <body><joint type="slide" axis="0 0 1"/><geom size=".1"/></body></body></worldbody></mujoco>"""
+        """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".527"/>
+        <body><joint type="slide" axis="0 0 1"/><geom size=".527"/></body></body></worldbody></mujoco>"""
     )
 )
 RUNNER = Point("runner", 2, np.array([0.0, 0, -0.1]), 0.05)
@@ -104,7 +104,7 @@ def spans(stances: tuple[RecordedStance, ...]) -> list[tuple[float, float]]:
 def test_what_rests_for_long_is_a_stance_up_to_half_as_high_as_anything_is(below):
     times = np.arange(60) / FPS
     for share, stands in ((0.998, True), (1.002, False)):
-        height = share * HIGHEST / 2 * (-1 if below else 1)
+        height = share * ADULT.highest / 2 * (-1 if below else 1)
         assert spans(stances_of(times, 0 * times, np.full(60, height))) == ([(times[0], times[-1])] if stands else [])
 
 
@@ -144,23 +144,23 @@ def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rate
         noise, steps = rng.uniform(0, rough), rng.normal(size=(3, count)) * rng.choice([0.002, 0.1], count)
         place, height = np.cumsum(steps, axis=1) + rng.normal(0, noise, (3, count)), rng.uniform(0, 0.1, count)
         known = rng.random(count) < 0.85
-        size = noise**2 + ROLLS**2
-        moving = surprisal(times, place[:, None], np.array([size]), known)[0]
+        size = noise**2 + ADULT.rolls**2
+        moving = surprisal(times, place[:, None], np.array([size]), known, ADULT)[0]
 
         def cost(a: int, b: int, place=place, height=height, noise=noise, known=known, size=size, moving=moving):
             at = a + np.flatnonzero(known[a:b])
-            if not (known[a] and known[b - 1]) or abs(height[at].mean()) > HIGHEST / 2:
+            if not (known[a] and known[b - 1]) or abs(height[at].mean()) > ADULT.highest / 2:
                 return np.inf
             # one sample's worth of density, which is of where the middle is, is the first's of what moves, too
             middle = np.array([height[at].mean()])
             joint = -sum(log_normal(row, size * np.eye(at.size) + 100) for row in place[:, at])
             alone = -3 * log_normal(np.zeros(1), np.array([[100.0]]))
-            hover = -log_normal(middle, np.array([[HOVERS**2 + noise**2 / at.size]])) - np.log(HIGHEST)
+            hover = -log_normal(middle, np.array([[ADULT.hovers**2 + noise**2 / at.size]])) - np.log(ADULT.highest)
             return DEAR + joint - alone + hover - moving[at[1:]].sum()
 
         costs = {pair: cost(*pair) for pair in pairs}
         least = min(every, key=lambda runs, costs=costs: sum(costs[run] for run in runs))
-        assert _cut(times, place, height, moving, known, noise) == least
+        assert _cut(times, place, height, moving, known, noise, ADULT) == least
         seen.add(len(least))
     assert seen >= ({0, 1, 2} if most == count else {1, 2, 3})
 

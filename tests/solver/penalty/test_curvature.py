@@ -34,6 +34,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import OF_THE_STATE, Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
     BendLimits,
@@ -249,13 +250,14 @@ def test_the_sides_rows_of_a_figure_that_closed_forms_know_are_gradients_too(rng
     assert_gradients(ONE_SIDED[kind](figure, rng), figure, rng)
 
 
-def test_the_sides_of_a_floor_are_all_points_less_than_three_centimetres_over_it(figure, rng):
+def test_the_sides_of_a_floor_are_all_points_less_than_three_centimetres_of_an_adult_over_it(figure, rng):
     samples, contact = low_samples(figure, rng, 80), Contact(some_points(figure, rng), (FLOOR,), 0.01)
     sides, expected = sides_of(contact, samples), depths(contact, FLOOR, samples)
     assert NEAR_DEPTH == 0.03
+    near = NEAR_DEPTH * Size.of(figure).length
     for s in range(samples.count):
         own = expected[:, s]
-        np.testing.assert_allclose(np.sort(sides.value[sides.at == s]), np.sort(own[own > -NEAR_DEPTH]), atol=1e-12)
+        np.testing.assert_allclose(np.sort(sides.value[sides.at == s]), np.sort(own[own > -near]), atol=1e-12)
     assert np.count_nonzero(sides.value < 0) > 5
 
 

@@ -16,9 +16,10 @@ from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
+# of the size of an adult
 WALKER = """<mujoco><worldbody><body pos="0 0 1"><freejoint name="root"/><geom size=".1" mass="50"/>
-  <body pos="0 .1 0"><joint name="left" type="slide" axis="0 0 1"/><geom size=".05" pos="0 0 -.95" mass="1"/></body>
-  <body pos="0 -.1 0"><joint name="right" type="slide" axis="0 0 1"/><geom size=".05" pos="0 0 -.95" mass="1"/></body>
+  <body pos="0 .1 0"><joint name="left" type="slide" axis="0 0 1"/><geom size=".05" pos="0 0 -.95" mass="8"/></body>
+  <body pos="0 -.1 0"><joint name="right" type="slide" axis="0 0 1"/><geom size=".05" pos="0 0 -.95" mass="8"/></body>
 </body></worldbody></mujoco>"""
 FIGURE = Figure(mujoco.MjModel.from_xml_string(WALKER))
 # two feet on sliding legs; a foot is lifted on its toe by tilting the figure, so that heels are 0.1 m behind toes

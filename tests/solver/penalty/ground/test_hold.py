@@ -8,6 +8,7 @@ from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -22,7 +23,6 @@ from dynsplines.solver.penalty import (
     slipped,
 )
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.ground.rest import SETTLING
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point
 
@@ -77,7 +77,8 @@ def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_
     samples, (first, second) = case(figure, rng)
     t = samples.t
     expected = ((t >= 0.1) & (t <= 0.8)) * np.sum(known(samples, first) ** 2, axis=1)
-    expected += ((t >= 0.3) & (t <= 1.0)) * SETTLING**2 * np.sum(sliding(samples, second) ** 2, axis=1)
+    settling = Thresholds.of(samples.figure).settling
+    expected += ((t >= 0.3) & (t <= 1.0)) * settling**2 * np.sum(sliding(samples, second) ** 2, axis=1)
     np.testing.assert_allclose(HoldPenalty((first, second)).evaluate(samples), expected, rtol=1e-6)
 
 
@@ -120,7 +121,7 @@ def assert_curvature(figure: Figure, rng: np.random.Generator) -> None:
         back = np.einsum("ijs,si->sj", samples.links.rotation[:, :, second.link], turn)
         t = samples.t[:, None]
         away = known(there, first) * ((t >= 0.1) & (t <= 0.8))
-        return np.concatenate([away, SETTLING * back * ((t >= 0.3) & (t <= 1.0))], axis=1)
+        return np.concatenate([away, Thresholds.of(samples.figure).settling * back * ((t >= 0.3) & (t <= 1.0))], axis=1)
 
     rows = np.array([(residuals(h * e) - residuals(-h * e)) / (2 * h) for e in np.eye(width)])
     expected = 2 * np.einsum("s,msr,nsr->mn", scale, rows, rows)

@@ -8,12 +8,13 @@ from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Rest, RestPenalty, RootAcceleration, UnitMagnitude
-from dynsplines.solver.penalty.ground.rest import SETTLING, Rolling
+from dynsplines.solver.penalty.ground.rest import Rolling
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
@@ -46,7 +47,7 @@ def test_the_value_by_hand(figure, rng):
         velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, lowest.T).T
         height = normal @ (place + 50 * UP[:, None]) - (3 if rest.ground else 0) - rest.point.radius
         during = (samples.t >= rest.first) & (samples.t <= rest.last)
-        expected += during * (height**2 + SETTLING**2 * np.sum(velocity**2, axis=0))
+        expected += during * (height**2 + Thresholds.of(samples.figure).settling ** 2 * np.sum(velocity**2, axis=0))
     np.testing.assert_allclose(resting.evaluate(samples), expected, rtol=1e-9)
 
 
@@ -95,7 +96,7 @@ def test_a_sphere_that_rests_rolls_without_a_slip():
         return float(resting.evaluate(samples)[0])
 
     assert sliding(0.1 * turning) < 1e-20
-    np.testing.assert_allclose(sliding(0.0), SETTLING**2 * (0.1 * turning) ** 2)
+    np.testing.assert_allclose(sliding(0.0), Thresholds.of(figure).settling ** 2 * (0.1 * turning) ** 2)
 
 
 @pytest.mark.parametrize("angle", [-0.7, 0.0, 1.2])

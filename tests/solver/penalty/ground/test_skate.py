@@ -6,13 +6,14 @@ import pytest
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import random_samples
 
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
-from dynsplines.solver.penalty.ground.skate import LONG, Bound
+from dynsplines.solver.penalty.ground.skate import Bound
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
@@ -137,7 +138,10 @@ def test_nothing_swings_where_nobody_told_where_the_foot_is():
 def test_what_stands_is_told_the_less_the_longer_nobody_tells():
     figure, keys = stepping(1.8)
     bound = Bound.of(figure, keys, (Point("sole", 1, np.zeros(3)),), swings=False)
-    np.testing.assert_allclose(bound.at(np.array([0.1, 0.3, 0.7, 2.5])), [[1, 1, (LONG / 1.8) ** 2, (LONG / 1.8) ** 2]])
+    np.testing.assert_allclose(
+        bound.at(np.array([0.1, 0.3, 0.7, 2.5])),
+        [[1, 1, (Thresholds().long / 1.8) ** 2, (Thresholds().long / 1.8) ** 2]],
+    )
 
 
 def test_a_point_that_swings_is_as_fast_as_it_likes(rng):

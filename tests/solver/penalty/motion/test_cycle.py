@@ -20,7 +20,6 @@ from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.inference.gait_period import Gait
-from dynsplines.solver.inference.pose_vectors import HEIGHT
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
@@ -61,7 +60,7 @@ def residuals(cycle: Cycle, y: np.ndarray, some: np.ndarray) -> np.ndarray:
         off = Rotation.from_quat(np.roll(gait_cycle.rotations[some, i], -1, 1)).inv()
         out.append(2 * (off * Rotation.from_quat(np.roll(own, -1, 1))).as_quat(canonical=True)[:, :3])
     out.append(qpos[:, figure.tables.hinge_columns] - gait_cycle.angles[some])
-    out.append(HEIGHT * (qpos[:, figure.tables.position_columns[2]] - gait_cycle.heights[some]))
+    out.append(gait_cycle.poses.map.up * (qpos[:, figure.tables.position_columns[2]] - gait_cycle.heights[some]))
     return np.hstack(out)
 
 

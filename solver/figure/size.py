@@ -1,0 +1,42 @@
+"""The size of a figure: its lengths relative to an adult, and its times by dynamic similarity.
+
+Bodies of one shape that move under gravity are dynamically similar if lengths grow by λ and times by √(λ/g)
+(R. McN. Alexander 1976). A threshold that holds for an adult then holds for a doll, a robot or a giant.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from .figure import Figure
+from .wrench import STANDARD_GRAVITY, height
+
+ADULT = 1.41223671  # [m] `height` of the shipped human, 1.7 m tall
+
+
+@dataclass(frozen=True)
+class Size:
+    """The ratios of a figure's lengths and times to those of an adult on earth."""
+
+    length: float = 1.0
+    time: float = 1.0
+
+    @classmethod
+    def of(cls, figure: Figure) -> Size:
+        """Return the size of a figure's tree.
+
+        Rigid objects, machines with a fixed base and trees without mass have the size of an adult, because they have no
+        legs whose length could be measured.
+        """
+        if figure not in _LENGTHS:
+            root = figure.root
+            tall = height(figure, root.link) if root is not None and root.limbs else 0.0
+            _LENGTHS[figure] = tall / ADULT or 1.0
+        length, gravity = _LENGTHS[figure], float(np.linalg.norm(figure.gravity)) or STANDARD_GRAVITY
+        return cls(length, float(np.sqrt(length * STANDARD_GRAVITY / gravity)))
+
+
+_LENGTHS: WeakKeyDictionary[Figure, float] = WeakKeyDictionary()  # the inertia of a figure does not change
