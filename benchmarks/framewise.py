@@ -40,9 +40,9 @@ from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.scene.assets import taken_along
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver.array import Array
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.curve.spline import natural_spline
-from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.system.progress import Progress
 
 STEPS, ROUNDS = 0.02, 10  # [s] of mink's integration, and how many for each sample

@@ -38,10 +38,10 @@ from dynsplines.motion import sampled, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of

@@ -9,15 +9,16 @@ from typing import NamedTuple
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.contacts import Rest
+from dynsplines.solver.contacts.ground_alignment import align_to_ground, move_to_ground
+from dynsplines.solver.contacts.recorded_stances import RecordedStance, infer_stances, unsure
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.inbetween import continue_from, inbetween
-from dynsplines.solver.inference.ground_alignment import align_to_ground, move_to_ground
-from dynsplines.solver.inference.recording import RecordedMotion
-from dynsplines.solver.inference.stances import RecordedStance, infer_stances, unsure
-from dynsplines.solver.penalty import Rest, TrackingPenalty, UnitMagnitude
+from dynsplines.solver.penalty import TrackingPenalty, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
 

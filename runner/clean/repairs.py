@@ -11,8 +11,8 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.curve.recording import groups, places
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.recording import groups, places
 
 from ..errors import UserError
 from .rest_pose_trim import LeadIn, lead_in

@@ -14,11 +14,12 @@ from itertools import pairwise
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.contacts import Hold, Rest, Spot, Stance
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Hold, Rest, Spot, Stance, slipped
+from dynsplines.solver.penalty import slipped
 from dynsplines.solver.penalty.allowance import Allowance
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over

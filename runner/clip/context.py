@@ -10,30 +10,24 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import (
+    Hold,
+    Stance,
+    clearance,
+    flights,
+    footings,
+    grasped_links,
+    resting_objects,
+    stances,
+)
+from dynsplines.solver.contacts.gait import GaitCycle
+from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
-from dynsplines.solver.inference.gait import GaitCycle
-from dynsplines.solver.inference.gait_period import Gait
-from dynsplines.solver.penalty import (
-    Bend,
-    Hold,
-    Lean,
-    Placed,
-    Range,
-    Stance,
-    Support,
-    flights,
-    footings,
-    grasped_links,
-    leans,
-    resting_objects,
-    stances,
-    steady,
-)
-from dynsplines.solver.penalty.ground.hover import clearance
+from dynsplines.solver.penalty import Bend, Lean, Placed, Range, Support, leans, steady
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging
 

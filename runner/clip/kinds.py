@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Discriminator, Field, StrictBool, Tag
 
+from dynsplines.solver.contacts import grounded_intervals, open_intervals, surfaces_on
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.naming import geom_name
@@ -48,10 +49,7 @@ from dynsplines.solver.penalty import (
     Upright,
     closures,
     couplings,
-    grounded_intervals,
     joint_ranges,
-    open_intervals,
-    surfaces_on,
 )
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points

@@ -11,22 +11,20 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.contacts import Hold, Rest, Stance
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     BendLimits,
     Contact,
     CouplingPenalty,
-    Hold,
     JointRange,
     LoopClosure,
     Placed,
     Placement,
     Range,
-    Rest,
     Rolling,
     Speed,
-    Stance,
     closures,
     couplings,
     slipped,

@@ -11,24 +11,21 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.contacts import Hold, Rest, Stance, stances
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import (
     BendLimits,
     Contact,
-    Hold,
     Penalty,
-    Rest,
     RestPenalty,
     Rolling,
     Speed,
-    Stance,
     StancePenalty,
     Sum,
     joint_ranges,
     slipped,
-    stances,
 )
 from dynsplines.solver.surface.points import Point, body_points, places_of
 

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.seam import Seam
@@ -23,7 +24,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import Rolling, within
+from dynsplines.solver.penalty import Rolling
 from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import body_points, places_of

@@ -1,4 +1,31 @@
-"""When feet stand, when a figure flies, what hands hold, and which gait it has.
+"""When and where figures touch their surroundings, inferred from keyframes, clips and recordings.
 
-thresholds  all thresholds, relative to the size of the figure
+schedule          all of it for one clip: stances, grasps, flights, gait
+stance            points that stay in one place           grasp     points that hold another body
+footing           points that carry, and flights          grounded  times at which the figure does not fly
+gait              the walking or running cycle of keyframes, as a Gaussian process of poses
+gait_period       the choice of the cycle: periods that suit the size of the body, feet that do not slip
+pose_vectors      poses as vectors: the joints' deviation from their mean, independent of place and heading
+recorded_stances  the stances of a recording's soles
+point_likelihood  the likelihood of the places of a point that moves
+ground_alignment  a recording moved down or up onto the ground
+thresholds        all distances, times and speeds that decide, relative to the size of the figure
 """
+
+from .footing import Footing as Footing
+from .footing import Interval as Interval
+from .footing import flights as flights
+from .footing import footings as footings
+from .footing import within as within
+from .grasp import Hold as Hold
+from .grasp import Spot as Spot
+from .grasp import grasped_links as grasped_links
+from .grasp import surfaces_on as surfaces_on
+from .grasp import tree_of as tree_of
+from .grounded import clearance as clearance
+from .grounded import grounded_intervals as grounded_intervals
+from .grounded import open_intervals as open_intervals
+from .stance import Rest as Rest
+from .stance import Stance as Stance
+from .stance import resting_objects as resting_objects
+from .stance import stances as stances

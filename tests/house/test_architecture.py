@@ -128,7 +128,6 @@ STRATA = {
         figure
         curve surface
         contacts
-        inference
         penalty
         objective posing
         drag

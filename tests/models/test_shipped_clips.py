@@ -13,11 +13,11 @@ from dynsplines import models
 from dynsplines.measure.violation import violations
 from dynsplines.motion import sampled
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam, heading_between
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.objective import SMALL_SHARE
 from dynsplines.solver.penalty import SelfContact
 from dynsplines.solver.search.restart_criteria import is_poor_minimum

@@ -9,7 +9,7 @@ from paper.penetration import self_penetration
 
 from dynsplines.clip.build import Clip
 from dynsplines.solver.array import Array
-from dynsplines.solver.penalty import grasped_links
+from dynsplines.solver.contacts import grasped_links
 from dynsplines.solver.surface.touch import movers
 
 

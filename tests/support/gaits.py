@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from walker import FINE, walk, walker
 
+from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.surface import Plane
 
 PERIOD = 1.1

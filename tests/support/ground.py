@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from dynsplines.solver.contacts import Stance
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import Stance
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 

@@ -13,9 +13,10 @@ from paper.penetration import Penetration, penetration
 from dynsplines.clip.build import Clip
 from dynsplines.motion import continuous, sampled, samples_at
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Stance
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import BendLimits, Stance, StancePenalty, Sum
+from dynsplines.solver.penalty import BendLimits, StancePenalty, Sum
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
 

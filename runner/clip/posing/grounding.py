@@ -15,12 +15,12 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.contacts import flights, stances
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
-from dynsplines.solver.penalty import flights, stances
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed, places_of

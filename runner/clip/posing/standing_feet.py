@@ -16,13 +16,14 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.contacts import Hold
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import BendLimits, Hold, Placed
+from dynsplines.solver.penalty import BendLimits, Placed
 from dynsplines.solver.posing import (
     BodyGoal,
     Goal,

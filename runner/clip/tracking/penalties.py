@@ -15,6 +15,7 @@ import numpy as np
 from pydantic import TypeAdapter, ValidationError
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Footing, Rest
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
@@ -23,11 +24,9 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     BendLimits,
     Contact,
-    Footing,
     JointRange,
     Penalty,
     Range,
-    Rest,
     RestPenalty,
     SelfContact,
     Speed,

@@ -13,15 +13,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Rest
+from dynsplines.solver.contacts.recorded_stances import infer_stances
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.recording import RecordedMotion, between
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.retime import repeated
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.recording import RecordedMotion, between
-from dynsplines.solver.inference.stances import infer_stances
-from dynsplines.solver.penalty import Rest, TrackingPenalty
+from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.penalty.motion.tracking import FINEST
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.surface.points import Point, placed, places_of

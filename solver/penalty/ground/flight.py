@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...array import Array, Mask
+from ...array import Array
+from ...contacts.footing import within
 from ...figure.adjoint import Cotangent
 from ...figure.effort_rows import wrench_rows
 from ...figure.figure import Figure
@@ -69,9 +70,3 @@ class Flight(Penalty):
             into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
 
         yield Dense(value, pulled_back, curved)
-
-
-def within(intervals: tuple[tuple[float, float], ...], t: Array) -> Mask:
-    """(S,) whether times t (S,) lie in one of the intervals."""
-    edges = np.reshape(intervals, (-1, 2))
-    return np.any((edges[:, :1] <= t) & (t <= edges[:, 1:]), axis=0)

@@ -15,31 +15,18 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index, Mask
+from ...contacts.stance import Rest
 from ...contacts.thresholds import Thresholds
 from ...figure.algebra import cross, dot
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_point, of_velocity
-from ...surface import Plane, Surface
+from ...surface import Surface
 from ...surface.heights import height_over
-from ...surface.points import Point, arrays_of
+from ...surface.points import arrays_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
 UP = np.array([0.0, 0, 1])  # of level ground
-
-
-@dataclass(frozen=True)
-class Rest:
-    """A point that rests from `first` to `last` [s]; on a plane, or else on whatever is below it.
-
-    rolls  a sphere may turn on the ground as a wheel does; else its centre rests
-    """
-
-    point: Point
-    first: float
-    last: float
-    ground: Plane | None = None
-    rolls: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,6 +15,7 @@ import numpy as np
 
 from ...array import Array, Index, Mask
 from ...cone import Unsupplied, projection, unsupplied
+from ...contacts.footing import Footing, Interval, within
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, cross
 from ...figure.effort_rows import Pushes, wrench_rows
@@ -24,8 +25,7 @@ from ...figure.wrench import RootWrench, height, weight
 from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
-from .flight import A_TENTH, within
-from .footing import Footing, Interval
+from .flight import A_TENTH
 
 EDGES = 4  # of the pyramid that stands for a friction cone
 FRICTION, SOFTNESS = 0.8, 1e-4  # defaults: coefficient; relative to the squared edges of the cones

@@ -14,13 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...array import Array, Index
+from ...contacts.gait import GaitCycle
 from ...curve.frame import Frame, Timeline
 from ...curve.spline import Path, spline_of
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...inference.gait import GaitCycle
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Guide, Normalization, Role

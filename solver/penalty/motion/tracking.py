@@ -12,11 +12,11 @@ import numpy as np
 from ...array import Array, Index
 from ...curve.frame import Frame, Timeline
 from ...curve.quadrature import gauss_nodes
+from ...curve.recording import RecordedMotion
 from ...curve.spline import Path, natural_spline
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_point
-from ...inference.recording import RecordedMotion
 from ..block import Block, every
 from ..penalty import Guide, Normalization, Role
 

@@ -15,9 +15,9 @@ from dynsplines.clean.repairs import repaired
 from dynsplines.clip.tracking.penalties import Ground, ground_of
 from dynsplines.motion import samples_at
 from dynsplines.solver.array import Array
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import Path, natural_spline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import body_points

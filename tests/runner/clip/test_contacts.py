@@ -8,10 +8,11 @@ import pytest
 from dynsplines.clip import load as clips
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
+from dynsplines.solver.contacts import Rest, Stance
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Contact, Rest, RestPenalty, Stance, StancePenalty, Sum
+from dynsplines.solver.penalty import Contact, RestPenalty, StancePenalty, Sum
 from dynsplines.solver.surface.points import places_of
 
 STEP = """

@@ -19,10 +19,11 @@ from dynsplines.edit.edits import retimed_tables, trimmed
 from dynsplines.errors import UserError
 from dynsplines.measure.quantities import Side
 from dynsplines.measure.violation import violations
+from dynsplines.solver.contacts import Hold
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Contact, Hold, HoldPenalty, StancePenalty, Sum
+from dynsplines.solver.penalty import Contact, HoldPenalty, StancePenalty, Sum
 from dynsplines.system.progress import Progress
 
 SCENE = """

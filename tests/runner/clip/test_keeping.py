@@ -7,9 +7,9 @@ import shipped
 
 from dynsplines.clip.tracking.penalties import NEXT_TO, Ground, ground_of, problem
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.solver.penalty import TrackingPenalty
 
 

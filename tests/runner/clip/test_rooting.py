@@ -16,7 +16,7 @@ from dynsplines.clip.posing.feet import sole_points
 from dynsplines.errors import UserError
 from dynsplines.scene.framing import middles
 from dynsplines.solver.array import Array
-from dynsplines.solver.penalty import stances
+from dynsplines.solver.contacts import stances
 from tests.support.biped import BALL, BOX, CART, biped, joints, nested, scene
 
 PLANAR = ("tx", "tz", "ry")

@@ -10,6 +10,7 @@ from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Hold, Rest, Spot, Stance
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     Bend,
@@ -19,7 +20,6 @@ from dynsplines.solver.penalty import (
     Coupling,
     CouplingPenalty,
     CovariantAcceleration,
-    Hold,
     HoldPenalty,
     HoverPenalty,
     JointRange,
@@ -32,12 +32,9 @@ from dynsplines.solver.penalty import (
     Placement,
     Posture,
     Range,
-    Rest,
     RestPenalty,
     RootAcceleration,
     Skate,
-    Spot,
-    Stance,
     StancePenalty,
     Sum,
     Torque,

@@ -15,10 +15,10 @@ from dynsplines.solver import Problem, Solution, inbetween
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
     Contact,

@@ -11,6 +11,7 @@ from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import within
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.adjoint import Cotangent
@@ -19,7 +20,6 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
-from dynsplines.solver.penalty.ground.flight import within
 from dynsplines.solver.problem import Problem, Settings
 
 G = 9.81

@@ -8,20 +8,13 @@ from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Hold, Spot
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import (
-    CovariantAcceleration,
-    Hold,
-    HoldPenalty,
-    RootAcceleration,
-    Spot,
-    UnitMagnitude,
-    slipped,
-)
+from dynsplines.solver.penalty import CovariantAcceleration, HoldPenalty, RootAcceleration, UnitMagnitude, slipped
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point

@@ -8,20 +8,13 @@ from block_rows import assert_rows_of
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import at_times, random_samples
 
+from dynsplines.solver.contacts import grounded_intervals, open_intervals
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import (
-    CovariantAcceleration,
-    HoverPenalty,
-    Penalty,
-    RootAcceleration,
-    UnitMagnitude,
-    grounded_intervals,
-    open_intervals,
-)
+from dynsplines.solver.penalty import CovariantAcceleration, HoverPenalty, Penalty, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane

@@ -8,12 +8,13 @@ from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.contacts import Rest
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import CovariantAcceleration, Rest, RestPenalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import CovariantAcceleration, RestPenalty, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.ground.rest import Rolling
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane

@@ -11,12 +11,13 @@ from penalty_slope import penalty_slope, scaled_like
 from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.contacts import Stance, resting_objects, stances
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Stance, StancePenalty, resting_objects, stances
+from dynsplines.solver.penalty import StancePenalty
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 

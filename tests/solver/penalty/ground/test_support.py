@@ -12,11 +12,12 @@ from random_samples import at_times, random_samples
 from scipy.optimize import nnls
 
 from dynsplines.solver.cone import projection
+from dynsplines.solver.contacts import Footing
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench
-from dynsplines.solver.penalty import Flight, Footing, Support
+from dynsplines.solver.penalty import Flight, Support
 from dynsplines.solver.penalty.ground.support import friction_edges
 from dynsplines.solver.surface.points import Point
 

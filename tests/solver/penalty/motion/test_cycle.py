@@ -14,12 +14,12 @@ from scipy.spatial.transform import Rotation
 from dynsplines.clip.constraints import constraints
 from dynsplines.clip.context import Context
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.inference.gait_period import Gait
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings

@@ -9,10 +9,10 @@ from random_samples import at_times, random_samples
 from scipy.interpolate import CubicSpline
 
 from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import natural_spline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.recording import RecordedMotion
 from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.penalty.curvature import Curvature, add_differences
 from dynsplines.solver.penalty.motion.tracking import AWAY, BACK, EASED, FOR, STRAYS, levers

@@ -6,12 +6,13 @@ import pytest
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
+from dynsplines.solver.contacts import Hold, grasped_links, surfaces_on
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Contact, Hold, grasped_links, surfaces_on
+from dynsplines.solver.penalty import Contact
 from dynsplines.solver.surface import moving_surface
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import Point

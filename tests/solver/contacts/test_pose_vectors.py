@@ -10,10 +10,10 @@ from random_keys import random_qpos
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.pose_vectors import Heading, PoseVectors
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.pose_vectors import Heading, PoseVectors
 
 
 def facing(angles: Array) -> Array:

@@ -12,16 +12,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...array import Array, Mask
-from ...contacts.thresholds import Thresholds
-from ...curve.frame import Timeline
-from ...figure.figure import Figure
-from ...figure.kinematics import Samples
-from ...figure.wrench import RootWrench
-from ...surface import Plane, Surface
-from ...surface.points import TIE, Point, placed, places_of
-from .rest import Rest
-from .stance import Stance
+from ..array import Array, Mask
+from ..curve.frame import Timeline
+from ..figure.figure import Figure
+from ..figure.kinematics import Samples
+from ..figure.wrench import RootWrench
+from ..surface import Plane, Surface
+from ..surface.points import TIE, Point, placed, places_of
+from .stance import Rest, Stance
+from .thresholds import Thresholds
 
 PUSHED = 0.2  # of its speed at take-off and landing, the centre of mass has on the average in the segments beside
 TURNED = 0.3  # of the angle between them, by which ways across a normal are turned so that no two points tie
@@ -113,6 +112,12 @@ def _around(normal: Array, count: int = 8) -> Array:
     angle = 2 * np.pi * (np.arange(count) + TURNED) / count
     both = np.column_stack([across, np.cross(normal, across)])
     return np.asarray(both @ np.array([np.cos(angle), np.sin(angle)]), float)
+
+
+def within(intervals: tuple[tuple[float, float], ...], t: Array) -> Mask:
+    """(S,) whether times t (S,) lie in one of the intervals."""
+    edges = np.reshape(intervals, (-1, 2))
+    return np.any((edges[:, :1] <= t) & (t <= edges[:, 1:]), axis=0)
 
 
 def flights(

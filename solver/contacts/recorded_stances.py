@@ -14,13 +14,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ..array import Array, Mask
-from ..contacts.thresholds import Thresholds
+from ..curve.recording import GAIN, NORMAL, ORDER, RecordedMotion
 from ..figure.kinematics import Samples
 from ..surface import Plane, Surface
 from ..surface.heights import ground_at, grounds
 from ..surface.points import Point, places_of
 from .point_likelihood import surprisal
-from .recording import GAIN, NORMAL, ORDER, RecordedMotion
+from .thresholds import Thresholds
 
 DEAR = 6.0  # prior cost of a stance: one sample in e³ begins or ends one
 SURE = 3.0  # noises that two samples may be apart

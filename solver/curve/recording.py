@@ -17,9 +17,9 @@ from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
-from ..curve import banded
-from ..curve.spline import Path, natural_spline
 from ..figure.figure import Figure
+from . import banded
+from .spline import Path, natural_spline
 
 LIVELINESS = np.geomspace(0.03, 300, 9)  # A that are tried: 10 is 20 rad/s² of a joint, or 10 m/s², up to 5 Hz
 ORDER, GAIN = 4, np.sqrt(70.0)  # of differences that hold little of a motion, and by what they enlarge white noise

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from densities import log_normal
 
+from dynsplines.solver.contacts.point_likelihood import surprisal
 from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.inference.point_likelihood import surprisal
 
 ADULT = Thresholds()
 

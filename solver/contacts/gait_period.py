@@ -13,7 +13,6 @@ from functools import cached_property
 import numpy as np
 
 from ..array import Array
-from ..contacts.thresholds import Thresholds
 from ..curve.frame import Timeline
 from ..curve.spline import natural_end_slopes, path_of
 from ..figure.figure import Figure
@@ -23,6 +22,7 @@ from ..surface import Surface
 from ..surface.points import Point, places_of
 from .gait import GaitCycle, PoseProcess
 from .pose_vectors import PoseVectors
+from .thresholds import Thresholds
 
 STRIDE, POWER = 2.3, 0.3  # of Alexander's
 SHORTER, LONGER = 0.65, 1.6  # periods that may be, of Alexander's

@@ -13,14 +13,14 @@ from dynsplines.clip.constraints import chosen, constraints
 from dynsplines.clip.context import Context
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.contacts.gait import NOISE, PoseProcess
+from dynsplines.solver.contacts.gait_period import SLIP, Gait
+from dynsplines.solver.contacts.pose_vectors import PoseVectors
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.gait import NOISE, PoseProcess
-from dynsplines.solver.inference.gait_period import SLIP, Gait
-from dynsplines.solver.inference.pose_vectors import PoseVectors
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.surface import Plane
 

@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from ..array import Array, Mask
-from ..contacts.thresholds import Thresholds
+from .thresholds import Thresholds
 
 
 def surprisal(times: Array, places: Array, variance: Array, known: Mask, limits: Thresholds) -> Array:

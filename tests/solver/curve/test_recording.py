@@ -6,8 +6,8 @@ from figures import TINY, figure_of
 from scipy.spatial.transform import Rotation
 from scipy.stats import multivariate_normal
 
+from dynsplines.solver.curve.recording import LIVELINESS, RecordedMotion, between
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.recording import LIVELINESS, RecordedMotion, between
 
 TIMES = np.linspace(0.3, 3.3, 181)
 

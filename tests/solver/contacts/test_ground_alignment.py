@@ -6,12 +6,12 @@ import pytest
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.ground_alignment import ENOUGH, LOWEST, align_to_ground, move_to_ground
+from dynsplines.solver.contacts.recorded_stances import RecordedStance
 from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inference.ground_alignment import ENOUGH, LOWEST, align_to_ground, move_to_ground
-from dynsplines.solver.inference.recording import RecordedMotion
-from dynsplines.solver.inference.stances import RecordedStance
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 

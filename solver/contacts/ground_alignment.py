@@ -12,14 +12,14 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
-from ..contacts.thresholds import Thresholds
+from ..curve.recording import RecordedMotion
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import height_over
 from ..surface.points import Point, arrays_of, places_of
-from .recording import RecordedMotion
-from .stances import RecordedStance
+from .recorded_stances import RecordedStance
+from .thresholds import Thresholds
 
 LOWEST = 2.0  # per cent of samples that may be deeper
 MOST = np.radians(25)  # a sole that is off by more than this stands on its toes

@@ -10,12 +10,9 @@ from faulted import Take
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
-from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inference.ground_alignment import align_to_ground
-from dynsplines.solver.inference.point_likelihood import surprisal
-from dynsplines.solver.inference.recording import ORDER, RecordedMotion
-from dynsplines.solver.inference.stances import (
+from dynsplines.solver.contacts.ground_alignment import align_to_ground
+from dynsplines.solver.contacts.point_likelihood import surprisal
+from dynsplines.solver.contacts.recorded_stances import (
     DEAR,
     RecordedStance,
     _cut,
@@ -23,6 +20,9 @@ from dynsplines.solver.inference.stances import (
     unsure,
     white,
 )
+from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.curve.recording import ORDER, RecordedMotion
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import Box, Plane, static_surfaces
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, places_of

@@ -8,10 +8,10 @@ import pytest
 from scipy.spatial import ConvexHull
 
 from dynsplines.clip import load as clips
+from dynsplines.solver.contacts import Footing, flights, footings, stances
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import Footing, flights, footings, stances
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
+from dynsplines.solver.contacts.gait import PoseProcess
+from dynsplines.solver.contacts.gait_period import Gait
+from dynsplines.solver.contacts.pose_vectors import PoseVectors
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.inference.gait import PoseProcess
-from dynsplines.solver.inference.gait_period import Gait
-from dynsplines.solver.inference.pose_vectors import PoseVectors
 from dynsplines.solver.surface import Plane
 
 

@@ -13,11 +13,11 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Index
-from ..contacts.thresholds import Thresholds
 from ..curve.frame import Timeline
 from ..curve.mirror import Mirror
 from ..curve.symmetry import MirrorError
 from ..figure.figure import Figure, quaternion_columns
+from .thresholds import Thresholds
 
 LOPSIDED = 0.05  # of its size, how far from symmetric a measured body may be
 STILL = 1e-6  # [rad] poses that differ by less than this carry no information
