@@ -155,7 +155,7 @@ def outcome(clip: clips.Clip, seed: int, peak: float) -> Outcome:
     measured, parts, dropped = (
         Seen.of(motion),
         motion.trace[-1][3],
-        len(clip.context.contacts.given) - len(other.context.contacts.given),
+        len(clip.context.schedule.contacts.requested) - len(other.context.schedule.contacts.requested),
     )
     ratio = measured.peak / peak if peak > 0 else 1.0  # a figure without joints has no peak, moved or not
     return Outcome(clip.name, seed, ratio, measured, spent, motion.evaluations, parts, dropped)

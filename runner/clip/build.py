@@ -8,10 +8,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from dynsplines.solver.contacts import Contacts, ContactSchedule
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import Penalty, Placed, Support
+from dynsplines.solver.penalty import Penalty, Placed
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.search.refinement import DENSE, is_practical
 from dynsplines.solver.surface import static_surfaces
@@ -20,13 +21,12 @@ from ..errors import Renames, UserError
 from ..motion import Saved
 from ..scene.assets import Scene
 from .constraints import constraints, weight_factors
-from .contacts import Contacts
 from .context import Context
 from .kinds import KINDS
 from .parse import Parsed, table_of
 from .posing.couplings import complaints
 from .table import ClipTable, SolveTable
-from .tracking.penalties import ground_of, rests_of, stances_in, stances_of
+from .tracking.penalties import footings_of, ground_of, rests_of, stances_in, stances_of
 from .tracking.recording import TrackedRecording
 
 CustomPenalties = Sequence[tuple[Penalty, float]]
@@ -96,7 +96,7 @@ class Clip(Renames):
     @property
     def stances(self) -> list[dict[str, object]]:
         """The stances of a clip that follows a recording, as stored in a motion's file; empty for other clips."""
-        return stances_of(self.context.contacts.given) if self.has_recording else []
+        return stances_of(self.context.schedule.contacts.requested) if self.has_recording else []
 
     @property
     def penalties(self) -> tuple[tuple[Penalty, float], ...]:
@@ -162,7 +162,7 @@ def build(
     if "ends" not in solve.given and any(stationary):
         ends, note = AT_REST[stationary]
         problem = replace(problem, ends=ends, end_slope=np.zeros((2, figure.width)))
-        context, resting = replace(context, keys=problem.raw), (note + FREE_NOTE,)
+        context, resting = context.scheduled(keys=problem.raw), (note + FREE_NOTE,)
     broken = complaints(figure, problem.raw, keys)
     soft_constraints = constraints(context, source.options)
     problem = replace(problem, penalties=soft_constraints.penalties)
@@ -195,9 +195,17 @@ def build_following(
     problem = replace(problem, penalties=tuple((p, w * factors.get(p.name, 1.0)) for p, w in problem.penalties))
     _check_timeline(problem, where)
     bends = () if ground.bends is None else ground.bends.joints
-    support = next((penalty for penalty, _ in problem.penalties if isinstance(penalty, Support)), None)
-    contacts = Contacts(rests=rests, given=rests)
-    context = Context(figure, problem.raw, ground.surfaces, where, ground.points, bends, contacts, support=support)
+    schedule = ContactSchedule(
+        figure,
+        problem.raw,
+        ground.points,
+        ground.surfaces,
+        Contacts(rests=rests, requested=rests),
+        specified_footings=footings_of(rests),
+        specified_flights=(),
+        has_cycle=False,
+    )
+    context = Context(schedule, where, bends)
     return Clip(source.name, source.text, scene, fps, problem, context, ())
 
 

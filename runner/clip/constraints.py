@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from pydantic import ValidationError
 
+from dynsplines.solver.contacts import Interval
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Contact, Penalty
@@ -162,10 +163,10 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
     options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | dict(listed)
     notes = context.lacking
     context = _with_options(context, options, listed.keys())
-    if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.gait_cycle is None:
+    if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
         notes.append(NO_CYCLE)
     notes += context.lost_steps if _weight("cycle", options["cycle"]) > 0 else []
-    is_carried = context.support is not None and context.support.tells
+    is_carried = context.schedule.is_known
     absent = {kind for kind in CARRIED if kind not in listed and not is_carried}
     penalties = list[tuple[Penalty, float]]()
     for name in [name for name in options if name not in absent]:
@@ -205,13 +206,30 @@ def _with_options(context: Context, options: Mapping[str, Options], listed: Cont
     assert isinstance(collision, CollisionOptions) and isinstance(limits, LimitOptions)
     assert isinstance(flight, FlightOptions) and isinstance(cycle, CycleOptions)
     if collision.points is not None:
-        context = replace(context, points=context.sites(collision.points))
+        context = context.scheduled(points=context.sites(collision.points))
     if limits.bend_joints is not None:
         context = replace(context, bends=context.limbs(limits.bend_joints))
-    context = replace(context, support=context.carried_when(flight.intervals, "flight" in listed))
-    if _weight("cycle", cycle) > 0:
-        context = replace(context, gait_cycle=context.cycle(cycle.period, "cycle" in listed))
-    return context
+    has_cycle = (True if "cycle" in listed else None) if _weight("cycle", cycle) > 0 else False
+    flights = _flights(context, flight.intervals, is_requested="flight" in listed)
+    return context.scheduled(specified_flights=flights, has_cycle=has_cycle, period=cycle.period)
+
+
+def _flights(
+    context: Context, intervals: Sequence[Interval] | None, *, is_requested: bool
+) -> tuple[Interval, ...] | None:
+    """The flights that a clip specifies; None to infer them. Without surfaces, a requested flight lasts all along."""
+    first, last = float(context.keys.times[0]), float(context.keys.times[-1])
+    if context.schedule.root is None:
+        return None
+    if intervals is None:
+        return ((first, last),) if is_requested and not context.surfaces else None
+    for begin, end in intervals:
+        if not first <= begin < end <= last:
+            raise UserError(
+                f"{context.where}: penalty 'flight': [{begin:g}, {end:g}] is not an interval of the clip, which runs "
+                f"from {first:g} to {last:g} s"
+            )
+    return tuple(intervals)
 
 
 def _deep(context: Context, contacts: Sequence[Contact]) -> Iterator[str]:

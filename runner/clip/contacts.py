@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import Hold, Rest, Spot, Stance
+from dynsplines.solver.contacts import ROUNDING, Contacts, Hold, Rest, Spot, Stance
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
@@ -29,27 +29,7 @@ from ..errors import UserError, unknown
 from .posing.places import Places
 from .table import ContactTable, HoldTable
 
-ROUNDING = 1e-9  # [s]
 SLACK = 1.0  # of what a hold is out of reach, the site may be away: a limb stretched to its end whips there and back
-
-
-@dataclass(frozen=True)
-class Contacts:
-    """The contacts of the tables: stances with known spots, rests with unknown ones, and all of them as specified."""
-
-    stances: tuple[Stance, ...] = ()
-    rests: tuple[Rest, ...] = ()
-    given: tuple[Rest, ...] = ()
-
-    def overlaps(self, stance: Stance) -> bool:
-        """Return whether a table is about a stance's point at any time of the stance."""
-        return any(
-            contact.point.link == stance.point.link
-            and np.array_equal(contact.point.position, stance.point.position)
-            and contact.first < stance.last - ROUNDING
-            and stance.first < contact.last - ROUNDING
-            for contact in (*self.stances, *self.rests)
-        )
 
 
 def contacts(
@@ -76,18 +56,18 @@ def contacts(
         check_overlap(table, tables[:i], name, "contact {} of the same point", why)
     stances: list[Stance] = []
     rests: list[Rest] = []
-    given: list[Rest] = []
+    requested: list[Rest] = []
     for table, name in zip(tables, names, strict=True):
         point = points[table.point]
         assert point is not None
-        given.append(Rest(point, table.start, table.end))
+        requested.append(Rest(point, table.start, table.end))
         spots = _spots(figure, keys, point, table, name, surfaces)
         if spots:
             stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
         else:
-            rests.append(given[-1])
+            rests.append(requested[-1])
     _check_bodies(stances, where, Thresholds.of(figure).stretch)
-    return Contacts(tuple(stances), tuple(rests), tuple(given))
+    return Contacts(tuple(stances), tuple(rests), tuple(requested))
 
 
 def requested_rests(figure: Figure, tables: Sequence[ContactTable], soles: Sequence[Point]) -> tuple[Rest, ...]:

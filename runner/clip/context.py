@@ -3,25 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import (
-    Hold,
-    Stance,
-    clearance,
-    flights,
-    footings,
-    grasped_links,
-    resting_objects,
-    stances,
-)
-from dynsplines.solver.contacts.gait import GaitCycle
-from dynsplines.solver.contacts.gait_period import Gait
+from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -29,10 +19,10 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.penalty import Bend, Lean, Placed, Range, Support, leans, steady
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.points import Point, body_points, free_root, hanging
+from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError, unknown
-from .contacts import Contacts, contacts, holds
+from .contacts import contacts, holds
 from .posing.feet import sole_points
 from .posing.places import Places
 from .table import ContactTable, HoldTable
@@ -47,27 +37,17 @@ class Context:
     """The inputs of soft constraints.
 
     Attributes:
+        schedule: The schedule of contacts, with the figure, its keyframes, its sole points (or the sites listed for
+            `collision`), and the surfaces of the scene.
         where: The name of the clip in error messages.
-        points: The contact points: those of the soles, or the sites listed for `collision`.
         bends: The knees and elbows on ball joints: all, or those listed for `limits`.
-        contacts: The contacts in the clip's [[contact]] tables.
-        holds: The grasps in the clip's tables.
         placed: The points that the solver moves to target positions.
-        support: The support schedule (stances and flights) of a figure with a free joint; None for other figures.
-        gait_cycle: The gait cycle of the keyframes; None if they form none.
     """
 
-    figure: Figure
-    keys: Timeline
-    surfaces: tuple[Surface, ...]
+    schedule: ContactSchedule
     where: str
-    points: tuple[Point, ...] = ()
     bends: tuple[Bend, ...] = ()
-    contacts: Contacts = Contacts()  # noqa: RUF009 - never changed
-    holds: tuple[Hold, ...] = ()
     placed: tuple[Placed, ...] = ()
-    support: Support | None = None
-    gait_cycle: GaitCycle | None = None
 
     @classmethod
     def of(
@@ -83,19 +63,42 @@ class Context:
         """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
         whole = [frame.state for frame in keys.frames if frame.fixed.all()]
         points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
-        given_contacts = contacts(figure, keys, tables, where, points, surfaces)
-        bends = tuple(knees_and_elbows(figure))
-        return cls(
-            figure,
-            keys,
-            surfaces,
-            where,
-            points,
-            bends,
-            given_contacts,
-            holds(figure, keys, held, where, points),
-            placed,
-        )
+        specified = contacts(figure, keys, tables, where, points, surfaces)
+        grasps = holds(figure, keys, held, where, points)
+        schedule = ContactSchedule(figure, keys, points, surfaces, specified, grasps)
+        return cls(schedule, where, tuple(knees_and_elbows(figure)), placed)
+
+    def scheduled(self, **changes: Any) -> Context:
+        """Return the same inputs with changed fields of the schedule of contacts."""
+        return replace(self, schedule=replace(self.schedule, **changes))
+
+    @property
+    def figure(self) -> Figure:
+        """The figure."""
+        return self.schedule.figure
+
+    @property
+    def keys(self) -> Timeline:
+        """The keyframes."""
+        return self.schedule.keys
+
+    @property
+    def points(self) -> tuple[Point, ...]:
+        """The contact points of the soles."""
+        return self.schedule.points
+
+    @property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """The surfaces of the scene."""
+        return self.schedule.surfaces
+
+    @cached_property
+    def support(self) -> Support | None:
+        """The forces that the schedule permits at the root's tree; None for a figure without a free joint."""
+        schedule = self.schedule
+        if schedule.root is None:
+            return None
+        return Support.of(self.figure, schedule.root, schedule.footings, schedule.flights)
 
     @property
     def is_stationary_at_ends(self) -> tuple[bool, bool]:
@@ -105,10 +108,10 @@ class Context:
         is slow (0.5 m/s for an adult). Both are False unless the clip has free ends. A partial keyframe is never
         stationary.
         """
-        keys, limits = self.keys, Thresholds.of(self.figure)
+        keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
         if keys.ends != "free":
             return False, False
-        feet, inferred = {point.link for point in self.points}, (*self.stances, *self.contacts.stances)
+        feet, inferred = {point.link for point in self.points}, (*schedule.stances, *schedule.contacts.stances)
         planted = (
             {stance.point.link for stance in inferred if stance.first <= keys.times[0]},
             {stance.point.link for stance in inferred if stance.last >= keys.times[-1]},
@@ -143,17 +146,17 @@ class Context:
         In such a pair, both keyframes are complete and touch the ground, every foot has moved by more than a step, and
         no flight is between them. There is no note if the keyframes form a gait cycle.
         """
-        keys, support, limits = self.keys, self.support, Thresholds.of(self.figure)
-        if support is None or self.gait_cycle is not None or not self.points:
+        keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
+        if schedule.root is None or schedule.gait_cycle is not None or not self.points:
             return []
-        feet = sorted({point.link for point in self.points if self.figure.tables.path[point.link, support.root]})
+        feet = sorted({point.link for point in self.points if self.figure.tables.path[point.link, schedule.root]})
         places = Samples.still(self.figure, keys.states).links.x[:2, feet]
         moves = np.linalg.norm(np.diff(places, axis=2), axis=0).min(axis=0, initial=np.inf)
         gaps, whole = np.diff(keys.times), keys.fixed.all(axis=1)
-        stands = whole & (clearance(self.figure, keys, self.points, self.surfaces) < limits.touching)
-        strides = moves > STEP * height(self.figure, support.root)
+        stands = whole & schedule.touches
+        strides = moves > STEP * height(self.figure, schedule.root)
         lost = (gaps >= limits.far_apart) & strides & stands[:-1] & stands[1:]
-        for first, last in support.flights:
+        for first, last in schedule.flights:
             lost &= (keys.times[1:] <= first) | (last <= keys.times[:-1])
         if not feet or not lost.any():
             return []
@@ -171,92 +174,19 @@ class Context:
         return bool(self.figure.tables.free_links.size)
 
     @cached_property
-    def grasped(self) -> tuple[int, ...]:
-        return tuple(grasped_links(self.figure, self.holds))
-
-    def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
-        return tuple(point for point in points if point.link not in self.grasped)
-
-    @property
-    def flies(self) -> bool:
-        """Whether the support schedule contains flights, as in running, where stances are short."""
-        return self.support is not None and bool(self.support.flights)
-
-    @cached_property
-    def stances(self) -> tuple[Stance, ...]:
-        """The stances inferred from keyframes, without those that overlap contacts of the clip."""
-        inferred = stances(self.figure, self.keys, self.points, self.surfaces)
-        return tuple(stance for stance in inferred if not self.contacts.overlaps(stance))
-
-    @cached_property
     def held_joints(self) -> tuple[Range, ...]:
         """Ranges that keep joints constant between equal keyframes, where the raw spline does not."""
-        aloft = () if self.support is None else self.support.flights
-        repeats = self.keys.ends == "periodic" or self.gait_cycle is not None
-        return steady(self.figure, self.keys, repeats=repeats, aloft=aloft)
-
-    @property
-    def resting_objects(self) -> tuple[Stance, ...]:
-        """The stances of grasped objects before and after the grasp."""
-        return resting_objects(
-            self.figure, self.keys, [link for link in self.grasped if self.figure.links[link].parent == 0]
-        )
+        repeats = self.keys.ends == "periodic" or self.schedule.gait_cycle is not None
+        return steady(self.figure, self.keys, repeats=repeats, aloft=self.schedule.flights)
 
     @property
     def leans(self) -> tuple[Lean, ...]:
         """The tilt of every root that is not grasped, in the keyframes posed with a free rotation."""
-        roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.grasped]
+        roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.schedule.grasped]
         root = self.figure.root
         if root is not None and not root.is_free:
             roots.append(root.link)
         return leans(self.figure, self.keys, roots)
-
-    def carried_when(self, intervals: Sequence[tuple[float, float]] | None, asked: bool) -> Support | None:
-        """Return the support schedule of the kinematic tree below one free joint; None without a free joint.
-
-        Args:
-            intervals: The flights specified in the clip [s]; None: they are inferred from the keyframes.
-            asked: Whether the clip requests `flight`. Without surfaces, the whole clip is then one flight.
-
-        Raises:
-            UserError: A flight is not an interval of the clip.
-        """
-        figure, keys = self.figure, self.keys
-        if not figure.tables.free_links.size:
-            return None
-        root_link = free_root(figure, self.points)
-        root = int(figure.tables.free_links[0]) if root_link is None else root_link
-        points = hanging(figure, root, self.points)
-        body = hanging(figure, root, self.exclude_grasped(body_points(figure)))
-        every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
-        supports = tuple(stance for stance in every if figure.tables.path[stance.point.link, root])
-        carriers = footings(figure, keys, points, self.surfaces, supports, body)
-        if intervals is not None:
-            aloft = tuple(intervals)
-        elif asked and not self.surfaces:
-            aloft = ((float(keys.times[0]), float(keys.times[-1])),)
-        else:
-            aloft = flights(figure, root, keys, points, self.surfaces, supports, body)
-        for first, last in aloft:
-            if not keys.times[0] <= first < last <= keys.times[-1]:
-                interval, span = f"[{first:g}, {last:g}]", f"{keys.times[0]:g} to {keys.times[-1]:g} s"
-                raise UserError(
-                    f"{self.where}: penalty 'flight': {interval} is not an interval of the clip, which runs from {span}"
-                )
-        return Support.of(figure, root, carriers, aloft)
-
-    def cycle(self, period: float | None, asked: bool) -> GaitCycle | None:
-        """Return the gait cycle of the keyframes; None if they form none.
-
-        Args:
-            period: The period [s] specified in the clip; None: the period is inferred.
-            asked: Whether the clip requests a cycle. If not, only an unambiguous cycle is inferred. If it does without
-                a period, the likeliest cycle is used.
-        """
-        gait = Gait(self.figure, self.keys, self.points, self.surfaces)
-        if not asked:
-            return gait.infer()
-        return gait.likeliest() if period is None else gait.with_period(period)
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
         """Return the points with these names. Raises UserError for unknown names."""

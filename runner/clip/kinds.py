@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Discriminator, Field, StrictBool, Tag
 
-from dynsplines.solver.contacts import grounded_intervals, open_intervals, surfaces_on
+from dynsplines.solver.contacts import surfaces_on
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.naming import geom_name
@@ -53,7 +53,7 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points
-from dynsplines.solver.surface.points import Point, body_points, hanging
+from dynsplines.solver.surface.points import Point, body_points
 from dynsplines.solver.surface.touch import bolted
 
 from ..errors import UserError, unknown
@@ -234,7 +234,7 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
     ground = tuple(s for s in context.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
     corners = _contacts(context, body_points(figure), ground, margin)
-    if not others and not context.grasped:
+    if not others and not context.schedule.grasped:
         return corners[0] if len(corners) == 1 else Sum(corners, called=BODY)
     skin = _contacts(context, covering_points(figure), others, margin) if others else ()
     return Sum((*corners, *skin, *_from_held(context, margin)), called=BODY)
@@ -245,13 +245,13 @@ def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
 
     Spheres that fill the figure would take ten times as long, because these objects are always near its hands.
     """
-    points = context.exclude_grasped(body_points(context.figure))
-    objects = [(link, surfaces_on(context.figure, link)) for link in context.grasped]
+    points = context.schedule.exclude_grasped(body_points(context.figure))
+    objects = [(link, surfaces_on(context.figure, link)) for link in context.schedule.grasped]
     return tuple(
         Contact(points, surfaces, margin, called=BODY, carrier=link).allowing(
             context.figure,
             context.keys,
-            [(hold.point.link, hold.first, hold.last) for hold in context.holds if hold.link == link],
+            [(hold.point.link, hold.first, hold.last) for hold in context.schedule.grasps if hold.link == link],
         )
         for link, surfaces in objects
         if surfaces
@@ -282,20 +282,21 @@ def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
 
 
 def _stance(context: Context, options: Options) -> Penalty | None:
-    stances = (*context.stances, *context.resting_objects)
-    return StancePenalty(stances) if context.points or context.resting_objects else None
+    schedule = context.schedule
+    stances = (*schedule.stances, *schedule.resting_objects)
+    return StancePenalty(stances) if context.points or schedule.resting_objects else None
 
 
 def _contact(context: Context, options: Options) -> Penalty | None:
-    contacts = context.contacts
+    contacts = context.schedule.contacts
     parts = StancePenalty(contacts.stances), RestPenalty(contacts.rests, context.surfaces)
-    return Sum(parts, called=RestPenalty.name) if contacts.given else None
+    return Sum(parts, called=RestPenalty.name) if contacts.requested else None
 
 
 def _no_slip(context: Context, options: Reach) -> Penalty | None:
     if not context.points:
         return None
-    bound = Bound.of(context.figure, context.keys, context.points, swings=not context.flies)
+    bound = Bound.of(context.figure, context.keys, context.points, swings=not context.schedule.flights)
     return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, bound)
 
 
@@ -303,16 +304,10 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
     """Return the penalty on the height of the lowest point between keyframes on the ground, except in flights."""
     if not context.points and not context.figure.tables.free_links.size:
         return None
-    points, support = context.exclude_grasped((*context.points, *body_points(context.figure))), context.support
-    if support is not None:  # there may be other free bodies
-        points = hanging(context.figure, support.root, points)
-    aloft = () if support is None else support.flights
-    figure, keys, surfaces = context.figure, context.keys, context.surfaces
-    firm = open_intervals(figure, support.root, keys, points, surfaces, aloft) if support and context.points else ()
-    rest = tuple(one for one in grounded_intervals(figure, keys, points, surfaces, aloft) if one not in firm)
-    limits = Thresholds.of(figure)
-    blend = limits.firm_blend if firm else limits.float_blend
-    return HoverPenalty(points, surfaces, rest, options.reach or limits.float_reach, blend, firm)
+    schedule, limits = context.schedule, Thresholds.of(context.figure)
+    blend = limits.firm_blend if schedule.held_down else limits.float_blend
+    reach = options.reach or limits.float_reach
+    return HoverPenalty(schedule.low_points, context.surfaces, schedule.grounded, reach, blend, schedule.held_down)
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:
@@ -485,7 +480,8 @@ KINDS = {
                 Part(750.0, "movement of [[contact]] points", _contact, "contact"),
                 Part(
                     750.0, "movement of [[hold]] sites relative to the held body",
-                    lambda context, options: HoldPenalty(context.holds) if context.holds else None, "hold",
+                    lambda context, options: HoldPenalty(context.schedule.grasps) if context.schedule.grasps else None,
+                    "hold",
                 ),
                 Part(
                     30.0, 'distance of sites with by = "search" from their targets',
@@ -546,8 +542,8 @@ KINDS = {
             (
                 Part(
                     0.1, "deviation from the gait cycle of the keyframes",
-                    lambda context, options: None if context.gait_cycle is None
-                    else Cycle(context.figure, context.gait_cycle),
+                    lambda context, options: None if context.schedule.gait_cycle is None
+                    else Cycle(context.figure, context.schedule.gait_cycle),
                 ),
             ),
             CycleOptions,

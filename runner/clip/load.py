@@ -15,6 +15,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Contacts
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 from dynsplines.solver.penalty import Placed
@@ -26,7 +27,7 @@ from ..scene.assets import Scene, taken_along
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
-from .contacts import Contacts, requested_holds, requested_rests
+from .contacts import requested_holds, requested_rests
 from .obstacles import obstacles
 from .parse import Parsed, called, check_times, parse, read, renewed, table_of
 from .pose import pose, soles_of, stander_of
@@ -327,9 +328,9 @@ def clip_from_motion(saved: Saved) -> Clip:
     except UserError:
         clip, table = of_motion(saved), source.table
         points = clip.context.points
-        given_contacts = Contacts(given=requested_rests(saved.figure, table.contact, points))
+        given_contacts = Contacts(requested=requested_rests(saved.figure, table.contact, points))
         held_sites = requested_holds(saved.figure, table.hold, points)
-        return replace(clip, context=replace(clip.context, contacts=given_contacts, holds=held_sites))
+        return replace(clip, context=clip.context.scheduled(contacts=given_contacts, grasps=held_sites))
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:

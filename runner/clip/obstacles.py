@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from dynsplines.solver.contacts import ROUNDING
+
 from ..scene.obstacle import KINDS, Obstacle
-from .contacts import ROUNDING
 from .posing.rotation import quaternion_of
 from .table import BarTable, BoxTable, ClipTable, KeyframeTable, RootTable, SceneTable, SphereTable
 

@@ -61,11 +61,10 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         root: The index of the tree's root link.
         height: The height of its lowest point, (S,) [m].
     """
-    context, figure = motion.clip.context, motion.clip.figure
-    flights = () if context.support is None else context.support.flights
-    contacts = [(rest.first, rest.last) for rest in (*context.contacts.given, *context.holds)]
+    schedule, figure = motion.clip.context.schedule, motion.clip.figure
+    contacts = [(rest.first, rest.last) for rest in (*schedule.contacts.requested, *schedule.grasps)]
     name, lowest = figure.links[root].name, int(height.round(3).argmin())
-    if BOUNDS["aloft"].most < height[lowest] < np.inf and not flights and not contacts:
+    if BOUNDS["aloft"].most < height[lowest] < np.inf and not schedule.flights and not contacts:
         text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"
         key = np.flatnonzero(motion.key_at == at[lowest])
         row = row_of("aloft", name, text)
@@ -78,7 +77,7 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     for start, end in runs(height > limits.aloft):
         run = np.arange(start, end)
         t = samples.t[run]
-        explained = any(first < t[-1] and t[0] < last for first, last in (*flights, *contacts))
+        explained = any(first < t[-1] and t[0] < last for first, last in (*schedule.flights, *contacts))
         if (
             explained
             or np.ptp(t) < limits.brief_flight

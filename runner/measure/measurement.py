@@ -64,7 +64,7 @@ class Measurement:
         key_times = np.clip([key.time for key in clip.keys], *path.span)
         stays = tuple(_stays(clip, timeline))
         instants = [t for stay, _ in stays for t in (stay.stance.first, stay.stance.last)]
-        instants += [t for hold in clip.context.holds for t in (hold.first, hold.last)]
+        instants += [t for hold in clip.context.schedule.grasps for t in (hold.first, hold.last)]
         instants += [place.time for place in clip.context.placed]
         even = np.linspace(*path.span, max(2, round(float(np.ptp(path.span)) * RATE) + 1))
         time = np.unique(np.concatenate([even, key_times, instants]))
@@ -137,8 +137,10 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
         rows = [(stay, group) for stay, group in stays if stay.kind == kind]
         if rows:
             yield checks.moved([stay for stay, _ in rows], np.array([group for _, group in rows]), fixed)
-    if context.holds:
-        yield checks.slips(context.holds, [begun(figure, timeline, hold) for hold in context.holds], fixed)
+    if context.schedule.grasps:
+        yield checks.slips(
+            context.schedule.grasps, [begun(figure, timeline, hold) for hold in context.schedule.grasps], fixed
+        )
     soles = frozenset(point.name for point in context.points)
     yield checks.sunk(_kept_out(clip, parts), soles, feet, fixed)
     rests = [rest for part in parts if isinstance(part, RestPenalty) for rest in part.rests]
@@ -159,7 +161,7 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
         checks.torn(fixed),
         checks.lengths(figure),
         checks.whips(figure, raw_peak),
-        checks.tangled(context.grasped, fixed),
+        checks.tangled(context.schedule.grasped, fixed),
     )
     yield from (check for check in optional if check is not None)
     if context.bends:
@@ -222,7 +224,7 @@ def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
     """The clip's contacts, and the stances inferred from its keyframes, each with the number of its group."""
     figure, feet = clip.figure, feet_of(clip.figure, clip.context.points)
     specified = [stance for part in _parts(clip) if isinstance(part, StancePenalty) for stance in part.stances]
-    rests = clip.context.contacts.given
+    rests = clip.context.schedule.contacts.requested
     if rests:
         middle = samples_at(figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))
         spots = np.diagonal(places_of([rest.point for rest in rests], middle)[0], axis1=1, axis2=2)

@@ -109,7 +109,9 @@ def _deepest(worst: Worst) -> dict[str, Any]:
 
 
 def _in_carried(clip: Clip, worst: Worst) -> dict[str, Any]:
-    return _deepest([entry for entry in worst if entry[0].kind == "penetration"]) if clip.context.holds else {}
+    return (
+        _deepest([entry for entry in worst if entry[0].kind == "penetration"]) if clip.context.schedule.grasps else {}
+    )
 
 
 def _penetration(clip: Clip, worst: Worst) -> dict[str, Any]:
@@ -150,7 +152,7 @@ def _equalities(joints: Worst, loops: Worst) -> dict[str, Any]:
 def _holds(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
     """Displacement of every hold's site on the body since the start of the hold."""
     largest, out = measurement.largest("hold"), []
-    for i, hold in enumerate(clip.context.holds):
+    for i, hold in enumerate(clip.context.schedule.grasps):
         moved, time = largest.get(i, (0.0, hold.first))
         row = {"hand": hold.point.name, "body": hold.body, "from, s": hold.first, "to, s": hold.last}
         out.append(row | {"moved, m": moved, "at, s": time})
@@ -215,7 +217,7 @@ def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
 def _contacts(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     """Every contact of the clip: the largest distance from the position in the middle of the contact, and the path."""
     out = []
-    for rest in clip.context.contacts.given:
+    for rest in clip.context.schedule.contacts.requested:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
         samples = samples_at(clip.figure, path_of(timeline), time)
         centres, _, _ = places_of((rest.point,), samples)

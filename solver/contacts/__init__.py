@@ -22,9 +22,9 @@ from .grasp import Spot as Spot
 from .grasp import grasped_links as grasped_links
 from .grasp import surfaces_on as surfaces_on
 from .grasp import tree_of as tree_of
-from .grounded import clearance as clearance
-from .grounded import grounded_intervals as grounded_intervals
-from .grounded import open_intervals as open_intervals
+from .schedule import ROUNDING as ROUNDING
+from .schedule import Contacts as Contacts
+from .schedule import ContactSchedule as ContactSchedule
 from .stance import Rest as Rest
 from .stance import Stance as Stance
 from .stance import resting_objects as resting_objects

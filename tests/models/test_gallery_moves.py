@@ -29,7 +29,7 @@ def test_at_another_speed_contacts_and_flights_keep_their_place_in_the_move():
     table, own = table_of(fast.text, "fast"), table_of(move.clip.text, "own")
     assert [(c.start, c.end) for c in table.contact] == [(c.start / 2, c.end / 2) for c in own.contact]
     assert fast.context.support is not None and move.clip.context.support is not None
-    np.testing.assert_allclose(fast.context.support.flights, np.array(move.clip.context.support.flights) / 2)
+    np.testing.assert_allclose(fast.context.schedule.flights, np.array(move.clip.context.schedule.flights) / 2)
 
 
 def test_sitting_down_ends_on_the_bench_and_the_weight_is_over_the_feet_until_shortly_before():
@@ -84,7 +84,7 @@ def test_the_hand_comes_from_above_and_is_closed_about_the_rail():
 
 def test_the_hands_keep_their_place_on_the_crate_to_a_tenth_of_what_they_may():
     move = of("carry_box")
-    for hold in move.clip.context.holds:
+    for hold in move.clip.context.schedule.grasps:
         during = (move.time >= hold.first) & (move.time <= hold.last)
         for raw in (True, False):
             track = move.on("crate", hold.point.name, raw=raw)[during]

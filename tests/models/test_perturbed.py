@@ -87,9 +87,9 @@ def test_what_a_keyframe_leaves_free_is_not_moved_and_a_loop_still_closes(benchm
 @pytest.mark.slow
 def test_contacts_that_moved_keyframes_contradict_are_left_out_and_the_others_kept(benchmark):
     clip = clips.load("cartwheel")
-    kept = [len(benchmark.perturbed(clip, seed).context.contacts.given) for seed in range(6)]
-    assert min(kept) < len(clip.context.contacts.given)
-    assert 0 < max(kept) <= len(clip.context.contacts.given)
+    kept = [len(benchmark.perturbed(clip, seed).context.schedule.contacts.requested) for seed in range(6)]
+    assert min(kept) < len(clip.context.schedule.contacts.requested)
+    assert 0 < max(kept) <= len(clip.context.schedule.contacts.requested)
 
 
 def accelerations(motion: Solution, t: Array) -> Array:

@@ -15,7 +15,7 @@ from dynsplines.solver.surface.touch import movers
 
 def in_carried(clip: Clip, time: Array, qpos: Array) -> dict[str, Any]:
     """The deepest along qpos (T, nq), and where; empty if it holds nothing."""
-    model, links = clip.figure.model, grasped_links(clip.figure, clip.context.holds)
+    model, links = clip.figure.model, grasped_links(clip.figure, clip.context.schedule.grasps)
     if not links:
         return {}
     geoms = np.array(movers(model), np.intp)

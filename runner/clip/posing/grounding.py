@@ -15,7 +15,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import flights, stances
+from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -74,10 +74,8 @@ class Grounding:
         """Return it with the flights that keyframes with a height imply."""
         if self.figure.links[self.root].kind is not JointKind.FREE:
             return self
-        standing = stances(self.figure, timeline, self.soles, self.surfaces)
-        body = self.points[len(self.soles) :]
-        inferred = flights(self.figure, self.root, timeline, self.soles, self.surfaces, standing, body)
-        return replace(self, aloft=(*self.aloft, *inferred))
+        schedule = ContactSchedule(self.figure, timeline, self.soles, self.surfaces)
+        return replace(self, aloft=(*self.aloft, *schedule.flights))
 
     def put_down(self, keys: Sequence[Frame], timeline: Timeline, staying: Callable[[int], Array]) -> list[Frame]:
         """Return the keyframes, with standing ones moved onto the ground; the timeline through them has the rest.

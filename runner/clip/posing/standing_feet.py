@@ -16,7 +16,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import Hold
+from dynsplines.solver.contacts import ROUNDING, Contacts, Hold
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
@@ -39,7 +39,7 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, placed
 
-from ..contacts import ROUNDING, Contacts, contacts, holds
+from ..contacts import contacts, holds
 from ..table import ContactTable, HoldTable, SolveTable
 from .feet import sole_points
 from .grounding import Grounding
@@ -368,7 +368,7 @@ class _Seen:
         t = self.timeline.times[k]
         return any(
             _is_same(rest.point, point) and rest.first - ROUNDING <= t <= rest.last + ROUNDING
-            for rest in self.contacts.given
+            for rest in self.contacts.requested
         )
 
     def _turn(self, link: int, k: int, near: tuple[int | None, int | None]) -> Array:

@@ -15,7 +15,7 @@ import numpy as np
 from pydantic import TypeAdapter, ValidationError
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Footing, Rest
+from dynsplines.solver.contacts import ROUNDING, Footing, Rest
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
@@ -40,7 +40,6 @@ from dynsplines.solver.surface import Plane, Surface, static_surfaces
 from dynsplines.solver.surface.points import Point, arrays_of, body_points, places_of
 
 from ...errors import UserError, unknown
-from ..contacts import ROUNDING
 from ..context import knees_and_elbows
 from ..posing.feet import rounded, sole_points
 from ..posing.places import Places
@@ -228,9 +227,8 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
         penalties.append(Contact(body, surfaces, called="collision.body"))
     if rests:
         penalties.append(RestPenalty(tuple(rests), surfaces))
-        footings = [Footing(rest.point, rest.first, rest.last, np.array([0.0, 0, 1])) for rest in rests]
         if figure.tables.free_links.size:
-            penalties.append(Support.of(figure, int(figure.tables.free_links[0]), footings, ()))
+            penalties.append(Support.of(figure, int(figure.tables.free_links[0]), footings_of(rests), ()))
     if ranges := joint_ranges(figure):
         penalties.append(JointRange(tuple(map(_inside, ranges))))
     if ground.bends is not None:
@@ -239,6 +237,11 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
         penalties.append(Speed.of(figure, SLOWER * ground.speed))
     self_contact = SelfContact.of(figure, 0.0) if ground.apart else None
     return [*penalties, self_contact] if self_contact is not None and self_contact.pairs.size else penalties
+
+
+def footings_of(rests: Sequence[Rest]) -> tuple[Footing, ...]:
+    """Return the footings of the stances of a recording: the ground is taken to be level."""
+    return tuple(Footing(rest.point, rest.first, rest.last, np.array([0.0, 0, 1])) for rest in rests)
 
 
 def _inside(whole: Range) -> Range:

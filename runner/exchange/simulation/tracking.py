@@ -213,7 +213,7 @@ def _reasons(tracking: Tracking, simulation: Simulation, trajectory: SampledTraj
             out.append(
                 f"the motion needs a force at the root that no contact supplies, up to {deficit:.0%} of its weight"
             )
-    if clip.clip_from_motion(trajectory.saved).context.grasped:
+    if clip.clip_from_motion(trajectory.saved).context.schedule.grasped:
         out.append("nothing holds what the figure carries")
     if np.any(model.jnt_type == FREE):
         out.append("nothing balances it")

@@ -521,7 +521,7 @@ def _plain(parts: dict[str, float]) -> dict[str, float]:
 
 def _shape(clip: Clip) -> dict[str, object]:
     """Return data of the loaded clip beyond its text: complete keyframes, contacts, holds and inferred flights."""
-    support = clip.context.support
+    schedule = clip.context.schedule
     return {
         "keys": [
             {"time": key.time, "qpos": key.state.tolist(), "fixed": key.fixed.tolist(), "known": key.known.tolist()}
@@ -529,9 +529,9 @@ def _shape(clip: Clip) -> dict[str, object]:
         ],
         "stances": [
             {"point": stance.point.name, "from": float(stance.first), "to": float(stance.last)}
-            for stance in clip.context.stances
+            for stance in schedule.stances
         ],
-        "flights": [] if support is None else [[float(a), float(b)] for a, b in support.flights],
+        "flights": [[float(a), float(b)] for a, b in schedule.flights],
         "ends": clip.ends,
         "weights": {penalty.name: float(weight) for penalty, weight in clip.penalties},
     }

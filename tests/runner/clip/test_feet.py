@@ -128,7 +128,7 @@ def test_a_clip_calls_found_feet_by_their_names():
     points = sole_points(figure, np.zeros((0, figure.width)))
     table = ContactTable.model_validate({"point": "bl_foot", "from": 0.0, "to": 1.0})
     found = contacts(figure, keys, [table], "clip", points)
-    assert [rest.point.name for rest in found.given] == ["bl_foot"]
+    assert [rest.point.name for rest in found.requested] == ["bl_foot"]
     with pytest.raises(UserError, match="did you mean 'bl_foot'"):
         contacts(figure, keys, [table.model_copy(update={"point": "bl_fot"})], "clip", points)
 

@@ -196,12 +196,14 @@ def test_keyframes_in_mid_flight_are_left_there_and_the_flights_found(monkeypatc
 
 def test_no_flight_is_found_past_a_landing_of_no_height_at_the_end():
     whole = load("run_loop")
-    assert whole.context.support is not None and whole.context.support.flights[-1] == (0.49, 0.63)
+    assert whole.context.support is not None and whole.context.schedule.flights[-1] == (0.49, 0.63)
     keys = list(whole.keys)
     (landing,) = (k for k, key in enumerate(keys) if key.time == 0.63)
     keys[landing] = Frame(0.63, keys[landing].state, np.arange(keys[landing].state.size) != 2)
     problem = with_keys(whole, keys)
-    assert problem.context.support is not None and problem.context.support.flights == whole.context.support.flights[:-1]
+    assert (
+        problem.context.support is not None and problem.context.schedule.flights == whole.context.schedule.flights[:-1]
+    )
     assert clearance(problem, inbetween(problem).at(0.63)) < 0.02
 
 
@@ -212,7 +214,7 @@ def test_who_steps_on_and_is_cut_short_does_not_fly():
         for pose, x in ((STANDING, 0), (CROUCHED, 0.5), (STANDING, 1), (CROUCHED, 1.5))
     )
     cut = inbetween(read(*bodies, head=box)).trimmed(0.2, 0.8).clip
-    assert cut.context.support is None or cut.context.support.flights == ()
+    assert cut.context.support is None or cut.context.schedule.flights == ()
     assert clearance(cut, inbetween(cut).at(0.3)) < 0.1
 
 

@@ -104,8 +104,8 @@ def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely():
 @pytest.mark.slow
 def test_a_hold_is_where_the_keyframes_have_the_site_on_the_body():
     clip = clips.from_text(lift(), name="lift")
-    assert [hold.name for hold in clip.context.holds] == ["left_hand on crate", "right_hand on crate"]
-    for hold, y in zip(clip.context.holds, (0.17, -0.17), strict=True):
+    assert [hold.name for hold in clip.context.schedule.grasps] == ["left_hand on crate", "right_hand on crate"]
+    for hold, y in zip(clip.context.schedule.grasps, (0.17, -0.17), strict=True):
         assert (hold.first, hold.last, clip.figure.links[hold.link].name) == (0.6, 1.5, "crate")
         np.testing.assert_allclose(spot_of(hold, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
     (holding,) = parts(clip, "attach.hold")
@@ -127,7 +127,7 @@ def test_a_hold_gives_way_where_a_keyframe_puts_the_body_out_of_reach():
     told = {}
     for name, text in {"near": near, "far": far}.items():
         clip = clips.from_text(text, name=name)
-        key, hold = clip.keys[2], next(each for each in clip.context.holds if each.point.name == "left_hand")
+        key, hold = clip.keys[2], next(each for each in clip.context.schedule.grasps if each.point.name == "left_hand")
         arm = clip.figure.model.joint("left_shoulder").qposadr[0]
         assert key.known[arm : arm + 4].all() and not key.fixed[arm : arm + 4].any()
         short = np.linalg.norm(place(clip, key.state, "left_hand") - [0, 0.17, 0])
@@ -212,9 +212,9 @@ def test_limbs_stay_out_of_what_is_carried_and_not_of_what_is_not_held():
 def test_a_hold_with_a_position_and_one_that_was_not_placed():
     free = lift(hands=()).replace(HANDS, "")
     hold = HOLD.format(hand="left", start=0.7, end=0.9)
-    (unknown,) = clips.from_text(free + hold, name="free").context.holds
+    (unknown,) = clips.from_text(free + hold, name="free").context.schedule.grasps
     assert unknown.spots == ()
-    (known,) = clips.from_text(free + hold + "position = [0, 0.15, 0.05]\n", name="free").context.holds
+    (known,) = clips.from_text(free + hold + "position = [0, 0.15, 0.05]\n", name="free").context.schedule.grasps
     np.testing.assert_allclose(spot_of(known, 0.7, 0.8, 0.9), [[0, 0.15, 0.05]] * 3)
 
 
@@ -259,14 +259,16 @@ def test_a_mirrored_clip_holds_with_the_other_hand():
     figure = clip.figure
     table = mirrored_tables(table_of(clip.text, "lift"), figure, Mirror.of(figure))
     other = clips.from_text(written(table), name="other")
-    (hold,) = other.context.holds
+    (hold,) = other.context.schedule.grasps
     assert hold.name == "right_hand on crate"
-    np.testing.assert_allclose(hold.spots[0].start, clip.context.holds[0].spots[0].start * [1, -1, 1], atol=1e-6)
+    np.testing.assert_allclose(
+        hold.spots[0].start, clip.context.schedule.grasps[0].spots[0].start * [1, -1, 1], atol=1e-6
+    )
 
 
 def test_several_hold_one_thing_one_after_the_other_and_at_once():
     both = lift(hands=("left",)) + HOLD.format(hand="right", start=0.6, end=1.0)
-    holds: tuple[Hold, ...] = clips.from_text(both, name="both").context.holds
+    holds: tuple[Hold, ...] = clips.from_text(both, name="both").context.schedule.grasps
     assert [(hold.point.name, hold.last) for hold in holds] == [("left_hand", 1.5), ("right_hand", 1.0)]
 
 
@@ -277,6 +279,6 @@ def test_at_another_speed_and_in_a_part_of_the_clip_holds_keep_their_place():
     fast = retimed_tables(table_of(clip.text, "lift"), 2.0)
     assert [(row.start, row.end) for row in fast.hold] == [(0.3, 0.75)] * 2
     part = trimmed(solving.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
-    (left, right) = clips.clip_from_motion(part).context.holds
+    (left, right) = clips.clip_from_motion(part).context.schedule.grasps
     assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
     assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.hold") == 1

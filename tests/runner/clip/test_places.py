@@ -84,13 +84,13 @@ def test_a_body_goes_by_the_names_of_all_that_is_on_it():
 def test_a_found_foot_is_put_where_a_keyframe_specifies_and_stays_there_as_a_contact_specifies():
     problem = read("sites.left_ball = [0.2, 0.12, 0.1]\n", '[[contact]]\npoint = "right_ball"\nfrom = 0\nto = 1\n')
     np.testing.assert_allclose(seen(problem).geom("left_ball").xpos, [0.2, 0.12, 0.1], atol=1e-6)
-    assert [rest.point.name for rest in problem.context.contacts.given] == ["right_ball"]
+    assert [rest.point.name for rest in problem.context.schedule.contacts.requested] == ["right_ball"]
 
 
 @pytest.mark.parametrize("point", ["left_calf 2", "left_calf", "trunk"])
 def test_geoms_and_bodies_may_rest(point):
     problem = read("joints.left_knee = 12\n", f'[[contact]]\npoint = "{point}"\nfrom = 0\nto = 1\n')
-    assert [rest.point.name for rest in problem.context.contacts.given] == [point]
+    assert [rest.point.name for rest in problem.context.schedule.contacts.requested] == [point]
 
 
 def test_a_body_takes_a_place_of_its_origin_or_of_a_point_in_its_axes():

@@ -246,8 +246,8 @@ def test_stances_that_a_strangers_file_makes_up_are_refused_or_do_no_harm(folder
     with pytest.raises(UserError, match="stances"):
         clips.clip_from_motion(replace(found, search={"stances": change}))
     kept = clips.clip_from_motion(replace(found, search={"stances": clip.stances}))
-    assert [(r.point.name, r.first, r.last) for r in kept.context.contacts.given] == [
-        (r.point.name, r.first, r.last) for r in clip.context.contacts.given
+    assert [(r.point.name, r.first, r.last) for r in kept.context.schedule.contacts.requested] == [
+        (r.point.name, r.first, r.last) for r in clip.context.schedule.contacts.requested
     ]
 
 

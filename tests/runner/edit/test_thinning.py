@@ -144,8 +144,8 @@ def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
     assert found.ends == "periodic"
     assert np.array(found.problem.travel)[0] == pytest.approx(walk.timeline.states[-1, 0] - walk.timeline.states[0, 0])
     assert names(tmp_path) == ["walk.npz", "walk_thin.toml"]  # the figure ships, so it is only named
-    assert {contact.point.name for contact in found.context.contacts.given} == {
-        contact.point.name for contact in clip.load("walk_loop").context.contacts.given
+    assert {contact.point.name for contact in found.context.schedule.contacts.requested} == {
+        contact.point.name for contact in clip.load("walk_loop").context.schedule.contacts.requested
     }
 
 

@@ -51,7 +51,7 @@ def schedule(clip: Clip, slower: float) -> list[tuple[str, float, float]]:
     support = clip.context.support
     assert support is not None
     rows = [(kind, each.point.name, each.first, each.last) for kind, some in (
-        ("stance", clip.context.stances), ("footing", support.footings)) for each in some]  # fmt: skip
+        ("stance", clip.context.schedule.stances), ("footing", support.footings)) for each in some]  # fmt: skip
     rows += [("flight", "", *flight) for flight in support.flights]
     return [(f"{kind} {name}", round(first / slower, 6), round(last / slower, 6)) for kind, name, first, last in rows]
 

@@ -8,7 +8,7 @@ from block_rows import assert_rows_of
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import at_times, random_samples
 
-from dynsplines.solver.contacts import grounded_intervals, open_intervals
+from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure

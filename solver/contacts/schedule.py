@@ -1,0 +1,175 @@
+"""The schedule of contacts of a clip: when and where the figure touches its surroundings."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..array import Mask
+from ..curve.frame import Timeline
+from ..figure.figure import Figure
+from ..surface import Surface
+from ..surface.points import Point, body_points, free_root, hanging
+from .footing import Footing, Interval, flights, footings
+from .gait import GaitCycle
+from .gait_period import Gait
+from .grasp import Hold, grasped_links
+from .grounded import clearance, grounded_intervals, open_intervals
+from .stance import Rest, Stance, resting_objects, stances
+from .thresholds import Thresholds
+
+ROUNDING = 1e-9  # [s]
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """The contacts that a clip specifies: stances with known places, rests with unknown ones, and all as requested."""
+
+    stances: tuple[Stance, ...] = ()
+    rests: tuple[Rest, ...] = ()
+    requested: tuple[Rest, ...] = ()
+
+    def overlaps(self, stance: Stance) -> bool:
+        """Return whether the clip specifies a contact of the point of a stance at any time of the stance."""
+        return any(
+            contact.point.link == stance.point.link
+            and np.array_equal(contact.point.position, stance.point.position)
+            and contact.first < stance.last - ROUNDING
+            and stance.first < contact.last - ROUNDING
+            for contact in (*self.stances, *self.rests)
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class ContactSchedule:
+    """The stances, grasps, flights and gait of a figure over time. What is not specified is inferred once, when needed.
+
+    Attributes:
+        figure: The figure.
+        keys: The keyframes.
+        points: The contact points of its soles.
+        surfaces: The surfaces of the scene.
+        contacts: The contacts that the clip specifies.
+        grasps: The grasps that the clip specifies.
+        specified_footings: The footings; None: they are inferred from the stances.
+        specified_flights: The flights [s]; None: they are inferred from the keyframes.
+        has_cycle: Whether the keyframes form a gait cycle; None: they do if the cycle is unambiguous.
+        period: The period of a gait cycle [s]; None: the likeliest one.
+    """
+
+    figure: Figure
+    keys: Timeline
+    points: tuple[Point, ...] = ()
+    surfaces: tuple[Surface, ...] = ()
+    contacts: Contacts = Contacts()
+    grasps: tuple[Hold, ...] = ()
+    specified_footings: tuple[Footing, ...] | None = None
+    specified_flights: tuple[Interval, ...] | None = None
+    has_cycle: bool | None = None
+    period: float | None = None
+
+    @cached_property
+    def root(self) -> int | None:
+        """The index of the free link whose tree stands on the soles; None without a free joint."""
+        links = self.figure.tables.free_links
+        if not links.size:
+            return None
+        root = free_root(self.figure, self.points)
+        return int(links[0]) if root is None else root
+
+    @cached_property
+    def stances(self) -> tuple[Stance, ...]:
+        """The stances inferred from keyframes, without those that overlap specified contacts."""
+        inferred = stances(self.figure, self.keys, self.points, self.surfaces)
+        return tuple(stance for stance in inferred if not self.contacts.overlaps(stance))
+
+    @cached_property
+    def grasped(self) -> tuple[int, ...]:
+        """The indices of the links of grasped objects."""
+        return grasped_links(self.figure, self.grasps)
+
+    @cached_property
+    def resting_objects(self) -> tuple[Stance, ...]:
+        """The stances of grasped objects before and after the grasp."""
+        objects = [link for link in self.grasped if self.figure.links[link].parent == 0]
+        return resting_objects(self.figure, self.keys, objects)
+
+    @cached_property
+    def footings(self) -> tuple[Footing, ...]:
+        """The points that can carry the tree of the root, each for an interval."""
+        if self.specified_footings is not None or self.root is None:
+            return self.specified_footings or ()
+        return footings(self.figure, self.keys, self._soles, self.surfaces, self._carriers, self._body)
+
+    @cached_property
+    def flights(self) -> tuple[Interval, ...]:
+        """The intervals [s] in which nothing carries the tree of the root."""
+        if self.specified_flights is not None or self.root is None:
+            return self.specified_flights or ()
+        return flights(self.figure, self.root, self.keys, self._soles, self.surfaces, self._carriers, self._body)
+
+    @property
+    def is_known(self) -> bool:
+        """Whether it is known at any time what carries the figure."""
+        return bool(self.footings or self.flights)
+
+    @cached_property
+    def gait_cycle(self) -> GaitCycle | None:
+        """The gait cycle of the keyframes; None if they form none."""
+        if self.has_cycle is False:
+            return None
+        gait = Gait(self.figure, self.keys, self.points, self.surfaces)
+        if self.has_cycle is None:
+            return gait.infer()
+        return gait.likeliest() if self.period is None else gait.with_period(self.period)
+
+    @property
+    def low_points(self) -> tuple[Point, ...]:
+        """The points of soles and body of which the lowest touches the ground: of the tree of the root, if it is known
+        what carries it."""
+        points = self.exclude_grasped((*self.points, *body_points(self.figure)))
+        return points if self.root is None else hanging(self.figure, self.root, points)
+
+    @property
+    def grounded(self) -> tuple[Interval, ...]:
+        """The intervals [s] between keyframes that touch the ground, but for flights and those of `held_down`."""
+        intervals = grounded_intervals(self.figure, self.keys, self.low_points, self.surfaces, self.flights)
+        return tuple(interval for interval in intervals if interval not in self.held_down)
+
+    @cached_property
+    def held_down(self) -> tuple[Interval, ...]:
+        """The intervals [s] next to keyframes that touch the ground at an unspecified height, but for flights."""
+        if self.root is None or not self.points:
+            return ()
+        return open_intervals(self.figure, self.root, self.keys, self.low_points, self.surfaces, self.flights)
+
+    @property
+    def touches(self) -> Mask:
+        """Whether a sole point of each keyframe is on the ground, (K,)."""
+        height = clearance(self.figure, self.keys, self.points, self.surfaces)
+        return height < Thresholds.of(self.figure).touching
+
+    def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
+        """Return the points that do not belong to grasped objects."""
+        return tuple(point for point in points if point.link not in self.grasped)
+
+    @property
+    def _soles(self) -> tuple[Point, ...]:
+        """The sole points of the tree of the root."""
+        return () if self.root is None else hanging(self.figure, self.root, self.points)
+
+    @property
+    def _body(self) -> tuple[Point, ...]:
+        """The points of the body of the tree of the root."""
+        return (
+            () if self.root is None else hanging(self.figure, self.root, self.exclude_grasped(body_points(self.figure)))
+        )
+
+    @property
+    def _carriers(self) -> tuple[Stance | Rest, ...]:
+        """The stances and specified contacts of the tree of the root."""
+        every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
+        return tuple(each for each in every if self.figure.tables.path[each.point.link, self.root])
