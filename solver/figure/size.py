@@ -15,6 +15,7 @@ from .figure import Figure
 from .wrench import STANDARD_GRAVITY, height
 
 ADULT = 1.41223671  # [m] `height` of the shipped human, 1.7 m tall
+DIGITS = 6  # of the ratio of lengths: the shipped human has the size of an adult exactly
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Size:
         if figure not in _LENGTHS:
             root = figure.root
             tall = height(figure, root.link) if root is not None and root.limbs else 0.0
-            _LENGTHS[figure] = tall / ADULT or 1.0
+            _LENGTHS[figure] = round(tall / ADULT, DIGITS) or 1.0
         length, gravity = _LENGTHS[figure], float(np.linalg.norm(figure.gravity)) or STANDARD_GRAVITY
         return cls(length, float(np.sqrt(length * STANDARD_GRAVITY / gravity)))
 

@@ -22,6 +22,7 @@ from dynsplines.motion import sampled
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.size import Size
 from dynsplines.solver.penalty import Contact, Sum, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.penalty.one_sided import OneSidedResiduals
@@ -68,9 +69,10 @@ def test_the_sides_of_a_rail_are_how_deep_spheres_are_even_before_they_touch(fig
     assert sides is not None
     centres, _, _ = contact.centres(samples)
     radii = np.array([point.radius for point in points])
+    near = 0.03 * Size.of(figure).length
     for s in range(samples.count):
         own = radii - RAIL.distance(centres[:, :, s])[0]
-        np.testing.assert_allclose(np.sort(sides.value[sides.at == s]), np.sort(own[own > -0.03]), atol=1e-9)
+        np.testing.assert_allclose(np.sort(sides.value[sides.at == s]), np.sort(own[own > -near]), atol=1e-9)
     assert np.count_nonzero(sides.value < 0) > 3
 
 

@@ -125,7 +125,7 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("partial", "ends"), [(True, "free"), (False, "clamped")])
-def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(ends, partial, request):
+def test_a_clip_in_windows_costs_no_more_than_the_whole_and_meets_its_keyframes(ends, partial, request):
     keys, slope = long_keys(partial=partial), np.zeros((2, FIGURE.width)) if ends == "clamped" else None
     alike = replace(SETTINGS, variable=2)
     whole = inbetween(Problem(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope))
@@ -133,7 +133,7 @@ def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(en
     seen: list[Improvement] = []
     found = inbetween(Problem(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope), improved=seen.append)
     assert found.stop is whole.stop is Stop.CONVERGED
-    np.testing.assert_allclose(fine_value(found), fine_value(whole), rtol=5e-3)
+    assert fine_value(found) < 1.005 * fine_value(whole)
     assert fine_value(found) < 0.6 * fine_value(found, path_of(found.raw))
     assert_whole(found.path, keys)
     values = [value for _, _, value, _ in found.trace]
