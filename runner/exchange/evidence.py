@@ -104,9 +104,9 @@ def _poses(model: mujoco.MjModel, qpos: Array) -> tuple[Array, Array]:
     return np.array(position), np.array(rotation)
 
 
-def spread(count: int, most: int = LOOKED_AT) -> Index:
+def spread(count: int) -> Index:
     """Return indices of evenly spread samples of a recording, including the first and the last."""
-    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))
+    return np.unique(np.linspace(0, count - 1, min(count, LOOKED_AT)).round().astype(np.int64))
 
 
 @dataclass(frozen=True)

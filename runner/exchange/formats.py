@@ -263,9 +263,9 @@ def export(
     return target
 
 
-def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = None, overwrite: bool = True) -> Path:
+def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = None) -> Path:
     """Write a motion by a custom writer."""
-    check_target(target, overwrite=overwrite)
+    check_target(target)
     with Replacement(target) as temporary:
         own.write(SampledTrajectory.of(saved, fps), temporary)
     return target

@@ -100,12 +100,12 @@ def still(
     return View((float(lookat[0]), float(lookat[1]), float(lookat[2])), distance, azimuth, elevation)
 
 
-def smoothed(path: Array, fps: float, seconds: float = SMOOTHING_SECONDS) -> Array:
-    """Return a path (T, d) filtered by a Gaussian whose standard deviation is half of `seconds`.
+def smoothed(path: Array, fps: float) -> Array:
+    """Return a path (T, d) filtered by a Gaussian whose standard deviation is half of SMOOTHING_SECONDS.
 
     The path is continued at both ends by point reflection, so that uniform motion and both end points are unchanged.
     """
-    sigma = seconds / 2 * fps
+    sigma = SMOOTHING_SECONDS / 2 * fps
     reach = int(np.ceil(3 * sigma))
     if len(path) < 2 or reach < 1:
         return path.copy()

@@ -24,6 +24,7 @@ Send = Callable[[str | bytes], None]
 VERDICT = 60.0  # [s] time limit for loading an edited clip
 CATCHING_UP = 5.0  # [s] time limit for a path of the present text
 KEEPING = 0.4  # [s] delay after an edit before unsaved work is written
+LISTINGS = ("kinds", "formats")  # messages that do not change: a page that connects later gets them, too
 LATEST = ("raw", "carried", "found")  # kinds of paths; a page that connects later gets the last of each
 
 
@@ -51,8 +52,7 @@ class Session:
         self.offer = document.kept()
         self.status: Message = {"is": "status", "state": "loading"}
         self.outline: Message = {}
-        self._kinds: Message | None = None
-        self._formats: Message | None = None
+        self._listings: dict[str, Message] = {}
         self._stage: bytes | None = None
         self._paths: dict[str, bytes] = {}
         self._settled: Message | None = None
@@ -115,9 +115,8 @@ class Session:
     def enter(self, number: int, send: Send) -> None:
         """Add a new page and send it the present state."""
         self.pages[number] = send
-        for listing in (self._kinds, self._formats):
-            if listing is not None:
-                send(json.dumps(listing))
+        for listing in self._listings.values():
+            send(json.dumps(listing))
         for data in filter(None, (self._stage, *(self._paths.get(kind) for kind in LATEST))):
             send(data)
         if self.loaded:
@@ -324,8 +323,11 @@ class Session:
     # ---- messages of the solver process
 
     def _heard(self, message: Message) -> None:
-        handle = getattr(self, f"_heard_{message['is']}", None)
-        if handle is not None:
+        if message["is"] in LISTINGS:
+            self._listings[message["is"]] = message
+        if message["is"] in (*LISTINGS, "note"):
+            self.tell(message)
+        elif (handle := getattr(self, f"_heard_{message['is']}", None)) is not None:
             handle(message)
 
     def _heard_stage(self, message: Message) -> None:
@@ -343,17 +345,6 @@ class Session:
         if not self._judge(message):
             self._accept(message)
         self._status("loaded")
-
-    def _heard_note(self, message: Message) -> None:
-        self.tell(message)
-
-    def _heard_formats(self, message: Message) -> None:
-        self._formats = message
-        self.tell(message)
-
-    def _heard_kinds(self, message: Message) -> None:
-        self._kinds = message
-        self.tell(message)
 
     def _heard_refused(self, message: Message) -> None:
         if self._kept is not None and not self._kept.done() and message.get("revision") is None:
