@@ -73,7 +73,6 @@ class Entry(Result):
         return {self.output: self.sha256, **self.beside} if self.output else {}
 
     def holds(self, folder: Path) -> bool:
-        """Return whether all files of the output exist unchanged."""
         try:
             if not self.output or (folder / self.output).stat().st_size != self.size:
                 return False

@@ -265,7 +265,6 @@ def with_custom_penalties(clip: Clip, added: CustomPenalties) -> Clip:
 
 
 def _too_many(problem: Problem) -> Iterator[str]:
-    """Yield a note on an optimiser that is impractical for this number of unknowns."""
     settings = problem.settings
     times = np.array([key.time for key in problem.keys])
     about = settings.beginning(times, in_windows=False).size * problem.figure.width

@@ -184,7 +184,6 @@ class Kind:
         return {name: info.description or "" for name, info in fields if name != "weight"}
 
     def described(self) -> dict[str, Any]:
-        """Return the kind, its parts and its options as plain tables."""
         parts = [
             {
                 "part": part.name,
@@ -202,7 +201,6 @@ class Kind:
         return f"{self.name}.{part.name}" if part.name else self.name
 
     def weights(self, options: Options) -> dict[str, float]:
-        """Return the weights of all active parts, by the parts' names."""
         weight, first = options.weight, self.parts[0].weight
         on = [part for part in self.parts if part.option is None or getattr(options, part.option)]
         if isinstance(weight, dict):

@@ -322,7 +322,6 @@ def _flights(saved: Saved) -> list[Span] | None:
 
 
 def _table(saved: Saved) -> ClipTable:
-    """Return the tables of a motion's text; empty tables without a text."""
     return table_of(saved.text, saved.name) if saved.text else ClipTable(figure="")
 
 

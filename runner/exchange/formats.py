@@ -68,11 +68,13 @@ class Format:
     functions are optional. `beside(trajectory)` returns further files, such as a hinge model, by extension or by name
     without a leading dot. `recognises(path)` decides between formats that share an extension.
 
-    also        further extensions of the format, only read variants    further extensions of the format, read and
-    written containers  extensions of other files with the same content, only read options     fields of `ExportOptions`
-    that the format supports scales      whether files lack a unit of length, so that `read` takes `scale` [m]; None
-    infers it shares      extension of another format whose files may be of this one; their content decides extra
-    name in `pip install 'dynamic-splines[...]'` of the packages required; None for none
+    also        further extensions of the format, only read
+    variants    further extensions of the format, read and written
+    containers  extensions of other files with the same content, only read
+    options     fields of `ExportOptions` that the format supports
+    scales      whether files lack a unit of length, so that `read` takes `scale` [m]; None infers it
+    shares      extension of another format whose files may be of this one; their content decides
+    extra       name in `pip install 'dynamic-splines[...]'` of the packages required; None for none
     """
 
     name: str
@@ -231,9 +233,9 @@ def export(
 ) -> Path:
     """Write a motion in another format, atomically; the default path is its name with the format's extension.
 
-    options    optional content overwrite  replace existing files, the main one and its companions, unless their content
-    is identical tell       receives lines for the user: further files written, and data that the format cannot
-    represent
+    options    optional content
+    overwrite  replace existing files, the main one and its companions, unless their content is identical
+    tell       receives lines for the user: further files written, and data that the format cannot represent
 
     Raises UserError for an unknown format, the extension of another one, a missing package, and a motion that the
     format cannot represent.

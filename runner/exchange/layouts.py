@@ -182,7 +182,6 @@ def _best(ranked: Sequence[Judged]) -> list[Judged]:
 
 
 def _decided(used: Judged, other: Judged) -> str:
-    """Return the note on a decision between two layouts."""
     return f"read as {_called(*used[1])}: {used[0]}; as {_called(*other[1])} it would be: {other[0]}"
 
 

@@ -125,7 +125,6 @@ class _Count:
         return NUMBER * (number.get("dim", 0) + 2 * number.get("nsample", 0))
 
     def _pixels(self, attributes: Mapping[str, str]) -> float:
-        """Return the number of pixels of an image file, from its header."""
         head = self._read(attributes.get("file", ""), 24) or b""
         if head[:8] != PNG:
             return 0.0

@@ -62,7 +62,7 @@ class Document:
     _back: list[Packed] = field(default_factory=list)
     _forth: list[Packed] = field(default_factory=list)
     _seen: deque[tuple[int, bytes]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
-    _plain: tuple[int, TomlTable] | None = None  # a revision as plain tables
+    _plain: tuple[int, TomlTable] | None = None  # a revision, and its plain tables
 
     @property
     def is_dirty(self) -> bool:
@@ -75,12 +75,10 @@ class Document:
 
     @property
     def undone(self) -> str | None:
-        """Description of the edit that undo would revert."""
         return self._back[-1][0] if self._back else None
 
     @property
     def redone(self) -> str | None:
-        """Description of the edit that redo would apply."""
         return self._forth[-1][0] if self._forth else None
 
     def told(self) -> DocumentState:
@@ -161,7 +159,6 @@ class Document:
         return None
 
     def discard(self) -> None:
-        """Remove the copy of unsaved work."""
         with suppress(OSError):
             self.keeping.unlink(missing_ok=True)
 

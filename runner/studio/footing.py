@@ -66,7 +66,6 @@ class Footing:
 
     @cached_property
     def spheres(self) -> dict[int, Spheres]:
-        """The spheres of each link, including its sole points."""
         points: dict[int, list[Point]] = {}
         for point in (*body_points(self.figure), *self.soles):
             points.setdefault(point.link, []).append(point)

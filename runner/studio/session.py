@@ -286,7 +286,6 @@ class Session:
         self.tell(loaded)
 
     def told(self) -> None:
-        """Send the present document to every page."""
         text = self._outline()
         for send in list(self.pages.values()):
             send(text)
@@ -300,7 +299,6 @@ class Session:
         self._status(self.status.get("state", "settled"))
 
     def want_curves(self, number: int, on: bool) -> None:
-        """Switch a page's curves on or off."""
         had = bool(self._curved)
         (self._curved.add if on else self._curved.discard)(number)
         if bool(self._curved) != had:

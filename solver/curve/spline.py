@@ -311,7 +311,6 @@ class Piece:
 
     @cached_property
     def _range(self) -> slice:
-        """The C coefficients that the samples depend on."""
         return slice(int(self.first.min()), int(self.first.max()) + DEGREE + 1)
 
     @cached_property

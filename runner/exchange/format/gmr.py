@@ -1,10 +1,12 @@
 """Pickle of GMR (General Motion Retargeting) and of programs that train on it, such as TWIST: a dict of a robot's
 motion.
 
-fps                       [1/s] root_pos (T, 3) [m]       z up root_rot (T, 4)           xyzw, in contrast to MuJoCo's
-wxyz dof_pos (T, n) [rad]      hinges in MuJoCo's order local_body_pos (T, b, 3)  origins of bodies relative to an
-unrotated root at the origin; None in some files link_body_list            names of the bodies, depth first, the root
-first; None together with the former
+fps                       [1/s]
+root_pos (T, 3) [m]       z up
+root_rot (T, 4)           xyzw, in contrast to MuJoCo's wxyz
+dof_pos (T, n) [rad]      hinges in MuJoCo's order
+local_body_pos (T, b, 3)  origins of bodies relative to an unrotated root at the origin; None in some files
+link_body_list            names of the bodies, depth first, the root first; None together with the former
 
 Source: GMR, scripts/smplx_to_robot_dataset.py and general_motion_retargeting/data_loader.py. A ball joint is three
 hinges (`hinge_joints`); the model with these hinges is written next to the file. `plain_pickle` reads pickles without

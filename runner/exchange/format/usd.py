@@ -95,7 +95,6 @@ def _bodies(stage: Usd.Stage, trajectory: SampledTrajectory) -> list[Sdf.Path]:
 
 
 def _keyframes(trajectory: SampledTrajectory) -> Vt.DoubleArray:
-    """Return the time codes of the keyframes, which may lie between samples."""
     return Vt.DoubleArray(
         [round((key.time - float(trajectory.time[0])) * trajectory.fps, 6) for key in trajectory.saved.keys]
     )
@@ -111,7 +110,6 @@ def _animate(op: UsdGeom.XformOp, track: Array, kind: Callable[[Array], Any]) ->
 
 
 def _prim(stage: Usd.Stage, model: mujoco.MjModel, piece: Piece, body: Sdf.Path, reach: float) -> UsdGeom.Gprim:
-    """Add a geom to its body, under an unused name."""
     path = _free(stage, body, f"{piece.name}_geom")
     size, scale = piece.size, None
     match piece.kind:

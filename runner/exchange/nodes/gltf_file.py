@@ -119,7 +119,6 @@ class _File:
         return (f"read '{names[0]}', the first of {len(names)} animations: {', '.join(names[:8])}",)
 
     def _order(self) -> tuple[list[int], dict[int, int]]:
-        """Return the nodes, parents first, and the parent of each node that has one."""
         count = len(self.asset.nodes)
         parents = {child: i for i, node in enumerate(self.asset.nodes) for child in node.children or ()}
         waiting = [i for i in reversed(range(count)) if i not in parents]

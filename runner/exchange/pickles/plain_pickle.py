@@ -101,7 +101,6 @@ class _Unpickler(InPython):
 
 
 def _checked(name: str) -> tuple[int, Callable[[_Unpickler], None]]:
-    """Return an instruction's code, and its function with checks."""
     code = getattr(pickle, name)[0]
     overrides = {"BUILD": _Unpickler.load_build, "BYTEARRAY8": _Unpickler.load_bytearray8}
     run = overrides.get(name) or InPython.dispatch[pickle.REDUCE[0] if name == "NEWOBJ" else code]

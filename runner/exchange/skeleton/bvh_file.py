@@ -308,7 +308,6 @@ def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ..
 
 
 def _is_last_number_cut(words: list[str], row: list[float | None], rest: Sequence[tuple[int, str]]) -> bool:
-    """Return whether the previous frames show that the last number of a frame is cut."""
     above = [line.split()[-1] for _, line in rest[:-1]]
     last = row[-1]
     return last is not None and is_number_cut(

@@ -63,7 +63,6 @@ def figure(captured: CapturedSkeleton) -> tuple[str, Array]:
 
 
 def _depth_first(captured: CapturedSkeleton, joint: int = 0) -> list[int]:
-    """Return a joint and its descendants in the order of MuJoCo's bodies."""
     return [joint, *(below for child in captured.children(joint) for below in _depth_first(captured, child))]
 
 

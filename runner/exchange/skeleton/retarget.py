@@ -255,7 +255,6 @@ def _some(names: list[str]) -> str:
 
 
 def _root(standing: _Standing) -> int:
-    """Return the body that carries the figure's legs."""
     body = standing.roles.get("pelvis", standing.roles["left_thigh"])
     while standing.model.body_parentid[body]:
         body = int(standing.model.body_parentid[body])
