@@ -103,11 +103,9 @@ def _rise(w: Array, rest: Array, step: Array, there: Array, change: Array, softn
 
 
 def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness: float) -> Array:
-    """Return the share of the step at which the convex function is smallest, (S,).
-
-    The slope along the step is piecewise linear and increasing. It starts at slope · step, and its own rate grows by
-    change²/ε where an edge becomes active and falls by as much where one becomes inactive.
-    """
+    """Return the share of the step at which the convex function is smallest, (S,). The slope along the step is
+    piecewise linear and increasing. It starts at slope · step, and its own rate grows by change²/ε where an edge
+    becomes active and falls by as much where one becomes inactive."""
     straight = np.einsum("sn,sn->s", step, step)
     here = np.einsum("sn,sn->s", slope, step)
     squares = change * change / softness

@@ -267,11 +267,8 @@ class _Loop:
         return len(values) == 2 and same_valley and not violation_dominates(self.objective, self.last)
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[_End]:
-        """Return the results of rounds, until no segment needs a frame or the budget of frames is spent.
-
-        A round that another may follow ends early, once its next step is predicted to gain little compared with new
-        frames.
-        """
+        """Return the results of rounds, until no segment needs a frame or the budget of frames is spent. A round that
+        another may follow ends early, once its next step is predicted to gain little compared with new frames."""
         ends: list[_End] = []
         tolerance = self.settings.tolerance
         budget = MOST_FRAMES * segments if budget is None else budget

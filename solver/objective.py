@@ -142,11 +142,9 @@ class Objective:
         )
 
     def _typical(self, raw: Path, integrals: Array) -> Array:
-        """Return the integrals of the terms over the raw path, with outlying segments capped, (terms,).
-
-        Violations are not changed. For any other term, the mean over each segment between knots is capped at four times
-        the 80th percentile of all segment means, weighted by time. The result is at least a tenth of the integral.
-        """
+        """Return the integrals of the terms over the raw path, with outlying segments capped, (terms,). Violations are
+        not changed. For any other term, the mean over each segment between knots is capped at four times the 80th
+        percentile of all segment means, weighted by time. The result is at least a tenth of the integral."""
         times = np.asarray(raw.spline.times)
         costs = [i for i, term in enumerate(self.terms) if not term.penalty.normalization.is_violation]
         plain = tuple(replace(self.terms[i], factor=1.0) for i in costs)

@@ -157,11 +157,8 @@ class Batch:
         self.manifest.record([begun], firmly=False)
 
     def _finish(self, name: str, outcome: Outcome) -> None:
-        """Write the files of a solved clip, and record its state.
-
-        The manifest contains the hashes before the files are written. If the program is killed in between, the next run
-        recognises the files.
-        """
+        """Write the files of a solved clip, and record its state. The manifest contains the hashes before the files are
+        written. If the program is killed in between, the next run recognises the files."""
         above = PurePosixPath(name).parent
         files = {(above / name).as_posix(): content for name, content in outcome.files.items()}
         try:

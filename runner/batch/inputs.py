@@ -130,9 +130,7 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording 
 
 def _clip_files(path: Path, figures: dict[Path, Contents], before: tuple[Path, ...]) -> tuple[Contents, Path | None]:
     """Return a clip with its figure and the recording or clip that it follows; and the figure if its path is absolute.
-
-    `before` are the clips that follow this one.
-    """
+    `before` are the clips that follow this one."""
     files, absolute = {path: path.read_bytes()}, None
     named, recording = clip.references(files[path].decode("utf-8", errors="replace"))
     if named is not None and named not in models.figures():

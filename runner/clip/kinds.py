@@ -239,10 +239,8 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
 
 
 def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
-    """Return the contacts of the figure's corners with the objects that it holds.
-
-    Spheres that fill the figure would take ten times as long, because these objects are always near its hands.
-    """
+    """Return the contacts of the figure's corners with the objects that it holds. Spheres that fill the figure would
+    take ten times as long, because these objects are always near its hands."""
     points = context.schedule.exclude_grasped(body_points(context.figure))
     objects = [(link, surfaces_on(context.figure, link)) for link in context.schedule.grasped]
     return tuple(

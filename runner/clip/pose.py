@@ -123,10 +123,8 @@ def soles_of(figure: Figure, keys: Sequence[Frame]) -> tuple[Point, ...]:
 
 
 def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], where: str) -> Frame:
-    """Return the qpos and mask of a keyframe; unspecified degrees of freedom are free, at rest, or as in `before`.
-
-    The joints of the links `loose` are free whatever `others` is.
-    """
+    """Return the qpos and mask of a keyframe; unspecified degrees of freedom are free, at rest, or as in `before`. The
+    joints of the links `loose` are free whatever `others` is."""
     qpos = np.array(figure.model.qpos0)
     fixed = np.full(figure.width, row.others == "rest" or row.model_key is not None)
     if row.model_key is not None:

@@ -193,10 +193,8 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
 
 
 def _moved(figure: Figure, timeline: Timeline, key: Frame, place: join.Placement, shift: float) -> Frame:
-    """Return a keyframe of the second motion, shifted in time and rotated with its root.
-
-    Free entries are those of the motion. If single axes of a rotated root are fixed, its whole position becomes fixed.
-    """
+    """Return a keyframe of the second motion, shifted in time and rotated with its root. Free entries are those of the
+    motion. If single axes of a rotated root are fixed, its whole position becomes fixed."""
     at = figure.to_qpos(path_of(timeline).at(np.array([key.time])))[0]
     fixed = key.fixed.copy()
     for columns in figure.tables.position_columns.T:
@@ -278,9 +276,7 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
 
 def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None, more: Lasting = Lasting()) -> str:
     """Return the clip's text with other keyframes, and its and `more`'s contacts, holds and flights, cut to its time.
-
-    There are no flights if the times of those of `more` are unknown. With `solve` None the clip has free ends.
-    """
+    There are no flights if the times of those of `more` are unknown. With `solve` None the clip has free ends."""
     span = keys[0].time, keys[-1].time
 
     def changed(clip: ClipTable) -> ClipTable:

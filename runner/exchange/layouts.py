@@ -170,10 +170,8 @@ def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjMode
 
 
 def _best(ranked: Sequence[Judged]) -> list[Judged]:
-    """Return the layouts of fewest deviations that the most plausible one does not exclude.
-
-    If in one of these the feet slide evidently less than in the others, it is the only result.
-    """
+    """Return the layouts of fewest deviations that the most plausible one does not exclude. If in one of these the feet
+    slide evidently less than in the others, it is the only result."""
     near = [ranked[0], *(judged for judged in ranked[1:] if not judged[0].is_doubted_by(ranked[0][0]))]
     fewest = min(len(variant.layout) for _, (_, variant) in near)
     near = [judged for judged in near if len(judged[1][1].layout) == fewest]

@@ -47,12 +47,9 @@ def unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, t
 
 
 def _whole_turns(angle: Array) -> Array:
-    """Return the number of whole turns (T - 1,) between samples that are artefacts of wrapping.
-
-    If all angles lie within one turn, from -180° or from 0°, they are taken as wrapped, and every jump counts.
-    Otherwise only jumps of nearly a whole turn count: a rotor recorded over many turns may pass half a turn between
-    samples.
-    """
+    """Return the number of whole turns (T - 1,) between samples that are artefacts of wrapping. If all angles lie
+    within one turn, from -180° or from 0°, they are taken as wrapped, and every jump counts. Otherwise only jumps of
+    nearly a whole turn count: a rotor recorded over many turns may pass half a turn between samples."""
     step = np.diff(angle)
     turns = np.round(step / TURN)
     is_within = any(angle.min() >= low - EDGE and angle.max() <= low + TURN + EDGE for low in (-np.pi, 0.0))

@@ -113,11 +113,9 @@ def _checked(target: Path, images: Iterable[Picture], shape: tuple[int, ...]) ->
 
 
 def _write_mp4(path: Path, images: Iterator[Picture], fps: float) -> None:
-    """Write H.264 with the index at the front of the file, so that a browser can start before it is loaded.
-
-    x264's macroblock tree is disabled: at widths such as 848 or 960 pixels its assembly reads uninitialised memory, and
-    equal frames result in different bytes. The tree would save 3 to 10 % of the size.
-    """
+    """Write H.264 with the index at the front of the file, so that a browser can start before it is loaded. x264's
+    macroblock tree is disabled: at widths such as 848 or 960 pixels its assembly reads uninitialised memory, and equal
+    frames result in different bytes. The tree would save 3 to 10 % of the size."""
     codec = {"preset": "medium", "crf": "20", "mbtree": "0"}
     _encode(path, images, fps, "libx264", codec, {"movflags": "+faststart"})
 
@@ -180,10 +178,8 @@ def _in_a_thread(work: Callable[[Item], None], items: Iterable[Item]) -> None:
 
 
 def _write_gif(path: Path, images: Iterator[Picture], fps: float) -> None:
-    """Write a GIF with one palette for the whole clip, so that still parts stay still and the file is small.
-
-    The palette is known only at the end, so the frames are stored in a lossless file, not in memory.
-    """
+    """Write a GIF with one palette for the whole clip, so that still parts stay still and the file is small. The
+    palette is known only at the end, so the frames are stored in a lossless file, not in memory."""
     step = math.ceil(fps / GIF_FPS - 1e-9)
     rate = Fraction(fps).limit_denominator(65535) / step
     waiting = beside(path, ".mkv")

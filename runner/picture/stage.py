@@ -145,11 +145,9 @@ class Stage:
 
 
 def _simplify(vis: mujoco.MjVisual, height: int, shrunk: float) -> None:
-    """Reduce the quality of pictures of this height [pixels] that are shown smaller.
-
-    Shrinking smooths edges like multisampling, which is the most expensive part of software rendering. On small
-    figures, round shapes need fewer facets, and shadows fewer texels.
-    """
+    """Reduce the quality of pictures of this height [pixels] that are shown smaller. Shrinking smooths edges like
+    multisampling, which is the most expensive part of software rendering. On small figures, round shapes need fewer
+    facets, and shadows fewer texels."""
     if shrunk < SMOOTH:
         return
     quality, share = vis.quality, min(1.0, height / shrunk / FULL)

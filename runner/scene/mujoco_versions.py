@@ -102,10 +102,8 @@ def _precise_text(spec: mujoco.MjSpec) -> str:
 
 @contextlib.contextmanager
 def _precise() -> Iterator[None]:
-    """Write numbers with DIGITS digits in this block, or with MuJoCo's default if its library is not found.
-
-    The precision is a setting of the thread, for which MuJoCo's Python package has no function.
-    """
+    """Write numbers with DIGITS digits in this block, or with MuJoCo's default if its library is not found. The
+    precision is a setting of the thread, for which MuJoCo's Python package has no function."""
     library = _library()
     if library is None:
         yield

@@ -178,10 +178,8 @@ class Actions:
         return [name for group in ("sites", "bodies") for name in row.get(group, {})]
 
     def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: PoseEntries) -> PoseEdit:
-        """Return the moved joints of a keyframe, and the targets that these override.
-
-        Other joints that such a target determined, of its limb and the root, are fixed as in the pose (nq,).
-        """
+        """Return the moved joints of a keyframe, and the targets that these override. Other joints that such a target
+        determined, of its limb and the root, are fixed as in the pose (nq,)."""
         row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
         places = [name for name in self._placed(index) if poser.deciding_joints(name)[0] & names]
         decided = {joint for name in places for joint in poser.deciding_joints(name)[1]} - set(row.get("joints", {}))

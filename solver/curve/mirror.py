@@ -162,11 +162,8 @@ def _of_joint(reflection: Array) -> Array:
 
 
 def _of_quaternion(reflection: Array, source: int, link: int) -> Array:
-    """Return the matrix (4, 4) of a reflection on a link's orientation in the world.
-
-    S R Mᵀ = (S R S) (S Mᵀ), so it is the quaternion of S R S times a constant. The constant's sign makes two mirrorings
-    cancel.
-    """
+    """Return the matrix (4, 4) of a reflection on a link's orientation in the world. S R Mᵀ = (S R S) (S Mᵀ), so it is
+    the quaternion of S R S times a constant. The constant's sign makes two mirrorings cancel."""
     first = min(source, link)
     constant = quat.from_matrix(WORLD @ reflection[first].T)
     if source != first:

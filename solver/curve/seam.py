@@ -161,10 +161,8 @@ def _pair(angles: Array, partners: Index, u: int, v: int, angle: float) -> None:
 
 
 def _root_of(figure: Figure, link: int, *, in_world: bool) -> int:
-    """Return the free link whose rotation turns a link's quaternion, or 0.
-
-    It is the link itself, or its free ancestor if the quaternion is its orientation in the world.
-    """
+    """Return the free link whose rotation turns a link's quaternion, or 0. It is the link itself, or its free ancestor
+    if the quaternion is its orientation in the world."""
     while link and figure.links[link].kind is not JointKind.FREE:
         link = figure.links[link].parent if in_world and figure.tables.in_world[link] else 0
     return link

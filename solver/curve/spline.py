@@ -178,10 +178,8 @@ class Spline:
 
 
 def _basis_values(knots: Array, span: Index, t: Array) -> Array:
-    """Return values and three derivatives at t of the four nonzero cubic B-splines of each t's span, (S, 4, 4).
-
-    The triangular scheme of de Boor (A Practical Guide to Splines, ch. X): lower-degree B-splines, then differences.
-    """
+    """Return values and three derivatives at t of the four nonzero cubic B-splines of each t's span, (S, 4, 4). The
+    triangular scheme of de Boor (A Practical Guide to Splines, ch. X): lower-degree B-splines, then differences."""
     near = knots[span[:, None] + np.arange(1 - DEGREE, DEGREE + 1)]
     below, right = near[:, :DEGREE], near[:, DEGREE:]
     before, after = t[:, None] - below, right - t[:, None]

@@ -261,10 +261,8 @@ def _children(figure: Figure, parent: int) -> list[int]:
 
 
 def _partner(rest: Rest, i: int, free: Sequence[int], image: Array, middle: float) -> tuple[int | None, str]:
-    """Return the partner of link i among unpaired links, by name or else by geometry; None without one.
-
-    The second value is the misfit of the link with the matching name, or "".
-    """
+    """Return the partner of link i among unpaired links, by name or else by geometry; None without one. The second
+    value is the misfit of the link with the matching name, or ""."""
     named, complaint = _named(rest.figure, i), ""
     if named is not None:
         misfit = rest.misfit(i, named, image, UNEVEN) if named in free else "kinds"

@@ -325,10 +325,8 @@ class _Gaps:
         self._cache: dict[bytes, tuple[Mask, Sampling]] = {}
 
     def fill(self, states: Array, specified: Mask, columns: slice, rest: Array) -> None:
-        """Fill columns at the frames that do not specify them, from the natural spline through the others.
-
-        Beyond the ends of that spline the values are constant.
-        """
+        """Fill columns at the frames that do not specify them, from the natural spline through the others. Beyond the
+        ends of that spline the values are constant."""
         is_specified: Mask = np.asarray(specified[:, columns].all(axis=1))
         if is_specified.all():
             return

@@ -91,10 +91,8 @@ def following(figure: Figure, before: Timeline, after: Timeline, duration: float
 
 
 def _heading_between(figure: Figure, start: Array, end: Array) -> float:
-    """Return the rotation about z from one state (N,) to another [rad], the mean of the trunk's links.
-
-    In walking, pelvis and chest rotate against each other, alternately with each step.
-    """
+    """Return the rotation about z from one state (N,) to another [rad], the mean of the trunk's links. In walking,
+    pelvis and chest rotate against each other, alternately with each step."""
     rest = figure.to_state(np.array(figure.model.qpos0))
     states = np.stack([rest, start, end])
     rotations = np.moveaxis(Samples.still(figure, states).links.rotation, (2, 3), (0, 1))

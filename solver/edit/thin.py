@@ -356,10 +356,8 @@ def _repaired(recorded: Recorded, kept: list[int], told: Callable[[str], None]) 
 
 
 def _moved(recorded: Recorded, kept: list[int], at: int) -> list[int] | None:
-    """Return instants with those near index `at` moved one at a time until the bound holds there, or None.
-
-    The first steps are half the distance to the neighbour. They become shorter if none helps, down to one instant.
-    """
+    """Return instants with those near index `at` moved one at a time until the bound holds there, or None. The first
+    steps are half the distance to the neighbour. They become shorter if none helps, down to one instant."""
     needed = {kept[0], kept[-1]}
     near = [n for n in range(max(0, at - NEAR), min(len(kept), at + NEAR)) if kept[n] not in needed]
     breach, share = float(recorded.breaches([kept], at)[0]), FIRST_STEP

@@ -263,10 +263,8 @@ def _slides_pulled_back(cotangent: Cotangent, own: list[Array | None]) -> None:
 
 
 def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
-    """Return gradients (4, L, S) with respect to Q, Q', Q'' of the links for those of turn, ω and ω'.
-
-    Trailing zero gradients are omitted. G denotes the matrix of `vector_product`: (0, v) ⊗ Q = Gᵀ v.
-    """
+    """Return gradients (4, L, S) with respect to Q, Q', Q'' of the links for those of turn, ω and ω'. Trailing zero
+    gradients are omitted. G denotes the matrix of `vector_product`: (0, v) ⊗ Q = Gᵀ v."""
     links = cotangent.samples.links
     turn, omega_bar, alpha_bar = (cotangent.get(name) for name in ("turn", "omega", "alpha"))
     product = links.vector_product

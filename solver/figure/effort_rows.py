@@ -271,9 +271,7 @@ class _Turns:
 
     def before(self, joint: Index, moved: Index) -> Array:
         """Return the changes of all links beyond joints (P,), about their anchors, by rotations of earlier joints (P,).
-
-        The joints shift. They also rotate, unless there is a link in between whose orientation is in the state.
-        """
+        The joints shift. They also rotate, unless there is a link in between whose orientation is in the state."""
         links, anchors = self.links, self.links.anchors
         between = followers(links.figure)[joint, moved]
         nearest = np.where(between > 0, between, joint)

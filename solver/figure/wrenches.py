@@ -120,11 +120,9 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
 
 @lru_cache(maxsize=8)
 def _facts(figure: Figure) -> tuple[Index, Index]:
-    """Return the kernel's data of links (L, 9), and `followers`.
-
-    The columns, −1 where they do not apply: parent, column of a position; index among the slides, and column; the same
-    for hinges and for quaternions; index among the relative quaternions.
-    """
+    """Return the kernel's data of links (L, 9), and `followers`. The columns, −1 where they do not apply: parent,
+    column of a position; index among the slides, and column; the same for hinges and for quaternions; index among the
+    relative quaternions."""
     tables, (place, base), apart = figure.tables, places(figure), relatives(figure)
     facts = np.full((len(tables.parents), 9), -1, np.int64)
     facts[:, 0] = tables.parents

@@ -159,10 +159,8 @@ def _looks(timeline: Timeline, unit: Array) -> Array:
 
 
 def _cardinal(timeline: Timeline, column: int, violation: _Violation) -> Array:
-    """Return unit changes of the rows that may move around a violation, (M + 2, n).
-
-    These rows are frames in which the column is free, and slopes at free ends.
-    """
+    """Return unit changes of the rows that may move around a violation, (M + 2, n). These rows are frames in which the
+    column is free, and slopes at free ends."""
     times, count = timeline.times, len(timeline.frames)
     begin, end = violation.reach
     free = ~timeline.fixed[:, column] & (times > begin) & (times < end)

@@ -120,10 +120,8 @@ def _placed(times: Array, inner: Array) -> Array:
 
 
 def _moved(figure: Figure, start: Timeline, signs: Array, was: Array, inner: Array, states: Array) -> Array:
-    """Return the states (V, N) of a path displaced with its keyframes.
-
-    Where a quaternion turns in another direction than before, the states are on the spline through the keyframes.
-    """
+    """Return the states (V, N) of a path displaced with its keyframes. Where a quaternion turns in another direction
+    than before, the states are on the spline through the keyframes."""
     times, moved = start.times, start.states - signs * was
     span = np.clip(np.searchsorted(times, inner, side="right") - 1, 0, times.size - 2)
     share = ((inner - times[span]) / (times[span + 1] - times[span]))[:, None]

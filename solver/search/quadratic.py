@@ -273,10 +273,8 @@ class Layout:
         return rank[row, b], offset[row, a, b], (weights[row, a] * weights[row, b])[:, None] * hold[row]
 
     def _tie_seam(self, matrix: Array, spline: Spline, order: int) -> None:
-        """Tie y, y' or y'' of a step at the end to the same at the start, mapped by the seam.
-
-        A loop's shift is constant, so it does not affect steps.
-        """
+        """Tie y, y' or y'' of a step at the end to the same at the start, mapped by the seam. A loop's shift is
+        constant, so it does not affect steps."""
         start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
         returned, identity = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
         parts = [(j, -w * returned) for j, w in zip(start.indices.tolist(), start.data.tolist(), strict=True)]
@@ -328,10 +326,8 @@ class Pair(NamedTuple):
 
 
 def _seen_blocks(matrix: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
-    """Yield parts of blocks (..., n, k, k) with views (M + 2, K + 1, ...) of the matrix entries to add them to.
-
-    The columns (n, k) rise. All blocks are one part if the columns are one run, otherwise one per pair of runs.
-    """
+    """Yield parts of blocks (..., n, k, k) with views (M + 2, K + 1, ...) of the matrix entries to add them to. The
+    columns (n, k) rise. All blocks are one part if the columns are one run, otherwise one per pair of runs."""
     if np.all(np.diff(columns.ravel()) == 1):
         whole = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
         target = matrix[:, whole, :, whole]

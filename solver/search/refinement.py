@@ -144,10 +144,8 @@ class _Recorder:
         self.unit = 0.0  # the first value, by which NLopt's objective is divided
 
     def objective(self, x: Array, gradient: Array) -> float:
-        """Return the scaled value for NLopt and write its gradient to `gradient` (n,).
-
-        It raises no exceptions: some of NLopt's line searches would call again with the exception pending.
-        """
+        """Return the scaled value for NLopt and write its gradient to `gradient` (n,). It raises no exceptions: some of
+        NLopt's line searches would call again with the exception pending."""
         try:
             if self.count >= self.budget:
                 self.forced = Stop.MAX_EVALUATIONS

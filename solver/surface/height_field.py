@@ -109,11 +109,8 @@ class HeightField:
 
     def _distance(self, local: Array, within: Array) -> tuple[Array, Array]:
         """Return the signed distance of points (3, p), and its gradient in field axes; exact up to `within` (p,)
-        outside.
-
-        Beside the field, it is the distance to its walls below their top, else to the nearest triangle. Inside, it is
-        the distance to the nearest triangle or wall.
-        """
+        outside. Beside the field, it is the distance to its walls below their top, else to the nearest triangle.
+        Inside, it is the distance to the nearest triangle or wall."""
         nearest = np.clip(local[:2], -self.half[:, None], self.half[:, None])
         beside = local[:2] - nearest
         gap = local[2] - self._ground(local)

@@ -114,10 +114,8 @@ def all_round(count: int) -> Array:
 
 
 def _outermost(points: list[Point]) -> set[int]:
-    """Return the spheres on the convex hull of their link's spheres, which reach farthest in some direction.
-
-    Of spheres that reach equally far within rounding, the first is returned.
-    """
+    """Return the spheres on the convex hull of their link's spheres, which reach farthest in some direction. Of spheres
+    that reach equally far within rounding, the first is returned."""
     directions = all_round(DIRECTIONS)
     hull: set[int] = set()
     for link in {point.link for point in points}:

@@ -105,10 +105,8 @@ class TrackedRecording:
         return replace(unweighted, keys=tuple(keys), penalties=tuple(weights), settings=settings)
 
     def _warped(self, edits: Sequence[Frame]) -> RecordedMotion:
-        """Return the recording warped to the poses of keyframes (A. Witkin and Z. Popović 1995).
-
-        The warp is per joint, and moves the root with the whole figure. It fades out before and after the keyframes.
-        """
+        """Return the recording warped to the poses of keyframes (A. Witkin and Z. Popović 1995). The warp is per joint,
+        and moves the root with the whole figure. It fades out before and after the keyframes."""
         recorded = self.recorded
         if not edits:
             return recorded
@@ -139,10 +137,8 @@ class TrackedRecording:
         return frames[np.append(True, np.diff(frames) > CLOSE)]
 
     def _exact_knots(self) -> Array:
-        """Return the knots, and midpoints where a spline through the knots alone differs from the recording.
-
-        A difference arises where the recording's quaternions have another length than 1 between its own frames.
-        """
+        """Return the knots, and midpoints where a spline through the knots alone differs from the recording. A
+        difference arises where the recording's quaternions have another length than 1 between its own frames."""
         figure, path = self.recorded.figure, self.recorded.path
         knots = np.unique(np.clip(self.knots, *path.span))
         frames = Frame.many(knots, path.at(knots), np.ones((knots.size, figure.width), bool))

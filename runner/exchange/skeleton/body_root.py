@@ -60,10 +60,8 @@ def from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Ske
 
 
 def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
-    """Return the joint that carries all parts of the body known by name.
-
-    Without such names it is the first joint from the top that carries several joints, or one without position channels.
-    """
+    """Return the joint that carries all parts of the body known by name. Without such names it is the first joint from
+    the top that carries several joints, or one without position channels."""
     parents, names = skeleton.parents, unique(skeleton.names)
     parts = set(apply_bone_map(roles(names, parents), bone_map, names, "recording").values())
     if len(parts) > 1:

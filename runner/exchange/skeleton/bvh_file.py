@@ -274,9 +274,7 @@ def _heading(lines: _Lines) -> tuple[int, float, float]:
 
 def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ...]]:
     """Return the rest of the file (T, width), nan for missing numbers, and a note if T is not the declared count.
-
-    Raises UserError for another number of samples unless gaps are allowed; then the samples present are used.
-    """
+    Raises UserError for another number of samples unless gaps are allowed; then the samples present are used."""
     is_strict, rest, rows = not gaps.are_allowed(), list(lines.rest()), list[Array]()
     for i, (number, line) in enumerate(rest):
         lines.number = number
@@ -324,11 +322,9 @@ def _number(word: str, *, is_strict: bool) -> float | None:
 
 
 def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tuple[Array, tuple[str, ...]]:
-    """Return finite values, and a note; samples with a missing number of a part of the body are marked as gaps.
-
-    A joint that carries no part of the body gets the pose of the sample before, or of rest. Raises UserError for
-    entries that are not finite unless gaps are allowed.
-    """
+    """Return finite values, and a note; samples with a missing number of a part of the body are marked as gaps. A joint
+    that carries no part of the body gets the pose of the sample before, or of rest. Raises UserError for entries that
+    are not finite unless gaps are allowed."""
     values = np.where(np.isfinite(values), values, np.nan)
     bad = ~np.isfinite(values)
     if not bad.any():

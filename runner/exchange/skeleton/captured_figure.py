@@ -98,10 +98,8 @@ def _bones(
 
 
 def _lines(captured: CapturedSkeleton, joint: int, role: str) -> list[tuple[Array, Array]]:
-    """Return the ends (3,) of the bones of a joint.
-
-    At pelvis and chest, bones lead to the midpoint between the limbs, and from left to right.
-    """
+    """Return the ends (3,) of the bones of a joint. At pelvis and chest, bones lead to the midpoint between the limbs,
+    and from left to right."""
     below = captured.children(joint)
     origin, tips = np.zeros(3), [captured.offset[child] for child in below]
     if role in ("pelvis", "chest"):

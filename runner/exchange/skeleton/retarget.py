@@ -81,9 +81,7 @@ class _Standing:
 
     def bracket(self, side: str) -> Array:
         """Return the offset (3,) [m] of the thigh from the hip's first hinge, across the leg, if the foot cannot roll.
-
-        Such a foot is flat only under a leg that is vertical below this offset.
-        """
+        Such a foot is flat only under a leg that is vertical below this offset."""
         if len(hierarchy.joints(self.model, self._below(f"{side}_shin", f"{side}_foot"))) > 1:
             return np.zeros(3)
         first, thigh = self.joint_of(f"{side}_thigh"), self.place[self.roles[f"{side}_thigh"]]
@@ -494,10 +492,8 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
 def _placed(
     captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float
 ) -> tuple[Array, Array]:
-    """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin.
-
-    With it comes the position error (T, 3) [m] of a root on slides.
-    """
+    """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin. With it comes the
+    position error (T, 3) [m] of a root on slides."""
     model = standing.model
     hips = captured.position[:, [captured.roles["left_thigh"], captured.roles["right_thigh"]]].mean(axis=1)
     middle = 0.5 * (standing.joint_of("left_thigh") + standing.joint_of("right_thigh"))
@@ -535,10 +531,8 @@ def _beyond_root(
 
 
 def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, float]:
-    """Shift the motion vertically so that the soles are nearly never below the ground; return also the shift [m].
-
-    Soles are sites with heel or toe in their name, or else the bounding boxes of the feet's geoms.
-    """
+    """Shift the motion vertically so that the soles are nearly never below the ground; return also the shift [m]. Soles
+    are sites with heel or toe in their name, or else the bounding boxes of the feet's geoms."""
     model, feet = standing.model, standing.feet
     soles = [i for i in range(model.nsite) if any(word in model.site(i).name.lower() for word in ("heel", "toe"))]
     if not soles and not feet.size:

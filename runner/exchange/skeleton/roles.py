@@ -240,10 +240,8 @@ def _spine_above_chest(found: dict[str, int], parts: Sequence[tuple[str | None, 
 
 
 def _fits(found: dict[str, int], side: str, role: str, word: str, same: list[int], parents: Sequence[int]) -> bool:
-    """Return whether joints `same` with an ambiguous word fit a role.
-
-    An "arm" is the upper arm above a forearm and the forearm below an upper arm; a "shoulder" is its clavicle.
-    """
+    """Return whether joints `same` with an ambiguous word fit a role. An "arm" is the upper arm above a forearm and the
+    forearm below an upper arm; a "shoulder" is its clavicle."""
     if not same:
         return False
     if word == "shoulder" and role == "clavicle":

@@ -70,10 +70,8 @@ def curves(clip: Clip, found: Solution) -> Curves:
 
 def _deviation(clip: Clip, sides: dict[str, Timeline], time: Array) -> list[Group]:
     """Return |R|, the deviation of a path from the Euler-Lagrange equation, and the predicted reduction of E per
-    segment.
-
-    The reduction is that of a new frame in the middle of a segment, the solver's criterion for inserting frames.
-    """
+    segment. The reduction is that of a new frame in the middle of a segment, the solver's criterion for inserting
+    frames."""
     objective, size, promise = clip.problem.objective, {}, {}
     for side, timeline in sides.items():
         strong = residual(objective, path_of(timeline))

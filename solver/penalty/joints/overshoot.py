@@ -201,10 +201,8 @@ def _is_turning_point(track: Track, qpos: Array, k: int, beside: Sequence[tuple[
 
 
 def _beside(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
-    """The nearest keyframes before k and after k + 1 that fix a coordinate, and their distances [s].
-
-    In a loop the search wraps around its end.
-    """
+    """The nearest keyframes before k and after k + 1 that fix a coordinate, and their distances [s]. In a loop the
+    search wraps around its end."""
     times, last, place = keys.times, len(keys.times) - 1, int(np.searchsorted(fixing, k))
     is_loop = keys.ends == "periodic"
     one = other = None
