@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -19,13 +19,32 @@ RATE = 250.0  # [1/s]: finer than any chart is wide
 TENTHS = 10  # of the path, as in the paper's figure 10
 
 
-def curves(clip: Clip, motion: Solution) -> dict[str, Any]:
+SideCurves = TypedDict(  # of one timeline: heights [m] by contact point, lengths of quaternions, EL deviation by tenth
+    "SideCurves",
+    {
+        "time": list[float],
+        "height": dict[str, list[float]],
+        "shortest": list[float],
+        "longest": list[float],
+        "EL over tenths": list[float],
+    },
+)
+
+
+class Curves(TypedDict):
+    """The curves of both motions."""
+
+    before: SideCurves
+    after: SideCurves
+
+
+def curves(clip: Clip, motion: Solution) -> Curves:
     """Foot heights, lengths of quaternions and EL deviation over tenths, of both motions; plain lists."""
     before = _side(clip, motion, motion.raw)
     return {"before": before, "after": before if motion.is_raw else _side(clip, motion, motion.timeline)}
 
 
-def _side(clip: Clip, motion: Solution, timeline: Timeline) -> dict[str, Any]:
+def _side(clip: Clip, motion: Solution, timeline: Timeline) -> SideCurves:
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
     samples = samples_at(clip.figure, path_of(timeline), time)

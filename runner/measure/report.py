@@ -29,7 +29,7 @@ from dynsplines.solver.surface.points import places_of
 from ..clip.build import Clip
 from .formatting import rows
 from .quantities import Side
-from .violation import plain, violations_of
+from .violation import ViolationTable, plain, violations_of
 
 LOCAL_EVALUATIONS = 25  # of a local solve that estimates the remaining decrease of a segment
 LOCAL_TOLERANCE = 1e-4  # of a segment's E; what is left is known to a tenth, in a quarter of the time that 1e-7 takes
@@ -180,7 +180,7 @@ def tables(data: dict[str, Any]) -> Group:
     return Group(*wrong, head, main, *([segments] if data["segments"] else []))
 
 
-def _worst_of_each(told: list[dict[str, Any]]) -> list[str]:
+def _worst_of_each(told: list[ViolationTable]) -> list[str]:
     """The violations of a recording, worst first, only the first of each kind and name: most samples repeat them."""
     count = Counter((violation["kind"], violation["name"]) for violation in told)
     first: dict[tuple[str, str], str] = {}

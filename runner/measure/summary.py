@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from ..motion import Saved
 from .violation import Violation, plain
 
 
-def summary(saved: Saved, found: Sequence[Violation]) -> dict[str, Any]:
+def summary(saved: Saved, found: Sequence[Violation]) -> dict[str, object]:
     """Plain numbers for JSON; the objective where a search left its values, and what the file keeps of that search."""
     times, trace = saved.timeline.times, saved.trace
     values = {"objective before": trace[0][2], "objective": trace[-1][2]} if trace else {}

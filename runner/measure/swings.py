@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from dynsplines.solver.contacts.thresholds import Thresholds
@@ -42,7 +40,7 @@ def runs(mask: np.ndarray) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
-def words(found: list[dict[str, Any]]) -> str:
+def words(found: list[dict[str, float]]) -> str:
     """A foot's swings for a table: how high each goes."""
     high = [1000 * swing["height, m"] for swing in found]
     if not high:

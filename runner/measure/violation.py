@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import TypedDict, cast
 
 import numpy as np
 
@@ -62,6 +62,19 @@ class Violation:
 
     def __str__(self) -> str:
         return self.text
+
+
+class ViolationTable(TypedDict):
+    """A violation as it is in files; the fields are those of `Violation`."""
+
+    kind: str
+    name: str
+    time: float | None
+    amount: float
+    unit: str
+    bound: float
+    keyframe: int | None
+    text: str
 
 
 def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
@@ -139,9 +152,9 @@ def by_name(found: Sequence[Violation]) -> tuple[Violation, ...]:
     return tuple(out)
 
 
-def plain(found: Sequence[Violation]) -> list[dict[str, Any]]:
+def plain(found: Sequence[Violation]) -> list[ViolationTable]:
     """For JSON."""
-    return [asdict(violation) for violation in found]
+    return [cast(ViolationTable, asdict(violation)) for violation in found]
 
 
 def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]:
