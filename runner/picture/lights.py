@@ -69,34 +69,26 @@ class Light(NamedTuple):
     cutoff: float
     ambient: Floats
     diffuse: Floats
-    specular: Floats
     shadow: Shadow | None
 
     @classmethod
     def of(cls, light: Any, points: Array, centre: Array, radius: float, size: int) -> Light:
         """Return a light of a scene (MjvLight); the other arguments are those of `Shadow.of`."""
         shadow = Shadow.of(light, points, centre, radius, size) if light.castshadow else None
-        colours = light.ambient.copy(), light.diffuse.copy(), light.specular.copy()
+        colours = light.ambient.copy(), light.diffuse.copy()
         position, direction = np.array(light.pos, float), np.array(light.dir, np.float32)
         return cls(drawn_lamp(light), position, direction, float(np.radians(light.cutoff)), *colours, shadow)
 
-    def shine(self, points: Array, normals: Floats, rays: Floats, sharpness: Floats) -> tuple[Floats, Floats | None]:
-        """Return the shares of diffuse light (Lambert) and of specular light (Blinn) at points (n, 3), (n,) each.
-
-        `normals` (n, 3) and `rays` (n, 3) from the eye are unit vectors; `sharpness` (n,) is Blinn's exponent.
-        """
+    def shine(self, points: Array, normals: Floats) -> Floats:
+        """Return the share of diffuse light (Lambert) at points (n, 3) with unit normals (n, 3), (n,)."""
         towards, cone = self._towards(points)
         slope = np.einsum("ij,ij->i", normals, towards)
         faced = np.flatnonzero(slope > 0)
         reached = np.zeros(len(slope), np.float32)
-        reached[faced] = cone[faced]
+        reached[faced] = slope[faced] * cone[faced]
         if self.shadow is not None:
             reached[faced] *= self.shadow.lit(points[faced], normals[faced])
-        if not self.specular.any():
-            return reached * slope, None
-        halfway = towards - rays
-        cosine = np.einsum("ij,ij->i", normals, halfway) / np.sqrt(np.einsum("ij,ij->i", halfway, halfway) + 1e-9)
-        return reached * slope, reached * np.maximum(cosine, 0) ** sharpness
+        return reached
 
     def _towards(self, points: Array) -> tuple[Floats, Floats]:
         """Return unit directions to the light (n, 3), and its strength (n,), less at the rim of a spot's cone."""

@@ -1,6 +1,6 @@
 """Software rendering of a MuJoCo scene: triangles in a depth buffer, four samples per pixel, and shadow maps.
 
-The lighting is that of MuJoCo's renderer: ambient, diffuse (Lambert), specular (Blinn), and haze in the distance.
+The lighting is that of MuJoCo's renderer without highlights: ambient, diffuse (Lambert), and haze in the distance.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ..scene.mujoco_versions import Lamp, drawn_lamp
 from ..scene.triangles import MESHES, Triangles, joined, piece_of, triangles
 from .depth_buffer import Eye, Faces
 from .lights import Light
-from .shading import SHARPEST, Pattern, Sky, texture_tint
+from .shading import Pattern, Sky, texture_tint
 
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
@@ -68,8 +68,6 @@ class Materials(NamedTuple):
 
     colour: Floats
     emission: Floats
-    specular: Floats
-    sharpness: Floats
     is_still: NDArray[np.bool_]
     patterns: list[tuple[int, Array, Array, Floats, Pattern]]
 
@@ -189,8 +187,7 @@ class Raster:
         ]
 
     def _materials(self, geoms: list[Any]) -> Materials:
-        rows = [(g.emission, g.specular, max(1, g.shininess * SHARPEST)) for g in geoms]
-        emission, specular, sharpness = np.array(rows, np.float32).reshape(-1, 3).T
+        emission = np.array([g.emission for g in geoms], np.float32)
         colour = np.array([g.rgba[:3] * self._tint(g.matid) for g in geoms], np.float32).reshape(-1, 3)
         is_still = np.array([g.category == mujoco.mjtCatBit.mjCAT_STATIC for g in geoms], bool)
         patterns = [
@@ -198,7 +195,7 @@ class Raster:
             for i, g in enumerate(geoms)
             if g.type == PLANE and piece_of(self._model, g.objid).picture >= 0
         ]
-        return Materials(colour, emission, specular, sharpness, is_still, patterns)
+        return Materials(colour, emission, is_still, patterns)
 
     def _shade(self, hits: Hits, view: View) -> Floats:
         looks = view.materials
@@ -208,13 +205,9 @@ class Raster:
             local, rays = (hits.points[on] - origin) @ frame, hits.rays[on] @ frame
             base[on] = tint * pattern.colour(local, rays, hits.distance[on] / view.eye.focus)
         energy = np.repeat(looks.emission[hits.geom, None], 3, axis=1)
-        gleam = np.zeros_like(base)
         for light in view.lights:
-            diffuse, gloss = light.shine(hits.points, hits.normals, hits.rays, looks.sharpness[hits.geom])
-            energy += light.ambient + light.diffuse * diffuse[:, None]
-            if gloss is not None:
-                gleam += light.specular * (looks.specular[hits.geom] * gloss)[:, None]
-        full = np.minimum(base * energy + gleam, 1)
+            energy += light.ambient + light.diffuse * light.shine(hits.points, hits.normals)[:, None]
+        full = np.minimum(base * energy, 1)
         depth = np.where(looks.is_still[hits.geom], np.maximum(hits.distance - HAZE_START, 0), 0)
         clear = np.exp(-depth.astype(np.float32) / np.float32(HAZE_LENGTH))[:, None]
         return self._sky.haze + clear * (full - self._sky.haze)
