@@ -82,7 +82,6 @@ class PointGoal:
     """A target position for a point of a body.
 
     Attributes:
-        name: The name of the point.
         index: MuJoCo's id of the body.
         offset: The position of the point in the body's frame, (3,) [m].
         position: The target in the world, (3,) [m]; NaN along unconstrained axes.
@@ -125,7 +124,6 @@ class BodyGoal:
     """A target rotation for a body.
 
     Attributes:
-        name: The name of the body.
         rotation: The target in the world, a wxyz quaternion (4,); None: upright as in the rest pose, with any heading.
         index: MuJoCo's id of the body; None: the body is identified by its name.
     """
@@ -159,7 +157,6 @@ class HoldGoal:
     """A target that makes a point of one body coincide with a point of another.
 
     Attributes:
-        name: The name of the grasping point.
         index: MuJoCo's id of the grasping body.
         offset: The grasping point in the frame of its body, (3,) [m].
         held: MuJoCo's id of the grasped body.
@@ -238,12 +235,9 @@ def posed(
     A pose that already meets the goals is returned unchanged.
 
     Args:
-        figure: The figure.
         qpos: The initial pose, (nq,).
         free: The mask of the entries of qpos that may change, (nq,).
-        goals: The goals.
         bends: The knees and elbows on ball joints, with their bounds.
-        starts: The largest number of starting poses.
         beyond: The permitted excess of hinges and ball joints over their ranges [rad].
     """
     free, there = np.asarray(free, bool), np.array(qpos, float)
@@ -267,11 +261,8 @@ def _known(
     beyond: float,
     starts: int,
 ) -> Posed:
-    """Return the pose for goals that share free joints, from the cache if possible.
-
-    Joints that the goals do not depend on are set to the rest pose, so that they do not change the cache key. Editing a
-    clip repeats most of its poses.
-    """
+    """Return the pose for goals that share free joints, from the cache if possible. Joints that the goals do not depend
+    on are set to the rest pose, so that they do not change the cache key. Editing a clip repeats most of its poses."""
     goal_key = reached(figure, goals)
     home, free = np.where(goal_key, home, figure.model.qpos0), free & goal_key
     key = cache_key((home, free, goals, bends, beyond, starts))
@@ -305,7 +296,6 @@ def in_winding(figure: Figure, qpos: Array, near: Array, which: Mask) -> Array:
     """Return qpos (nq,) with unlimited hinges shifted by multiples of 2π to be nearest to another pose.
 
     Args:
-        figure: The figure.
         qpos: The pose, (nq,).
         near: The other pose, (nq,).
         which: The mask of the entries that may be shifted, (nq,).
@@ -379,10 +369,8 @@ class PoseSearch:
     """Least squares over the n free degrees of freedom that the goals depend on.
 
     Args:
-        figure: The figure.
         home: The pose from which distances are measured, (nq,).
         free: The mask of the entries of qpos that may change, (nq,).
-        goals: The goals.
         bends: The knees and elbows on ball joints, with their bounds.
         beyond: The permitted excess of hinges and ball joints over their ranges [rad].
         range_shares: The permitted share of a joint's range, by the index of its link.

@@ -22,7 +22,7 @@ from .search.minimum import Optimiser
 from .search.refinement import LBFGS
 
 FEW, MORE = 2, 3  # initial variable frames per segment of a clip that is solved at once, or in windows
-TINY = 0.05  # [1] length of a segment relative to the frame spacing beside it, below which it gets no variable frame
+TINY = 0.05  # [1] longest segment without a variable frame, relative to the frame spacing of adjacent segments
 SPACING = 0.3  # [s] maximum initial spacing of frames
 # defaults of `threshold`, `max_evaluations` and `tolerance`
 THRESHOLD, MOST_EVALUATIONS, TOLERANCE = 1e-3, 250, 1e-5

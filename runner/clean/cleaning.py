@@ -1,4 +1,4 @@
-"""A repaired recording, its stances, and the motion near it that keeps to them."""
+"""The motion near a repaired recording that satisfies its stances."""
 
 from __future__ import annotations
 
@@ -26,24 +26,24 @@ from ..clip.tracking.penalties import Ground, loose, problem
 from .penetration import depth, unseen
 from .repairs import Repaired
 
-OFTEN = 30.0  # [1/s] at which depths are measured first
-SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # shares of the weights of all else, for a first look, and for the next
-ROUGHLY = 0.1  # relative progress of E at which such a search ends
-FAR = 0.04  # [s]
-ABOUT, AT_ONCE = 0.15, 2.0  # [s] on either side of such a frame that the path is searched again, and the most of it
-LONG = 60.0  # [s] from which on a recording is not searched again as a whole
-LOOKS = 3  # between the samples of a search, at most
-STRICTER, TRIES = 2.0, 7  # how much more the recording counts every time that something is too far off it
+OFTEN = 30.0  # [1/s] sampling rate of the first measurement of depths
+SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
+ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends
+FAR = 0.04  # [s] largest distance of the start or end of a stance from a frame
+ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
+LONG = 60.0  # [s] shortest recording that is searched again in parts only
+LOOKS = 3  # most rounds of additional frames
+STRICTER, TRIES = 2.0, 7  # factor of the recording's weight in each try to reduce deviations, and most tries
 
 
 @dataclass(frozen=True, eq=False)
 class Cleaned:
     """A recording and its cleaned motion.
 
-    before   the spline through the samples as they were recorded
-    recorded what the motion is near: smoothed, on its soles
-    rests    the stances that it keeps
-    problem  the problem that was solved
+    before   the spline through the samples as recorded
+    recorded the tracked recording: smoothed, and aligned with the ground
+    rests    the stances that the motion satisfies
+    problem  the solved problem
     """
 
     ground: Ground
@@ -59,18 +59,16 @@ class Cleaned:
 
     @property
     def after(self) -> Path:
-        """The motion."""
         return path_of(self.solution.timeline)
 
     @property
     def frames(self) -> list[Frame]:
-        """The motion as keyframes, every frame one."""
         figure, timeline = self.figure, self.solution.timeline
         return [Frame.key(frame.time, figure.to_qpos(frame.state)) for frame in timeline.frames]
 
 
 class Verdict(NamedTuple):
-    """How far [m] what is off a recording, at most, and whether nothing slips or sinks."""
+    """The largest deviation [m] from a recording, and whether nothing slips or penetrates."""
 
     off: float
     is_sound: bool = True
@@ -85,11 +83,11 @@ def cleaned(
     verdict: Callable[[Cleaned], Verdict] = lambda cleaned: Verdict(0.0),
     improved: Callable[[Improvement], None] | None = None,
 ) -> Cleaned:
-    """The motion near a recording that keeps to its stances.
+    """Return the motion near a recording that satisfies its stances.
 
-    given   the stances, instead of those that are read off the recording
-    within  [m] that nothing should be off it: it counts more until nothing is, as long as stances are kept to
-    verdict how far what is off the recording, and whether the motion is sound
+    given   the stances; None: inferred from the recording
+    within  [m] largest deviation to aim for; the recording's weight increases as long as stances are satisfied
+    verdict returns the deviation from the recording, and whether the motion is sound
     """
     figure = ground.figure
     recorded = RecordedMotion.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
@@ -138,10 +136,8 @@ def cleaned(
 def _out_of_edges(
     ground: Ground, asked: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
 ) -> tuple[Problem, Solution]:
-    """Continue the search with more frames where a point went through an edge between two samples.
-
-    In a long recording only around these places: another search of all of it would double the time for little.
-    """
+    """Continue the search with more frames where a point passed through an edge between two samples. A long recording
+    is searched only around these frames: another search of all of it would double the time."""
     for _ in range(LOOKS):
         path, times = path_of(solution.timeline), solution.timeline.times
         more = unseen(ground, path, times)
@@ -157,7 +153,7 @@ def _out_of_edges(
 
 
 def _stretches(times: Array) -> Iterator[tuple[float, float]]:
-    """[s] what is searched again about times that rise: together what is close, but no more than a window at once."""
+    """Yield intervals [s] around rising times, of which close ones are merged up to the size of a window."""
     first = last = float(times[0])
     for time in times[1:].tolist():
         if time - last > 4 * ABOUT or time - first > AT_ONCE:
@@ -168,7 +164,7 @@ def _stretches(times: Array) -> Iterator[tuple[float, float]]:
 
 
 def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
-    """Whether the recording is far in what it stands on, set down as it is."""
+    """Return whether the aligned recording penetrates deeply."""
     first, last = recorded.path.span
     times = np.linspace(first, last, max(2, round((last - first) * OFTEN)))
     return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).deep)
@@ -177,10 +173,8 @@ def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
 def _eased(
     asked: Problem, near: TrackingPenalty, shares: Sequence[float], improved: Callable[[Improvement], None] | None
 ) -> Problem:
-    """Return the problem with its start at the solutions for smaller weights of all penalties but the recording's.
-
-    Stiff penalties, and a recording that noise puts deep into surfaces, would lead to a poor local minimum.
-    """
+    """Return the problem with its start at the solution for smaller weights of all penalties but the recording's. Stiff
+    penalties, and a noisy recording deep in surfaces, would lead to a poor local minimum."""
     for share in shares:
         weights = tuple((p, w if p is near or isinstance(p, UnitMagnitude) else share * w) for p, w in asked.penalties)
         roughly = replace(asked.settings, tolerance=ROUGHLY)
@@ -190,7 +184,7 @@ def _eased(
 
 
 def _with(asked: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
-    """The frames, and one where a stance begins or ends far from all of them: it needs a path that can bend there."""
+    """Return the frames, with additional ones for starts and ends of stances, where the path must be able to bend."""
     figure, path = asked.figure, _curve(asked)
     times = [key.time for key in asked.keys]
     ends = sorted({time for rest in rests for time in (rest.first, rest.last)})
@@ -201,25 +195,23 @@ def _with(asked: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
 
 
 def _curve(asked: Problem) -> Path:
-    """The spline through the frames of a problem."""
     states = asked.figure.to_state(np.array([key.state for key in asked.keys]))
     return natural_spline(np.array([key.time for key in asked.keys]), states)
 
 
 def _second_look(ground: Ground, recorded: RecordedMotion, calmed: Problem) -> tuple[Rest, ...]:
-    """Of a noisy recording more stances are seen once the surest of them are kept."""
+    """Return the stances of a noisy recording after a search with the surest ones, which reveals more."""
     calm = ground.figure.to_qpos(_curve(calmed).at(recorded.times))
     smoothed = RecordedMotion.of(ground.figure, recorded.times, calm)
     return tuple(Rest(*stance, rolls=True) for stance in infer_stances(smoothed, ground.points, ground.surfaces))
 
 
 def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:
-    """Frames to go on from."""
     return loose(figure, solution.timeline.times, solution.timeline.states)
 
 
 def _by_state(figure: Figure, known: Mask) -> Array:
-    """(T, N) what is known of states, from what is of qpos: turned in the world, a link takes all above it."""
+    """Return the mask (T, N) of known states from that of qpos: orientations in the world need all ancestors."""
     out = known.astype(float)
     for link in figure.links[1:]:
         columns, above = quaternion_columns(link), quaternion_columns(figure.links[link.parent])

@@ -36,19 +36,19 @@ from .cleaning import Cleaned, cleaned
 from .comparison import Comparison, verdict
 from .repairs import repaired
 
-NAMED = 6  # stances that are listed of a point
+NAMED = 6  # most stances of a point that are listed
 
 
 @dataclass(frozen=True)
 class Source:
-    """A recording's file, and what it does not specify.
+    """A recording's file, and data that it lacks.
 
-    figure, kind, fps, scale  as `import` takes them
-    scene     a TOML file with [scene], what it was made in, and [[contact]], its stances
-    contacts  a TOML file with [[contact]], likewise
+    figure, kind, fps, scale  as for `import`
+    scene     a TOML file with [scene], the surroundings, and [[contact]], the stances
+    contacts  a TOML file with [[contact]]
     map       a TOML file with the bone map; written if it does not exist and `writes_map` is set
-    apart     limbs are kept out of each other, too
-    speed     [rad/s] that joints turn at most
+    apart     whether limbs must not penetrate each other
+    speed     [rad/s] largest speed of joints
     """
 
     file: Path
@@ -67,7 +67,7 @@ class Source:
 def run(
     source: Source, target: Path | None, *, within: float | None = None, overwrite: bool = False, progress: Progress
 ) -> Path:
-    """Cleans a recording and writes it; returns its path. Raises UserError, before anything long begins if it can."""
+    """Clean a recording and write it; return its path. Raises UserError, if possible before any long computation."""
     target = target or _target(source)
     form = formats.by_ending(target)
     if form is not None or target.suffix != ".npz":
@@ -79,7 +79,7 @@ def run(
     result, saved = made(source, within, progress)
     table = Comparison(result).table()
     missed = () if within is None else tuple(_missed(result, within))
-    del result  # as large as the files that are written
+    del result  # it needs as much memory as writing the files
     if form is None:
         motion.save(saved, target)
     else:
@@ -92,7 +92,7 @@ def run(
 
 
 def moving(file: Path, figure: str, scene: SceneTable) -> RecordedPath:
-    """The motion that a clip in a scene follows, of a figure's recording; raises UserError."""
+    """Return the cleaned motion of a recording that a clip in a scene follows; raises UserError."""
     if not file.is_file():
         raise UserError(f"no file '{file}'")
     if (form := formats.by_ending(file)) is None or not form.reads:
@@ -108,21 +108,21 @@ def moving(file: Path, figure: str, scene: SceneTable) -> RecordedPath:
 
 @lru_cache(maxsize=2)
 def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> RecordedPath:
-    """Cached while the file is unchanged: editing a clip reads it again and again."""
+    """Cached while the file is unchanged: editing a clip reads it repeatedly."""
     around, silent = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), Progress(Console(quiet=True))
     saved = _cleaned(_read(Source(file, figure), around, silent), around, None, silent, apart=False)[1]
     return RecordedPath(saved.figure, saved.timeline, saved.fps)
 
 
 def made(source: Source, within: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
-    """A recording cleaned, and its motion; within [m] as `run` takes it. Raises UserError."""
+    """Return a cleaned recording, and its motion; within [m] as in `cleaned`. Raises UserError."""
     around = _around(source)
     recording = _read(source, around, progress)
     return _cleaned(recording, around, within, progress, apart=source.apart, speed=source.speed)
 
 
 def motion_cleaned(saved: Saved, within: float | None, progress: Progress) -> Saved:
-    """A motion of ours, cleaned; within [m] as `run` takes it."""
+    """Return a motion of this program, cleaned; within [m] as in `cleaned`."""
     return _cleaned(_Read.of(saved), SurroundingsTable(), within, progress, apart=False)[1]
 
 
@@ -138,20 +138,20 @@ class _Read:
 
     @classmethod
     def of(cls, saved: Saved) -> _Read:
-        """A motion of ours at its own rate."""
+        """Return a motion of this program at its rate."""
         samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
         return cls(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
 
 
 def _target(source: Source) -> Path:
-    """In this folder, named after what is read, of its format if that can be written."""
+    """Return a path in the current folder, named after the input, in its format if that can be written."""
     form = formats.by_ending(source.file)
     ending = form.ending if form is not None and form.writes else ".npz"
     return Path(f"{formats.stem(source.file)}.clean{ending}")
 
 
 def _around(source: Source) -> SurroundingsTable:
-    """The scene, and the contacts, of the two files; each may hold either."""
+    """Return the scene and the contacts of the two files; each may contain either."""
     tables = [file_of(path, SurroundingsTable) for path in (source.scene, source.contacts) if path is not None]
     scenes = [table.scene for table in tables if table.scene.model_fields_set]
     if len(scenes) > 1:
@@ -161,7 +161,6 @@ def _around(source: Source) -> SurroundingsTable:
 
 
 def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Read:
-    """From a motion's file, or that of another program."""
     is_specified = source.figure is not None or source.kind is not None
     if not is_specified and motion.is_motion(str(source.file)) and not formats.is_foreign(source.file):
         if around.scene.model_fields_set:
@@ -194,7 +193,6 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
 
 
 def _write_map(target: Path, used: maps.AppliedMap, progress: Progress) -> None:
-    """Write the map that was used, for editing."""
     with Replacement(target) as temporary:
         temporary.write_text(maps.text_of(used), encoding="utf-8")
     progress.say(f"wrote {target}")
@@ -229,7 +227,7 @@ def _cleaned(
 
 
 def _stances(result: Cleaned) -> Iterator[str]:
-    """A line on the stances of every point."""
+    """Yield a note on the stances of every point."""
     for point in result.ground.points:
         spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point is point]
         more = f" and {len(spans) - NAMED} more" if len(spans) > NAMED else ""
@@ -238,7 +236,7 @@ def _stances(result: Cleaned) -> Iterator[str]:
 
 
 def _missed(result: Cleaned, within: float) -> Iterator[str]:
-    """A line on everything that is farther off the recording than it should be, and why."""
+    """Yield a note on every point that deviates from the recording by more than `within`, with the reason."""
     for one in Comparison(result).moved:
         if one.most <= within:
             continue
@@ -248,7 +246,7 @@ def _missed(result: Cleaned, within: float) -> Iterator[str]:
 
 
 def _saved(result: Cleaned, found: _Read) -> Saved:
-    """The motion with every frame a keyframe; raw is the recording."""
+    """Return the motion with every frame as a keyframe; raw is the recording."""
     figure, timeline = result.figure, result.solution.timeline
     everything = np.ones(timeline.states.shape, bool)
     exact = Timeline(tuple(Frame.many(timeline.times, timeline.states, everything)), timeline.end_slope, timeline.ends)

@@ -1,4 +1,4 @@
-"""Before and after: what sinks, slips and jumps, what nothing supplies, and how far what has moved."""
+"""Comparison before and after cleaning: penetration, slip and jumps, unsupported forces, and displacements."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from ..measure.checks import turning, turns
 from .cleaning import Cleaned, Verdict
 from .penetration import along, depth
 
-RATE = 120.0  # [1/s]
-SLIP, DEPTH, HOVER = 5.0, 2.0, 5.0  # [mm] of what is sound
-RANGE = 0.5  # [°] beyond a joint's range, likewise
+RATE = 120.0  # [1/s] of the samples
+SLIP, DEPTH, HOVER = 5.0, 2.0, 5.0  # [mm] largest values of a sound motion
+RANGE = 0.5  # [°] largest excess of a joint's range in a sound motion
 
 
 @dataclass(frozen=True)
 class Line:
-    """A measured quantity before and after, with its unit, and the bound of acceptable values, if there is one."""
+    """A measured quantity before and after, with its unit, and the bound of acceptable values, if any."""
 
     label: str
     unit: str
@@ -41,7 +41,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Farthest:
-    """How far a body is off the recording: median, what 95 % stay below, most [m], and when that is [s]."""
+    """Median, 95th percentile and maximum of a body's deviation from the recording [m], with the latter's time [s]."""
 
     name: str
     median: float
@@ -52,13 +52,13 @@ class Farthest:
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """What cleaning changed."""
+    """The changes by cleaning."""
 
     cleaned: Cleaned
 
     @cached_property
     def lines(self) -> tuple[Line, ...]:
-        """What was wrong before, and what of it is left."""
+        """The defects before and after."""
         before, after = (Look(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after))
         rows = [
             ("deepest in anything", "mm", "depth", DEPTH),
@@ -74,7 +74,7 @@ class Comparison:
 
     @property
     def violations(self) -> list[dict[str, Any]]:
-        """What is not sound after it, the worst first, as a batch's manifest has it."""
+        """The remaining defects, worst first, as in a batch's manifest."""
         violations = [
             {"text": f"{line.label}: {line.after:.3g} {line.unit}", "amount": line.after, "bound": line.bound}
             for line in self.lines
@@ -89,13 +89,13 @@ class Comparison:
 
     @cached_property
     def times(self) -> Array:
-        """(T,) [s] looked at."""
+        """(T,) [s] of the samples."""
         first, last = self.cleaned.before.span
         return np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
 
     @cached_property
     def moved(self) -> tuple[Farthest, ...]:
-        """How far pelvis, hands and feet are off what was recorded, farthest first."""
+        """The deviations of pelvis, hands and feet from the recording, largest first."""
         figure, farthest = self.cleaned.figure, list[Farthest]()
         links = followed(figure)
         sides = (along(figure, path, self.times) for path in (self.cleaned.recorded.path, self.cleaned.after))
@@ -109,7 +109,6 @@ class Comparison:
         return tuple(sorted(farthest, key=lambda one: -one.most))
 
     def table(self) -> Table:
-        """For the terminal."""
         out = Table(box=None, pad_edge=False)
         for heading in ("", "before", "after"):
             out.add_column(heading, justify="left" if not heading else "right")
@@ -125,14 +124,14 @@ class Comparison:
 
 
 def verdict(cleaned: Cleaned) -> Verdict:
-    """How far a pelvis, hand or foot is off the recording, at most, and whether nothing slips or sinks."""
+    """Return the largest deviation of pelvis, hands and feet, and whether nothing slips or penetrates."""
     comparison = Comparison(cleaned)
     look = Look(cleaned, cleaned.after, comparison.times)
     return Verdict(max(one.most for one in comparison.moved), look.slip <= SLIP and look.depth <= DEPTH)
 
 
 def followed(figure: Figure) -> list[int]:
-    """The links whose places are looked at: free roots, and the ends of limbs."""
+    """Return the links that are compared: free roots, and the ends of limbs."""
     parents = figure.tables.parents
     ends = [i for i in range(1, len(figure.links)) if not np.any(parents[1:] == i)]
     roots = [int(i) for i in figure.tables.free_links if i not in ends]
@@ -140,13 +139,13 @@ def followed(figure: Figure) -> list[int]:
 
 
 def _tips(samples: Samples, links: list[int]) -> Array:
-    """(3, n, T) [m] the middle of links' masses."""
+    """Return the centres of mass (3, n, T) [m] of links."""
     centres = np.array([samples.figure.links[i].centre for i in links]).T
     return samples.links.points(np.array(links), centres)[0]
 
 
 class Look:
-    """One path, measured."""
+    """Measurements of one path."""
 
     def __init__(self, cleaned: Cleaned, path: Path, times: Array) -> None:
         self.cleaned, self.path, self.times = cleaned, path, times
@@ -160,7 +159,7 @@ class Look:
 
     @cached_property
     def _soles(self) -> tuple[Array, Array, Array]:
-        """Places (3, p, T) and heights (p, T) [m] of the soles' points, and how their links are turned (4, p, T)."""
+        """Positions (3, p, T), heights (p, T) [m] and links' orientations (4, p, T) of the soles' points."""
         points = self.ground.points
         if not points or not self.ground.surfaces:
             return np.zeros((3, 0, self.times.size)), np.zeros((0, self.times.size)), np.zeros((4, 0, self.times.size))
@@ -170,7 +169,7 @@ class Look:
         return places, height_over(self.ground.surfaces, places, radius)[0], turned
 
     def _resting(self) -> Iterator[tuple[Array, Array]]:
-        """Of every stance, places as they would be if the point slipped and did not roll (3, t), and heights (t,)."""
+        """Yield for every stance positions without the part of rolling (3, t), and heights (t,)."""
         places, heights, turned = self._soles
         row = {id(point): i for i, point in enumerate(self.ground.points)}
         for rest in self.cleaned.rests:
@@ -224,7 +223,7 @@ class Look:
 
     @property
     def force(self) -> float:
-        """Of the moments at which it is known what carries the figure; with the forces of its stances."""
+        """The mean unsupported force at instants with known support, with the contact forces of stances."""
         support = next((p for p, _ in self.cleaned.problem.penalties if isinstance(p, Support)), None)
         if support is None:
             return 0.0

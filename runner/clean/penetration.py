@@ -1,4 +1,4 @@
-"""How deep a figure is in what is round it along a path, and between which frames it passes there unseen."""
+"""Depths of a figure in its surroundings along a path, and penetrations between the samples of a search."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from dynsplines.solver.figure.kinematics import Samples
 from ..clip.tracking.penalties import LONGEST_PANEL, NEXT_TO, POINTS, Ground
 from ..measure.depths import bunches, depths
 
-RATE = 240.0  # [1/s]
-RUN = 1000  # samples looked at at once
-DEEP = 0.001  # [m] that a search should have prevented
-SEEN = LONGEST_PANEL / POINTS  # [s] that the samples of a search are apart: what lasts longer it has seen
+RATE = 240.0  # [1/s] of the samples
+RUN = 1000  # most samples evaluated at once, which bounds the memory
+DEEP = 0.001  # [m] least depth that a search should prevent
+SEEN = LONGEST_PANEL / POINTS  # [s] between samples of a search, which so evaluates longer penetrations
 
 
 def along(figure: Figure, path: Path, times: Array) -> Iterator[Samples]:
-    """Samples of a path at times (T,) [s], some at once: those of ten minutes would not fit into the memory."""
+    """Yield samples of a path at times (T,) [s] in runs."""
     for first in range(0, times.size, RUN):
         t = times[first : first + RUN]
         yield Samples(figure, *path.motion(t), t=t)
 
 
 def depth(ground: Ground, path: Path, times: Array) -> Array:
-    """(T,) [m] of the deepest of all of the figure that is meant to stay out, its soles among it, at times (T,)."""
+    """Return the largest depth (T,) [m] of body and soles at times (T,)."""
     body, found = bunches((*ground.clear, *ground.points)), list[Array]()
     for samples in along(ground.figure, path, times):
         found.append(np.zeros(samples.count))
@@ -39,10 +39,8 @@ def depth(ground: Ground, path: Path, times: Array) -> Array:
 
 
 def unseen(ground: Ground, path: Path, frames: Array) -> Array:
-    """(k,) [s] times for more frames, where a foot goes through an edge between the samples of a search.
-
-    frames  (M,) [s] those that there are
-    """
+    """Return times (k,) [s] for more frames beyond those at `frames` (M,) [s], where a foot passes through an edge
+    unseen."""
     first, last = path.span
     times = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
     deep = depth(ground, path, times)

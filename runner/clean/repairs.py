@@ -1,6 +1,6 @@
-"""Gaps, jumps, duplicate and invalid samples, rest poses at the ends: found, reported and bridged.
+"""Detection of gaps, jumps, duplicate and invalid samples, and rest poses at the ends of a recording.
 
-An implausible sample is left out, and the motion there follows from the samples before and after it.
+An implausible sample is discarded, and the motion there is interpolated from the samples before and after it.
 """
 
 from __future__ import annotations
@@ -17,19 +17,21 @@ from dynsplines.solver.figure.figure import Figure
 from ..errors import UserError
 from .rest_pose_trim import LeadIn, lead_in
 
-FEWEST = 5  # samples of a motion
-TWICE = 0.1  # of the usual step: samples so near to each other are one that comes twice
-GAP = 1.5  # usual steps, over which samples are missing
-LONGEST_GAP = 2.0  # [s] that is bridged
-FAR_OFF = 8.0  # times as far as the usual sample of a joint, one that jumps is from the middle of its neighbours
-TURN, WAY = np.radians(10), 0.04  # [rad], [m] and at least so far
-BESIDE = 0.5  # of that, most that the neighbours are apart from each other
+FEWEST = 5  # least number of samples of a motion
+TWICE = 0.1  # time between duplicate samples, relative to the median step
+GAP = 1.5  # [median steps] shortest gap with missing samples
+LONGEST_GAP = 2.0  # [s] longest gap that is interpolated
+FAR_OFF = 8.0  # deviation of a jump from the mean of its neighbours, relative to the median deviation
+TURN, WAY = np.radians(10), 0.04  # [rad], [m] least deviation of a jump
+BESIDE = 0.5  # largest distance between the neighbours of a jump, relative to its deviation
 
 
 @dataclass(frozen=True, eq=False)
 class Repaired:
-    """time (T,) [s], rising by equal steps but for what was recorded otherwise; qpos (T, nq); known (T, nq) whether
-    an entry was recorded, and is believed; notes: a line on everything that was found."""
+    """time (T,) [s], rising with equal steps except for irregular recordings; qpos (T, nq); notes on all repairs.
+
+    known (T, nq) whether an entry was recorded and is plausible
+    """
 
     time: Array
     qpos: Array
@@ -38,9 +40,9 @@ class Repaired:
 
 
 def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
-    """Of samples at times (T,) [s], qpos (T, nq), some entries not finite; where is their name in errors.
+    """Return repaired samples at times (T,) [s], qpos (T, nq), some entries not finite; where: label in errors.
 
-    Raises UserError for too few samples, times that go back, and gaps too long to bridge.
+    Raises UserError for too few samples, decreasing times, and gaps that are too long.
     """
     notes: list[str] = []
     if time.size < FEWEST:
@@ -62,13 +64,13 @@ def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
 
 
 def _name(figure: Figure, columns: Index) -> str:
-    """What a group of columns belongs to."""
+    """Return the quoted name of the link that a group of columns belongs to."""
     link = next(link for link in reversed(figure.links[1:]) if link.qpos <= columns[0])
     return f"'{link.name}'"
 
 
 def _once(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
-    """Without samples that come twice."""
+    """Remove duplicate samples."""
     step = float(np.median(np.diff(time)))
     twice = np.append(False, np.diff(time) <= TWICE * step)
     if twice.any():
@@ -78,7 +80,7 @@ def _once(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
 
 
 def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask:
-    """(T, nq) which entries are numbers, quaternions whole and of some length; the others become what is at rest."""
+    """Return the mask (T, nq) of finite entries and of nonzero quaternions; replace the others by the rest pose."""
     known = np.isfinite(qpos)
     for columns in groups(figure):
         fine = known[:, columns].all(axis=1)
@@ -95,7 +97,7 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
 
 
 def _without_rest(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]) -> tuple[Array, Array, Mask]:
-    """Without the poses before and after the motion that are none of it."""
+    """Remove the rest poses before and after the motion."""
     first, last = 0, time.size
     if (found := lead_in(figure.model, time, qpos)) is not None:
         first = found.count
@@ -108,7 +110,7 @@ def _without_rest(figure: Figure, time: Array, qpos: Array, known: Mask, notes: 
 
 
 def _ending(back: LeadIn, time: Array) -> str:
-    """A lead-in of the motion played backward, in words."""
+    """Return the note on a lead-in of the motion played backward."""
     span = f"{time[-1]:.3f} s" if back.count == 1 else f"{-back.last:.3f} to {time[-1]:.3f} s"
     return f"the recording ends with {back.what} ({back.count} image{'s' * (back.count > 1)}, {span}), no motion"
 
@@ -116,7 +118,6 @@ def _ending(back: LeadIn, time: Array) -> str:
 def _filled(
     figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str], where: str
 ) -> tuple[Array, Array, Mask]:
-    """Insert unknown samples where some are missing."""
     step = float(np.median(np.diff(time)))
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
     missing[np.diff(time) < GAP * step] = 0
@@ -137,7 +138,7 @@ def _filled(
 
 
 def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]) -> Mask:
-    """(T, nq) which entries are of a single sample that jumps away and back."""
+    """Return the mask (T, nq) of entries of single samples that jump away and back."""
     out, metres = np.zeros(known.shape, bool), places(figure)
     for columns in groups(figure):
         values = quat.aligned(qpos[:, columns]) if columns.size == 4 else qpos[:, columns]

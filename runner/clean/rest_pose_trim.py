@@ -1,7 +1,7 @@
 """The lead-in of a recording: the calibration pose of cameras or skeleton before the motion.
 
-There are two signs of it, which a person standing still does not show. A T-pose: both arms straight out to the sides,
-legs and trunk upright. Or the figure's rest pose, every joint at zero, left faster than a person can move.
+There are two signs of it, neither of which a standing person shows. One is a T-pose: both arms straight to the sides,
+legs and trunk upright. The other is the figure's rest pose, every joint at zero, left faster than a person can move.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from ..motion import Saved
 from ..scene.framing import root_places
 from ..system.progress import Progress
 
-OUT = 0.94  # cosine, 20°: so near to straight out are the arms of a T-pose
-UPRIGHT = 0.8  # cosine, 37°: and so upright its trunk and legs, which stand apart in some
-AT_REST = np.radians(0.5)  # joints nearer to their nought than this are at it
-JUMP = 20.0  # [rad/s] of a joint between two images: limbs of people come near it in throws and kicks alone,
-SUDDEN = 4.0  # and then they do not stop within an image: so many times what follows
-HELD = 0.1  # [s] that a T-pose lasts if nothing jumps: arms that swing through it are none
-SLOW = 0.2  # [m/s] at most of the hips while it is held: who walks with arms spread out walks
-LEAST = 2  # images that are left
+OUT = 0.94  # least cosine (20°) between the arms of a T-pose and the lateral direction
+UPRIGHT = 0.8  # least cosine (37°) between its trunk and legs, which may be spread, and the vertical
+AT_REST = np.radians(0.5)  # [rad] largest angle of a joint at rest
+JUMP = 20.0  # [rad/s] least speed of a joint from the rest pose; people approach it only in throws and kicks,
+SUDDEN = 4.0  # which do not end within a sample: least ratio of this speed to the next one
+HELD = 0.1  # [s] shortest T-pose without a jump, to exclude arms that swing through it
+SLOW = 0.2  # [m/s] largest speed of the hips in a T-pose, to exclude walking with spread arms
+LEAST = 2  # least number of samples that remain
 
 
 @dataclass(frozen=True)
 class LeadIn:
-    """The images before the motion: how many, from when to when [s] they are, and in words what they show."""
+    """The samples before the motion: number, first and last time [s], and what they show, in words."""
 
     count: int
     first: float
@@ -49,7 +49,7 @@ class LeadIn:
 
 
 def lead_in(model: mujoco.MjModel, times: Array, qpos: Array) -> LeadIn | None:
-    """Of images qpos (T, nq) at times (T,) [s]; None where the motion begins at once, or nothing else would be left."""
+    """Return the lead-in of qpos (T, nq) at times (T,) [s]; None without one, or if nothing else would remain."""
     for what, still in (("a T-pose", _Spread.of(model)), ("the figure's rest pose", _Rest(model))):
         if still is None:
             continue
@@ -63,7 +63,7 @@ def lead_in(model: mujoco.MjModel, times: Array, qpos: Array) -> LeadIn | None:
 
 
 def of_motion(saved: Saved) -> LeadIn | None:
-    """That of a recording; any other motion has none."""
+    """Return the lead-in of a recording; None for any other motion."""
     if not is_recording(saved) or saved.text:
         return None
     times = np.array([key.time for key in saved.keys])
@@ -71,7 +71,7 @@ def of_motion(saved: Saved) -> LeadIn | None:
 
 
 def without(saved: Saved) -> Saved:
-    """A recording without its lead-in, the spline through the rest of it; times stay."""
+    """Return a recording without its lead-in, at unchanged times: the spline through the remaining samples."""
     pose = of_motion(saved)
     if pose is None:
         return saved
@@ -81,7 +81,7 @@ def without(saved: Saved) -> Saved:
 
 
 def told(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
-    """Report a recording's lead-in and leave it out with `skip`; return any other motion unchanged."""
+    """Report a recording's lead-in, and remove it with `skip`; return any other motion unchanged."""
     found = of_motion(saved)
     if found is not None:
         progress.say(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
@@ -92,7 +92,7 @@ def told(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
 
 @dataclass(frozen=True)
 class _Rest:
-    """Whether every joint is at the model's zero; a person may stand so, so that it is no sign by itself."""
+    """The test whether every joint is at zero; a person may stand so, thus it is no sign by itself."""
 
     model: mujoco.MjModel
     tells_alone: bool = False
@@ -104,7 +104,7 @@ class _Rest:
 
 @dataclass(frozen=True)
 class _Spread:
-    """Whether both arms are straight out to the sides, legs and trunk upright, by bodies that are known by name."""
+    """The test for a T-pose, by bodies with known names."""
 
     model: mujoco.MjModel
     data: mujoco.MjData
@@ -134,7 +134,7 @@ class _Spread:
         return all(_cosine(limb, direction) > least for limb, direction, least in pairs)
 
     def _end(self, role: str, onward: str) -> Array:
-        """(3,) where a limb goes on, or its farthest site or geom."""
+        """Return the position (3,) of the next part of a limb, or of its farthest site or geom."""
         if onward in self.roles:
             return self.data.xpos[self.roles[onward]]
         body, model = self.roles[role], self.model
@@ -151,7 +151,7 @@ def _cosine(one: Array, other: Array) -> float:
 
 
 def _moved(model: mujoco.MjModel, one: Array, other: Array) -> Array:
-    """Angles [rad] of all balls and hinges between two configurations."""
+    """Return angles [rad] of all ball joints and hinges between two configurations."""
     move = np.zeros(model.nv)
     mujoco.mj_differentiatePos(model, move, 1.0, one, other)
     sizes = {mujoco.mjtJoint.mjJNT_BALL: 3, mujoco.mjtJoint.mjJNT_HINGE: 1}
@@ -160,7 +160,7 @@ def _moved(model: mujoco.MjModel, one: Array, other: Array) -> Array:
 
 
 def _jumps(model: mujoco.MjModel, times: Array, qpos: Array, at: int) -> bool:
-    """Return whether a joint turns impossibly fast to image `at`, and normally after it."""
+    """Return whether a joint rotates impossibly fast to sample `at`, and normally after it."""
     into, after = (
         _moved(model, qpos[i - 1], qpos[i]).max(initial=0.0) / (times[i] - times[i - 1]) for i in (at, at + 1)
     )
@@ -168,7 +168,7 @@ def _jumps(model: mujoco.MjModel, times: Array, qpos: Array, at: int) -> bool:
 
 
 def _travel(model: mujoco.MjModel, times: Array, qpos: Array) -> float:
-    """Mean speed [m/s] of the root from the first frame to the last; zero without one."""
+    """Return the mean speed [m/s] of the root from the first sample to the last; zero without a root."""
     root = root_of(model)
     if root is None:
         return 0.0

@@ -1,8 +1,8 @@
-"""A clip's [[contact]] and [[hold]] tables: points that rest on the ground, and sites that stay on a body, for a time.
+"""A clip's [[contact]] and [[hold]] tables: points that rest on the ground, and sites that stay on a body.
 
-The place is the table's `position`, else where keyframes inside the interval have it, the first of them first. Without
-either the search finds the spot of a contact, and a hold only does not slide. Where a keyframe puts the body out of the
-limb's reach, the hold gives way.
+Their position is `position` of the table, else that of the point in keyframes within the interval, of which the first
+has precedence. Without either, the search determines the position of a contact, and a hold only must not slide. If a
+keyframe puts the body out of the limb's reach, the hold is relaxed.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from ..errors import UserError, unknown
 from .posing.places import Places
 from .table import ContactTable, HoldTable
 
-SLACK = 1.0  # of what a hold is out of reach, the site may be away: a limb stretched to its end whips there and back
+SLACK = 1.0  # slack of a hold relative to its excess of reach; without it a stretched limb whips there and back
 
 
 def contacts(
@@ -40,9 +40,9 @@ def contacts(
     soles: Sequence[Point] = (),
     surfaces: Sequence[Surface] = (),
 ) -> Contacts:
-    """The contacts of a clip's tables. Raises UserError that names the table and what is wrong with it.
+    """Return the contacts of a clip's tables; raises UserError that names the invalid table.
 
-    surfaces  where a keyframe has a point in one of these, the point rises as `collision` requires
+    surfaces  if a keyframe has a point inside one of these, the point rises as `collision` requires
     """
     places = Places(figure, soles)
     points = {table.point: places.point(table.point) for table in tables}
@@ -71,14 +71,14 @@ def contacts(
 
 
 def requested_rests(figure: Figure, tables: Sequence[ContactTable], soles: Sequence[Point]) -> tuple[Rest, ...]:
-    """The contacts of tables whose points are there, however little a motion keeps to them."""
+    """Return the contacts of tables with existing points, independent of the motion."""
     places = Places(figure, soles)
     points = [(places.point(table.point), table) for table in tables]
     return tuple(Rest(point, table.start, table.end) for point, table in points if point is not None)
 
 
 def check_interval(table: ContactTable | HoldTable, keys: Timeline, name: str) -> None:
-    """Raises UserError unless a table's times rise and are within the clip."""
+    """Raise UserError unless a table's times rise and are within the clip."""
     first, last = float(keys.times[0]), float(keys.times[-1])
     if not table.start < table.end:
         raise UserError(f"{name}: from = {table.start:g} s is not before to = {table.end:g} s")
@@ -101,7 +101,7 @@ def check_overlap(
 def _spots(
     figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
 ) -> list[tuple[float, Array]]:
-    """Return the point's specified places at times of the interval, from the table and from keyframes."""
+    """Return the point's specified positions at times of the interval, from the table and from keyframes."""
     samples, drift = Samples.still(figure, keys.states), Thresholds.of(figure).same_spot
     centres, _, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
@@ -127,11 +127,11 @@ def _spots(
 
 
 def _risen(spot: tuple[float, Array], end: float, sunk: Allowance, up: Array) -> list[tuple[float, Array]]:
-    """Return the place of a point at an end [s] of its contact if the nearest keyframe has it in a surface.
+    """Return the position of a point at an end [s] of its contact, if the nearest keyframe has it inside a surface.
 
     It is higher by the decrease of the allowed depth.
 
-    spot  when [s] and where (3,) [m] the keyframe has it;  sunk  how deep keyframes have it;  up  (3,) the way out
+    spot  time [s] and position (3,) [m] in the keyframe;  sunk  depths of keyframes;  up  (3,) direction
     """
     deep = sunk.at(np.array([spot[0], end]))
     return [(end, spot[1] + (deep[0] - deep[1]) * up)] if abs(end - spot[0]) > ROUNDING and deep[0] > deep[1] else []
@@ -145,12 +145,13 @@ def agreeing(
     drift: float,
     contradicts: Callable[[int, float, int | None], str],
 ) -> list[int]:
-    """Return the keyframes of `specified` whose places, of (3, K) [m], agree with the wanted one (3,) within a drift.
+    """Return the keyframes of `specified` whose positions, of (3, K) [m], agree with the wanted one (3,) within a
+    drift.
 
-    Without a wanted place, that of the first keyframe counts.
+    Without a wanted position, that of the first keyframe counts.
 
-    exact        (K,) which keyframes fix the place: posed ones count less, and are left out where they disagree
-    contradicts  the error for one that fixes another place: its index, how far off it is [m], and that of the first
+    exact        (K,) which keyframes fix the position; posed ones are omitted if they disagree
+    contradicts  returns the error for a keyframe that fixes another position: index, distance [m], and the first one
     """
     kept: list[int] = []
     specified = specified[np.argsort(~exact[specified], kind="stable")]
@@ -167,7 +168,7 @@ def agreeing(
 def stretches(
     spots: Sequence[tuple[float, Array]], first: float, last: float
 ) -> Iterator[tuple[float, float, Array, Array]]:
-    """(first, last, from, to) from spot to spot, held before the first and after the last."""
+    """Yield (first, last, from, to) from spot to spot, constant before the first and after the last."""
     whole = [(first, spots[0][1]), *spots, (last, spots[-1][1])]
     for (start, spot), (end, landed) in pairwise(whole):
         if end > start + ROUNDING:
@@ -175,8 +176,7 @@ def stretches(
 
 
 def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None:
-    """Raises UserError if two points of one body rest farther apart than they are on it, or nearer, by more than a
-    stretch [m]."""
+    """Raise UserError if the distance of resting points of one body differs from that on it by more than a stretch."""
     for i, one in enumerate(stances):
         for other in stances[:i]:
             start, end = max(one.first, other.first), min(one.last, other.last)
@@ -193,7 +193,7 @@ def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None
 
 @dataclass(frozen=True)
 class _HoldRow:
-    """A table with its hold, and its name in errors."""
+    """A table with its hold, and its label in errors."""
 
     table: HoldTable
     hold: Hold
@@ -203,7 +203,7 @@ class _HoldRow:
 def holds(
     figure: Figure, keys: Timeline, tables: Sequence[HoldTable], where: str, soles: Sequence[Point] = ()
 ) -> tuple[Hold, ...]:
-    """The holds of a clip's tables. Raises UserError that names the table and what is wrong with it."""
+    """Return the holds of a clip's tables; raises UserError that names the invalid table."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
     rows: list[_HoldRow] = []
     for number, table in enumerate(tables, start=1):
@@ -223,7 +223,7 @@ def holds(
 
 
 def requested_holds(figure: Figure, tables: Sequence[HoldTable], soles: Sequence[Point]) -> tuple[Hold, ...]:
-    """The holds of tables whose sites and bodies are there, however little a motion keeps to them."""
+    """Return the holds of tables with existing sites and bodies, independent of the motion."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
     points = [(places.point(table.hand), table) for table in tables if table.body in bodies]
     return tuple(
@@ -234,13 +234,13 @@ def requested_holds(figure: Figure, tables: Sequence[HoldTable], soles: Sequence
 
 
 def moving_bodies(figure: Figure) -> dict[str, int]:
-    """The bodies that joints move, by name."""
+    """Return the bodies that joints move, by name."""
     model = figure.model
     return {model.body(i).name: i for i in range(1, model.nbody) if model.body(i).name and figure.body_link[i]}
 
 
 def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
-    """Why there is no such body to hold."""
+    """Return the error for a body that does not exist or cannot be held."""
     model = figure.model
     still = {model.body(i).name for i in range(model.nbody)} | {model.geom(i).name for i in range(model.ngeom)}
     if name in still and name not in bodies:
@@ -286,13 +286,13 @@ def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
 
 
 def _hold_stretches(found: dict[float, Array], hold: Hold) -> Iterator[tuple[float, float, Array, Array]]:
-    """(first, last, from, to) from place to place of a hold, by time."""
+    """Yield (first, last, from, to) from position to position of a hold, by time."""
     return stretches(sorted(found.items(), key=lambda pair: pair[0]), hold.first, hold.last)
 
 
 def _hold_places(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Mask]:
-    """The keyframes (k,) within a hold that set both site and body, the place on the body in all (3, K), and which of
-    them fix it (K,)."""
+    """Return the keyframes within a hold that specify it. These are indices (k,) of keyframes that set both site and
+    body, positions (3, K) on the body, and which (K,) are fixed."""
     samples = Samples.still(figure, keys.states)
     both = [hold.point, Point(hold.body, hold.link, np.zeros(3))]
     is_set, exact = (np.logical_and.reduce(placed(figure, mask, both)) for mask in (keys.known, keys.fixed))

@@ -1,7 +1,7 @@
-"""Obstacles and objects of a clip's [scene]. An object stays where it was placed until a hand grasps it.
+"""Obstacles and objects of a clip's [scene]. An object keeps its position until a hand grasps it.
 
-A keyframe that does not place an object has it where the previous keyframe has it. The first keyframes have it where
-the first keyframe that places it does. If a [[hold]] moves it in between, it is free, whatever `others` is.
+A keyframe that does not specify an object's pose has that of the previous keyframe. The keyframes before the first
+specified pose have this pose. If a [[hold]] moves an object in between, it is free, independent of `others`.
 """
 
 from __future__ import annotations

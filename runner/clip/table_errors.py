@@ -69,8 +69,8 @@ def describe(
 
 
 def _walked(location: tuple[int | str, ...], raw: object) -> tuple[list[str], list[str], object]:
-    """Return the keys of an error's location, the labels of numbered tables around it, and the value there. Locations
-    of pydantic also contain names of alternatives, which users do not know. Only keys of the file are returned."""
+    """Return the keys of an error's location in the file, the labels of numbered tables around it, and the value there.
+    pydantic's names of alternatives are omitted."""
     names: list[str] = []
     words: list[str] = []
     here = raw

@@ -1,17 +1,18 @@
-"""What a motion is like: measured, judged, charted.
+"""Measurement, violations and charts of a motion.
 
 checks       kinds of violations as rows of amounts over time
-overlaps     moving bodies in each other, by MuJoCo's collision detection
+overlaps     overlapping moving bodies, by MuJoCo's collision detection
 measurement  the amounts of all checks along a motion, measured once
 violation    violations, worst first
+airborne     figures above the ground without a reason, and sliding feet
 bounds       tolerances of violations
 report       a motion before and after
-quantities   what a report has of one side, of violations and *between* the samples that the optimiser saw
-formatting   lines of a report on a screen
-summary      a solve in few words: how it went, and its violations
-depths       depths of a figure's points in surfaces, many points at many times: cheap, for they are spheres
-exactness    how exactly a motion goes through its keyframes
-swings       how high feet are taken off the ground
-curves       the numbers behind the charts, in the motion file so that `plot` never solves again
+quantities   the quantities of one side of a report, also *between* the samples of the optimiser
+formatting   lines of a report for the terminal
+summary      a short summary of a solve, with its violations
+depths       depths of a figure's points in surfaces
+exactness    the error of a motion at its keyframes
+swings       swings of feet, with their heights
+curves       the data of the charts, stored in the motion file so that `plot` never solves again
 chart        charts of a motion: foot height, unit magnitude, Euler-Lagrange deviation over tenths
 """

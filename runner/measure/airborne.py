@@ -1,4 +1,4 @@
-"""Motion relative to the ground that nothing explains: figures that stay above it without falling, feet that slide."""
+"""Motion relative to the ground without a reason: figures that stay above it without falling, and sliding feet."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from .checks import Row, row_of
 from .measurement import Measurement, feet_of
 from .swings import runs
 
-RATE = 60.0  # [1/s]
-CARRIED = 0.5  # of its weight that something carries: nothing does in free fall
+RATE = 60.0  # [1/s] of the samples
+CARRIED = 0.5  # least fraction of the weight that something must carry; in free fall it is zero
 
 Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
 
 
 def airborne(motion: Measurement) -> Iterator[Excess]:
-    """Yield what is above the ground without a reason, and feet that slide on it."""
+    """Yield figures above the ground without a reason, and feet that slide on it."""
     context, figure = motion.clip.context, motion.clip.figure
     if not context.surfaces or not np.any(figure.gravity):
         return
@@ -45,21 +45,17 @@ def airborne(motion: Measurement) -> Iterator[Excess]:
 
 
 def _heights(surfaces: Sequence[Surface], points: Sequence[Point], samples: Samples) -> Array:
-    """The heights of points above what is below them, (P, S) [m]."""
+    """Return the heights (P, S) [m] of points above the surfaces below them."""
     links, positions, radii = arrays_of(points)
     centres, _ = samples.links.points(links, positions)
     return heights(surfaces, centres, radii)[0]
 
 
 def _floating(motion: Measurement, samples: Samples, at: Index, root: int, height: Array) -> Iterator[Excess]:
-    """The intervals in which the tree of a root is above the ground and something would have to carry it.
+    """Yield intervals in which the tree of a root is above the ground and something would have to carry it.
 
-    Args:
-        motion: The motion.
-        samples: It, S times.
-        at: Their indices among the times of the motion, (S,).
-        root: The index of the tree's root link.
-        height: The height of its lowest point, (S,) [m].
+    samples  S samples of the motion;  at  (S,) their indices among its times
+    root     index of the tree's root link;  height  (S,) [m] of its lowest point
     """
     schedule, figure = motion.clip.context.schedule, motion.clip.figure
     contacts = [(rest.first, rest.last) for rest in (*schedule.contacts.requested, *schedule.grasps)]
@@ -95,7 +91,7 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
 
 
 def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
-    """The intervals in which all points of a foot's sole move along the ground."""
+    """Yield intervals in which all points of a foot's sole move along the ground."""
     context, figure = motion.clip.context, motion.clip.figure
     if not context.points:
         return
@@ -115,7 +111,7 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
 
 
 def _velocities(samples: Samples, links: Index, positions: Array) -> Array:
-    """The velocities of points of links, (3, P, S) [m/s]."""
+    """Return the velocities (3, P, S) [m/s] of points of links."""
     motion = samples.links
     _, offset = motion.points(links, positions)
     return motion.x_d[:, links] + cross(motion.omega[:, links], offset)

@@ -1,4 +1,4 @@
-"""The bounds of violations. docs/violations.md has them, too."""
+"""The bounds of violations; docs/violations.md contains the same table."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Bound:
-    """Kinds of violations and their tolerances: docs/violations.md has the same table.
+    """A kind of violation and its tolerance.
 
-    most  in `unit`: "m", "m/s", "degrees", "degrees/s", "rad/s²", or "" for what has none
-    why   of this size
+    most  largest tolerated amount in `unit`: "m", "m/s", "degrees", "degrees/s", "rad/s²", or "" for none
+    why   the reason for this size
     """
 
     kind: str

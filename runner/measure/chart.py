@@ -23,22 +23,22 @@ if TYPE_CHECKING:
 ENDINGS = (".png", ".svg", ".pdf")
 BEFORE, AFTER = "#b5541c", "#1f6f8b"
 INK = "#22303a"
-COLOURS, STROKES = 10, ("-", "--", ":")  # matplotlib's own; one stroke after the other when they are used up
+COLOURS, STROKES = 10, ("-", "--", ":")  # number of matplotlib's colours; strokes after these are used up
 
 
 def check_target(target: Path) -> None:
-    """Raises UserError if the ending is not one that charts can have."""
+    """Raise UserError unless the extension is one of charts."""
     if target.suffix.lower() not in ENDINGS:
         raise UserError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(ENDINGS)}")
 
 
 def style(size: float) -> dict[Any, Any]:
-    """The style of charts: open at the top and on the right, text of a size [points]."""
+    """Return the style of charts: open at the top and on the right, text of a size [points]."""
     return {"axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "font.size": size}
 
 
 def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: Collection[float], target: Path) -> None:
-    """Four charts in one picture, written whole or not at all."""
+    """Write four charts as one picture, completely or not at all."""
     with plt.rc_context(style(9)):
         figure, axes = plt.subplots(2, 2, figsize=(12, 7.2), layout="constrained")
         try:
@@ -114,6 +114,5 @@ def _penalties(axes: Axes, trace: list[Any]) -> None:
 
 
 def _mark(axes: Axes, key_times: Collection[float]) -> None:
-    """Keyframes as fine lines."""
     for t in key_times:
         axes.axvline(t, color=INK, lw=0.5, alpha=0.25)

@@ -1,6 +1,6 @@
-"""Checks of a motion: per kind of violation its rows, and by how much each is violated at which sample.
+"""Checks of a motion: for each kind of violation its rows, and the amounts by which they are violated at samples.
 
-Residuals are those of the penalties where there is one, without the allowances that a search has for keyframes.
+If there is a penalty, the residuals are the penalty's, without the allowances of the search for keyframes.
 """
 
 from __future__ import annotations
@@ -37,16 +37,13 @@ from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE
 from .depths import bunches, depths
 from .overlaps import Overlaps
 
-SELF_STRIDE = 8  # samples of the grid from one look for overlapping bodies to the next: 30 a second
-SAME_DEPTH = 0.002  # [m] by which a sole point may be less deep than another point of its foot and still be named
+SELF_STRIDE = 8  # samples of the grid per check for overlapping bodies, which is done at 30 Hz
+SAME_DEPTH = 0.002  # [m] most excess in depth of another point of the foot for which a sole point is still named
 
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity: its kind of bound, its name, and a sentence with {} for the amount.
-
-    other  the surface or body that it is in
-    """
+    """One quantity: kind of bound, name, and a sentence with {} for the amount; other: a surface or body."""
 
     kind: str
     name: str
@@ -56,7 +53,6 @@ class Row:
 
     @property
     def unit(self) -> str:
-        """The unit of the amount."""
         return BOUNDS[self.kind].unit
 
 
@@ -70,19 +66,17 @@ class Hits:
 
     @classmethod
     def of(cls, amounts: Array, least: float = 0.0) -> Hits:
-        """The hits among amounts (n, S) above a bound."""
+        """Return the hits among amounts (n, S) above a bound."""
         row, at = np.nonzero(amounts > least)
         return cls(row, at, amounts[row, at])
 
     @classmethod
     def joined(cls, parts: Sequence[Hits]) -> Hits:
-        """All parts in one, in their order."""
         if not parts:
             return cls(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0))
         return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("row", "at", "amount")))
 
     def select(self, which: Index | Mask) -> Hits:
-        """A selection."""
         return Hits(self.row[which], self.at[which], self.amount[which])
 
 
@@ -90,15 +84,14 @@ class Hits:
 class Check:
     """Rows of which the worst of a group is reported.
 
-    name      of the check
-    hits      the amounts in samples; those below the bounds serve the report
-    row       a row by its number
-    bounds    (n,) above which an amount is a violation
+    hits      returns the amounts in samples; those below the bounds are for the report
+    row       returns a row by its number
+    bounds    (n,) amounts above which there is a violation
     groups    (n,)
-    is_fixed  whether keyframes (m,) determine the amounts of rows (m,): they cause the violation, and not the path
-    named     (n,) rows named in place of others of their group that are hardly worse
-    stride    samples of the grid from one look to the next
-    is_once   whether the keyframes that cause it are one violation per group, not one each
+    is_fixed  returns whether keyframes (m,) determine the amounts of rows (m,), so that they cause the violation
+    named     (n,) rows named instead of others of their group that are hardly worse
+    stride    samples of the grid from one evaluation to the next
+    is_once   whether keyframes that cause it count as one violation per group, instead of one each
     """
 
     name: str
@@ -120,7 +113,8 @@ class Check:
         fixed: Mask | None = None,
         groups: Index | None = None,
     ) -> Check:
-        """Checks of listed rows, each its own group unless `groups` is given; fixed (n, K), no keyframe if None."""
+        """Return the check of listed rows, each its own group unless `groups` is given; fixed: (n, K) or None for no
+        key."""
 
         def is_fixed(row: Index, key: Index) -> Mask:
             return np.zeros(row.size, bool) if fixed is None else fixed[row, key]
@@ -139,24 +133,24 @@ class Fixed:
 
     @classmethod
     def of(cls, figure: Figure, states: Mask) -> Fixed:
-        """By the masks (K, N) of keyframes."""
+        """Return the entries for masks (K, N) of keyframes."""
         return cls(
             figure, states, placed(figure, states, [Point("", i, np.zeros(3)) for i in range(len(figure.links))])
         )
 
     def joints(self, links: Sequence[int]) -> Mask:
-        """(n, K) which keyframes fix the joints of n links, the rotation of free ones."""
+        """Return which keyframes fix the joints of n links, (n, K), for free joints the rotation."""
         columns = [quaternion_columns(self.figure.links[i]) or self.figure.links[i].qpos for i in links]
         return np.array([np.atleast_2d(self.states[:, column].T).all(axis=0) for column in columns])
 
 
 def row_of(kind: str, name: str, text: str, bound: float | None = None, other: str = "") -> Row:
-    """A row with the bound of its kind."""
+    """Return a row with the bound of its kind."""
     return Row(kind, name, text, BOUNDS[kind].most if bound is None else bound, other)
 
 
 def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
-    """Knees and elbows bent backward, sideways or twisted; bound: None for those of the kinds."""
+    """Return the check of knees and elbows bent backward, sideways or twisted; bound: None for those of the kinds."""
     rows = [
         row_of(kind, joint.name, f"{joint.name} {text}", bound)
         for kind, text in (
@@ -176,7 +170,7 @@ def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
 
 
 def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Mask | None = None) -> Check:
-    """Joints beyond bounds: kinds of hinges and balls, and of slides; a text with the fields of a `Range`."""
+    """Return the check of joint ranges; kinds: of hinges and balls, and of slides; text: with fields of `Range`."""
     limits, slides = JointRange(tuple(joints)), np.array([joint.kind is JointKind.SLIDE for joint in joints])
     rows = [
         row_of(kinds[int(slide)], joint.name, text.format("{}", joint=joint))
@@ -191,7 +185,7 @@ def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Ma
 
 
 def speeds(figure: Figure, limit: Speed) -> Check:
-    """Hinges and ball joints that turn faster than their limits."""
+    """Return the check of hinges and ball joints that exceed speed limits."""
     most = np.degrees(limit.limits)
     rows = [
         row_of("speed", name, f"{name} turns {{}} faster than its limit of {top:.0f} degrees/s", bound)
@@ -206,7 +200,7 @@ def speeds(figure: Figure, limit: Speed) -> Check:
 
 
 def coupled(fixed: Fixed) -> Check | None:
-    """Joints off what equality constraints make them follow."""
+    """Return the check of joints that equality constraints couple to others."""
     joints = couplings(fixed.figure)
     if not joints:
         return None
@@ -227,7 +221,7 @@ def coupled(fixed: Fixed) -> Check | None:
 
 
 def torn(fixed: Fixed) -> Check | None:
-    """Gaps in closed loops."""
+    """Return the check of gaps in closed loops."""
     pairs = closures(fixed.figure)
     if not pairs:
         return None
@@ -239,7 +233,7 @@ def torn(fixed: Fixed) -> Check | None:
 
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:
-    """Links whose angular acceleration relative to their parents is far beyond what the raw spline needs."""
+    """Return the check of links with a much greater angular acceleration in the parent than the raw spline requires."""
     links = turning(figure)
     if not links:
         return None
@@ -250,18 +244,18 @@ def whips(figure: Figure, raw_peak: float) -> Check | None:
 
 
 def turning(figure: Figure) -> list[int]:
-    """The links that turn about a joint."""
+    """Return the links on ball joints and hinges."""
     return [i for i, link in enumerate(figure.links) if i > 0 and link.kind in (JointKind.BALL, JointKind.HINGE)]
 
 
 def turns(samples: Samples) -> Array:
-    """(L, S) [rad/s²] size of every link's angular acceleration relative to its parent."""
+    """Return the norm (L, S) [rad/s²] of every link's angular acceleration relative to its parent."""
     alpha = samples.links.alpha
     return np.linalg.norm(alpha - alpha[:, samples.figure.tables.parents], axis=0)
 
 
 def lengths(figure: Figure) -> Check | None:
-    """Quaternions far from length 1."""
+    """Return the check of quaternions with lengths far from 1."""
     names = [figure.links[i].name for i in figure.tables.quaternion_links]
     text = "the quaternion of {} is {{}} off length 1 and turns fast"
     rows = [row_of("length", name, text.format(name)) for name in names]
@@ -269,7 +263,7 @@ def lengths(figure: Figure) -> Check | None:
 
 
 def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, fixed: Fixed) -> Check:
-    """Contacts whose points are above their surface, or above the surface below them, if there is one."""
+    """Return the check of contacts whose points are above their surface, or above the one below them."""
     text = "contact {} is {{}} above its surface"
     rows = [row_of("hover", rest.point.name, text.format(rest.point.name)) for rest in rests]
     points = tuple(rest.point for rest in rests)
@@ -289,7 +283,7 @@ def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, 
 
 @dataclass(frozen=True, eq=False)
 class Stay:
-    """A point that is to stay in its place.
+    """A point that must stay in its place.
 
     kind     "contact" or "stance"
     text     a sentence with {} for the amount
@@ -302,7 +296,7 @@ class Stay:
     rolling: Rolling | None = None
 
     def away(self, samples: Samples, at: Index) -> Array:
-        """(k,) [m] how far it is from its place at samples `at` (k,)."""
+        """Return the distance (k,) [m] of the point from its place at samples `at` (k,)."""
         point = self.stance.point
         x, rotation = samples.links.poses(point.link * samples.count + at)
         off = x + np.einsum("ijk,j->ik", rotation, point.position) - self.stance.place(samples.t[at])
@@ -312,7 +306,7 @@ class Stay:
 
 
 def moved(stays: Sequence[Stay], groups: Index, fixed: Fixed) -> Check:
-    """Points that are to stay in their places and move."""
+    """Return the check of points that leave their places."""
 
     def hits(samples: Samples) -> Hits:
         parts = []
@@ -327,7 +321,7 @@ def moved(stays: Sequence[Stay], groups: Index, fixed: Fixed) -> Check:
 
 
 def slips(holds: Sequence[Hold], starts: Sequence[Array], fixed: Fixed) -> Check:
-    """Sites that move on what they hold; starts (3,) each: where on the link it was when the hold began [m]."""
+    """Return the check of sites that move on grasped links; starts: initial positions (3,) [m] on these."""
     text = "{} moves {{}} on {}, which it holds"
     rows = [row_of("hold", hold.point.name, text.format(hold.point.name, hold.body)) for hold in holds]
 
@@ -344,7 +338,7 @@ def slips(holds: Sequence[Hold], starts: Sequence[Array], fixed: Fixed) -> Check
 
 
 def misses(points: Sequence[Placed]) -> Check:
-    """Points that were left to the search and are not where they were to be."""
+    """Return the check of points left to the search that miss their positions."""
     rows = [row_of("placement", place.point.name, f"{place.point.name} is {{}} off its place") for place in points]
     placement = Placement(tuple(points))
 
@@ -356,10 +350,11 @@ def misses(points: Sequence[Placed]) -> Check:
 
 
 def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
-    """Points of a figure in surfaces: a row each pair of them, a group each pair of a foot or limb and a surface.
+    """Return the check of points in surfaces: a row for each pair, a group for each pair of a foot or limb and a
+    surface.
 
-    parts  points and the surfaces to keep them out of;  soles  the names of points to be named rather than others
-    feet   (L,) the link that stands for a foot or limb
+    parts  points and the surfaces that they must avoid;  soles  names of points with precedence in messages
+    feet   (L,) the link that represents a foot or limb
     """
     pairs = [(point, surface.name) for part in parts for surface in part.surfaces for point in part.points]
     numbers: dict[tuple[int, str], int] = {}
@@ -391,7 +386,8 @@ def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fi
 
 
 def tangled(carried: Sequence[int], fixed: Fixed) -> Check:
-    """Moving bodies in each other: a row each pair of links, a group each pair of limbs. What is carried is solid."""
+    """Return the check of overlapping bodies: a row per pair of links, a group per pair of limbs; grasped ones are
+    solid."""
     figure, count = fixed.figure, len(fixed.figure.links)
     overlaps, limbs, is_carried = Overlaps.of(figure), _limbs(figure), np.isin(np.arange(count), carried)
     is_solid = is_carried[:, None] != is_carried
@@ -418,13 +414,13 @@ def tangled(carried: Sequence[int], fixed: Fixed) -> Check:
 
 
 def _quoted(name: str) -> str:
-    """A surface in a sentence."""
+    """Return the name of a surface in a sentence."""
     return f"the {name}" if name.isalpha() and name.islower() else f"'{name}'"
 
 
 def _limbs(figure: Figure) -> Index:
-    """(L,) the first link of what a link is part of: the trunk, which is the root with what branches next to it, or a
-    limb, which is a chain without branches."""
+    """Return the first link (L,) of the part of the body of each link. A part is the trunk, which is the root with
+    adjacent branching links, or a limb, which is a chain without branches."""
     parents = figure.tables.parents
     branches = np.bincount(parents[1:], minlength=parents.size) > 1
     limbs, in_trunk = np.arange(parents.size), parents == 0

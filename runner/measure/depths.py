@@ -1,7 +1,7 @@
-"""How deep points of a figure are in surfaces, many points at many times: cheap, for they are spheres.
+"""Depths of a figure's points in surfaces, for many points at many times.
 
 Only spheres of links near a surface are evaluated. Distances to planes, boxes and other signed distance fields are
-exactly; a height field by the distance to its nearest way out, to first order.
+exact. The distance to a height field is that to the nearest exit, to first order.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from dynsplines.solver.surface import Box, Surface
 from dynsplines.solver.surface.points import Point
 from dynsplines.solver.surface.surface import UPRIGHT
 
-TINY = 1e-12  # [m]: no direction at all
+TINY = 1e-12  # [m] least distance in a division
 
 
 @dataclass(frozen=True, eq=False)
 class Bunch:
-    """The points of one link: which (p,), places on it (3, p) [m], radii (p,) [m], and a sphere round all of them."""
+    """The points of one link: indices (p,), positions on it (3, p) [m], radii (p,) [m], and a bounding sphere."""
 
     link: int
     which: Index
@@ -33,7 +33,7 @@ class Bunch:
 
 
 def bunches(points: Sequence[Point]) -> tuple[Bunch, ...]:
-    """Points by their links."""
+    """Return points grouped by their links."""
     return tuple(_bunches(points))
 
 
@@ -49,7 +49,7 @@ def _bunches(points: Sequence[Point]) -> Iterator[Bunch]:
 
 
 def depths(found: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterator[tuple[Bunch, Index, Array]]:
-    """The depths of bunches near a surface: their samples (k,), and the depths of their points (p, k) [m]."""
+    """Yield the bunches near a surface with their samples (k,), and the depths of their points (p, k) [m]."""
     if not found:
         return
     links = np.array([bunch.link for bunch in found], np.intp)
@@ -64,7 +64,7 @@ def depths(found: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterat
 
 
 def depth(surface: Surface, centres: Array, radii: Array) -> Array:
-    """(p, k) [m] how deep spheres are in a surface, at most 0 outside: centres (3, p, k), radii (p,)."""
+    """Return the depths (p, k) [m] of spheres in a surface, at most 0 outside: centres (3, p, k), radii (p,)."""
     if isinstance(surface, Box):
         return radii[:, None] - _from_box(surface, centres)
     deep, direction = surface.depth(centres, radii)
@@ -72,7 +72,7 @@ def depth(surface: Surface, centres: Array, radii: Array) -> Array:
 
 
 def _from_box(box: Box, points: Array) -> Array:
-    """Signed distance of points (3, ...) from a box, negative inside: that of the nearest way out."""
+    """Return the signed distance of points (3, ...) from a box; inside, it is minus that to the nearest exit."""
     local = np.tensordot(box.axes.T, points - box.centre.reshape(3, *[1] * (points.ndim - 1)), axes=1)
     half = box.half.reshape(3, *[1] * (points.ndim - 1))
     outside = np.linalg.norm(np.maximum(np.abs(local) - half, 0), axis=0)

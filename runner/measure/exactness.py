@@ -1,4 +1,4 @@
-"""How exactly a motion goes through its keyframes."""
+"""The error of a motion at its keyframes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..clip.build import Clip
 
 
 def keyframe_error(clip: Clip, timeline: Timeline) -> float:
-    """Largest error of a fixed entry at its key time: the spline evaluated there and turned into qpos."""
+    """Return the largest error of a fixed entry of qpos at its key time."""
     figure = clip.figure
     times = np.array([key.time for key in clip.keys])
     reached = figure.to_qpos(path_of(timeline).at(times))

@@ -1,4 +1,4 @@
-"""Lines of a report on a screen: of every quantity what it is, its value before and after.
+"""Lines of a report for the terminal: of every quantity its label, and its value before and after.
 
 Names include units: "penetration, m" is shown in millimetres, as is everything that it contains.
 """
@@ -10,14 +10,14 @@ from typing import Any
 
 from .swings import words as swing_words
 
-Line = tuple[str, str, str]  # what it is, before, after
-HIDDEN = ("geoms", "unit")  # too many for a screen; shown with what has it
-FEW = 4  # numbers of one quantity in one line
+Line = tuple[str, str, str]  # label, before, after
+HIDDEN = ("geoms", "unit")  # entries without lines: too many, or shown with their quantity
+FEW = 4  # most numbers of a quantity in one line
 SPAN = ("from, s", "to, s")
 
 
 def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
-    """The lines of two sides; `before` may lack entries in a report of an older version."""
+    """Yield the lines of two sides; `before` may lack entries in a report of an older version."""
     for name, value in after.items():
         yield from _rows(name, before.get(name), value)
 
@@ -48,7 +48,7 @@ def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
 
 
 def _label_and_unit(name: str, unit: str) -> tuple[str, str]:
-    """A name without its unit, and the unit, that of what contains it if it has none."""
+    """Return a name without its unit, and the unit, by default that of the containing entry."""
     label, comma, own_unit = name.rpartition(", ")
     return (label, own_unit) if comma and own_unit in UNITS else (name, unit)
 

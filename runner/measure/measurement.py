@@ -1,6 +1,6 @@
-"""Measurement of a motion: the amounts of all checks that its clip calls for, on one grid.
+"""Measurement of a motion: the amounts of all checks of its clip, on one grid.
 
-What is measured does not depend on what the clip penalizes. Violations and reports are made of the same amounts.
+The measured quantities do not depend on which ones the clip penalizes. Violations and reports use the same amounts.
 """
 
 from __future__ import annotations
@@ -35,19 +35,19 @@ from ..motion import samples_at
 from . import checks
 from .checks import Check, Fixed, Hits, Row, Stay
 
-RATE = 240.0  # [1/s]: a foot at 4 m/s moves 17 mm from one sample to the next
-RUN = 1000  # samples at once, whose arrays do not fill the memory
-ROUNDING = 1e-9  # [s]
+RATE = 240.0  # [1/s] of the grid: a foot at 4 m/s moves 17 mm between samples
+RUN = 1000  # most samples evaluated at once, which bounds the memory
+ROUNDING = 1e-9  # [s] tolerance at the ends of intervals
 
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """The amounts of all checks along a timeline that answers a clip.
+    """The amounts of all checks along a timeline of a clip.
 
-    clip    with the keyframes that you specified, of a recording the first and the last besides
-    time    (T,) [s] of the grid;  key_at  (K,) where on it the keyframes are
+    clip    with the specified keyframes, for a recording also the first and the last
+    time    (T,) [s] of the grid;  key_at  (K,) indices of the keyframes in it
     checks  each with its amounts
-    stays   points that are to stay in their places, each with the number of its foot and interval
+    stays   points that must stay in their places, each with the number of its foot and interval
     """
 
     clip: Clip
@@ -59,7 +59,7 @@ class Measurement:
 
     @classmethod
     def of(cls, clip: Clip, timeline: Timeline, raw: Timeline) -> Measurement:
-        """Measure a timeline; `raw` is the spline through the clip's keyframes, to which whips are compared."""
+        """Measure a timeline; `raw` is the spline through the clip's keyframes, the reference for whips."""
         clip, path = _as_keyed(clip), path_of(timeline)
         key_times = np.clip([key.time for key in clip.keys], *path.span)
         stays = tuple(_stays(clip, timeline))
@@ -81,7 +81,7 @@ class Measurement:
         return cls(clip, timeline, time, key_at, amounts, stays)
 
     def largest(self, name: str) -> dict[int, tuple[float, float]]:
-        """The largest amount of every row of the checks of a name that has one, and its time [s]."""
+        """Return the largest amount of every row with one, in the checks of a name, and its time [s]."""
         out = {}
         for check, hits in self.checks:
             if check.name == name:
@@ -92,9 +92,9 @@ class Measurement:
         return out
 
     def worst(self, name: str) -> list[tuple[Row, float, float]]:
-        """The rows of the check of a name with their largest amounts and their times [s], worst first.
+        """Return the rows of the check of a name with their largest amounts and times [s], worst first.
 
-        The first row with nothing where none has any; no rows without such a check.
+        If no row has an amount, the first one is returned with zero; without such a check, the result is empty.
         """
         check = next((check for check, _ in self.checks if check.name == name and check.bounds.size), None)
         if check is None:
@@ -105,13 +105,13 @@ class Measurement:
 
     @property
     def numbers(self) -> Index:
-        """(K,) the numbers of the keyframes as you specified them, from 1."""
+        """(K,) numbers of the keyframes as specified, from 1."""
         specified = {key.time for key in self.clip.authored_keys}
         return np.cumsum([key.time in specified for key in self.clip.keys])
 
 
 def _as_keyed(clip: Clip) -> Clip:
-    """Of a recording's frames, which are not user keyframes: the first, the last and the keyframes."""
+    """Return a recording's clip with the first frame, the last one and the keyframes only."""
     key_times, ends = {key.time for key in clip.authored_keys}, (0, len(clip.keys) - 1)
     nothing = np.zeros(clip.figure.width, bool)
     keys = tuple(
@@ -123,7 +123,7 @@ def _as_keyed(clip: Clip) -> Clip:
 
 
 def _peak(figure: Figure, raw: Timeline, time: Array) -> float:
-    """[rad/s²] the largest angular acceleration of a link relative to its parent on the raw spline."""
+    """Return the largest angular acceleration [rad/s²] of a link relative to its parent on the raw spline."""
     links, path = checks.turning(figure), path_of(raw)
     runs = np.array_split(time[::2], -(-time.size // RUN))
     return max(float(checks.turns(samples_at(figure, path, run))[links].max(initial=0.0)) for run in runs)
@@ -171,18 +171,18 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
 
 
 def bend_limits(clip: Clip) -> BendLimits:
-    """The limits of the clip's knees and elbows, defaults where it has none."""
+    """Return the limits of the clip's knees and elbows, or the defaults."""
     return next((part for part in _parts(clip) if isinstance(part, BendLimits)), BendLimits(clip.context.bends))
 
 
 def _parts(clip: Clip) -> Iterator[Penalty]:
-    """The soft constraints, those that stand together one by one."""
+    """Yield the soft constraints, with the parts of sums one by one."""
     for penalty, _ in clip.penalties:
         yield from penalty.parts if isinstance(penalty, Sum) else (penalty,)
 
 
 def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
-    """Soles and body, and what they are to stay out of, whether or not the clip has it penalised."""
+    """Return soles and body with the surfaces that they must avoid, whether or not the clip penalises it."""
     contacts = [part for part in parts if isinstance(part, Contact)]
     names = {part.name for part in contacts}
     if Contact.called not in names:
@@ -196,7 +196,7 @@ def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
 
 
 def feet_of(figure: Figure, points: Sequence[Point]) -> Index:
-    """(L,) the link that represents a foot: of a foot and its toes with sole points, the first."""
+    """Return the link (L,) that represents a foot: the first of foot and toes with sole points."""
     feet, soles = np.arange(len(figure.links)), {point.link for point in points}
     for i, link in enumerate(figure.links[1:], start=1):
         if i in soles and link.parent in soles:
@@ -205,7 +205,7 @@ def feet_of(figure: Figure, points: Sequence[Point]) -> Index:
 
 
 def _groups(rests: Sequence[Rest | Stance], feet: Index) -> Index:
-    """(n,) a number for every foot and interval; intervals of a foot that overlap are one."""
+    """Return a number (n,) for every foot and interval; overlapping intervals of a foot are one."""
     order = sorted(range(len(rests)), key=lambda i: (feet[rests[i].point.link], rests[i].first))
     groups, number, foot, end = np.zeros(len(rests), np.intp), -1, -1, -np.inf
     for i in order:
@@ -216,12 +216,12 @@ def _groups(rests: Sequence[Rest | Stance], feet: Index) -> Index:
 
 
 def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
-    """(3,) [m] where on the link that it holds a hold's point is when it begins."""
+    """Return the position (3,) [m] of a hold's point on the link when the hold begins."""
     return slipped(samples_at(figure, path_of(timeline), np.array([hold.first])), hold)[:, 0]
 
 
 def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
-    """The clip's contacts, and the stances inferred from its keyframes, each with the number of its group."""
+    """Yield the clip's contacts, and the stances inferred from keyframes, each with the number of its group."""
     figure, feet = clip.figure, feet_of(clip.figure, clip.context.points)
     specified = [stance for part in _parts(clip) if isinstance(part, StancePenalty) for stance in part.stances]
     rests = clip.context.schedule.contacts.requested
@@ -242,7 +242,7 @@ def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
 
 
 def inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
-    """Stances of soles inferred from keyframes, partial ones as the motion fills them."""
+    """Return stances of soles inferred from keyframes, with unspecified entries from the motion."""
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
     return stances(
@@ -251,14 +251,14 @@ def inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
 
 
 def _same(stance: Stance, rest: Rest) -> bool:
-    """Whether a stance and a contact are of one point at one time."""
+    """Return whether a stance and a contact have the same point and overlap in time."""
     meet = stance.first < rest.last - ROUNDING and rest.first < stance.last - ROUNDING
     same = stance.point.link == rest.point.link and np.array_equal(stance.point.position, rest.point.position)
     return bool(meet and same)
 
 
 def _pieces(rest: Rest, known: Sequence[Stance], middle: Array) -> list[Stance]:
-    """The target of a contact's point: the given position, else its position in the middle of the contact, (3,) [m]."""
+    """Return the targets of a contact's point: specified positions, else the one in mid-contact, (3,) [m]."""
     first, last = rest.first - ROUNDING, rest.last + ROUNDING
     placed = [stance for stance in known if _same(stance, rest) and first <= stance.first and stance.last <= last]
     return placed or [Stance(rest.point, rest.first, rest.last, middle, middle)]

@@ -1,8 +1,8 @@
 """Overlaps of moving bodies, by MuJoCo's collision detection with its filters, whatever the clip penalizes.
 
-Which bodies collide is the model's: contype and conaffinity, <exclude>, <pair>, no parent with its child. All geoms
-of a model in which nothing collides count. Bodies at most two joints apart that overlap at rest do so by design and are
-excluded: a hip lies in the abdomen. Others that do not move freely count as far as they overlap more than at rest.
+The model determines which bodies collide: contype and conaffinity, <exclude>, <pair>, and no parent with its child. In
+a model without collisions, all geoms count. Bodies at most two joints apart that overlap at rest do so by design, such
+as a hip in the abdomen, and are excluded. The overlap of other connected bodies counts beyond that at rest.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface.touch import counts_all, movers
 
-JOINED = 2  # bodies so near in the tree are excluded if they overlap at rest
+JOINED = 2  # most joints between two bodies that are excluded if they overlap at rest
 BITS = 31  # of contype
 
 
@@ -37,8 +37,8 @@ class Overlap:
 class Overlaps:
     """The bodies of a figure that can overlap.
 
-    model    a copy in which moving geoms collide, and nothing else
-    at_rest  (L, L) [m] how deep two links are in each other at rest, the lower first; infinite if excluded
+    model    a copy in which only moving geoms collide
+    at_rest  (L, L) [m] depth of two links in each other at rest, the lower first; infinite if excluded
     """
 
     figure: Figure
@@ -48,7 +48,7 @@ class Overlaps:
     @classmethod
     @lru_cache(maxsize=2)
     def of(cls, figure: Figure) -> Overlaps:
-        """Return all bodies that MuJoCo would let collide."""
+        """Return all bodies that collide in MuJoCo."""
         model, at_rest = _collision_model(figure.model), np.zeros((len(figure.links),) * 2)
         rest = _overlaps(figure, model, figure.model.qpos0[None], np.zeros(1, np.intp))
         steps = _steps(figure)[tuple(rest.links)]
@@ -59,7 +59,7 @@ class Overlaps:
         return cls(figure, model, at_rest)
 
     def met(self, samples: Samples) -> Overlap:
-        """Return the overlaps in samples that are deeper than at rest, with the depth beyond that."""
+        """Return the overlaps in samples, with the depth beyond that at rest."""
         overlap = _overlaps(self.figure, self.model, self.figure.to_qpos(samples.y), np.arange(samples.count))
         depth = overlap.depth - self.at_rest[tuple(overlap.links)]
         deeper = np.flatnonzero(depth > 0)
@@ -67,7 +67,7 @@ class Overlaps:
 
 
 def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> Overlap:
-    """Overlaps at qpos (k, nq) of samples `at` (k,)."""
+    """Return the overlaps at qpos (k, nq) of samples `at` (k,)."""
     data, parts = mujoco.MjData(model), []
     for q, sample in zip(qpos, at.tolist(), strict=True):
         data.qpos[:] = q
@@ -84,7 +84,7 @@ def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> 
 
 
 def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
-    """A copy in which moving geoms collide with each other as MuJoCo has it, or all of them where nothing collides."""
+    """Return a copy in which moving geoms collide with each other as in MuJoCo, or all of them if none does."""
     out, solid = copy.copy(model), movers(model)
     still = np.setdiff1d(np.arange(model.ngeom), solid)
     bodies = np.unique(model.geom_bodyid[solid])
@@ -102,9 +102,7 @@ def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
 
 def _exclude(model: mujoco.MjModel, body_link: Index, excluded: Mask) -> None:
     """Exclude pairs of links (L, L) from collision in a model with uniform flags, which takes a quarter of the time.
-
-    Every body has a bit of contype, and the bits of those that it meets in conaffinity.
-    """
+    Every body has a bit in contype, and the bits of those with which it collides in conaffinity."""
     bodies = np.flatnonzero(model.body_contype)
     if bodies.size > BITS or not excluded.any():
         return
@@ -120,7 +118,7 @@ def _exclude(model: mujoco.MjModel, body_link: Index, excluded: Mask) -> None:
 
 
 def _steps(figure: Figure) -> Array:
-    """(L, L) how many bodies apart two links are, infinite where one of them moves freely from the other."""
+    """Return the number of bodies between two links (L, L), infinite if one moves freely from the other."""
     bodies, path = np.array([link.body for link in figure.links]), figure.tables.path
     first = np.append(True, bodies[1:] != bodies[:-1])  # a body's other joints do not count
     depth, shared = path[:, first].sum(axis=1), path[:, first] @ path[:, first].T

@@ -1,6 +1,6 @@
-"""Quantities of a motion: by name, with their units, what a report has of one side.
+"""Quantities of one side of a report, by name, with their units.
 
-What violations are about comes from the same measurement as they do; the rest is measured on a grid of 1 kHz.
+Those related to violations come from the same measurement; others are measured on a grid of 1 kHz.
 """
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ from .exactness import keyframe_error
 from .measurement import Measurement, bend_limits, inferred
 from .swings import swings
 
-RATE = 1000.0  # [1/s], between the samples that the optimiser saw
-HIGHEST = 1.0  # [m] above which heights of a foot count as equal
-STIFF = 1e-7  # softness of what supports: what is left then is what cannot be supplied
+RATE = 1000.0  # [1/s] of the samples, finer than those of the optimiser
+HIGHEST = 1.0  # [m] height from which heights of a foot are not distinguished
+STIFF = 1e-7  # `Support.softness`, so small that the remaining wrench is only what contacts cannot supply
 
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """One side of a report: a clip's timeline, its violations and E, and its motion on the fine grid."""
+    """One side of a report: a clip's timeline, its measurement and E."""
 
     clip: Clip
     objective: Objective
@@ -53,24 +53,22 @@ class Side:
 
     @classmethod
     def of(cls, clip: Clip, objective: Objective, timeline: Timeline, raw: Timeline) -> Side:
-        """Measure a timeline; `raw` is the spline through the clip's keyframes."""
         return cls(clip, objective, timeline, Measurement.of(clip, timeline, raw))
 
     @cached_property
     def samples(self) -> Samples:
-        """The motion on the fine grid."""
         first, last = float(self.timeline.times[0]), float(self.timeline.times[-1])
         time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
         return samples_at(self.clip.figure, path_of(self.timeline), time)
 
     @cached_property
     def terms(self) -> dict[str, float]:
-        """Every term's part of E."""
+        """The contribution of every term to E."""
         values = self.objective.integrals(path_of(self.timeline))
         return {t.penalty.name: float(t.factor * v) for t, v in zip(self.objective.terms, values, strict=True)}
 
     def quantities(self) -> dict[str, Any]:
-        """All quantities by name; those that the clip has nothing of are left out or empty."""
+        """Return all quantities by name; those that do not apply to the clip are omitted or empty."""
         clip, samples, timeline, worst = self.clip, self.samples, self.timeline, self.measurement.worst
         every = {
             "objective": sum(self.terms.values()),
@@ -128,7 +126,7 @@ def _penetration(clip: Clip, worst: Worst) -> dict[str, Any]:
 
 
 def _bends(clip: Clip, worst: Worst) -> dict[str, dict[str, float]]:
-    """The largest angles of knees and elbows, backward and either way."""
+    """Return the largest angles of knees and elbows: backward, sideways and twist."""
     limits = bend_limits(clip)
     within = {"backward": -limits.least, "sideways": limits.sideways, "twist": limits.twist}
     angles = {(row.name, row.kind): float(np.degrees(within[row.kind])) + beyond for row, beyond, _ in worst}
@@ -136,7 +134,7 @@ def _bends(clip: Clip, worst: Worst) -> dict[str, dict[str, float]]:
 
 
 def _most(worst: Worst, what: str) -> dict[str, Any]:
-    """The row that is farthest beyond its bound, in degrees or m."""
+    """Return the row that exceeds its bound most, in degrees or m."""
     if not worst:
         return {}
     row, most, time = worst[0]
@@ -144,13 +142,13 @@ def _most(worst: Worst, what: str) -> dict[str, Any]:
 
 
 def _equalities(joints: Worst, loops: Worst) -> dict[str, Any]:
-    """Deviations of coupled joints, and gaps of closed loops."""
+    """Return deviations of coupled joints, and gaps of closed loops."""
     result = {"coupled": _most(joints, "joint")} if joints else {}
     return result | ({"closed": {"loop": loops[0][0].name, "most, m": loops[0][1]}} if loops else {})
 
 
 def _holds(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
-    """Displacement of every hold's site on the body since the start of the hold."""
+    """Return the displacement of every hold's site on the body since the start of the hold."""
     largest, out = measurement.largest("hold"), []
     for i, hold in enumerate(clip.context.schedule.grasps):
         moved, time = largest.get(i, (0.0, hold.first))
@@ -160,7 +158,7 @@ def _holds(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
 
 
 def _peak(worst: Worst) -> dict[str, Any]:
-    """The largest angular acceleration of a link relative to its parent."""
+    """Return the largest angular acceleration of a link relative to its parent."""
     if not worst:
         return {"peak": 0.0, "joint": "", "at, s": 0.0}
     row, peak, time = worst[0]
@@ -168,13 +166,13 @@ def _peak(worst: Worst) -> dict[str, Any]:
 
 
 def _heights(clip: Clip, samples: Samples) -> Array:
-    """(n, T) height of the contact points over the surface below them [m]."""
+    """Return the heights (n, T) [m] of the contact points above the surface below them."""
     centres, _, _ = places_of(clip.context.points, samples)
     return np.min([surface.height(centres) for surface in clip.context.surfaces], axis=0)
 
 
 def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
-    """Horizontal path of each contact point while within 1 cm of its surface, and its mean speed there."""
+    """Return the horizontal path of each contact point while close to its surface, and its mean speed there."""
     if not clip.context.points or not clip.context.surfaces:
         return {}
     centres, _, _ = places_of(clip.context.points, samples)
@@ -190,7 +188,7 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
 
 
 def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
-    """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, and its slide."""
+    """Return every stance of a foot inferred from keyframes, with the rise of its lowest geom and its slide."""
     shortest = Thresholds.of(clip.figure).brief_stance
     long_stances = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > shortest]
     groups: dict[tuple[float, float, int], list[Any]] = {}
@@ -215,7 +213,7 @@ def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
 
 
 def _contacts(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
-    """Every contact of the clip: the largest distance from the position in the middle of the contact, and the path."""
+    """Return every contact of the clip, with the largest distance from its mid-contact position and the path."""
     out = []
     for rest in clip.context.schedule.contacts.requested:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
@@ -232,7 +230,7 @@ def _contacts(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
 
 
 def _edge_clearance(clip: Clip, samples: Samples) -> dict[str, float]:
-    """Height of a foot's lowest contact point over a box's top when the foot's middle crosses the box's front edge."""
+    """Return the height of a foot's lowest contact point above a box as the foot's centre crosses its front edge."""
     out: dict[str, float] = {}
     for box in (surface for surface in clip.context.surfaces if isinstance(surface, Box)):
         edge = box.centre[0] - np.abs(box.axes[0]) @ box.half
@@ -259,8 +257,7 @@ def _unit_deviation(samples: Samples) -> dict[str, float]:
 
 
 def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any] | None:
-    """How far a loop's root travels and turns in a period, and by how far y, y', y'' at its end are off; None where
-    there is no loop."""
+    """Return travel and rotation of a loop's root per period, and jumps of y, y', y'' at its end; else None."""
     if timeline.ends != "periodic":
         return None
     seam = Seam.of(clip.figure, timeline)
@@ -273,10 +270,8 @@ def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any] | None:
 
 
 def _torque(samples: Samples) -> dict[str, Any]:
-    """Joint torques by inverse dynamics, and the wrench that the ground would have to supply at the roots.
-
-    root mean square  over time, of the norm of the torques of all balls and hinges together
-    """
+    """Return joint torques by inverse dynamics, and the external wrench at the roots. The root mean square is over
+    time, of the norm of the torques of all ball joints and hinges."""
     figure = samples.figure
     forces = generalised_forces(samples)
     roots = [link.dof for link in figure.links[1:] if link.kind is JointKind.FREE]
@@ -299,10 +294,10 @@ def _torque(samples: Samples) -> dict[str, Any]:
 
 
 def _support(clip: Clip, samples: Samples) -> dict[str, float]:
-    """Unsupported force and moment: in flight, and beyond what the footings can supply."""
+    """Return unsupported force and moment: in flight, and beyond what the footings can supply."""
     if clip.context.support is None or not clip.context.support.tells:
         return {}
-    # stiff, so that what is left is what cannot be supplied, and not what would cost force
+    # stiff, so that the remaining wrench is only what contacts cannot supply
     carried = replace(clip.context.support, softness=STIFF)
     rest = carried.rest(samples)[:, carried.known(samples.t)]
     force = np.linalg.norm(rest[:3], axis=0)

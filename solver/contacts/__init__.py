@@ -1,14 +1,14 @@
-"""When and where figures touch their surroundings, inferred from keyframes, clips and recordings.
+"""Inference of when and where figures touch their surroundings, from keyframes, clips and recordings.
 
-schedule          all of it for one clip: stances, grasps, flights, gait
+schedule          all contacts of one clip: stances, grasps, flights, gait
 stance            points that stay in one place           grasp     points that hold another body
-footing           points that carry, and flights          grounded  times at which the figure does not fly
+footing           points that carry, and flights          grounded  intervals near the ground
 gait              the walking or running cycle of keyframes, as a Gaussian process of poses
-gait_period       the choice of the cycle: periods that suit the size of the body, feet that do not slip
-pose_vectors      poses as vectors: the joints' deviation from their mean, independent of place and heading
+gait_period       the choice of the cycle: its period suits the size of the body, and feet do not slip
+pose_vectors      poses as vectors: the joints' deviation from their mean, without position and heading
 recorded_stances  the stances of a recording's soles
-point_likelihood  the likelihood of the places of a point that moves
-ground_alignment  a recording moved down or up onto the ground
+point_likelihood  the likelihood of the positions of a moving point
+ground_alignment  vertical alignment of a recording with the ground
 thresholds        all distances, times and speeds that decide, relative to the size of the figure
 """
 

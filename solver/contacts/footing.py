@@ -1,7 +1,8 @@
-"""The support of the figure over time, inferred from keyframes: feet that stand, and flights between them.
+"""The support of a figure over time, inferred from keyframes: standing feet, and flights between them.
 
-A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `stances`; a flight if
-nothing can carry the figure there; otherwise unknown, because a foot may touch down and lift off in between.
+A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `stances`. It is a
+flight if nothing can carry the figure there. Otherwise it is unknown, because a foot may touch down and lift off in
+between.
 """
 
 from __future__ import annotations
@@ -22,14 +23,14 @@ from ..surface.points import TIE, Point, placed, places_of
 from .stance import Rest, Stance
 from .thresholds import Thresholds
 
-PUSHED = 0.2  # of its speed at take-off and landing, the centre of mass has on the average in the segments beside
-TURNED = 0.3  # of the angle between them, by which ways across a normal are turned so that no two points tie
+PUSHED = 0.2  # least mean speed of the centre of mass before and after a flight, relative to take-off and landing
+TURNED = 0.3  # rotation of search directions, as a fraction of the angle between them, so that no two points tie
 Interval = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class Footing:
-    """A point that a surface may push from `first` to `last` [s], along its unit normal (3,) and by friction across."""
+    """A point that a surface may push from `first` to `last` [s], along its unit normal (3,) and by friction."""
 
     point: Point
     first: float
@@ -45,9 +46,10 @@ def footings(
     stances: Sequence[Stance | Rest],
     body: Sequence[Point] = (),
 ) -> tuple[Footing, ...]:
-    """A foot that stands from one keyframe to the next may push with all of it that touches in one of them.
+    """Return the footings of feet that stand from one keyframe to the next.
 
-    That are its points of the sole and of the `body`; those inside the others' hull are left out.
+    These are the points of the sole and the `body` that touch a surface in one of the two keyframes. Points inside the
+    convex hull of the others are omitted.
     """
     feet = {point.link for point in points}
     every = (*points, *(point for point in body if point.link in feet))
@@ -71,7 +73,7 @@ def footings(
 
 @dataclass(frozen=True)
 class _Spots:
-    """Where points touch surfaces in keyframes: touches (n, K), centres (3, n, K), over (n, K) which surface."""
+    """Contact of points in keyframes: touches (n, K), centres (3, n, K), over (n, K) index of the surface."""
 
     samples: Samples
     points: Sequence[Point]
@@ -91,8 +93,8 @@ class _Spots:
     def outermost(
         self, link: int, points: NDArray[np.intp], keys: NDArray[np.intp]
     ) -> tuple[list[tuple[int, Array]], Array]:
-        """Of a link's points that touch in keyframes (m,), those that reach farthest some way along the surface, by
-        index and where they touch in the link's axes (3,); and the surface's normal (3,)."""
+        """Return a link's outermost contact points in keyframes (m,), and the unit normal (3,) of the surface. A point
+        is its index and its position of contact (3,) in the link's axes."""
         normal = _normal(self.surfaces[int(self.over[points[0], keys[0]])])
         radius = np.array([self.points[i].radius for i in points])
         touched = self.centres[:, points, keys] - radius * normal[:, None]
@@ -106,7 +108,7 @@ class _Spots:
 
 
 def _around(normal: Array, count: int = 8) -> Array:
-    """(3, count): unit vectors across a normal (3,), all round, a little turned so that no two points tie."""
+    """Return unit vectors (3, count) across a normal (3,) in all directions."""
     across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     across /= np.linalg.norm(across)
     angle = 2 * np.pi * (np.arange(count) + TURNED) / count
@@ -129,16 +131,17 @@ def flights(
     stances: Sequence[Stance | Rest],
     body: Sequence[Point] = (),
 ) -> tuple[Interval, ...]:
-    """The flights that a timeline of keyframes implies.
+    """Return the flights that a timeline of keyframes implies.
 
-    A flight goes from the keyframe in which the last foot leaves, or in which the clip begins in the air, to that in
-    which the first foot lands or the clip ends. No foot stands on one spot in two of its neighbouring keyframes, all
-    of them fix the feet, and no other point of the `body` touches a surface. A foot that leaves has stood before, and
-    is no more flat on the ground; a foot that lands stands afterwards. The free fall through both ends rises by no
-    more than 0.6 m and passes keyframes in between within 15 cm; in the segments before and after the centre of mass
-    rises and sinks at a fifth of its speeds at least, as a body does that pushes itself off and catches itself.
-    Keyframes that set the legs and no height are passed over, in a flight between others that imply a push-off and a
-    landing.
+    A flight begins at the keyframe in which the last foot leaves the ground, or at the start of the clip in the air. It
+    ends at the keyframe in which the first foot lands, or at the end of the clip. No foot stands on one spot in two
+    neighbouring keyframes of it, all keyframes fix the feet, and no other point of the `body` touches a surface. A foot
+    that leaves has stood before and is no longer flat on the ground; a foot that lands stands afterwards.
+
+    The free fall through both ends rises by at most 0.6 m and passes within 15 cm of the keyframes in between (for an
+    adult, see `Thresholds`). In the segments before and after, the centre of mass rises and sinks with at least a fifth
+    of its speeds at take-off and landing, as it does in a push-off and a landing. Keyframes that set the legs but no
+    height are ignored in a flight between others that imply a push-off and a landing.
     """
     if not points or not surfaces or not figure.gravity.any():
         return ()
@@ -156,7 +159,7 @@ def flights(
             is_told = contact.leaves(first) and contact.lands(k + 1) and not contact.leaves_room(times, first, k + 1)
             if (
                 with_height[k + 1] - with_height[first] > k + 1 - first
-            ):  # some are passed over, so a foot that touches has to push
+            ):  # some keyframes are ignored, so a foot that touches must push
                 is_told &= not contact.ends_down(first, k + 1)
             if is_told and _falls(figure, times, rising, first, k + 1):
                 intervals.append((float(times[first]), float(times[k + 1])))
@@ -166,8 +169,12 @@ def flights(
 
 @dataclass(frozen=True)
 class _Keys:
-    """Contact in keyframes: free (K − 1,) segments that nothing carries; touched, flat (K,): whether a foot
-    touches there, and with all its points; step (K,) [s] how long the lowest foot needs to or from half a step."""
+    """Contact in keyframes.
+
+    free     (K − 1,) segments that nothing carries
+    touched  (K,) whether a foot touches;  flat  (K,) and with all its points
+    step     (K,) [s] time that the lowest foot needs to or from the middle of a step
+    """
 
     free: Mask
     touched: Mask
@@ -204,28 +211,28 @@ class _Keys:
         return cls(~carried & known[:-1] & known[1:], np.logical_or.reduce(low), flat, step)
 
     def leaves(self, k: int) -> bool:
-        """Whether a flight may begin at a keyframe."""
+        """Return whether a flight may begin at a keyframe."""
         return not self.touched[k] or (not self.flat[k] and (k == 0 or not self.free[k - 1]))
 
     def ends_down(self, first: int, last: int) -> bool:
-        """Whether a foot touches in keyframe `first` or `last` with which the keyframes begin or end."""
+        """Return whether the keyframes begin with `first` or end with `last`, and a foot touches there."""
         return bool((first == 0 and self.touched[first]) or (last == self.free.size and self.touched[last]))
 
     def leaves_room(self, times: Array, first: int, last: int) -> bool:
-        """Whether there is time for a step between keyframes at both ends that are in the air."""
+        """Return whether there is time for a step between two neighbouring keyframes in the air."""
         if last > first + 1 or self.touched[first] or self.touched[last]:
             return False
         return bool(times[last] - times[first] >= self.step[first] + self.step[last])
 
     def lands(self, k: int) -> bool:
-        """Whether a flight may end at a keyframe."""
+        """Return whether a flight may end at a keyframe."""
         return not self.touched[k] or k == self.free.size or not self.free[k]
 
 
 def _heights(
     figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
 ) -> tuple[Array, NDArray[np.intp]]:
-    """Points' heights over the nearest surface below them at keyframes, and which that is, (n, K) each."""
+    """Return heights of points above the nearest surface below them at keyframes, and its index, (n, K) each."""
     samples = Samples.still(figure, keys.states)
     centres, _, _ = places_of(points, samples)
     heights = np.array([surface.height(centres) for surface in surfaces])
@@ -235,19 +242,18 @@ def _heights(
 
 
 def _normal(surface: Surface) -> Array:
-    """The way up from a surface."""
     return surface.normal if isinstance(surface, Plane) else np.array([0.0, 0, 1])
 
 
 def _rising(figure: Figure, root: int, keys: Timeline) -> Array:
-    """(K,) [m] how high, against gravity, the centre of mass is."""
+    """Return the height (K,) [m] of the centre of mass, against gravity."""
     samples = Samples.still(figure, keys.states)
     return -figure.gravity @ RootWrench(samples, root).centre / np.linalg.norm(figure.gravity)
 
 
 def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -> bool:
-    """Whether heights (K,) of a centre of mass look like one free fall between two keyframes, and like a push-off and
-    a landing in the segments beside."""
+    """Return whether heights (K,) of a centre of mass fit a free fall between two keyframes. The segments before and
+    after must fit a push-off and a landing."""
     limits = Thresholds.of(figure)
     g, t = float(np.linalg.norm(figure.gravity)), times[first : last + 1] - times[first]
     speed = (height[last] - height[first]) / t[-1] + g * t[-1] / 2
@@ -263,7 +269,7 @@ def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -
 
 
 def _tell_height(figure: Figure, root: int, keys: Timeline, points: Sequence[Point]) -> Mask:
-    """Return whether keyframes set a height, (K,): not those that set the legs alone, which stand where others do."""
+    """Return whether keyframes set a height, (K,); those that set only the legs do not, and stand where others do."""
     place = figure.links[root].qpos + np.arange(3)
     fixed = np.array(keys.fixed)
     fixed[:, place] = True

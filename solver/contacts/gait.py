@@ -1,8 +1,8 @@
-"""Rhythm: the walking or running cycle of a clip's keyframes, as a Gaussian process of its poses.
+"""The walking or running cycle of a clip's keyframes, as a Gaussian process of its poses.
 
-The poses (see `pose_vectors`) have a periodic part, whose left-right mirror image half a period later is the same
-motion, and a smooth part for the rest. Nothing is learned from other clips. The likelihood of the keyframes measures
-how well a period explains them. Several periods may explain sparse keyframes about equally (aliasing).
+The poses (see `pose_vectors`) have a periodic part, which is its left-right mirror image half a period later, and a
+smooth part for the rest. Nothing is learned from other clips. The likelihood of the keyframes measures how well a
+period explains them. Several periods may explain sparse keyframes about equally (aliasing).
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from .. import quaternion as quat
 from ..array import Array
 from .pose_vectors import PoseVectors
 
-LENGTH = 0.9  # of the periodic kernel: how much of a cycle is alike, [rad] of phase at half amplitude
-DECAY = 4.0  # periods over which cycles drift apart
-PERIODIC, REST = 0.85, 0.15  # shares of the variance
-NOISE = 1e-3  # of the variance
-QUARTER = 0.25  # of how far the spline is off the cycle, what is at least the spline's own error
-SURE = 0.03  # [rad] standard deviation that is as good as none
+LENGTH = 0.9  # [rad] length scale of the periodic kernel, of phase at half amplitude
+DECAY = 4.0  # [periods] correlation length of successive cycles
+PERIODIC, REST = 0.85, 0.15  # fractions of the variance of the two parts
+NOISE = 1e-3  # noise as a fraction of the variance
+QUARTER = 0.25  # least fraction of the spline's variance about the cycle that counts as the spline's error
+SURE = 0.03  # [rad] negligible standard deviation
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +31,7 @@ class PoseProcess:
     poses: PoseVectors
 
     def gain(self, period: float) -> float:
-        """By how much the log-likelihood of a period exceeds that of the best smooth motion, per number given."""
+        """Return the log-likelihood of a period minus that of the best smooth motion, per given number."""
         return self._likelihood(self._across(period)) - self._smooth_likelihood
 
     @cached_property
@@ -41,7 +41,7 @@ class PoseProcess:
         return max(self._likelihood(blocks * _smooth(times, times, length)) for length in self.poses.limits.alike)
 
     def _likelihood(self, covariance: Array) -> float:
-        """Of all rows, their common variance the likeliest; per entry, but for constants."""
+        """Return the log-likelihood of all rows with their likeliest common variance, per entry, without constants."""
         rows = self.poses.rows
         covariance[np.diag_indices_from(covariance)] += NOISE
         root = np.linalg.cholesky(covariance)
@@ -49,7 +49,7 @@ class PoseProcess:
         return float(-0.5 * np.log(np.mean(white**2)) - np.log(np.diag(root)).mean())
 
     def _across(self, period: float, at: Array | None = None) -> Array:
-        """Covariances of the rows (sides · n) with those, or with the poses at times `at` (T,) [s]."""
+        """Return covariances of the rows (sides · n) with each other, or with the poses at times `at` (T,) [s]."""
         times, sides = self.poses.times, self.poses.sides
         shifted = np.concatenate([times + side * period / 2 for side in range(sides)])
         out = PERIODIC * _periodic(shifted if at is None else at, shifted, period)
@@ -63,7 +63,7 @@ class PoseProcess:
         return out
 
     def predicted(self, period: float, at: Array) -> tuple[Array, Array]:
-        """The poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""
+        """Return the poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""
         rows = self.poses.rows
         covariance = self._across(period)
         covariance[np.diag_indices_from(covariance)] += NOISE
@@ -88,13 +88,13 @@ class GaitCycle:
     """A clip's cycle: its period, the confidence in it, and its poses between keyframes.
 
     period     [s]
-    gain       log-likelihood over the best smooth motion, per number that the keyframes give
-    slip       how fast feet that are low move, at their slowest, as a share of the travel; NaN if not computed
+    gain       log-likelihood minus that of the best smooth motion, per number given by the keyframes
+    slip       mean speed of the slowest low sole point, relative to the travel speed; NaN if not computed
     times      (T,) [s] evenly spaced
-    rotations  (T, q, 4) of the links with quaternions, as in qpos, no sign changes
+    rotations  (T, q, 4) of links with quaternions, as in qpos, sign-continuous
     angles     (T, h) [rad] of the hinges
     heights    (T, f) [m] of the free root
-    trust      (T,) the variance of the spline through the keyframes about the cycle, over the cycle's own
+    trust      (T,) ratio of the spline's variance about the cycle to the cycle's variance
     """
 
     poses: PoseVectors
@@ -109,7 +109,7 @@ class GaitCycle:
 
     @classmethod
     def of(cls, process: PoseProcess, period: float, times: Array, plain: Array) -> GaitCycle:
-        """With a given period [s], at times (T,) [s] at which `plain` (T, nq) is the spline through the keyframes."""
+        """Return the cycle with a period [s] at times (T,) [s]; `plain` (T, nq) is the spline through the keyframes."""
         poses = process.poses
         vectors, variance = process.predicted(period, times)
         rotations = quat.aligned(poses.map.rotations(vectors, times))
@@ -119,7 +119,7 @@ class GaitCycle:
         return cls(poses, period, gain, float("nan"), times, rotations, *poses.map.numbers(vectors), trust)
 
     def qpos(self, width: int) -> Array:
-        """(T, width) configurations, the root at the origin but for its height."""
+        """Return configurations (T, width) with the root at the origin, except for its height."""
         out = np.zeros((self.times.size, width))
         columns = self.poses.map
         out[:, columns.columns.T] = self.rotations

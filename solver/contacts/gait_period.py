@@ -1,8 +1,8 @@
-"""The choice of the cycle of a figure's legs: periods that suit the size of the body, feet that do not slip.
+"""The choice of the cycle of a figure's legs: its period suits the size of the body, and feet do not slip.
 
-Where several periods explain the keyframes, feet decide: in the true cycle, a low foot stands on the ground while the
-body travels; in an alias it slides as fast as the body. Animals and people of one dynamic similarity have
-strides of 2.3 Fr^0.3 hip heights, with the Froude number Fr = v²/(g h) (R. McN. Alexander 1976).
+If several periods explain the keyframes, the feet decide: in the true cycle, a low foot stands on the ground while the
+body travels; in an alias it slides as fast as the body. Dynamically similar animals and people have strides of
+2.3 Fr^0.3 hip heights, with the Froude number Fr = v²/(g h) (R. McN. Alexander 1976).
 """
 
 from __future__ import annotations
@@ -24,31 +24,27 @@ from .gait import GaitCycle, PoseProcess
 from .pose_vectors import PoseVectors
 from .thresholds import Thresholds
 
-STRIDE, POWER = 2.3, 0.3  # of Alexander's
-SHORTER, LONGER = 0.65, 1.6  # periods that may be, of Alexander's
-FINENESS = 0.02  # of a period, how far apart periods are tried at first
-LEFT_OUT = ((0, 0), (1, 0), (0, 1), (1, 1))  # of the first and of the last keyframes
-OUTSIDE = 0.2  # least gain in log-likelihood of leaving one out
-FEWEST, MOST = 3, 100  # whole keyframes that a cycle is looked for in
+STRIDE, POWER = 2.3, 0.3  # factor and exponent of Alexander's relation
+SHORTER, LONGER = 0.65, 1.6  # range of plausible periods, relative to Alexander's
+FINENESS = 0.02  # initial spacing of the tried periods, relative to the period
+LEFT_OUT = ((0, 0), (1, 0), (0, 1), (1, 1))  # numbers of first and last keyframes that are tried outside the cycle
+OUTSIDE = 0.2  # least increase of the gain for each keyframe left out
+FEWEST, MOST = 3, 100  # numbers of complete keyframes for which a cycle is inferred
 CYCLES = 0.8  # least number of cycles in a clip
-GAIN = -0.15  # least log-likelihood over that of a smooth motion
-SLIP = 0.33  # of the travel, most that feet which are low may slide
-# the same of the likeliest period, where its rivals slip RIVAL times as much and the body travels steadily
+GAIN = -0.15  # least gain of a cycle over smooth motion
+SLIP = 0.33  # largest slip of a cycle, see `GaitCycle`
+# largest slip of the likeliest cycle if its rivals slip RIVAL times as much and the body travels steadily
 LOOSE = 0.85
-RIVAL, AS_LIKELY = 1.5, 0.3  # and the difference in log-likelihood up to which a period is a rival
-UNSTEADY = 0.25  # least spread of the speeds between keyframes, as a share of their mean, of what is not steady
-TRUST = 0.4  # least of a gait cycle, over all of the clip
-LOWEST = 0.25  # of the keyframes, those in which they are lowest
-TRIED = 4  # candidates that are looked at
+RIVAL, AS_LIKELY = 1.5, 0.3  # ratio of slips; difference of gains up to which a period is a rival
+UNSTEADY = 0.25  # coefficient of variation of the speed between keyframes from which travel is not steady
+TRUST = 0.4  # least mean trust of a gait cycle over the clip
+LOWEST = 0.25  # fraction of the keyframes with the lowest soles, which stand
+TRIED = 4  # most candidates that are examined
 
 
 @dataclass(frozen=True, eq=False)
 class Gait:
-    """A figure that travels over surfaces: its keyframes and the points of its soles.
-
-    keys    in the figure's coordinates
-    points  of its soles
-    """
+    """A figure that travels over surfaces, with its keyframes and the points of its soles."""
 
     figure: Figure
     keys: Timeline
@@ -57,14 +53,13 @@ class Gait:
 
     @property
     def limits(self) -> Thresholds:
-        """The thresholds of the figure."""
         return Thresholds.of(self.figure)
 
     def infer(self) -> GaitCycle | None:
-        """Return the cycle of the keyframes, if it is beyond doubt.
+        """Return the cycle of the keyframes if it is unambiguous.
 
-        The first and the last keyframe may be outside it, such as a standing pose at the start of a walk, if the
-        likelihood of the others rises much without them.
+        The first and the last keyframe may be outside it, such as a standing pose before a walk, if the likelihood of
+        the others is much higher without them.
         """
         if self.keys.ends == "periodic":
             return None
@@ -84,7 +79,7 @@ class Gait:
         return SHORTER * self.usual_period, LONGER * self.usual_period
 
     def _without(self, first: int, last: int) -> Gait:
-        """Without so many of the first and of the last keyframes."""
+        """Return the gait without some of the first and the last keyframes."""
         if not first + last:
             return self
         frames = self.keys.frames[first : len(self.keys.frames) - last]
@@ -106,10 +101,8 @@ class Gait:
         return None if best is None or best.trust.mean() < TRUST else best
 
     def _without_rival(self, found: list[GaitCycle]) -> list[GaitCycle]:
-        """Return the likeliest cycle, if feet slip much more in all that are about as likely, and it travels steadily.
-
-        Sparse keyframes blur the feet of the true cycle, but those of an alias more.
-        """
+        """Return the likeliest cycle, if travel is steady and feet slip much more in all cycles of similar likelihood.
+        Sparse keyframes blur the feet of the true cycle, but those of an alias more."""
         if not found or self._unsteadiness >= UNSTEADY:
             return []
         best, *others = found
@@ -117,7 +110,7 @@ class Gait:
         return [best] if best.slip <= LOOSE and all(r.slip >= RIVAL * best.slip for r in rivals) else []
 
     def likeliest(self) -> GaitCycle | None:
-        """Return the likeliest cycle of the keyframes, without a threshold; None where they are too few."""
+        """Return the likeliest cycle of the keyframes, without a threshold; None for too few keyframes."""
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None:
             return None
@@ -126,12 +119,12 @@ class Gait:
         return min(cycles, key=lambda gait_cycle: (gait_cycle.slip > SLIP, -gait_cycle.gain), default=None)
 
     def with_period(self, period: float) -> GaitCycle | None:
-        """Return the cycle of a given period [s]; None where whole keyframes are too few."""
+        """Return the cycle with a period [s]; None for too few complete keyframes."""
         poses = PoseVectors.of(self.figure, self.keys)
         return None if poses is None else self._rhythm(PoseProcess(poses), period)
 
     def candidates(self, process: PoseProcess, between: tuple[float, float], least: float) -> list[GaitCycle]:
-        """The periods [s] at which the likelihood peaks above the `least` gain, likeliest first."""
+        """Return the cycles at periods `between` [s] where the gain peaks above `least`, the likeliest first."""
         if between[0] >= between[1]:
             return []
         count = max(3, int(np.ceil(np.log(between[1] / between[0]) / FINENESS)) + 1)
@@ -155,58 +148,58 @@ class Gait:
 
     @cached_property
     def _may_walk(self) -> bool:
-        """Whether it has feet and ground, one root, and gets on."""
+        """Whether the figure has feet, ground and one root, and travels."""
         if not self.points or not self.surfaces or self.figure.tables.free_links.size != 1:
             return False
         return self._hips > 0 and self._travel > self.limits.slowest
 
     @property
     def _is_level(self) -> bool:
-        """Whether the ground below the lowest sole point is as high at all keyframes: steps are no cycle of poses."""
+        """Whether the ground below the lowest sole point has the same height at all keyframes; steps are no cycle."""
         places, heights = self._standing
         lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
         return float(np.ptp((places[2] - heights)[lowest])) < self.limits.floor_level
 
     @property
     def _root(self) -> Array:
-        """(K, 3) [m] of the root at keyframes."""
+        """Positions (K, 3) [m] of the root at keyframes."""
         return self.keys.states[:, self.figure.tables.position_columns[:, 0]]
 
     @cached_property
     def _lengths(self) -> Array:
-        """The horizontal lengths of the root's chords between keyframes [m], (K − 1,)."""
+        """Horizontal distances (K − 1,) [m] of the root between keyframes."""
         return np.asarray(np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1))
 
     @cached_property
     def _travel(self) -> float:
-        """[m/s] of the root over ground."""
+        """Horizontal speed of the root [m/s]."""
         return float(self._lengths.sum()) / float(self.keys.times[-1] - self.keys.times[0])
 
     @property
     def _unsteadiness(self) -> float:
-        """The standard deviation of the root's speeds between keyframes, as a share of their mean."""
+        """The coefficient of variation of the root's speed between keyframes."""
         speeds = self._lengths / np.diff(self.keys.times)
         return float(speeds.std() / speeds.mean())
 
     @cached_property
     def _standing(self) -> tuple[Array, Array]:
-        """Places (3, p, K) and heights (p, K) [m] of the sole points at keyframes."""
+        """Positions (3, p, K) and heights (p, K) [m] of the sole points at keyframes."""
         return self._soles(self.keys.states)
 
     @cached_property
     def _hips(self) -> float:
-        """[m] of the root over the soles."""
+        """The height [m] of the root above the soles."""
         return float(np.median(self._root[:, 2] - self._standing[0][2].min(axis=0)))
 
     @property
     def usual_period(self) -> float:
-        """[s] of a body of this size at this speed, by dynamic similarity."""
+        """The period [s] of a body of this size at this speed, by dynamic similarity."""
         gravity = float(np.linalg.norm(self.figure.gravity)) or STANDARD_GRAVITY
         froude = self._travel**2 / (gravity * self._hips)
         return STRIDE * froude**POWER * self._hips / self._travel
 
     def slip(self, gait_cycle: GaitCycle) -> float:
-        """The mean speed of the slowest sole point that is low, as a share of the travel; inf if none ever is."""
+        """Return the mean speed of the slowest low sole point, relative to the travel speed; inf if none is low."""
         times, qpos = gait_cycle.times, gait_cycle.qpos(self.figure.width)
         over = slice(*(self.figure.tables.position_columns[0, 0] + np.array([0, 2])))
         qpos[:, over] = self._plain[1][:, over]
@@ -218,14 +211,14 @@ class Gait:
         return float(slowest[down].mean() / self._travel) if down.any() else np.inf
 
     def _soles(self, states: Array) -> tuple[Array, Array]:
-        """Places (3, p, T) and heights (p, T) [m] of the sole points."""
+        """Return positions (3, p, T) and heights (p, T) [m] of the sole points."""
         samples = Samples.still(self.figure, states)
         centres, _, _ = places_of(self.points, samples)
         return centres, np.min([surface.height(centres) for surface in self.surfaces], axis=0)
 
 
 def _refined(process: PoseProcess, tried: Array, gain: Array, i: int) -> float:
-    """The top of the parabola through a peak's three likelihoods, over the logarithm of the period."""
+    """Return the maximum of the parabola through the gains at a peak, over the logarithm of the period."""
     if i in (0, tried.size - 1):
         return float(tried[i])
     before, here, after = gain[i - 1 : i + 2]

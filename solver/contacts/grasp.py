@@ -1,4 +1,4 @@
-"""Grasps: a point of one link stays where it took hold of another body, while both may move."""
+"""Grasps: a point of one link stays where it grasped another body, while both may move."""
 
 from __future__ import annotations
 
@@ -17,11 +17,10 @@ from ..surface.touch import movers
 
 @dataclass(frozen=True, eq=False)
 class Spot:
-    """A place on a body where it is held: from `start` (3,) in the link's axes [m] at time `first` [s] to `end` at
-    `last`, the same but for what keyframes drift.
+    """A grasped position on a body, which may drift as keyframes do: `start` (3,) [m] at `first` [s], `end` at `last`.
 
-    slack  [m] how far from it the point may be for nothing, at either end: where a keyframe puts the body out of the
-           limb's reach, the nearest place is one for a stretched limb alone, which whips there and back
+    slack  [m] distance from the spot without cost, at either end of the interval. If a keyframe puts the body out of
+    the limb's reach, only a stretched limb comes nearest, and without slack it would whip to this pose and back.
     """
 
     first: float
@@ -31,11 +30,10 @@ class Spot:
     slack: tuple[float, float] = (0.0, 0.0)
 
     def at(self, t: Array) -> Array:
-        """(3, S) at times t (S,)."""
+        """Return the position (3, S) in the link's axes at times t (S,)."""
         return self.start[:, None] + (self.end - self.start)[:, None] * self._share(t)
 
     def slack_at(self, t: Array) -> Array:
-        """(S,) [m] at times t (S,)."""
         start, end = self.slack
         return start + (end - start) * self._share(t)
 
@@ -45,10 +43,10 @@ class Spot:
 
 @dataclass(frozen=True, eq=False)
 class Hold:
-    """A point of one link that holds another from `first` to `last` [s].
+    """A grasp of one link by a point of another from `first` to `last` [s].
 
-    link   index of the link that is held;  body  its name
-    spots  where on it, one after the other without gaps; none if unknown
+    link   index of the grasped link;  body  its name
+    spots  positions on the link, consecutive without gaps; none if unknown
     """
 
     point: Point
@@ -64,7 +62,7 @@ class Hold:
         return f"{self.point.name} on {self.body}"
 
     def spot(self, t: Array) -> Array | None:
-        """(3, S) where on the link it is held at times t (S,) of the hold [m], or None if unknown."""
+        """Return the grasped positions (3, S) [m] on the link at times t (S,) of the grasp, None if unknown."""
         if not self.spots:
             return None
         out = np.empty((3, t.size))
@@ -73,35 +71,35 @@ class Hold:
         return out
 
     def slack(self, t: Array) -> Array:
-        """(S,) how far [m] from its spot the point may be for nothing at times t (S,) of the hold."""
+        """Return the distances (S,) [m] from the spot without cost, at times t (S,) of the grasp."""
         out = np.zeros(t.size)
         for spot, during in self._during(t):
             out[during] = spot.slack_at(t[during])
         return out
 
     def _during(self, t: Array) -> Iterator[tuple[Spot, Mask]]:
-        """The spots, and which of the times t (S,) are theirs."""
+        """Yield the spots, each with the mask of its times among t (S,)."""
         which = np.clip(np.searchsorted([spot.last for spot in self.spots], t), 0, len(self.spots) - 1)
         for i, spot in enumerate(self.spots):
             yield spot, which == i
 
 
 def tree_of(figure: Figure, link: int) -> int:
-    """The link that a link's tree begins with: 0 for the world."""
+    """Return the first link of a link's tree: 0 for the world."""
     while figure.links[link].parent:
         link = figure.links[link].parent
     return link
 
 
 def grasped_links(figure: Figure, holds: Sequence[Hold]) -> tuple[int, ...]:
-    """The links, rising, of the trees that are held by a point of another one and hold nothing themselves."""
+    """Return the links, in order, of trees that are held by a point of another tree and hold nothing."""
     holders = {tree_of(figure, hold.point.link) for hold in holds}
     trees = {tree_of(figure, hold.link) for hold in holds} - holders
     return tuple(i for i in range(1, len(figure.links)) if tree_of(figure, i) in trees)
 
 
 def surfaces_on(figure: Figure, link: int) -> tuple[Surface, ...]:
-    """The solid geoms of a link as surfaces in its axes."""
+    """Return the solid geoms of a link as surfaces in its axes."""
     surfaces: list[Surface] = []
     for geom in movers(figure.model):
         body = int(figure.model.geom_bodyid[geom])

@@ -1,7 +1,7 @@
-"""A recording moved onto the ground: at the height at which its stances touch it, with soles level in them.
+"""Alignment of a recording with the ground: stances touch it, with level soles.
 
-The height of a captured skeleton's ankle depends on its marker set, and a sole that is flat in the recording may stand
-on its toes in the figure. Both are constants of the recording, not motion.
+The height of a captured skeleton's ankle depends on its marker set. A sole that is flat in the recording may stand on
+its toes in the figure. Both are constant offsets of the recording, not motion.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from ..surface.points import Point, arrays_of, places_of
 from .recorded_stances import RecordedStance
 from .thresholds import Thresholds
 
-LOWEST = 2.0  # per cent of samples that may be deeper
-MOST = np.radians(25)  # a sole that is off by more than this stands on its toes
-ENOUGH = 5  # samples in which all of a sole stands
-RUN = 1000  # samples looked at at once
+LOWEST = 2.0  # [%] of the samples that may be below the ground
+MOST = np.radians(25)  # [rad] largest tilt of a sole that counts as an offset; beyond, the figure stands on its toes
+ENOUGH = 5  # least number of samples in which a whole sole stands
+RUN = 1000  # most samples evaluated at once, which bounds the memory
 
 
 def align_to_ground(
     recorded: RecordedMotion, stances: Sequence[RecordedStance], surfaces: Sequence[Surface]
 ) -> RecordedMotion:
-    """With soles level, and raised or lowered as a whole so that what stands is on the ground."""
+    """Return the recording with level soles, and shifted vertically so that stances are on the ground."""
     if not stances or not surfaces:
         return recorded
     for link in {one.point.link for one in stances}:
@@ -44,7 +44,7 @@ def align_to_ground(
 
 
 def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]) -> RecordedMotion:
-    """Raised or lowered as a whole if it is far in the ground or over it all the time: another's floor is elsewhere."""
+    """Return the recording shifted vertically if all of it is far in or above the ground, as of another floor."""
     if not points or not surfaces:
         return recorded
     places = _places(recorded, points)
@@ -55,7 +55,7 @@ def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: 
 
 
 def _levelled(recorded: RecordedMotion, stances: Sequence[RecordedStance], link: int) -> RecordedMotion:
-    """Turned at the link of a sole so that it is level, in the mean, when all of it stands."""
+    """Return the recording rotated at the link of a sole, so that the mean of it is level when all of it stands."""
     figure = recorded.figure
     columns = quaternion_columns(figure.links[link])
     points = _points(stances)
@@ -81,25 +81,24 @@ def _levelled(recorded: RecordedMotion, stances: Sequence[RecordedStance], link:
 
 
 def _runs(figure: Figure, states: Array) -> Iterator[Samples]:
-    """Poses (T, N), some at once: those of ten minutes would not fit into the memory."""
+    """Yield poses (T, N) in runs."""
     for first in range(0, len(states), RUN):
         yield Samples.still(figure, states[first : first + RUN])
 
 
 def _places(recorded: RecordedMotion, points: Sequence[Point]) -> Array:
-    """(3, n, T) [m] where points are on the most likely curve at the samples."""
+    """Return positions (3, n, T) [m] of points on the most likely curve at the samples."""
     return np.concatenate(
         [places_of(points, samples)[0] for samples in _runs(recorded.figure, recorded.bridged)], axis=2
     )
 
 
 def _points(stances: Sequence[RecordedStance]) -> list[Point]:
-    """The points that stand, each once."""
     return list({id(one.point): one.point for one in stances}.values())
 
 
 def _during(times: Array, stances: Sequence[RecordedStance]) -> Mask:
-    """(T,) at which times some of the stances last."""
+    """Return the mask (T,) of times within any of the stances."""
     return np.any([(times >= one.first) & (times <= one.last) for one in stances], axis=0)
 
 

@@ -1,4 +1,4 @@
-"""When a figure touches the ground between keyframes that touch it."""
+"""Intervals between keyframes on the ground in which the figure stays near it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..surface.points import Point, places_of
 from .footing import Interval
 from .thresholds import Thresholds
 
-AWAY = 0.25  # [1] share of the segment to a keyframe in the air during which a grounded body stays low
+AWAY = 0.25  # [1] fraction of the segment to a keyframe in the air during which a grounded body stays low
 
 
 def grounded_intervals(
@@ -26,7 +26,7 @@ def grounded_intervals(
     surfaces: Sequence[Surface],
     flights: Sequence[Interval] = (),
 ) -> tuple[Interval, ...]:
-    """The segments between two keyframes that both touch the ground, but for those in a flight."""
+    """Return the segments between two keyframes that both touch the ground, without those in flights."""
     down = clearance(figure, keys, points, surfaces) < Thresholds.of(figure).touching
     segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), down[:-1] & down[1:], strict=True)
     return tuple(
@@ -44,8 +44,11 @@ def open_intervals(
     surfaces: Sequence[Surface],
     flights: Sequence[Interval] = (),
 ) -> tuple[Interval, ...]:
-    """From keyframes that touch the ground and leave the height of a free link to the search, to others that touch it,
-    or a little of the way to those that do not; but for flights."""
+    """Return intervals next to keyframes that touch the ground and leave the height of a free link to the search.
+
+    Such an interval extends to the neighbouring keyframe if this touches the ground, else over a part of the segment.
+    Intervals that overlap flights are omitted.
+    """
     is_open = ~keys.fixed[:, figure.links[root].qpos + 2]
     if not is_open.any():
         return ()
@@ -63,7 +66,7 @@ def open_intervals(
 
 
 def clearance(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
-    """(K,) [m] how high the lowest of the points is over the ground; FAR where there is none."""
+    """Return the height (K,) [m] of the lowest point above the ground at keyframes; FAR without ground."""
     if not points or not surfaces:
         return np.full(keys.times.size, FAR)
     centres, _, _ = places_of(points, Samples.still(figure, keys.states))

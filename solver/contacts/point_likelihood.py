@@ -1,8 +1,7 @@
-"""The likelihood of the recorded places of a point that moves like a limb, in any direction.
+"""The likelihood of the recorded positions of a point that moves like a limb, in any direction.
 
-Its acceleration is white noise, so that its place is a twice integrated Wiener process, and a sample is the place plus
-noise. Kalman's filter (1960) gives the likelihood of every sample after the previous ones. A point at rest is likelier
-under the model of `stances`.
+The acceleration is white noise, so that the position is a twice integrated Wiener process, and a sample is the position
+plus noise. Kalman's filter (1960) gives the likelihood of every sample after the previous ones.
 """
 
 from __future__ import annotations
@@ -16,12 +15,12 @@ from .thresholds import Thresholds
 
 
 def surprisal(times: Array, places: Array, variance: Array, known: Mask, limits: Thresholds) -> Array:
-    """Return minus the log density [m⁻³] of each of places (3, p, T) after the previous ones, (p, T); 0 where unknown.
+    """Return minus the log density [m⁻³] of positions (3, p, T) after the previous ones, (p, T); 0 where unknown.
 
     times     (T,) [s], rising
     variance  (p,) [m²] of a sample, in every direction
-    known     (T,) whether there is a sample; the first one has no density
-    limits    thresholds of the figure: how its points move
+    known     (T,) mask of samples; the first sample has no density
+    limits    thresholds of the figure
     """
     count, size = times.size, variance.size
     out = np.zeros((size, count))

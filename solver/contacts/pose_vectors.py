@@ -1,8 +1,8 @@
-"""Poses as vectors: what a figure's joints do about their mean, wherever it is and wherever it faces.
+"""Poses as vectors: the deviation of joints from their mean, without position and heading.
 
-A rotation becomes its rotation vector from the mean of all, a hinge its angle, the root's height a length. The heading
-is taken off as a polynomial of time, so that poses of a figure that turns are alike. Where left and right can be
-exchanged, every pose comes twice: as it is, and mirrored.
+A rotation becomes its rotation vector from the mean rotation, a hinge its angle, and the root's height a length. The
+heading is removed as a polynomial of time, so that poses of a turning figure are comparable. If left and right can be
+exchanged, every pose occurs twice: unchanged and mirrored.
 """
 
 from __future__ import annotations
@@ -19,42 +19,42 @@ from ..curve.symmetry import MirrorError
 from ..figure.figure import Figure, quaternion_columns
 from .thresholds import Thresholds
 
-LOPSIDED = 0.05  # of its size, how far from symmetric a measured body may be
-STILL = 1e-6  # [rad] poses that differ by less than this carry no information
-FEW = 8  # poses up to which an evenly changing heading is their only information
-EVEN, BENT = 1, 3  # degrees of the heading's polynomial
+LOPSIDED = 0.05  # largest asymmetry of a measured body, relative to its size
+STILL = 1e-6  # [rad] difference below which poses carry no information
+FEW = 8  # most poses for which the heading is only a linear function of time
+EVEN, BENT = 1, 3  # degrees of the heading's polynomial for few and for more poses
 
 
 @dataclass(frozen=True, eq=False)
 class Heading:
-    """The way that a figure faces, about z, as a polynomial of the time from `middle` [s]."""
+    """The heading of a figure about z, as a polynomial of the time from `middle` [s]."""
 
     coefficients: Array
     middle: float
 
     @classmethod
     def of(cls, times: Array, rotations: Array) -> Heading:
-        """Of the root's orientations (n, 4) at times (n,) [s]: where its x axis points."""
+        """Return the heading of the root's x axis, for orientations (n, 4) at times (n,) [s]."""
         ahead = quat.rotated(rotations, np.array([1.0, 0, 0]))
         angle, middle = np.unwrap(np.arctan2(ahead[:, 1], ahead[:, 0])), float(np.mean(times))
         degree = min(BENT if times.size > FEW else EVEN, times.size - 2)
         return cls(np.polyfit(times - middle, angle, max(degree, 0)), middle)
 
     def turn(self, times: Array, sign: int = 1) -> Array:
-        """(n, 4) the rotation to the heading, or with sign −1 off it."""
+        """Return rotations (n, 4) to the heading, or back with sign −1."""
         angle = sign * np.polyval(self.coefficients, times - self.middle)
         return quat.from_rotation_vector(angle[:, None] * np.array([0.0, 0, 1]))
 
 
 @dataclass(frozen=True, eq=False)
 class PoseMap:
-    """Configurations as vectors of D entries, and back.
+    """A map from configurations to vectors of D entries, and back.
 
     links     (q,) with quaternions; their columns in qpos (4, q) and mean rotations (q, 4)
-    root      which of them (f,) are free
+    root      (f,) indices of the free ones among them
     hinges    (h,) columns in qpos
     heights   (f,) columns of the free root's height, and its mean [m]
-    up        [rad/m] turn of a joint that counts like a metre of height
+    up        [rad/m] rotation of a joint that corresponds to a metre of height
     """
 
     heading: Heading
@@ -68,27 +68,27 @@ class PoseMap:
     up: float
 
     def off_heading(self, qpos: Array, times: Array) -> Array:
-        """Configurations (T, nq) at times (T,) [s] with the heading taken off."""
+        """Return configurations (T, nq) at times (T,) [s] without the heading."""
         out = qpos.copy()
         for i in self.root:
             out[:, self.columns[:, i]] = quat.product(self.heading.turn(times, -1), qpos[:, self.columns[:, i]])
         return out
 
     def vectors(self, qpos: Array) -> Array:
-        """(T, D) [rad] of configurations (T, nq) whose heading is off."""
+        """Return vectors (T, D) [rad] of configurations (T, nq) without heading."""
         turned = quat.rotation_vector(quat.product(quat.inverse(self.means), qpos[:, self.columns.T]))
         up = self.up * (qpos[:, self.heights] - self.mean_height)
         return np.hstack([turned.reshape(len(qpos), -1), qpos[:, self.hinges], up])
 
     def rotations(self, vectors: Array, times: Array) -> Array:
-        """(T, q, 4) the rotations of the links with quaternions, as in qpos, the heading on."""
+        """Return rotations (T, q, 4) of the links with quaternions, as in qpos, with the heading."""
         count = self.links.size
         out = quat.product(self.means, quat.from_rotation_vector(vectors[:, : 3 * count].reshape(-1, count, 3)))
         out[:, self.root] = quat.product(self.heading.turn(times)[:, None], out[:, self.root])
         return out
 
     def numbers(self, vectors: Array) -> tuple[Array, Array]:
-        """The hinges' angles (T, h) [rad] and the root's height (T, f) [m]."""
+        """Return the hinges' angles (T, h) [rad] and the root's height (T, f) [m]."""
         first = 3 * self.links.size
         last = first + self.hinges.size
         return vectors[:, first:last], vectors[:, last:] / self.up + self.mean_height
@@ -96,11 +96,10 @@ class PoseMap:
 
 @dataclass(frozen=True, eq=False)
 class PoseVectors:
-    """The whole keyframes of a figure with one free joint, or none.
+    """The complete keyframes of a figure with at most one free joint.
 
     times  (n,) [s]
-    rows   (sides · n, D) [rad] all poses as they are, then, if sides is 2, all mirrored
-    limits of the figure
+    rows   (sides · n, D) [rad] all poses, and with `sides` 2 also all mirrored ones
     """
 
     map: PoseMap
@@ -111,7 +110,7 @@ class PoseVectors:
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline) -> PoseVectors | None:
-        """None where there are less than three whole keyframes, all of one pose, or several free joints."""
+        """Return the vectors; None for fewer than three complete keyframes, equal poses, or several free joints."""
         whole = [frame for frame in keys.frames if frame.is_key]
         tables = figure.tables
         if len(whole) < 3 or tables.free_links.size > 1:
@@ -142,5 +141,5 @@ class PoseVectors:
 
 
 def _mean(rotations: Array) -> Array:
-    """The mean of unit quaternions (n, 4), whatever their signs."""
+    """Return the mean of unit quaternions (n, 4), independent of their signs."""
     return np.linalg.eigh(rotations.T @ rotations)[1][:, -1]

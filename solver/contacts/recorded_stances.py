@@ -1,9 +1,9 @@
-"""Stances of a recording: when points of the soles were low and stayed in one place.
+"""Stances of a recording: intervals in which points of the soles are low and stay in one place.
 
-Every sample has a likelihood under two models: a point that rests, scattered about its place by noise and by a foot
-that rolls, and a point that moves like a limb. Of all segmentations of a recording into stances and the rest, the
-likeliest is taken (B. Jackson et al. 2005). The height of a stance counts once, because a recording that sinks or
-hovers does so for the whole stance.
+Every sample has a likelihood under two models. A resting point is scattered about its position by noise and the
+rolling of the foot; a moving point moves like a limb. The result is the likeliest segmentation of the recording into
+stances and other intervals (B. Jackson et al. 2005). The height of a stance counts once, because an offset from the
+ground lasts for the whole stance.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from ..surface.points import Point, places_of
 from .point_likelihood import surprisal
 from .thresholds import Thresholds
 
-DEAR = 6.0  # prior cost of a stance: one sample in e³ begins or ends one
-SURE = 3.0  # noises that two samples may be apart
-INSTANT = 1e-3  # of the time between samples, before and after a moment, between which a speed is measured
+DEAR = 6.0  # minus the log prior of a stance: one sample in e³ begins or ends one
+SURE = 3.0  # largest difference between the means of two parts of one stance, in standard errors of the noise
+INSTANT = 1e-3  # half the interval in which a speed is measured, relative to the time between samples
 
 
 class RecordedStance(NamedTuple):
-    """A point that stood from `first` to `last` [s], and on what."""
+    """A point that stands from `first` to `last` [s] on a plane, if any."""
 
     point: Point
     first: float
@@ -39,7 +39,7 @@ class RecordedStance(NamedTuple):
 def infer_stances(
     recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]
 ) -> tuple[RecordedStance, ...]:
-    """The stances of points on surfaces, point after point, in order of time."""
+    """Return the stances of points on surfaces, point by point in order of time."""
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
     limits = Thresholds.of(recorded.figure)
@@ -61,14 +61,14 @@ def infer_stances(
 
 
 def unsure(recorded: RecordedMotion, points: Sequence[Point]) -> float:
-    """[m] the noise of the place of the point that is known worst."""
+    """Return the largest noise [m] of the positions of any point."""
     if not points or recorded.times.size < ORDER:
         return 0.0
     return float(_seen(recorded, points).noise.max())
 
 
 class _Seen(NamedTuple):
-    """Times (T,), places (3, p, T) [m], which times are known (T,), the noise of places (p,)."""
+    """Times (T,), positions (3, p, T) [m], which times are known (T,), and noise of the positions (p,) [m]."""
 
     times: Array
     places: Array
@@ -85,7 +85,7 @@ def _seen(recorded: RecordedMotion, points: Sequence[Point]) -> _Seen:
 
 
 def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> Array:
-    """(p, T) [m/s] of points of the smoothed motion at times (T,)."""
+    """Return speeds (p, T) [m/s] of points of the smoothed motion at times (T,)."""
     instant = INSTANT / Thresholds.of(recorded.figure).finest
     ends = [np.clip(times + shift, *recorded.path.span) for shift in (-instant, instant)]
     before, after = (places_of(points, Samples.still(recorded.figure, recorded.path.at(t)))[0] for t in ends)
@@ -93,11 +93,11 @@ def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> 
 
 
 def white(places: Array, known: Array) -> Array:
-    """(p,) [m] the noise of places (3, p, T), in every direction, where samples are known (T,)."""
+    """Return the noise (p,) [m] of positions (3, p, T) in every direction, from samples known at times (T,)."""
     if places.shape[-1] <= ORDER:
         return np.zeros(places.shape[1])
     windows = np.lib.stride_tricks.sliding_window_view(known, ORDER + 1).min(axis=-1) > 0
-    if not windows.any():  # nowhere is enough of it seen
+    if not windows.any():  # too few consecutive samples
         return np.zeros(places.shape[1])
     differences = np.abs(np.diff(places, ORDER, axis=-1))[..., windows] / GAIN
     return NORMAL * np.median(differences.swapaxes(0, 1).reshape(places.shape[1], -1), axis=1)
@@ -106,9 +106,9 @@ def white(places: Array, known: Array) -> Array:
 def _cut(
     times: Array, place: Array, height: Array, moving: Array, known: Mask, noise: float, limits: Thresholds
 ) -> list[tuple[int, int]]:
-    """The runs [a, b) of samples of a point that stands, at places (3, T) [m] and heights (T,) [m] over the ground.
+    """Return runs [a, b) of samples in which a point stands, from positions (3, T) [m] and heights (T,) [m].
 
-    moving  (T,) minus the log density of its places if it moves;  known  (T,) which of them were seen
+    moving  (T,) minus the log density of its positions if it moves;  known  (T,) mask of samples
     """
     count, size = times.size, noise**2 + limits.rolls**2
     middle = place - place[:, known].mean(axis=1, keepdims=True)
@@ -144,7 +144,7 @@ def _cut(
 def _joined(
     times: Array, runs: list[tuple[int, int]], place: Array, noise: float, limits: Thresholds
 ) -> list[tuple[int, int]]:
-    """Runs that follow each other at once, with the same middle, as one."""
+    """Merge consecutive runs with the same mean position."""
     out: list[tuple[int, int]] = []
     for a, b in runs:
         if out and times[a] - times[out[-1][1] - 1] <= limits.interrupted:
@@ -158,6 +158,6 @@ def _joined(
 
 
 def _trimmed(slow: Mask, first: int, last: int) -> tuple[int, int]:
-    """A run without the samples at its ends at which the point is not slow (T,)."""
+    """Remove samples at both ends of a run at which the point is not slow (T,)."""
     rests = first + np.flatnonzero(slow[first:last])
     return (int(rests[0]), int(rests[-1]) + 1) if rests.size else (first, first)

@@ -48,12 +48,6 @@ class ContactSchedule:
     """The stances, grasps, flights and gait of a figure over time. What is not specified is inferred once, when needed.
 
     Attributes:
-        figure: The figure.
-        keys: The keyframes.
-        points: The contact points of its soles.
-        surfaces: The surfaces of the scene.
-        contacts: The contacts that the clip specifies.
-        grasps: The grasps that the clip specifies.
         specified_footings: The footings; None: they are inferred from the stances.
         specified_flights: The flights [s]; None: they are inferred from the keyframes.
         has_cycle: Whether the keyframes form a gait cycle; None: they do if the cycle is unambiguous.
@@ -128,8 +122,7 @@ class ContactSchedule:
 
     @property
     def low_points(self) -> tuple[Point, ...]:
-        """The points of soles and body of which the lowest touches the ground: of the tree of the root, if it is known
-        what carries it."""
+        """The points of soles and body of which the lowest touches the ground, of the supported tree if it is known."""
         points = self.exclude_grasped((*self.points, *body_points(self.figure)))
         return points if self.root is None else hanging(self.figure, self.root, points)
 

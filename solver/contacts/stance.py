@@ -26,7 +26,6 @@ class Stance:
     """A planted point in a time interval, with a linear drift.
 
     Attributes:
-        point: The point.
         first: The start of the interval [s].
         last: The end of the interval [s].
         spot: The position at the start, (3,) [m].
@@ -49,9 +48,9 @@ class Stance:
 
 @dataclass(frozen=True)
 class Rest:
-    """A point that rests from `first` to `last` [s]; on a plane, or else on whatever is below it.
+    """A point that rests from `first` to `last` [s] on a plane, or else on any surface below it.
 
-    rolls  a sphere may turn on the ground as a wheel does; else its centre rests
+    rolls  whether a sphere may roll on the ground like a wheel; otherwise its centre rests
     """
 
     point: Point

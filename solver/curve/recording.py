@@ -1,10 +1,10 @@
-"""A recording as a curve to track: smoothed according to its noise, bridged where it has gaps.
+"""A recording as a curve to track: smoothed according to its noise, and interpolated in gaps.
 
-A sample is the motion plus white noise, whose size in every joint follows from differences of samples; the motion's
-acceleration is that of people. The most likely curve is then a smoothing spline (G. Wahba 1978): it minimises
-Σ trust (d − z)² / σ² + ∫ z''² / A, and E of another curve is E of this one plus the same sum of its differences from
-it. The penalty is therefore on the differences and their accelerations; the recording's own detail costs nothing.
-Samples that do not fit their neighbours are trusted less.
+A sample is the motion plus white noise, whose size for every joint follows from differences of samples. The motion has
+accelerations like those of people. The most likely curve is then a smoothing spline (G. Wahba 1978), which minimises
+Σ trust (d − z)² / σ² + ∫ z''² / A. For any other curve this cost exceeds the minimum by the same expression of its
+difference from the spline. So the penalty is on the difference and its acceleration, and the recording's detail costs
+nothing. Outliers have less weight.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ from ..figure.figure import Figure
 from . import banded
 from .spline import Path, natural_spline
 
-LIVELINESS = np.geomspace(0.03, 300, 9)  # A that are tried: 10 is 20 rad/s² of a joint, or 10 m/s², up to 5 Hz
-ORDER, GAIN = 4, np.sqrt(70.0)  # of differences that hold little of a motion, and by what they enlarge white noise
-NORMAL = 1.4826  # a standard deviation by the median of absolute values
-FAINT, FINE = np.radians(0.5), 0.002  # [rad], [m] least noise, of a sample of 120 a second
-ROBUST = 2.5  # noises off, from which a sample is trusted less
-UNLIKE = 8.0  # times as far from its neighbours' middle as the usual sample: one that the first curve leaves out
-ROUNDS = 4  # of trusting samples by how far off they are
-AGREES = 1e-12  # noises off, that are none
-SPARSE = 1e-9  # of the largest weight, added to all: where nothing is known, acceleration alone determines the curve
+LIVELINESS = np.geomspace(0.03, 300, 9)  # tried values of A: 10 is 20 rad/s² of a joint, or 10 m/s², up to 5 Hz
+ORDER, GAIN = 4, np.sqrt(70.0)  # order of differences that contain little motion, and their gain for white noise
+NORMAL = 1.4826  # ratio of a standard deviation to the median of absolute values
+FAINT, FINE = np.radians(0.5), 0.002  # [rad], [m] least noise of samples at 120 Hz
+ROBUST = 2.5  # deviation of a sample, in standard deviations, from which it has less weight
+UNLIKE = 8.0  # deviation from the mean of the neighbours, in medians, from which the first curve omits a sample
+ROUNDS = 4  # most updates of the weights
+AGREES = 1e-12  # least deviation in a division, in standard deviations
+SPARSE = 1e-9  # added weight relative to the largest; in gaps acceleration alone determines the curve
 
 
 def groups(figure: Figure) -> list[Index]:
-    """The columns of a state, or of qpos, that are recorded together: places of roots, quaternions, single joints."""
+    """Return the columns of a state, or of qpos, recorded together: positions of roots, quaternions, single joints."""
     tables = figure.tables
     whole = [*tables.position_columns.T, *tables.quaternion_columns.T]
     single = np.setdiff1d(np.arange(figure.width), np.concatenate([*whole, np.zeros(0, np.intp)]))
@@ -41,15 +41,17 @@ def groups(figure: Figure) -> list[Index]:
 
 
 def places(figure: Figure) -> Mask:
-    """(N,) whether a column of a state, or of qpos, holds metres: roots' places and slides."""
+    """Return the mask (N,) of the columns of a state, or of qpos, in metres: positions of roots, and slides."""
     out = np.zeros(figure.width, bool)
     out[np.concatenate([figure.tables.position_columns.ravel(), figure.tables.slide_columns])] = True
     return out
 
 
 def between(figure: Figure, first: Array, last: Array, known: Mask) -> Array:
-    """(K, N) ways from states to others (K, N) in what is known of these (K, N): rotation vectors in the first three
-    columns of quaternions, in the links' own axes, and differences in all else."""
+    """Return displacements (K, N) between states (K, N), zero for entries that are not known (K, N).
+
+    They are rotation vectors in the links' axes, in the first three columns of quaternions, and differences otherwise.
+    """
     offset = np.where(known, last - first, 0.0)
     for columns in figure.tables.quaternion_columns.T:
         turn = quat.rotation_vector(quat.product(quat.inverse(first[:, columns]), last[:, columns]))
@@ -63,9 +65,9 @@ class RecordedMotion:
     """A figure's recorded motion.
 
     times  (T,) [s], rising
-    states (T, N) as they were recorded, quaternions unit and of continuous sign; anything where there is no sample
-    known  (T, N) 1 where there is a sample, 0 in gaps
-    exact  the samples are of a computed motion: the curve runs through them
+    states (T, N) as recorded, quaternions unit and sign-continuous; arbitrary in gaps
+    known  (T, N) 1 for samples, 0 in gaps
+    exact  whether the samples are of a computed motion, so that the curve interpolates them
     """
 
     figure: Figure
@@ -78,29 +80,29 @@ class RecordedMotion:
     def of(
         cls, figure: Figure, times: Array, qpos: Array, known: Array | None = None, *, exact: bool = False
     ) -> RecordedMotion:
-        """Of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), all of it by default."""
+        """Return a recording from qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), everything by default."""
         states = np.array(figure.to_state(qpos))
         every = np.ones(states.shape) if known is None else np.ones(states.shape) * known
         for columns in figure.tables.quaternion_columns.T:
-            samples = np.flatnonzero((every[:, columns] > 0).all(axis=1))  # what fills a gap has no part in it
+            samples = np.flatnonzero((every[:, columns] > 0).all(axis=1))  # values in gaps must not affect signs
             states[samples[:, None], columns] = quat.aligned(states[samples[:, None], columns])
         return cls(figure, np.asarray(times, float), states, every, exact)
 
     def moved(self, way: ArrayLike) -> RecordedMotion:
-        """With all free roots moved by (3,) [m]."""
+        """Return the recording with all free roots translated by (3,) [m]."""
         states = np.array(self.states)
         for columns in self.figure.tables.position_columns.T:
             states[:, columns] += np.asarray(way, float)
         return replace(self, states=states)
 
     def turned(self, columns: slice, turn: Array) -> RecordedMotion:
-        """With the link of a quaternion turned by another (4,), in its own axes, at all times."""
+        """Return the recording with the link of a quaternion rotated by (4,) in its axes, at all times."""
         states = np.array(self.states)
         states[:, columns] = quat.product(states[:, columns], turn)
         return replace(self, states=states)
 
     def bent(self, ways: Array) -> RecordedMotion:
-        """Return the recording with every sample displaced by ways (T, N), see `between`."""
+        """Return the recording with every sample displaced by (T, N) as in `between`."""
         states = self.states + ways
         for columns in self.figure.tables.quaternion_columns.T:
             turn = quat.from_rotation_vector(ways[:, columns[:3]])
@@ -109,12 +111,11 @@ class RecordedMotion:
 
     @cached_property
     def groups(self) -> list[Index]:
-        """The columns that are recorded together."""
         return groups(self.figure)
 
     @cached_property
     def is_place(self) -> Mask:
-        """(N,) whether a column holds metres."""
+        """(N,) whether a column is in metres."""
         return places(self.figure)
 
     @cached_property
@@ -126,7 +127,7 @@ class RecordedMotion:
 
     @cached_property
     def noise(self) -> Array:
-        """(N,) the standard deviation of a sample's noise, the same for all columns of a group."""
+        """(N,) standard deviation of the noise of a sample, the same for all columns of a group."""
         out = np.where(self.is_place, FINE, np.where(self.is_half, FAINT / 2, FAINT)) * np.sqrt(self.rate / 120)
         if self.times.size <= ORDER:
             return out
@@ -140,12 +141,11 @@ class RecordedMotion:
 
     @cached_property
     def rate(self) -> float:
-        """[1/s] samples a second."""
+        """The sampling rate [1/s]."""
         return float(1 / np.median(np.diff(self.times)))
 
     @cached_property
     def path(self) -> Path:
-        """The most likely curve."""
         return natural_spline(self.times, self._smoothed[0])
 
     @property
@@ -155,17 +155,17 @@ class RecordedMotion:
 
     @cached_property
     def trust(self) -> Array:
-        """(T, N) how much every sample is believed, 0 in gaps."""
+        """(T, N) weight of every sample, 0 in gaps."""
         return self._smoothed[1]
 
     @cached_property
     def liveliness(self) -> Array:
-        """(N,) A, how large squared accelerations are by frequency: [1/s³] of a quaternion's entries, or [m²/s³]."""
+        """(N,) A, the power spectral density of accelerations: [1/s³] of a quaternion's entries, or [m²/s³]."""
         return self._smoothed[2]
 
     @cached_property
     def _smoothed(self) -> tuple[Array, Array, Array]:
-        """The curve at the samples (T, N), how much these are believed, how lively it is (N,)."""
+        """The curve at the samples (T, N), their weights (T, N), and the liveliness (N,)."""
         smooth, trust, lively = np.array(self.states), np.array(self.known), np.ones(self.figure.width)
         if self.exact:
             return smooth, trust, lively
@@ -183,7 +183,7 @@ class RecordedMotion:
         return smooth, trust, lively
 
     def _unlike(self, columns: Index, noise: float) -> Array:
-        """(T,) nought for samples far from the middle of their neighbours, as no others are; else one."""
+        """Return the first weights (T,): zero for samples exceptionally far from their neighbours' mean, else one."""
         out, values = np.ones(self.times.size), self.states[:, columns]
         off = np.linalg.norm(values[1:-1] - 0.5 * (values[:-2] + values[2:]), axis=1)
         if off.size < ORDER:
@@ -194,13 +194,13 @@ class RecordedMotion:
         return out
 
     def _likeliest(self, columns: Index, weight: Array) -> tuple[Array, float]:
-        """(T, k) the most likely curve, and its liveliness A."""
+        """Return the most likely curve (T, k), and its liveliness A."""
         fitted = [(*self._fitted(columns, weight, float(prior)), float(prior)) for prior in LIVELINESS]
         smooth, _, prior = max(fitted, key=lambda found: found[1])
         return smooth, prior
 
     def _fitted(self, columns: Index, weight: Array, prior: float) -> tuple[Array, float]:
-        """(T, k) the curve of least Σ weight (d − z)² + ∫ z''² / A, and how likely A makes the samples."""
+        """Return the curve (T, k) that minimises Σ weight (d − z)² + ∫ z''² / A, and the log-likelihood of A."""
         count = self.times.size
         if count < 3:
             return self.states[:, columns], 0.0

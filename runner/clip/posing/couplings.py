@@ -1,4 +1,4 @@
-"""Equality constraints of a model: enforced in keyframes where they leave a choice, otherwise reported."""
+"""Equality constraints of a model: enforced in the unspecified entries of keyframes, otherwise reported."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from dynsplines.solver.penalty import CouplingPenalty, LoopClosure, closures, co
 from dynsplines.solver.penalty.joints.coupling import Coupling, in_order
 from dynsplines.solver.surface.points import placed
 
-BROKEN = {"degrees": np.radians(0.1), "m": 1e-4}  # [rad, m] that a keyframe may be off a coupling untold
-TORN = 1e-3  # [m] that points of a closed loop may be apart untold
+BROKEN = {"degrees": np.radians(0.1), "m": 1e-4}  # [rad, m] least deviation from a coupling that is reported
+TORN = 1e-3  # [m] least gap of a closed loop that is reported
 
 
 def follow(figure: Figure, qpos: Array, fixed: Mask, is_named: Callable[[str], bool]) -> None:
-    """Sets what follows a joint of a keyframe, qpos and mask, in place.
+    """Set the followers of coupled joints in a keyframe, qpos and mask, in place.
 
-    A joint that the keyframe names stays; where it names a follower and not the driver, the driver gives way.
+    A joint that the keyframe names is unchanged. If it names the follower and not the driver, the driver is set.
     """
     names = {link.qpos: link.name for link in figure.links[1:]}
     for coupling in in_order(couplings(figure)):
@@ -38,7 +38,7 @@ def follow(figure: Figure, qpos: Array, fixed: Mask, is_named: Callable[[str], b
 
 
 def _driven(coupling: Coupling, follower: float) -> float | None:
-    """The driver's value for a follower's value; None unless the relation is linear."""
+    """Return the driver's value for a follower's value; None unless the relation is linear."""
     a = coupling.coefficients
     if a[1] == 0 or np.any(a[2:]):
         return None
@@ -46,7 +46,7 @@ def _driven(coupling: Coupling, follower: float) -> float | None:
 
 
 def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[str]:
-    """One note for every constraint that keyframes violate, and for those that are ignored."""
+    """Return a note for every constraint that keyframes violate, and for ignored constraints."""
     samples = Samples.still(figure, keys.states)
     notes = []
     joined = couplings(figure)
@@ -75,7 +75,7 @@ def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[
 
 
 def _unseen(model: mujoco.MjModel) -> list[str]:
-    """Equality constraints of other kinds."""
+    """Return a note on equality constraints of other kinds."""
     handled = [int(kind) for kind in (mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD)]
     others = [i for i in range(model.neq) if model.eq_active0[i] and int(model.eq_type[i]) not in handled]
     names = ", ".join(f"'{model.equality(i).name or i}'" for i in others)

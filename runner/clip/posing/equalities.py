@@ -1,7 +1,7 @@
 """Poses moved onto a model's equality constraints: loops (connect, weld), couplings of joints and tendons.
 
-Residuals and their derivatives are MuJoCo's own, `efc_pos` and `efc_J` of its equality rows; the pose goes along the
-shortest step that closes them, damped (K. Levenberg 1944; D. W. Marquardt 1963), and stays within the joints' ranges.
+Residuals and derivatives are `efc_pos` and `efc_J` of MuJoCo's equality rows. Each step is the shortest one that closes
+them, damped (K. Levenberg 1944; D. W. Marquardt 1963), within the joints' ranges.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Mask
 
-CLOSED = 1e-9  # [m, rad] residual of a closed constraint
+CLOSED = 1e-9  # [m, rad] largest residual of a closed constraint
 STEPS, STARTS = 200, 12
-LONGEST = 0.3  # [rad, m] of a step
+LONGEST = 0.3  # [rad, m] longest step
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e-12, 1e6
-OPEN = {"m": 1e-3, "degrees": 0.1}  # what of a constraint is reported
+OPEN = {"m": 1e-3, "degrees": 0.1}  # least violation of a constraint that is reported
 
 
 @dataclass(frozen=True)
@@ -65,9 +65,9 @@ class Equalities:
         )
 
     def closed(self, qpos: Array) -> Array | None:
-        """Return the pose near qpos (nq,) that closes all, within the joints' ranges; None without one.
+        """Return the pose near qpos (nq,) that closes all constraints, within the joints' ranges; None without one.
 
-        Free joints stay where they are, unless nothing else closes them.
+        Free joints are constant unless nothing else closes them.
         """
         free = np.isin(self.model.dof_jntid, np.flatnonzero(self.model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)))
         for moves in (~free, np.ones(self.model.nv, bool)):
@@ -84,7 +84,7 @@ class Equalities:
         return np.array(self.data.efc_type) == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
 
     def _starts(self, qpos: Array, moves: Mask) -> Iterator[Array]:
-        """Poses to begin with: the given one, and others ever farther around it."""
+        """Yield initial poses: the given one, then others at increasing distances."""
         yield qpos
         _, rows = self.residuals(qpos)
         involved = moves & np.any(rows != 0, axis=0)
@@ -110,7 +110,7 @@ class Equalities:
         return None
 
     def _step(self, qpos: Array, residual: Array, rows: Array, moves: Mask, damping: float) -> Array:
-        """(nv,) the shortest step that closes the residuals, of what is not at the end of its range."""
+        """Return the shortest step (nv,) that closes the residuals, without joints at an end of their range."""
         moves, step = np.array(moves), np.zeros(self.model.nv)
         for _ in range(self.model.nv):
             moving_rows = rows[:, moves]
@@ -125,7 +125,7 @@ class Equalities:
         return step
 
     def _leaves(self, qpos: Array, step: Array) -> Mask:
-        """(nv,) the degrees of freedom at an end of their range that a step takes beyond it."""
+        """Return the degrees of freedom (nv,) at an end of their range that a step moves beyond it."""
         model, out = self.model, np.zeros(self.model.nv, bool)
         for joint in self._limited:
             dof, at = model.jnt_dofadr[joint], qpos[model.jnt_qposadr[joint]]
@@ -148,7 +148,7 @@ class Equalities:
 
 
 def _bare(model: mujoco.MjModel) -> mujoco.MjModel:
-    """A copy whose only constraints are equalities, with dense derivatives."""
+    """Return a copy with equality constraints only, and dense derivatives."""
     out, bits = copy.copy(model), mujoco.mjtDisableBit
     others = (bits.mjDSBL_CONTACT, bits.mjDSBL_LIMIT, bits.mjDSBL_FRICTIONLOSS)
     out.opt.disableflags &= ~(int(bits.mjDSBL_EQUALITY) | int(bits.mjDSBL_CONSTRAINT))
@@ -159,7 +159,7 @@ def _bare(model: mujoco.MjModel) -> mujoco.MjModel:
 
 
 def _openings(model: mujoco.MjModel, number: int, residual: Array) -> list[Opening]:
-    """The violations of one constraint, in metres and degrees."""
+    """Return the violations of one constraint, in metres and degrees."""
     kinds, kind = mujoco.mjtEq, int(model.eq_type[number])
     name = model.equality(number).name or _between(model, number)
     if kind == int(kinds.mjEQ_WELD):
@@ -174,7 +174,7 @@ def _openings(model: mujoco.MjModel, number: int, residual: Array) -> list[Openi
 
 
 def _between(model: mujoco.MjModel, number: int) -> str:
-    """The name of an unnamed constraint: those of the two elements that it connects."""
+    """Return a name for an unnamed constraint: those of the two elements that it connects."""
     kind = mujoco.mjtObj(int(model.eq_objtype[number]))
     if int(model.eq_type[number]) == int(mujoco.mjtEq.mjEQ_JOINT):
         kind = mujoco.mjtObj.mjOBJ_JOINT

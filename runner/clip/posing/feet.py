@@ -1,10 +1,10 @@
-"""Which points of a figure stand on the ground: sites that are called heel or toe, or else what is lowest of its feet.
+"""The points on which a figure stands: sites named heel or toe, or else the lowest points of its feet.
 
-Sites count if one of them at least is as low as the figure itself; points that muscles run through never do.
-
-Feet are the ends of a figure's limbs that are lowest when it stands tallest: at rest or in one of its keyframes; at
-rest if it is nearly as tall there, since a walking figure is tallest on its toes. A figure whose trunk is as
-low has none, nor one with a single limb, unless a plane holds it up, nor one that hangs on the world by hinges alone.
+Named sites count if at least one of them is as low as the figure; points on the paths of muscles never do. Feet are the
+lowest ends of limbs in the pose in which the figure is tallest: the rest pose or one of its keyframes. The rest pose
+has precedence if it is nearly as tall, since a walking figure is tallest on its toes. These figures have no feet: one
+whose trunk is as low, one with a single limb that can fall in any direction, and one fixed to the world by hinges
+alone.
 """
 
 from __future__ import annotations
@@ -27,21 +27,21 @@ from dynsplines.solver.surface.touch import movers
 from .places import posable_sites
 
 SOLES = ("heel", "toe")
-LOW = 0.1  # of a figure's height, how far above its lowest point a foot may be
-THICK = 0.02  # the same of the points of a foot above its lowest
-THIN, HALF = (0.0015, 0.003, 0.006), 0.45  # the same of those on which it stands, if they are so much of its extent
-SUNK = 0.005  # of the height of a figure with muscles, how far above its lowest point a site named as a sole may be
-STEEP = 0.5  # of a slide's way, how much of it goes up
-WHOLE = 6  # joints of a root that moves as a free one does
-UPRIGHT = 0.8  # of the tallest pose, one that is looked at, too
-NEARLY = 0.9  # of the tallest pose, from which on the one at rest is taken
-CORNERS = 4  # points a foot, at most
+LOW = 0.1  # largest height of a foot above the figure's lowest point, relative to the figure's height
+THICK = 0.02  # largest height of points of a foot above its lowest, relative to the figure's height
+THIN, HALF = (0.0015, 0.003, 0.006), 0.45  # tried heights of supporting points; their least share of the extent
+SUNK = 0.005  # largest height of a named site on a figure with muscles, relative to the figure's height
+STEEP = 0.5  # least vertical component of a slide's axis that lifts the figure
+WHOLE = 6  # least number of joints of a root that moves like a free one
+UPRIGHT = 0.8  # least height of a pose that is examined, relative to the tallest
+NEARLY = 0.9  # least height of the rest pose to have precedence, relative to the tallest
+CORNERS = 4  # most points per foot
 ROUND = (int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE))
-SKIN = 0.1  # of a sphere's radius that a mark may be off its skin
+SKIN = 0.1  # largest distance of a site from a sphere's surface, relative to its radius
 
 
 def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
-    """The points that feet stand on; qpos (K, nq) are poses beside the one at rest in which it may stand."""
+    """Return the points on which feet stand; qpos (K, nq) are poses other than the rest pose in which it may stand."""
     names = posable_sites(figure.model)  # no points of the muscles that bend toes
     named = site_points(figure, [name for name in names if any(word in name.lower() for word in SOLES)])
     named = tuple(_grown(figure, point) for point in named if point.link)
@@ -51,7 +51,7 @@ def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
 
 
 def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
-    """Whether one of the points is as low as anything of the figure in some pose: no mark on top of a toe."""
+    """Return whether one of the points is as low as the figure in some pose, unlike sites on top of a toe."""
     body = body_points(figure)
     if not body:
         return True
@@ -60,12 +60,12 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
     places, _ = Samples.still(figure, states).links.points(links, positions)
     low, high = places[2] - radii[:, None], places[2] + radii[:, None]
     ground, tall = low.min(axis=0), np.ptp(np.concatenate([low, high]), axis=0)
-    share = SUNK if figure.model.ntendon else THICK  # skeletons with muscles bring marks all over their feet
+    share = SUNK if figure.model.ntendon else THICK  # feet of figures with muscles have sites everywhere
     return bool(np.any(low[: len(points)] <= ground + share * tall))
 
 
 def _grown(figure: Figure, point: Point) -> Point:
-    """Whether a site is in the middle of a sphere of its link with its radius: it marks a foot, not a sole point."""
+    """Return a site in the middle of a sphere of its link with that radius, as it marks a foot; others unchanged."""
     for (centre, _), radius in _round(figure, point.link, ROUND[:1]):
         if np.linalg.norm(point.position - centre) < 0.5 * radius:
             return Point(point.name, point.link, centre, radius)
@@ -73,7 +73,7 @@ def _grown(figure: Figure, point: Point) -> Point:
 
 
 def rounded(figure: Figure, point: Point) -> Point:
-    """A mark on the skin of a sphere or a capsule of its link, as a sphere as thick as that: what the foot rolls on."""
+    """Return a site on the surface of a sphere or capsule of its link as that sphere, on which the foot rolls."""
     if point.radius:
         return point
     best = point
@@ -88,7 +88,7 @@ def rounded(figure: Figure, point: Point) -> Point:
 
 
 def _round(figure: Figure, link: int, kinds: Sequence[int]) -> Iterator[tuple[Array, float]]:
-    """The ends (2, 3) [m] of a link's spheres, which are one, and capsules, and their radii [m]."""
+    """Yield the ends (2, 3) [m], equal for spheres, and the radii [m] of a link's spheres and capsules."""
     model = figure.model
     wanted = (figure.body_link[model.geom_bodyid] == link) & np.isin(model.geom_type, kinds)
     for geom in movers(model) if wanted.any() else ():
@@ -113,7 +113,7 @@ def _lowest(figure: Figure, qpos: Array) -> tuple[Point, ...]:
 
 
 def _roots(figure: Figure) -> list[Root]:
-    """The roots that carry a figure: free joints, and slides and hinges on which it goes up and down."""
+    """Return the roots that carry a figure: free joints, and slides and hinges that lift it."""
     data = mujoco.MjData(figure.model)
     mujoco.mj_kinematics(figure.model, data)
     slides = {i for i, link in enumerate(figure.links) if link.kind is JointKind.SLIDE}
@@ -122,10 +122,8 @@ def _roots(figure: Figure) -> list[Root]:
 
 
 def _feet(figure: Figure, root: Root, points: Sequence[Point], qpos: Array) -> list[Point]:
-    """The lowest points of a tree's lowest ends, in the pose in which it stands tallest.
-
-    A tree that can fall sideways stands on two at least: of a kick the next tallest pose decides.
-    """
+    """Return the lowest points of a tree's lowest ends, in the pose in which it stands tallest. A tree that can fall
+    sideways stands on at least two feet; otherwise, as in a kick, the next tallest pose is used."""
     poses = np.vstack([figure.model.qpos0, qpos])
     states = figure.to_state(poses)
     links, positions, radii = arrays_of(points)
@@ -144,7 +142,7 @@ def _feet(figure: Figure, root: Root, points: Sequence[Point], qpos: Array) -> l
 
 
 def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, radii: Array) -> list[Point]:
-    """The feet in one pose, with points at positions (3, n) [m]; none if the trunk is as low."""
+    """Return the feet in one pose, with points at positions (3, n) [m]; none if the trunk is as low."""
     links, bottom = arrays_of(points)[0], places[2] - radii
     height = float((places[2] + radii).max() - bottom.min())
     feet: list[Point] = []
@@ -161,9 +159,9 @@ def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, 
 
 
 def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
-    """The points of a foot, with bottoms (n,) [m] high, that touch a floor; not round edges of the foot.
+    """Return the points of a foot, with lowest heights (n,) [m], that touch a floor, without round edges of the foot.
 
-    places  (2, N) [m] of all points on the floor;  height  [m] of the figure
+    places  (2, N) [m] horizontal positions of all points;  height  [m] of the figure
     """
     above = bottom - bottom.min()
     thick = own[above <= THICK * height]
@@ -178,7 +176,7 @@ def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
 
 
 def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array) -> list[Point]:
-    """The lowest points of a foot that reach farthest to its four corners, each with a name."""
+    """Return the named points of a foot that extend farthest to its four corners."""
     angle = np.pi * (0.25 + 0.5 * np.arange(CORNERS)) + 0.05
     reach = places[:2, some].T @ np.array([np.cos(angle), np.sin(angle)])
     corners = sorted({int(some[i]) for i in reach.argmax(axis=0)})
@@ -192,7 +190,7 @@ def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array
 
 
 def _called(figure: Figure, point: Point) -> str:
-    """A foot's name: its geom's, or else its body's, or else its joint's."""
+    """Return a foot's name: that of its geom, body or joint."""
     model, kinds = figure.model, mujoco.mjtObj
     if mujoco.mj_name2id(model, int(kinds.mjOBJ_GEOM), point.name) >= 0:
         return point.name

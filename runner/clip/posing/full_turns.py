@@ -1,7 +1,7 @@
-"""Whole turns that keyframes specify and the motion lacks: rotations are quaternions, which have none.
+"""Whole turns that keyframes specify and the motion omits, since rotations are quaternions.
 
-From one keyframe to the next a joint takes the shorter way. A heading of 360 after 0 turns nothing, and one of 270
-after 0 goes a quarter back. Both are reported, with the keyframes in between that make the turn.
+From one keyframe to the next a joint takes the shorter arc. A heading of 360 after 0 turns nothing, and one of 270
+after 0 turns back by 90°. Both are reported, with the additional keyframes that produce the turn.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from ..table import KeyframeTable, RotationTable
 from .root_entries import roots_by_name
 
-HALF, SAME = 180.0, 1.0  # [degrees] that a turn between two keyframes is at most; by which two turns differ
-STEP = 120.0  # [degrees] of a turn between keyframes that are advised, at most
+HALF, SAME = 180.0, 1.0  # [degrees] largest turn between two keyframes; tolerance of equal turns
+STEP = 120.0  # [degrees] largest turn between recommended keyframes
 
 
 def lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> list[str]:
@@ -30,7 +30,7 @@ def lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) ->
 
 
 def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None, RotationTable]]:
-    """The rotations of a keyframe, by key: the link whose quaternion it sets, None for a goal of a pose."""
+    """Return the rotations of a keyframe by key, with the link whose quaternion is set, None for a goal of a pose."""
     named = {link.name: i for i, link in enumerate(figure.links) if i}
     out: dict[str, tuple[int | None, RotationTable]] = {}
     roots = roots_by_name(figure) if row.roots else {}
@@ -49,7 +49,7 @@ def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None
 
 
 def _written(table: RotationTable) -> tuple[str, Array] | None:
-    """The notation of a rotation, and its angles [degrees]; None for a quaternion, which cannot lose turns."""
+    """Return the notation of a rotation, and its angles [degrees]; None for a quaternion, which has no whole turns."""
     if table.heading is not None and {"rotvec", "euler", "quat"}.isdisjoint(table.model_fields_set):
         return "heading", np.array([table.heading])
     if table.heading is None and table.rotvec is not None:
@@ -61,7 +61,7 @@ def _written(table: RotationTable) -> tuple[str, Array] | None:
 
 
 def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeline) -> Iterator[str]:
-    """Lost turns of one rotation, between the keyframes that give it."""
+    """Yield notes on omitted turns of one rotation, between the keyframes that specify it."""
     last: tuple[int, str | None, Array] | None = None  # no notation at rest, which matches all
     for k, row in enumerate(rows):
         link, table = _rotations(figure, row).get(name, (None, None))
@@ -80,7 +80,7 @@ def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeli
 def _line(
     figure: Figure, name: str, link: int | None, pair: tuple[int, int], first: Array, last: Array, keys: Timeline
 ) -> str | None:
-    """The note on lost turns between two keyframes, with placeholders for the second one; None for none."""
+    """Return the note on omitted turns between two keyframes, with placeholders for the second one; None for none."""
     step = last - first
     size = float(np.linalg.norm(step) if name.startswith("joints") and step.size == 3 else np.abs(step).max())
     if size <= HALF + SAME:
@@ -98,7 +98,7 @@ def _line(
 
 
 def _is_made(figure: Figure, link: int, pair: tuple[int, int], size: float, keys: Timeline) -> bool:
-    """Whether the raw timeline turns a link by an angle [degrees] between two keyframes, as in a spin."""
+    """Return whether the raw timeline turns a link by an angle [degrees] between two keyframes, as in a spin."""
     columns, (first, last) = quaternion_columns(figure.links[link]), pair
     if columns is None or last >= len(keys.times):
         return False
@@ -110,6 +110,6 @@ def _is_made(figure: Figure, link: int, pair: tuple[int, int], size: float, keys
 
 
 def _spoken(angles: Array) -> str:
-    """Angles [degrees] as a clip writes them."""
+    """Return angles [degrees] in the notation of clips."""
     listed = ", ".join(f"{angle:g}" for angle in np.round(angles, 3))
     return listed if angles.size == 1 else f"[{listed}]"

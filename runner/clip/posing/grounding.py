@@ -1,8 +1,8 @@
-"""A keyframe that sets the legs and leaves the root's height free is put down on the ground, its feet where they stand.
+"""Placing of keyframes that set the legs and leave the root's height free: feet on the ground, where they stand.
 
-The other way round than `standing`: there the root is set and legs go with it, here legs are set and the root goes
-with them. On a spline through the heights of other keyframes, legs that are bent would hang in the air. Nothing is put
-down between two keyframes in the air, nor in a flight that the clip gives.
+It is the reverse of `standing_feet`, where the root is set and legs follow; here the root follows the legs. Heights on
+a spline through other keyframes would leave bent legs in the air. Nothing is placed between two keyframes in the air,
+nor in a flight that the clip specifies.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed, places_of
 
-HANGING = 0.15  # of the figure's height, how far over the ground it may hang that is to stand: models rest so
-ROUNDS, MET = 30, 1e-9  # of going down on what is below; [m] what is left then
-ALONG = 0.999  # least cosine between a slide's axis and an axis of the world
+HANGING = 0.15  # largest height above the ground, relative to the figure's, of a standing one, as in rest poses
+ROUNDS, MET = 30, 1e-9  # most steps of moving down; [m] largest remaining distance
+ALONG = 0.999  # least cosine between a slide's axis and a world axis
 
 
 @dataclass(frozen=True, eq=False)
 class Grounding:
-    """Puts down the tree of one root, on a free joint or on slides along axes of the world.
+    """Places the tree of one root, on a free joint or on slides along world axes.
 
     root   the link that carries the tree
-    mine   which of the figure's sole points are on it, (n,)
-    soles  these;  points  of all of it, these first
-    aloft  (first, last) [s] of every flight that the clip gives
+    mine   (n,) indices of the figure's sole points on it
+    soles  these points;  points  of the whole tree, soles first
+    aloft  (first, last) [s] of every flight that the clip specifies
     """
 
     figure: Figure
@@ -56,7 +56,7 @@ class Grounding:
         surfaces: Sequence[Surface],
         aloft: Sequence[tuple[float, float]] = (),
     ) -> Grounding | None:
-        """Of the first root that has feet; None where there is none that goes up and down, or nothing to stand on."""
+        """Return the grounding of the first root with feet; None without a root that can be lifted, or ground."""
         root, slid = free_root(figure, soles), figure.root
         if root is None and slid is not None and hanging(figure, slid.link, soles):
             root = slid.link
@@ -67,20 +67,20 @@ class Grounding:
         return cls(figure, root, mine, soles_of_tree, (*soles_of_tree, *body), tuple(surfaces), tuple(aloft))
 
     def is_asked(self, keys: Sequence[Frame]) -> bool:
-        """Whether one of the keyframes leaves the height to be found."""
+        """Return whether any keyframe leaves the height free."""
         return not all(key.known[self._height] for key in keys)
 
     def leaping(self, timeline: Timeline) -> Grounding:
-        """Return it with the flights that keyframes with a height imply."""
+        """Return the grounding with the flights that keyframes with a height imply."""
         if self.figure.links[self.root].kind is not JointKind.FREE:
             return self
         schedule = ContactSchedule(self.figure, timeline, self.soles, self.surfaces)
         return replace(self, aloft=(*self.aloft, *schedule.flights))
 
     def put_down(self, keys: Sequence[Frame], timeline: Timeline, staying: Callable[[int], Array]) -> list[Frame]:
-        """Return the keyframes, with standing ones moved onto the ground; the timeline through them has the rest.
+        """Return the keyframes, with standing ones moved onto the ground; `timeline` interpolates unspecified entries.
 
-        staying  where the figure's sole points (3, n) [m] stand that stay on one spot at keyframe k; NaN for others
+        staying  returns the positions (3, n) [m] of the sole points with a stance at keyframe k; NaN for others
         """
         radii = np.array([point.radius for point in self.points])
         centres, _, _ = places_of(self.points, Samples.still(self.figure, timeline.states))
@@ -115,12 +115,11 @@ class Grounding:
 
     @cached_property
     def _columns(self) -> dict[int, tuple[int, float]]:
-        """The entry of the state that moves the root along each axis of the world, and its sign, 1 or −1."""
+        """The entry of the state that moves the root along each world axis, and its sign, 1 or −1."""
         return _slides(self.figure, self.root)
 
     @property
     def _height(self) -> int:
-        """The entry of the root's height."""
         return self._columns[2][0]
 
     @property
@@ -134,9 +133,9 @@ class Grounding:
     def _stands(self, timeline: Timeline, k: int, low: Array, *, between: bool) -> bool:
         """Return whether keyframe k, which sets no height, stands.
 
-        low      [m] height of the figure in the nearest keyframes before and after that set it, of which
-                 at least one must be low; in all of them, if they are all before or all after
-        between  whether there are two; then this one must set the place of its feet except the height
+        low      [m] height of the figure in the nearest keyframes before and after that set it, of which at least one
+                 must be low; in all such keyframes, if they are all before or all after
+        between  whether there are two; then keyframe k must set the position of its feet, except the height
         """
         is_free = self.figure.links[self.root].kind is JointKind.FREE
         touching = self._limits.touching
@@ -152,8 +151,8 @@ class Grounding:
         return bool(placed(self.figure, mask, self.soles).all())
 
     def _drops(self, centres: Array, radii: Array, starts: Sequence[Array]) -> Iterator[Array]:
-        """How far spheres (3, n) move [m] that first go by one of the starts (3,) and then straight down, or up, on
-        what is below the soles, or below any of them."""
+        """Yield displacements [m] of spheres (3, n) by a start (3,) and then vertically to the ground below soles or
+        all."""
         for start in starts:
             for count in (len(self.soles), radii.size):
                 moved = self._dropped(centres[:, :count], radii[:count], start)
@@ -161,7 +160,7 @@ class Grounding:
                     yield moved
 
     def _dropped(self, centres: Array, radii: Array, by: Array) -> Array | None:
-        """As `_drops`, from one start and on what is below all; None if there is nothing."""
+        """Return the displacement for one start, onto the ground below all spheres; None without ground."""
         by = np.array(by)
         for _ in range(ROUNDS):
             lowest = float(heights(self.surfaces, (centres + by[:, None])[..., None], radii)[0].min())
@@ -173,8 +172,7 @@ class Grounding:
         return None
 
     def _shallowest(self, centres: Array, radii: Array, moves: Iterable[Array]) -> Array | None:
-        """The move (3,) [m] of spheres (3, n) that puts them least deep into anything, of those that do as well the
-        first; None of none."""
+        """Return the displacement (3,) [m] of spheres (3, n) with the least depth in any surface, None of none."""
         axes = np.hstack([np.eye(3), -np.eye(3)])
         skin = (centres[..., None] + radii[:, None] * axes[:, None, :]).reshape(3, -1)
         best, least = None, np.inf
@@ -185,9 +183,9 @@ class Grounding:
         return best
 
     def _across(self, centres: Array, radii: Array, spots: Array) -> Array | None:
-        """(3,) [m] how far soles that are down are from where they stay, on the level, if it is about as far for all.
+        """Return the horizontal displacement (3,) [m] to the soles' stances, if it is about equal for all, else None.
 
-        centres  (3, n) of all points, with soles first;  spots  (3, m) of these, NaN for those that do not stay
+        centres  (3, n) of all points, with soles first;  spots  (3, m) of stances, NaN without
         """
         count = len(self.soles)
         above, _ = heights(self.surfaces, centres[:, :count, None], radii[:count])
@@ -199,7 +197,7 @@ class Grounding:
         return np.array([*mean, 0.0]) if spread < self._limits.same_spot else None
 
     def _placed(self, key: Frame, there: Array, by: Array, which: Sequence[bool]) -> Frame:
-        """A keyframe with the root moved from a state (N,) by (3,) [m] along some axes that it does not specify."""
+        """Return a keyframe with the root moved from a state (N,) by (3,) [m] along some unspecified axes."""
         state, posed = np.array(key.state), np.zeros(key.fixed.shape, bool) if key.posed is None else key.posed.copy()
         for axis, (column, sign) in self._columns.items():
             posed[column] |= which[axis] and not key.fixed[column]
@@ -209,10 +207,7 @@ class Grounding:
 
 
 def _slides(figure: Figure, root: int) -> dict[int, tuple[int, float]]:
-    """The entries of qpos that move a root's link along axes of the world, and 1 or −1 for the direction.
-
-    A slide that a hinge above turns moves it elsewhere, and is none of them.
-    """
+    """Return entries of qpos that move a root along world axes, with signs, without slides that a hinge rotates."""
     first = figure.links[root].qpos
     if figure.links[root].kind is JointKind.FREE:
         return {axis: (first + axis, 1.0) for axis in range(3)}

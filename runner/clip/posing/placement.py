@@ -1,8 +1,8 @@
-"""Keyframes by position: goals for sites' positions and bodies' orientations are converted into joint values.
+"""Keyframes by position: joint values from goals for sites' positions and bodies' orientations.
 
-Entries with "pose" are solved into a pose here, and its joints are fixed; entries with "search" become soft
-constraints. Independent of `others`, the joints of the limb from the site or body up to the next branch are free
-unless the keyframe specifies them.
+Entries with "pose" are solved here, and their joints are fixed; entries with "search" become soft constraints.
+Independent of `others`, the joints of the limb from the site or body up to the next branch are free unless the keyframe
+specifies them.
 """
 
 from __future__ import annotations
@@ -41,18 +41,18 @@ from .root_entries import posed_roots, root_links
 from .rotation import quaternion_of
 from .standing_feet import Stander
 
-BESIDE = 0.1  # share of the largest miss below which a goal's miss is not reported: it results from the largest one
+BESIDE = 0.1  # least reported error of a goal relative to the largest, as smaller ones result from the largest
 
 
 @dataclass(frozen=True, eq=False)
 class Wanted:
-    """A keyframe's position entries: goals of its pose, and points that are left to the search."""
+    """A keyframe's position entries: goals of its pose, and points that the search places."""
 
     goals: tuple[Goal, ...] = ()
     placed: tuple[Placed, ...] = ()
 
     def loose(self, figure: Figure, row: KeyframeTable) -> list[int]:
-        """The links whose joints the goals and points free, independent of `others`."""
+        """Return the links whose joints the goals and points free, independent of `others`."""
         model = figure.model
         bodies = [goal.body(model) for goal in self.goals]
         bodies += [figure.links[point.point.link].body for point in self.placed]
@@ -99,7 +99,7 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
 
 
 def _target(position: Sequence[float | str], where: str, what: str) -> Array:
-    """(3,) [m] a position as given in a table, NaN along free axes."""
+    """Return a position (3,) [m] of a table, NaN along free axes."""
     target = np.array([np.nan if axis == "free" else float(axis) for axis in position])
     if np.all(np.isnan(target)):
         raise UserError(f"{where}: every axis is free; leave {what} out, or give it a where")
@@ -114,11 +114,9 @@ def with_pose(
     stander: Stander,
     where: str,
 ) -> tuple[Frame, list[str]]:
-    """Keyframe k of some with the joints that its goals depend on fixed where they meet them, or come nearest to them;
-    and what of the goals no pose was found for, a line each.
+    """Return keyframe k posed for its goals, with the joints on which they depend fixed, and notes on unmet goals.
 
-    The pose is the one nearest to where the spline through the other keyframes passes, if there is one with the feet
-    where they stand before and after.
+    The pose is the nearest one to the spline through the other keyframes, if possible with feet in their stances.
     """
     try:
         path = stander.timeline(keys)
@@ -138,7 +136,7 @@ def with_pose(
 
 
 def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: str) -> None:
-    """Raises UserError for a point left to the search that nothing free can move."""
+    """Raise UserError for a point left to the search that no free joint moves."""
     for point in placed:
         body = figure.links[point.point.link].body
         if not _free_joints(figure, key, body):
@@ -146,7 +144,7 @@ def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: st
 
 
 def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal]:
-    """Goals for the position of a body's origin, or of a point in its axes, and for its orientation: one or both."""
+    """Return goals for the position of a body's origin or of a point in its axes, and for its orientation."""
     goals: list[Goal] = []
     if table.position is not None:
         target = _target(table.position, where, "the position")
@@ -164,7 +162,7 @@ def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
 
 
 def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], where: str) -> None:
-    """Raises UserError for two points that move together and are given places at another distance than they have."""
+    """Raise UserError for two points of one link whose specified distance differs from that on the figure."""
     for (a, to), (b, there) in itertools.combinations(points, 2):
         if a.link != b.link or np.isnan([to, there]).any():
             continue
@@ -179,7 +177,7 @@ def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], where: s
 
 
 def _complaints(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed) -> list[str]:
-    """The goals that are missed, and by how much, without small misses that result from larger ones."""
+    """Return notes on unmet goals with their errors, without small errors that result from larger ones."""
     least = max(MET, BESIDE * found.worst)
     missing = [(goal, float(missed)) for goal, missed in zip(goals, found.missed, strict=True) if missed > least]
     return [_complaint(figure, key, goal, missed, found.starts) for goal, missed in missing]
@@ -201,7 +199,6 @@ def _complaint(figure: Figure, key: Frame, goal: Goal, missed: float, starts: in
 
 
 def _kind(figure: Figure, goal: Goal) -> str:
-    """The kind of object that a goal names."""
     model, named = figure.model, mujoco.mjtObj
     if isinstance(goal, BodyGoal):
         return "body"
@@ -211,7 +208,6 @@ def _kind(figure: Figure, goal: Goal) -> str:
 
 
 def _free_joints(figure: Figure, key: Frame, body: int) -> list[str]:
-    """The joints from the root to a body of which a keyframe leaves something free."""
     links = [link for link in reversed(chain(figure, body)) if not key.fixed[entries(figure, link)].all()]
     return [figure.links[link].name for link in links]
 

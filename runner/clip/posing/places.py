@@ -1,4 +1,4 @@
-"""What a clip can name of a figure: sites, the feet that were found, geoms, bodies and joints, as points or bodies."""
+"""Names of a figure in a clip: sites, inferred feet, geoms, bodies and joints, as points or bodies."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.surface.points import Point, arrays_of, body_points, site_points
 
-# Names that converters from OpenSim give to the points of a muscle's path, and to the sides on which it wraps.
+# Names of points of a muscle's path and of its wrapping sides in models converted from OpenSim.
 MUSCLE = re.compile(r"-P\d+[a-z]?(_|$)|path_?point|side_?site|_site_", re.IGNORECASE)
 
 
 def posable_sites(model: mujoco.MjModel) -> list[str]:
-    """The names of a model's sites but for the points that muscles and cables run through."""
+    """Return the names of a model's sites, without those on the paths of muscles and cables."""
     wraps = mujoco.mjtWrap
     on_path = model.wrap_objid[model.wrap_type == int(wraps.mjWRAP_SITE)]
     around = np.isin(model.wrap_type, [int(wraps.mjWRAP_SPHERE), int(wraps.mjWRAP_CYLINDER)])
@@ -33,18 +33,16 @@ def posable_sites(model: mujoco.MjModel) -> list[str]:
 
 
 class Places:
-    """The names of one figure, each as a point or as a body.
-
-    soles  the sole points that were found
-    """
+    """The names of one figure, each as a point or as a body; soles: the inferred sole points."""
 
     def __init__(self, figure: Figure, soles: Sequence[Point] = ()) -> None:
         self.figure, self.soles = figure, {point.name: point for point in soles}
 
     def point(self, name: str) -> Point | None:
-        """A site, a foot that was found, the middle of a geom, or the origin of a body, in this order; None without.
+        """Return a site, an inferred foot, the centre of a geom, or the origin of a body, in this order; None without.
 
-        A geom is as thick as a ball that fits into it, a body as it is high over its lowest point at rest.
+        The radius of a geom is that of a ball that fits into it; that of a body, its height above its lowest point at
+        rest.
         """
         if name in self._sites:
             return site_points(self.figure, [name])[0]
@@ -56,7 +54,7 @@ class Places:
         return None if body is None else self._body_point(name, body)
 
     def body(self, name: str) -> int | None:
-        """A body, or that of a joint, a site, a foot or a geom; None without."""
+        """Return the id of a body by its name, or by that of a joint, site, foot or geom; None without."""
         model = self.figure.model
         if name in self._bodies:
             return self._bodies[name]
@@ -70,7 +68,7 @@ class Places:
         return self.figure.links[self.soles[name].link].body if name in self.soles else None
 
     def alike(self, name: str) -> list[str]:
-        """All names of the first kind that a name can belong to: sites, feet, geoms or bodies."""
+        """Return all names of the first kind to which a name belongs: sites, feet, geoms or bodies."""
         kinds = (self._sites, self.soles, self._geoms, self._bodies)
         return next((list(names) for names in kinds if name in names), [])
 
@@ -81,7 +79,6 @@ class Places:
 
     @property
     def bodies_listed(self) -> list[str]:
-        """The names of bodies listed in a message."""
         return list(self._bodies)
 
     @cached_property
@@ -118,12 +115,12 @@ class Places:
 
 
 def heights_at_rest(figure: Figure, points: Sequence[Point]) -> Array:
-    """(n,) [m] how high the lowest place of each point is in the figure's rest pose."""
+    """Return the height (n,) [m] of the lowest place of each point in the figure's rest pose."""
     return places_at(figure, figure.model.qpos0, points)[2] - np.array([point.radius for point in points])
 
 
 def places_at(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
-    """(3, n) [m] where points are in a pose (nq,)."""
+    """Return the positions (3, n) [m] of points in a pose (nq,)."""
     state = figure.to_state(qpos[None])
     links, positions, _ = arrays_of(points)
     positions_in_world, _ = Samples.still(figure, state).links.points(links, positions)

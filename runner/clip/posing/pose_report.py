@@ -1,4 +1,4 @@
-"""Violations of a pose: equality constraints, joint ranges, the floor, bodies in each other."""
+"""Violations of a pose: equality constraints, joint ranges, the floor, overlapping bodies."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from dynsplines.solver.surface.touch import grounds
 
 from .equalities import Equalities
 
-BEYOND = {"degrees": 0.1, "m": 1e-3}  # of a joint's range
-HIGH, DEEP = 0.02, 0.005  # [m] above the floor, and below it
+BEYOND = {"degrees": 0.1, "m": 1e-3}  # least excess of a joint's range that is reported
+HIGH, DEEP = 0.02, 0.005  # [m] least distance above the floor, and below it, that is reported
 VERTICAL = 0.99  # least vertical component of a lifting slide's axis
-INSIDE = 0.005  # [m] of one body in another
-MOST = 3  # lines of a kind
+INSIDE = 0.005  # [m] least penetration of two bodies that is reported
+MOST = 3  # most lines of a kind
 
 
 def violations(figure: Figure, qpos: Array, equalities: Equalities) -> list[str]:
@@ -105,7 +105,7 @@ def _out_of_range(figure: Figure, qpos: Array) -> list[str]:
 
 
 def _in_each_other(figure: Figure, qpos: Array) -> list[str]:
-    """Bodies that collide in MuJoCo and are in each other."""
+    """Return lines on overlapping bodies that collide in MuJoCo."""
     model, data = figure.model, mujoco.MjData(figure.model)
     data.qpos[:] = qpos
     mujoco.mj_kinematics(model, data)

@@ -1,7 +1,7 @@
-"""What a keyframe's `root` and `roots.NAME` set: a free joint's entries, or the slides and hinges of another root.
+"""Entries of a keyframe's `root` and `roots.NAME`: of a free joint, or of slides and hinges of another root.
 
-`root` is the figure's own root, `roots.NAME` any tree that moves about, by the name of its free joint or of its body.
-Slides and hinges are set as far as their degrees of freedom reach: first what turns the body, then what moves it.
+`root` is the figure's root, `roots.NAME` any mobile tree, by the name of its free joint or body. Slides and hinges are
+set as far as their degrees of freedom permit: first those that rotate the body, then those that translate it.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from ...errors import UserError, unknown
 from ..table import KeyframeTable, RootTable, RotationTable
 from .rotation import UP, quaternion_of
 
-STEPS, LONGEST = 100, 0.5  # of Gauss-Newton on a root's hinges, at most; [rad] of one step
-TURNED, MOVED = 1e-6, 1e-6  # [rad, m] that a root may miss its place
-FLAT = 1e-9  # a joint's share in a motion, below which it is ignored
+STEPS, LONGEST = 100, 0.5  # most Gauss-Newton steps on a root's hinges; [rad] longest step
+TURNED, MOVED = 1e-6, 1e-6  # [rad, m] tolerance of a root's pose
+FLAT = 1e-9  # component of a joint's motion below which it is ignored
 STARTS = 8
 
 
@@ -42,15 +42,15 @@ def ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
 
 
 def root_links(figure: Figure, row: KeyframeTable) -> set[int]:
-    """The links of the roots that a keyframe's tables set, without those that are posed."""
+    """Return the links of the roots that a keyframe's tables set, without those that are posed."""
     posed = {root.body for root, _ in posed_roots(figure, row)}
     return {link for root, _ in _tables(figure, row) if root.body not in posed for link in root.links}
 
 
 def posed_roots(figure: Figure, row: KeyframeTable) -> list[tuple[Root, Sequence[float | str]]]:
-    """Roots whose position depends on hinges that a keyframe leaves free, where slides follow hinges.
+    """Return roots whose position depends on hinges that a keyframe leaves free, where slides follow hinges.
 
-    With the position (3,) [m] that the keyframe specifies, an axis may be "free": a pose has to be found for it.
+    Each has the position (3,) [m] of the keyframe, with "free" for unspecified axes; it requires a pose.
     """
     if row.others != "free":
         return []
@@ -66,7 +66,6 @@ def posed_roots(figure: Figure, row: KeyframeTable) -> list[tuple[Root, Sequence
 
 
 def _named_entries(figure: Figure, row: KeyframeTable) -> list[int]:
-    """The entries of qpos that a keyframe's joints set."""
     names = {name for name, value in row.joints.items() if value != "free"}
     every = np.arange(figure.width)
     return [
@@ -75,14 +74,13 @@ def _named_entries(figure: Figure, row: KeyframeTable) -> list[int]:
 
 
 def _tables(figure: Figure, row: KeyframeTable) -> list[tuple[Root, RootTable]]:
-    """The roots that a keyframe names, and what it specifies of them."""
     main = [(figure.root, row.root)] if row.root.model_fields_set and figure.root is not None else []
     named = roots_by_name(figure) if row.roots else {}
     return main + [(named[name], table) for name, table in row.roots.items() if name in named]
 
 
 def roots_by_name(figure: Figure) -> dict[str, Root]:
-    """The names that `roots.NAME` accepts: free joints, and then bodies with a root of their own."""
+    """Return the roots by the names that `roots.NAME` accepts: free joints, then bodies of other roots."""
     roots = roots_of(figure.model)
     out = {figure.links[root.link].name: root for root in roots if root.is_free}
     for root in roots:
@@ -93,11 +91,11 @@ def roots_by_name(figure: Figure) -> dict[str, Root]:
 def set_roots(
     figure: Figure, qpos: Array, fixed: Mask, row: KeyframeTable, where: str, before: Array | None = None
 ) -> None:
-    """Sets qpos (nq,) and mask (nq,) to what a keyframe's `root` and `roots` specify, in place.
+    """Set qpos (nq,) and mask (nq,) to a keyframe's `root` and `roots`, in place.
 
-    Joints of slides and hinges that the keyframe names itself are set before and stay.
+    Slides and hinges that the keyframe names are set before and do not change.
 
-    before  (nq,) the previous keyframe, in whose winding hinges turn by a quaternion
+    before  (nq,) the previous keyframe, to whose winding a quaternion refers
     """
     if row.root.model_fields_set:
         _set(figure, _own(figure, where), qpos, fixed, row.root, row, f"{where}: root", before)
@@ -112,7 +110,7 @@ def set_roots(
 
 
 def _own(figure: Figure, where: str) -> Root:
-    """The root that `root` places; raises UserError if the figure has none, or several."""
+    """Return the root that `root` places; raises UserError if the figure has none, or several."""
     root = figure.root
     if root is None:
         raise UserError(f"{where}: the figure has no free joint, so no root to place")
@@ -162,7 +160,7 @@ def _set(
 
 
 def _set_free(qpos: Array, fixed: Mask, start: int, table: RootTable, where: str) -> None:
-    """Sets a free joint's position, axis by axis, and its rotation as a table specifies them."""
+    """Set a free joint's position, axis by axis, and its rotation from a table."""
     if "position" in table.model_fields_set:
         axes = ("free",) * 3 if table.position == "free" else table.position
         for i, value in enumerate(axes):
@@ -176,10 +174,7 @@ def _set_free(qpos: Array, fixed: Mask, start: int, table: RootTable, where: str
 
 
 class _Chain:
-    """The slides and hinges of a root, in a pose (nq,) that is set in place.
-
-    turning, sliding  indices of the links that a table may set: those that the keyframe does not name
-    """
+    """The slides and hinges of a root in a pose (nq,), set in place; turning, sliding: links that a table may set."""
 
     def __init__(self, figure: Figure, root: Root, qpos: Array, named: Collection[str], where: str) -> None:
         self.figure, self.root, self.qpos, self.where = figure, root, qpos, where
@@ -190,15 +185,13 @@ class _Chain:
         self.sliding = [i for i, is_slide in zip(loose, slides, strict=True) if is_slide]
 
     def fix(self, fixed: Mask, links: Sequence[int], value: bool) -> None:
-        """Sets a mask (nq,) at the entries of links."""
+        """Set a mask (nq,) at the entries of links."""
         for i in links:
             fixed[entries(self.figure, i)] = value
 
     def turn(self, table: RotationTable, *, stays: bool) -> None:
-        """Turns the body as a table specifies, about its origin if it `stays` in place and slides reach that.
-
-        Raises UserError if its hinges do not reach that.
-        """
+        """Rotate the body as a table specifies, about its origin if it `stays` in place and slides permit. Raises
+        UserError if its hinges do not reach the rotation."""
         self._place(self.qpos)
         before = np.array(self.data.xpos[self.root.body])
         where = f"{self.where}.rotation"
@@ -226,13 +219,13 @@ class _Chain:
                 f"{where}: '{self._body}' turns on {self._listed(self.turning)} alone, which come within "
                 f"{np.degrees(least):.3g} degrees of it; specify a rotation that they reach, or joints.NAME"
             )
-        for column, angle in zip(columns, near, strict=True):  # whole turns as they are specified
+        for column, angle in zip(columns, near, strict=True):  # whole turns as specified
             self.qpos[column] += 2 * np.pi * np.round((angle - self.qpos[column]) / (2 * np.pi))
         if stays:
             self._move(before, np.ones(3, bool), self.sliding)
 
     def moving(self, wanted: Mask, fixed: Mask) -> list[int]:
-        """The slides that move the body along axes (3,) of the world."""
+        """Return the slides that move the body along world axes (3,)."""
         turner = self.turner(wanted, fixed)
         if turner is not None:
             raise UserError(
@@ -243,7 +236,7 @@ class _Chain:
         return [i for i in self.sliding if self._moves(jacobian, i)[wanted].any()]
 
     def turner(self, wanted: Mask, fixed: Mask) -> str | None:
-        """The first hinge or ball that is not fixed and on which the body's place along axes (3,) depends."""
+        """Return the first free hinge or ball joint on which the body's position along axes (3,) depends."""
         jacobian = self._jacobian()[0]
         for i in self.root.links:
             link = self.figure.links[i]
@@ -254,7 +247,7 @@ class _Chain:
         return None
 
     def move(self, place: Array, wanted: Mask, moving: Sequence[int]) -> None:
-        """Moves the body to a place (3,) [m] along some axes; raises UserError where its slides do not reach that."""
+        """Move the body to a position (3,) [m] along some axes; raises UserError if its slides do not reach it."""
         self._move(place, wanted, moving)
         self._place(self.qpos)
         away = np.where(wanted, place - self.data.xpos[self.root.body], 0.0)
@@ -267,7 +260,7 @@ class _Chain:
             )
 
     def _move(self, place: Array, wanted: Mask, moving: Sequence[int]) -> None:
-        """Moves the body as near to a place (3,) [m] as its slides reach."""
+        """Move the body as near to a position (3,) [m] as its slides permit."""
         jacobian = self._jacobian()[0][wanted][:, [self.figure.links[i].dof for i in moving]]
         if moving:
             away = (place - self.data.xpos[self.root.body])[wanted]
@@ -288,7 +281,7 @@ class _Chain:
         mujoco.mj_comPos(self.figure.model, self.data)
 
     def _jacobian(self) -> tuple[Array, Array]:
-        """(3, nv) each: how the body moves and turns with every degree of freedom."""
+        """Return the Jacobians (3, nv) of the body's position and rotation."""
         model = self.figure.model
         self._place(self.qpos)
         move, turn = np.zeros((3, model.nv)), np.zeros((3, model.nv))
@@ -296,7 +289,7 @@ class _Chain:
         return move, turn
 
     def _moves(self, jacobian: Array, i: int) -> Mask:
-        """(3,) along which axes a link's joint moves the body."""
+        """Return the axes (3,) along which a link's joint moves the body."""
         return np.asarray(np.abs(jacobian[:, self._dofs(i)]).max(axis=1) > FLAT, bool)
 
     def _dofs(self, i: int) -> Index:
@@ -304,7 +297,7 @@ class _Chain:
         return link.dof + np.arange(3 if link.kind is JointKind.BALL else 1)
 
     def _turns_slides(self, i: int) -> bool:
-        """Whether a settable slide follows a rotating link, in another direction than its axis."""
+        """Return whether a settable slide follows a rotating link, in another direction than its axis."""
         link = self.figure.links[i]
         after = [k for k in self.sliding if self.root.links.index(k) > self.root.links.index(i)]
         if link.kind is JointKind.BALL:
@@ -313,7 +306,7 @@ class _Chain:
         return any(np.linalg.norm(np.cross(self.data.xaxis[link.joint], axis)) > FLAT for axis in axes)
 
     def _turned(self, target: Array) -> float:
-        """Turns the body towards a rotation (4,) by Gauss-Newton; returns the remaining angle [rad]."""
+        """Rotate the body towards a rotation (4,) by Gauss-Newton; return the remaining angle [rad]."""
         model, dofs = self.figure.model, np.concatenate([[], *(self._dofs(i) for i in self.turning)]).astype(int)
         for _ in range(STEPS):
             turn = self._jacobian()[1]
@@ -333,7 +326,7 @@ class _Chain:
 
 
 def angles_about(table: RotationTable) -> Array:
-    """(3,) [rad] by how much a rotation turns about x, y and z as it is written, whole turns included."""
+    """Return angles (3,) [rad] of a rotation about x, y and z in its notation, including whole turns."""
     out = np.zeros(3)
     if table.heading is not None:
         out += np.radians(table.heading) * UP

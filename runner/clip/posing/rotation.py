@@ -1,4 +1,4 @@
-"""Rotations as a clip file writes them: rotation vectors, Euler angles in degrees, quaternions, and a heading."""
+"""Rotations in the notation of clips: rotation vectors, Euler angles in degrees, quaternions, and a heading."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 def quaternion_of(table: RotationTable) -> Array:
-    """Return the unit quaternion (4,) wxyz of a rotation in the world; a heading turns the rest about the vertical."""
+    """Return the quaternion (4,) wxyz of a rotation in the world; a heading rotates the rest about the vertical."""
     if table.heading is None:
         return _without_heading(table)
     heading = quat.from_rotation_vector(np.radians(table.heading) * UP)

@@ -1,9 +1,9 @@
-"""What a partial keyframe leaves free is posed before the search: feet that stand stay where they stand.
+"""Posing of the free entries of partial keyframes: feet with a stance keep it.
 
-A straight leg has no gradient that bends it, so the search cannot find a squat by itself. The points that rest in a
-[[contact]] at a keyframe's time, the sites that a [[hold]] keeps on a body, the sole points that the keyframes before
-and after put on one spot, and the places that are left to the search are the goals of a pose; the entries that lead to
-them start there and stay free.
+A straight leg has no gradient that bends it, so the search alone cannot find a squat. The goals of a pose are points
+that rest in a [[contact]] at the keyframe's time, sites that a [[hold]] keeps on a body, sole points with one position
+in the keyframes before and after, and positions left to the search. The entries on which these depend start in the
+pose and remain free.
 """
 
 from __future__ import annotations
@@ -44,24 +44,23 @@ from ..table import ContactTable, HoldTable, SolveTable
 from .feet import sole_points
 from .grounding import Grounding
 
-BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
-NEARLY = 1e-3  # [m, rad] by which a pose that is searched may miss its goals
-STARTS = 4  # poses to begin with, at most
-OWN_TURN = 1e-3  # weight of a foot's orientation beside its points, which leave a roll about the line through two free
-TURNS = 4  # times that it takes itself as its own, so that nothing of that is left
+BEYOND = float(np.radians(10))  # [rad] most excess of joint ranges that keeps a foot in its place
+NEARLY = 1e-3  # [m, rad] largest error of a pose that meets its goals
+STARTS = 4  # most starting poses
+OWN_TURN = 1e-3  # weight of a foot's orientation relative to its points, two of which do not determine it
+TURNS = 4  # iterations, each from the previous orientation, which remove this bias
 
 
 @dataclass(frozen=True, eq=False)
 class Standing:
-    """One foot in a stance: its points (n), their positions (n, 3) [m], and its link's orientation (4,) where a
-    keyframe gives it."""
+    """A foot in a stance: n points, their positions (n, 3) [m], and the orientation (4,) of its link in a keyframe."""
 
     points: tuple[Point, ...]
     spots: Array
     turn: Array
 
     def goals(self, figure: Figure) -> list[Goal]:
-        """The middle of the points in its place; and turned as they are, if they are several."""
+        """Return goals for the centre of the points, and for their orientation if they are several."""
         link, positions = self.points[0].link, np.array([point.position for point in self.points])
         body, spot = figure.links[link].body, self.spots.mean(axis=0)
         middle = Point(self.points[0].name, link, positions.mean(axis=0))
@@ -74,8 +73,10 @@ class Standing:
 
 
 def fitted(own: Array, seen: Array, turn: Array) -> Array:
-    """(4,) the rotation that takes vectors `own` (n, 3) nearest to `seen` (n, 3), and of several that do the one
-    nearest to a turn (4,) (W. Kabsch 1976)."""
+    """Return the rotation (4,) that takes vectors `own` (n, 3) nearest to `seen` (n, 3) (W. Kabsch 1976).
+
+    Of several, it is the nearest to a rotation `turn` (4,).
+    """
     spread = OWN_TURN * float(np.sum(own * own))
     rotation = quat.matrices(turn)
     for _ in range(TURNS):
@@ -86,7 +87,7 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
 
 
 def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:
-    """The contacts within [first, last]: for a recording, only those near its keyframes."""
+    """Yield the contacts within [first, last], for a recording only those near its keyframes."""
     for table in tables:
         start, end = max(table.start, first), min(table.end, last)
         if start < end or not table.start < table.end:
@@ -96,8 +97,8 @@ def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterat
 class Stander:
     """Detects stances of feet in partial keyframes, and poses the feet.
 
-    tables  the clip's contacts;  held  its holds;  aloft  (first, last) [s] of the flights that it gives
-    where   how errors call the clip
+    tables  the clip's contacts;  held  its holds;  aloft  (first, last) [s] of specified flights
+    where   label of the clip in errors
     """
 
     def __init__(
@@ -119,23 +120,20 @@ class Stander:
         return self.solve.ends
 
     def timeline(self, keys: Sequence[Frame]) -> Timeline:
-        """The keyframes' timeline; of a loop, as it comes back. Raises TimelineError."""
+        """Return the keyframes' timeline, for a loop with its seam; raises TimelineError."""
         slope, solve = np.zeros((2, self.figure.width)), self.solve
-        if self.ends != "periodic":  # what is wrong with a travel or a turn there the clip complains of
+        if self.ends != "periodic":  # loading the clip reports an invalid travel or turn
             return raw_timeline(self.figure, list(keys), self.ends, slope)
         turn = None if solve.turn is None else float(np.radians(solve.turn))
         return raw_timeline(self.figure, list(keys), self.ends, slope, solve.travel, turn)
 
     def stood(self, keys: Sequence[Frame], left: Sequence[Placed]) -> list[Frame]:
-        """Pose the free entries of partial keyframes as far as they are certain.
-
-        left  points whose places are left to the search
-        """
+        """Pose the free entries of partial keyframes as far as they are certain; left: points left to the search."""
         if all(key.is_key for key in keys):
             return list(keys)
         try:
             inferred = self.seen(self.timeline(keys))
-        except TimelineError:  # which the clip complains of
+        except TimelineError:  # loading the clip reports it
             return list(keys)
         count = len(keys) - (self.ends == "periodic")  # the last keyframe of a loop is the first
         posed_keys = [
@@ -152,10 +150,9 @@ class Stander:
         ]
 
     def beside(self, timeline: Timeline, key: Frame, k: int, goals: Sequence[Goal]) -> list[Goal]:
-        """Goals of the feet in a stance at keyframe k of a timeline, for limbs other than those with goals of their
-        own.
+        """Return goals of feet in a stance at keyframe k of a timeline, for limbs without goals.
 
-        Only of feet that those goals move too: of others `stood` takes care.
+        These are only feet that the goals also move; `stood` handles others.
         """
         figure, free = self.figure, ~key.fixed
         is_reached = reached(figure, goals)
@@ -175,7 +172,6 @@ class Stander:
         return result
 
     def seen(self, timeline: Timeline) -> _Seen:
-        """The stances of feet that keyframes determine."""
         whole = [frame.state for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, self.figure.to_qpos(np.reshape(whole, (-1, self.figure.width))))
         tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))
@@ -184,8 +180,8 @@ class Stander:
         return _Seen(self.figure, timeline, soles, self.surfaces, contact_rests, held_sites)
 
     def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
-        """The pose with the trunk oriented as at home, from the root to where limbs branch off, or else with all
-        free joints at home."""
+        """Return the pose with the trunk, from the root to where limbs branch off, oriented as in `home`. If there is
+        none, all free joints are near home."""
         trunk = np.zeros(self.figure.width, bool)
         for columns in self.figure.tables.quaternion_columns.T:
             trunk[columns] = True
@@ -199,7 +195,7 @@ class Stander:
         return pose if pose.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
 
     def _posed(self, key: Frame, seen: _Seen, k: int, left: Sequence[Placed]) -> Frame:
-        """Keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
+        """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
         figure = self.figure
         frame = seen.timeline.frames[k]
         groups = [foot.goals(figure) for foot in seen.standing(k)]
@@ -229,8 +225,8 @@ class Stander:
         )
 
     def _reaching(self, home: Array, free: Mask, missed: Sequence[Goal]) -> tuple[Array, Mask]:
-        """A pose with the sites that cannot reach their goals as near to them as they get, which of these are near
-        enough, and the entries (N,) that determine it."""
+        """Return a pose with sites as near as possible to goals out of reach, and the entries (N,) that determine it.
+        Sites that remain too far from their goals are left out."""
         goals = [goal for goal in missed if isinstance(goal, HoldGoal)]
         while goals:
             pose = posed(self.figure, home, free, goals, self.bends, STARTS)
@@ -243,7 +239,7 @@ class Stander:
 class _Seen:
     """Positions of points at keyframes, as far as these determine them.
 
-    Of a loop three periods are looked at, so that the keyframes before the first and after the last are seen too.
+    For a loop three periods are evaluated, which include the keyframes before the first and after the last.
     """
 
     def __init__(
@@ -265,7 +261,7 @@ class _Seen:
         self.times, self.centres, self.low = self._unrolled(surfaces)
 
     def _unrolled(self, surfaces: Sequence[Surface]) -> tuple[Array, Array, Mask]:
-        """Times (T,), positions of the points (n, T, 3), and whether a contact is specified (n, T)."""
+        """Return times (T,), positions of the points (n, T, 3), and whether they are on a surface (n, T)."""
         links, positions, radii = arrays_of(self.points)
         centres, _ = self.samples.links.points(links, positions)
         heights = [surface.height(centres) for surface in surfaces]
@@ -282,7 +278,7 @@ class _Seen:
         )
 
     def standing(self, k: int) -> list[Standing]:
-        """The feet in a stance at keyframe k, and the other points with a specified contact."""
+        """Return the feet in a stance at keyframe k, and the other points with a specified contact."""
         by_link: dict[int, list[tuple[Point, Array, Array]]] = {}
         for i, point in enumerate(self.points):
             if self.told[i, k]:
@@ -299,7 +295,7 @@ class _Seen:
         ]
 
     def holding(self, k: int) -> list[HoldGoal]:
-        """Goals of the sites that hold something at keyframe k, where they are specified elsewhere."""
+        """Return goals of sites that hold a known spot at keyframe k, unless it determines both bodies."""
         t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[HoldGoal]()
         for hold in self.holds:
             spot = hold.spot(np.array([t]))
@@ -310,7 +306,7 @@ class _Seen:
         return goals
 
     def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:
-        """The nearest keyframes before and after keyframe k that give the position of point i, of those unrolled."""
+        """Return the nearest keyframes before and after k, also of other periods, that give the position of point i."""
         count = self.times.size // 3 if self.timeline.ends == "periodic" else self.times.size
         at = k + (count if self.timeline.ends == "periodic" else 0)
         is_told = self.told[i, :count] if self.timeline.ends != "periodic" else np.tile(self.told[i, :count], 3)
@@ -318,11 +314,11 @@ class _Seen:
         return (int(before[-1]) if before.size else None), (int(at + 1 + after[0]) if after.size else None)
 
     def _planted(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
-        """The stance position of a sole point, see `_stays`. None if the keyframe sets its limb."""
+        """Return the stance position of a sole point as in `_stays`; None if the keyframe sets its limb."""
         return None if i >= len(self.soles) or self._is_set(self.points[i], k) else self._stays(i, k, near)
 
     def staying(self, k: int) -> Array:
-        """(3, n) positions of sole points in a stance at keyframe k, whatever it sets; NaN for others."""
+        """Return positions (3, n) of sole points in a stance at keyframe k, whatever it sets; NaN for others."""
         spots = np.full((3, len(self.soles)), np.nan)
         for i in range(len(self.soles)):
             spot = self._stays(i, k, self._neighbours(i, k))
@@ -331,8 +327,8 @@ class _Seen:
         return spots
 
     def _stays(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
-        """The stance position of a point: between coinciding positions in the keyframes before and after; in the first
-        and last keyframes without a position, that of the only neighbour."""
+        """Return the stance position of a point: that between equal positions in the keyframes before and after. In the
+        first and last keyframes it is that of the only neighbour. None without a stance."""
         before, after = near
         neighbours = [n for n in near if n is not None]
         if not neighbours or not all(self.low[i, n] for n in neighbours):
@@ -346,13 +342,12 @@ class _Seen:
         return spot + share * (landed - spot)
 
     def _is_set(self, point: Point, k: int) -> bool:
-        """Whether a keyframe fixes some of the joints of a point's limb."""
         links = limb(self.figure, self.figure.links[point.link].body)
         fixed = self.timeline.frames[k].fixed
         return any(fixed[entries(self.figure, link)].any() for link in links)
 
     def _resting(self, point: Point, k: int) -> Array | None:
-        """The position that a contact specifies for a point at keyframe k, unless two contacts contradict it."""
+        """Return the position that a contact specifies for a point at keyframe k, None if contacts contradict."""
         t = self.timeline.times[k]
         spots = [
             stance.place(np.array([t]))[:, 0]
@@ -364,7 +359,7 @@ class _Seen:
         return spots[0]
 
     def _spoken_of(self, point: Point, k: int) -> bool:
-        """Whether a contact covers a point at keyframe k."""
+        """Return whether a contact covers a point at keyframe k."""
         t = self.timeline.times[k]
         return any(
             _is_same(rest.point, point) and rest.first - ROUNDING <= t <= rest.last + ROUNDING
@@ -372,7 +367,7 @@ class _Seen:
         )
 
     def _turn(self, link: int, k: int, near: tuple[int | None, int | None]) -> Array:
-        """(4,) the orientation of a link in the nearer neighbour that determines it, or else at keyframe k."""
+        """Return the orientation (4,) of a link in the nearer neighbour that determines it, else at keyframe k."""
         neighbours = [n for n in near if n is not None]
         nearest = min(neighbours, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if neighbours else k
         if self.timeline.ends != "periodic" or not neighbours:
@@ -383,7 +378,7 @@ class _Seen:
 
 
 def _quaternion(rotation: Array) -> Array:
-    """(4,) wxyz of a rotation matrix (3, 3)."""
+    """Return the quaternion (4,) wxyz of a rotation matrix (3, 3)."""
     out = np.zeros(4)
     mujoco.mju_mat2Quat(out, np.ascontiguousarray(rotation).ravel())
     return out

@@ -43,7 +43,7 @@ from ..trajectory import SampledTrajectory
 
 FREQUENCY = 8.0  # [Hz] natural frequency of a limb on its actuators, several times that of human motion
 DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
-STANDING = 0.7  # [1/rad] least kp of a supporting limb over weight times height: at 0.55 figures fall, above 0.7 bounce
+STANDING = 0.7  # [1/rad] least kp of a supporting limb over weight times height; figures fall at 0.55, bounce above 0.7
 OFFSET = 1.0  # [rad] most offset of `ctrl` from a joint that its torque causes
 GIVE = 0.1  # [m] deflection of a slide that corresponds to a radian of a hinge
 TIMESTEPS = (1e-4, 0.002)  # [s] least and largest time step

@@ -1,14 +1,12 @@
-"""Soft constraints on what the figure touches, holds and is carried by.
+"""Soft constraints on contact, grasps and support.
 
-contact    points out of surfaces
+contact    points outside surfaces
 stance     points that stay in one place between two keyframes
 rest       points that rest anywhere for an interval
 skate      points that slide near a surface
 hover      the lowest point stays close to the ground
 placement  points with a target at an instant
 hold       a hand on another body
-grasped    objects in hands
-footing    the feet that support the figure
 flight     free fall between contacts
 support    the forces that contacts can supply
 """

@@ -22,18 +22,18 @@ from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-NEAR = 0.03  # [m] within which a point of an adult may touch after one step of the search
-ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
-MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 10-30
+NEAR = 0.03  # [m] distance within which a point of an adult may touch after one step of the search
+ROUNDING = 1e-9  # [s] tolerance at the ends of intervals
+MOST_TOGETHER = 64  # most points in a bounding sphere; a limb of capsules has 10-30
 _Near = tuple[Index, Array, Array, Array]
 
 
 @dataclass(frozen=True)
 class Contact(Penalty):
-    """Σ over points and surfaces of depth² [m²], every point grown by `margin` [m].
+    """Σ over points and surfaces of depth² [m²], every point enlarged by `margin` [m].
 
-    allowed  (n, K) [m] how much smaller points are, for what keyframes do themselves
-    carrier  index of the link that carries the surfaces, which are in its axes; 0: the world, where they stand still
+    allowed  (n, K) [m] reductions of the points' radii, for depths fixed by keyframes
+    carrier  index of the link in whose axes the surfaces are fixed; 0: the static world
     """
 
     points: tuple[Point, ...]
@@ -51,10 +51,10 @@ class Contact(Penalty):
         return self.called
 
     def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Contact:
-        """Return the same penalty, which does not count the depth that keyframes fix, including the margin.
+        """Return the penalty without the depth that keyframes fix, including the margin.
 
-        holding  links that hold on to the surfaces, with their limbs, each from when to when [s]: where a keyframe
-                 leaves these free, all of a link may be as deep as any point of it at the next one that fixes it
+        holding  (link, first, last [s]) of links that hold the surfaces, with their limbs. If a keyframe leaves a link
+        of such a limb free, the whole link may be as deep as its deepest point in the next keyframe that fixes it.
         """
         if not self.points or not self.surfaces:
             return self
@@ -86,8 +86,8 @@ class Contact(Penalty):
 
     @cached_property
     def _groups(self) -> tuple[Index, Index]:
-        """Points are looked at in groups, those of a link or, where it has many, of a part of it: links of the groups
-        (m,), and every point's group (n,)."""
+        """Links (m,) of the groups of points that are evaluated together, and every point's group (n,). A group is the
+        points of a link or, for many points, of a part of it."""
         links, positions, _ = self._arrays
         groups = [part for link in np.unique(links) for part in neighbours(positions, np.flatnonzero(links == link))]
         owner = np.empty(links.size, np.intp)
@@ -97,7 +97,7 @@ class Contact(Penalty):
 
     @cached_property
     def _bounds(self) -> tuple[Index, Array, Array]:
-        """Spheres round each group's points: links (m,), centres (3, m), radii (m,)."""
+        """Bounding spheres of the groups: links (m,), centres (3, m), radii (m,)."""
         _, positions, radius = self._arrays
         carriers, owner = self._groups
         middles = np.array([positions[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
@@ -106,7 +106,7 @@ class Contact(Penalty):
 
     @cached_property
     def _places(self) -> tuple[Index, Index]:
-        """Return the index of every point in `_by_group`: its rank in its group (n,) and its group (n,)."""
+        """Index of every point in `_by_group`: its rank in its group (n,) and its group (n,)."""
         _, owner = self._groups
         order, counts = np.argsort(owner, kind="stable"), np.bincount(owner)
         rank = np.empty_like(order)
@@ -115,7 +115,7 @@ class Contact(Penalty):
 
     @cached_property
     def _by_group(self) -> tuple[Array, Array]:
-        """Every group's points: positions (3, p, m), radii (p, m); a group with fewer than p has some of radius −∞."""
+        """Positions (3, p, m) and radii (p, m) of every group's points; smaller groups are padded with radii −∞."""
         _, positions, radius = self._arrays
         rank, owner = self._places
         padded = np.zeros((3, rank.max() + 1, owner.max() + 1))
@@ -125,7 +125,7 @@ class Contact(Penalty):
 
     @cached_property
     def _allowed_by_group(self) -> Allowance | None:
-        """The allowances as `_by_group` lays the points out, (p, m, K), or None where there are none."""
+        """The allowances (p, m, K) in the layout of `_by_group`, None without any."""
         if self.allowed is None or not self.allowed.excess.any():
             return None
         rank, owner = self._places
@@ -134,11 +134,11 @@ class Contact(Penalty):
         return Allowance(self.allowed.times, padded)
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
-        """Return the points' places, see `places_of`."""
+        """Return the points' positions, see `places_of`."""
         return places_of(self.points, samples)
 
     def seen(self, samples: Samples, points: Array) -> Array:
-        """Points (3, n, S) of the world in the axes of the surfaces' carrier."""
+        """Return points (3, n, S) of the world in the axes of the surfaces' carrier."""
         if not self.carrier:
             return points
         away = points - samples.links.x[:, self.carrier, None]
@@ -151,7 +151,7 @@ class Contact(Penalty):
         return self._within(samples, NEAR * Size.of(samples.figure).length)
 
     def _within(self, samples: Samples, margin: float) -> Iterator[Block]:
-        """Points that are deep in a surface, or less than a margin [m] off it."""
+        """Yield points inside a surface, or less than a margin [m] outside it."""
         if not self.points or not self.surfaces:
             return
         carriers, middles, reach = self._bounds
@@ -170,7 +170,7 @@ class Contact(Penalty):
         about, away = surface.depth(centres, radii + margin)
         some = np.flatnonzero(about > 0)
         depth, direction = about.ravel()[some], away.reshape(3, -1)[:, some]
-        if margin:  # depth of what is off the surface grows by |away| a metre, through a box's sides by more than 1
+        if margin:  # outside a surface the depth changes by |away| per metre, at the sides of a box by more than 1
             exact, normal = surface.depth(centres[:, some], radii[some])
             inside = exact[:, 0] > 0
             beyond = np.minimum(depth - margin * np.sqrt(dot(direction, direction)), 0)
@@ -183,17 +183,19 @@ class Contact(Penalty):
         return Block(at, depth, tuple(changes), one_sided=True)
 
     def _in_world(self, samples: Samples, at: Index, force: Array, place: Array) -> tuple[Array, Array]:
-        """A vector and a place (3, P) in the carrier's axes, turned into the world's, at samples `at` (P,)."""
+        """Return a vector and a position (3, P) in the carrier's axes in those of the world, at samples `at` (P,)."""
         if not self.carrier:
             return force, place
         rotation = samples.links.rotation[:, :, self.carrier, at]
         return applied(rotation, force), applied(rotation, place)
 
     def _near(self, samples: Samples, near: Index) -> _Near:
-        """All points of k pairs of a group and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) in
-        the axes of the surfaces and radii (p k,).
+        """Return all points of k pairs of a group and a sample.
 
-        near  (k,) which: group · S + sample
+        These are link · S + sample (k,), arms (3, p k), centres (3, p k, 1) in the axes of the surfaces, and radii (p
+        k,).
+
+        near  (k,) group · S + sample
         """
         positions, radii = self._by_group
         carrier, at = np.divmod(near, samples.count)
@@ -212,7 +214,7 @@ class Contact(Penalty):
 
 
 def neighbours(positions: Array, some: Index) -> list[Index]:
-    """Some of points (3, n) by groups of at most MOST_TOGETHER, halved across where they spread farthest."""
+    """Return some of points (3, n) in groups of at most MOST_TOGETHER, split across their largest extent."""
     if some.size <= MOST_TOGETHER:
         return [some]
     axis = int(np.argmax(np.ptp(positions[:, some], axis=1)))

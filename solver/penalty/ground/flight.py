@@ -1,6 +1,6 @@
-"""Flight: with nothing to push on, the centre of mass falls freely, and the angular momentum about it stays.
+"""Flight: without contact, the centre of mass is in free fall and the angular momentum about it is constant.
 
-This goes beyond the paper. What is penalised is the wrench that would have to come from nothing, see `RootWrench`.
+This goes beyond the paper. The penalised wrench is the one that no contact supplies, see `RootWrench`.
 """
 
 from __future__ import annotations
@@ -21,18 +21,20 @@ from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 
-A_TENTH = 0.01  # a tenth of the weight, squared
+A_TENTH = 0.01  # the square of a tenth of the weight
 
 
 @dataclass(frozen=True)
 class Flight(Penalty):
-    """|F|² + angular · |N|² of a tree in flight: force in units of its weight, which is |a − g|²/g² of the centre of
-    mass, and moment about it in units of its weight times its height.
+    """|F|² + angular · |N|² of a tree in flight.
+
+    The force F is in units of the weight, so that |F|² is |a − g|²/g² of the centre of mass. The moment N about the
+    centre of mass is in units of weight times height.
 
     root       index of the tree's free link
     intervals  (first, last) [s] of every flight
-    unit       [N] its weight;  length  [m] its height, see `height`
-    angular    how much the moment counts
+    unit       weight [N];  length  height [m], see `height`
+    angular    weight of the moment
     """
 
     root: int

@@ -1,7 +1,7 @@
-"""Holds: a hand stays where it took hold of another body, while both may move.
+"""Holds: a hand stays where it grasped another body, while both may move.
 
-Where keyframes specify the spot on that body, the hand is held to it. Otherwise it does not slide: its velocity is that
-of the body's material under it. A contact (`resting`) is the same on a surface that does not move.
+If keyframes specify the spot on that body, the hand is drawn to it. Otherwise it must not slide: its velocity is that
+of the body's material below it. A contact (`rest`) is the same on a static surface.
 """
 
 from __future__ import annotations
@@ -20,14 +20,15 @@ from ...figure.wrenches import along_axes, of_point, of_velocity
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-TINY = 1e-12  # [m] a distance without a direction
+TINY = 1e-12  # [m] least distance in a division
 
 
 @dataclass(frozen=True)
 class HoldPenalty(Penalty):
-    """Σ over holds of the squared distance [m²] of the point from its spot on the body, less the spot's slack, or of
-    τ² |u|², τ = 0.05 s for an adult, u its velocity relative to the body there, if the spot is unknown; while they
-    last."""
+    """Σ over holds, while they last, of the squared distance [m²] of the point from its spot beyond the spot's slack.
+
+    If the spot is unknown, it is (0.05 s)² |u|² instead, with u the velocity relative to the body's material.
+    """
 
     holds: tuple[Hold, ...]
 
@@ -52,7 +53,7 @@ class HoldPenalty(Penalty):
             yield Block(when, (counted * away).ravel(), changes)
 
     def _during(self, t: Array) -> Iterator[tuple[Hold, Index]]:
-        """The holds with the samples at times t (S,) that they last for, where there are any."""
+        """Yield the holds with the indices of their samples among times t (S,)."""
         for hold in self.holds:
             at = np.flatnonzero((t >= hold.first) & (t <= hold.last))
             if at.size:
@@ -60,14 +61,14 @@ class HoldPenalty(Penalty):
 
 
 def _sliding(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array) -> Block:
-    """The velocity of a hold's point beside the matter of the body under it, at samples `at` (P,)."""
+    """Return the velocity of a hold's point relative to the body's material, at samples `at` (P,)."""
     links, one, two = samples.links, np.full(at.size, hold.point.link), np.full(at.size, hold.link)
     spin = links.omega[:, hold.link, at]
     slide = links.x_d[:, hold.point.link, at] + cross(links.omega[:, hold.point.link, at], offset)
     slide -= links.x_d[:, hold.link, at] + cross(spin, own)
     (when, first, axes), (_, second, _) = along_axes(at, one), along_axes(at, two)
     arm, leg = np.tile(offset, 3), np.tile(own, 3)
-    other = cross(np.tile(spin, 3), axes)  # the matter under the point is other matter when the point moves
+    other = cross(np.tile(spin, 3), axes)  # moving the point changes the material below it
     changes = (
         of_velocity(samples, when, first, arm, axes),
         of_velocity(samples, when, second, leg, -axes),
@@ -78,15 +79,15 @@ def _sliding(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array)
 
 
 def slipped(samples: Samples, hold: Hold) -> Array:
-    """(3, S) [m] where a hold's point is on the body that it holds, in that link's axes."""
+    """Return positions (3, S) [m] of a hold's point in the axes of the link that it holds."""
     at = np.arange(samples.count)
     _, spot_offset, _ = _apart(samples, hold, at, None)
     return np.einsum("ijs,is->js", samples.links.rotation[:, :, hold.link], spot_offset)
 
 
 def _apart(samples: Samples, hold: Hold, at: Index, spot: Array | None) -> tuple[Array, Array, Array]:
-    """Of a hold at samples `at` (P,): the offset of the point on its link, that to the spot (3, P) on the other, or to
-    where the point is if there is none, and the way from there to the point, (3, P) each."""
+    """Return vectors (3, P) of a hold at samples `at` (P,). These are the offset of the point on its link, that of the
+    spot (3, P) on the other link (of the point without a spot), and the displacement from the spot to the point."""
     links = samples.links
     offset = np.einsum("ijp,j->ip", links.rotation[:, :, hold.point.link, at], hold.point.position)
     between = links.x[:, hold.point.link, at] + offset - links.x[:, hold.link, at]
@@ -95,12 +96,12 @@ def _apart(samples: Samples, hold: Hold, at: Index, spot: Array | None) -> tuple
 
 
 def _counted(hold: Hold, t: Array, away: Array) -> Array:
-    """(P,) the share beyond the slack of the way (3, P) from the spot."""
+    """Return the fraction (P,) beyond the slack of displacements (3, P) from the spot."""
     return np.maximum(1 - hold.slack(t) / np.maximum(np.linalg.norm(away, axis=0), TINY), 0)
 
 
 def _residual_ways(away: Array, counted: Array | float) -> Iterator[Array]:
-    """Row by row, (3, P), the derivative of `counted` × `away` (3, P) by `away`."""
+    """Yield the rows (3, P) of the derivative of `counted` × `away` (3, P) by `away`."""
     along = away / np.maximum(np.linalg.norm(away, axis=0), TINY)
     within = np.where(np.greater(counted, 0), 1 - counted, 0.0)
     for axis, unit in enumerate(np.eye(3)):

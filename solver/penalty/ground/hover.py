@@ -36,8 +36,6 @@ class HoverPenalty(Penalty):
     height, it is lower than the exact minimum by blend log n.
 
     Attributes:
-        points: The points of the body.
-        surfaces: The surfaces of the scene.
         intervals: The intervals (first, last) [s] in which the body stays near the ground.
         reach: The height from which the body counts as being in the air [m].
         blend: The smoothing length of the minimum [m].

@@ -25,7 +25,6 @@ class Placed:
     """A target position for a point at one time.
 
     Attributes:
-        point: The point.
         time: The time [s].
         target: The target in the world, (3,) [m]; NaN along unconstrained axes.
     """

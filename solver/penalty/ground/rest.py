@@ -1,7 +1,7 @@
-"""Points at rest on a surface from one time to another, wherever that is.
+"""Points at rest on a surface for an interval, at any position.
 
-For contacts whose spot is not specified; where keyframes specify it, see `planted`. A round foot, such as the heel or
-the tip of a shoe, rolls: its lowest point rests, which may be another one at every instant.
+This is for contacts without a specified position; for others see `stance`. A round foot, such as the heel or the tip
+of a shoe, rolls: its lowest point rests, which may be another one at every instant.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ from ...surface.points import arrays_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-UP = np.array([0.0, 0, 1])  # of level ground
+UP = np.array([0.0, 0, 1])  # normal of level ground
 
 
 @dataclass(frozen=True, eq=False)
 class Rolling:
-    """A sphere of a link that rolls on a plane: what its middle moves while nothing of it slips.
+    """A sphere of a link that rolls on a plane: the displacement of its centre without slip.
 
-    arm   (3,) [m] from what of the sphere is lowest to its middle
-    start (4,) how the link is turned where the middle counts as in its place
+    arm   (3,) [m] from the lowest point of the sphere to its centre
+    start (4,) orientation of the link for which the displacement is zero
     """
 
     arm: Array
@@ -42,19 +42,21 @@ class Rolling:
 
     @classmethod
     def of(cls, rest: Rest, start: Array) -> Rolling:
-        """That of a rest, in its place where its link is turned so (4,); what does not roll has no arm."""
+        """Return the rolling of a rest whose link has an orientation (4,) in its place; the arm is zero for none."""
         up = UP if rest.ground is None else rest.ground.normal
         return cls(rest.rolls * rest.point.radius * up, start)
 
     def way(self, turned: Array) -> Array:
-        """(3, k) [m] that the middle goes if the link turns to (4, k), quaternions, about one axis all the time."""
+        """Return displacements (3, k) [m] of the centre if the link turns to (4, k), each about a fixed axis."""
         return cross(quat.rotation_vector(quat.product(turned.T, quat.inverse(self.start))).T, self.arm[:, None])
 
 
 @dataclass(frozen=True)
 class RestPenalty(Penalty):
-    """Σ over rests of τ² |v|² + h² [m²], τ = 0.05 s for an adult, h the height of a point, or sphere, over the surface
-    below it, v the velocity of its contact: that of its centre or, if it rolls, v_centre − r ω × n, n the normal."""
+    """Σ over rests of (0.05 s)² |v|² + h² [m²], with h the height of a point or sphere above the surface below it.
+
+    The velocity v is that of the resting material: of the centre or, if it rolls, v_centre − r ω × n with the normal n.
+    """
 
     rests: tuple[Rest, ...]
     surfaces: tuple[Surface, ...]
@@ -72,15 +74,14 @@ class RestPenalty(Penalty):
 
     @cached_property
     def _grounds(self) -> tuple[Mask, Array, Array]:
-        """Which rests have a plane of their own (n,), the planes' normals (3, n), and how far along these they are
-        (n,) [m]."""
+        """Mask (n,) of the rests with a plane, the planes' normals (3, n), and offsets (n,) [m] along these."""
         planes = [rest.ground for rest in self.rests]
         normals = np.array([np.zeros(3) if plane is None else plane.normal for plane in planes]).reshape(-1, 3).T
         along = [0.0 if plane is None else float(plane.normal @ plane.point) for plane in planes]
         return np.array([plane is not None for plane in planes], bool), normals, np.array(along)
 
     def _during(self, t: Array) -> tuple[Index, Index]:
-        """Pairs of a rest and a sample at times t (S,) that it holds for, (P,) each, in order of the samples."""
+        """Return pairs of a rest and a sample within it, (P,) each, in order of the samples at times t (S,)."""
         first, last = np.array([(rest.first, rest.last) for rest in self.rests]).reshape(-1, 2).T
         at, which = np.nonzero((t[:, None] >= first) & (t[:, None] <= last))
         return which, at
@@ -105,8 +106,10 @@ class RestPenalty(Penalty):
 
 
 class _Seen(NamedTuple):
-    """Pairs of a rest and a sample (P,), the links, the points' heights (P,) and the gradients of these (3, P), the
-    offsets (3, P) of the points and of what of them rests, and the velocities (3, P) of that."""
+    """Pairs of a rest and a sample (P,) with links, heights (P,) and their gradients (3, P).
+
+    The offsets (3, P) are those of the points and of the resting material, whose velocities are (3, P).
+    """
 
     which: Index
     at: Index

@@ -72,8 +72,6 @@ class Skate(Penalty):
     neither on the duration of the clip nor on the spacing of its keyframes.
 
     Attributes:
-        points: The points of the soles.
-        surfaces: The surfaces of the scene.
         reach: The height at which the weight of a point is 1/e of the weight on the surface [m].
         bound: The weights of points over time, in addition to those by height; None: 1.
     """

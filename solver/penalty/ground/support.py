@@ -1,7 +1,7 @@
-"""Support: what moves the figure from outside comes from the ground under its feet, by pushing and by friction.
+"""Support: the external wrench on a figure comes from contact forces below its feet, by pressure and friction.
 
-The wrench at the root (eqs. 18 and 21) less the best that forces in the friction cones of the points in contact can
-supply; in flight nothing can, and all of it counts. This goes beyond the paper.
+The penalised wrench is that at the root (eqs. 18 and 21) minus the best that forces in the friction cones of the points
+in contact can supply. In flight these supply nothing. This goes beyond the paper.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 from .flight import A_TENTH
 
-EDGES = 4  # of the pyramid that stands for a friction cone
-FRICTION, SOFTNESS = 0.8, 1e-4  # defaults: coefficient; relative to the squared edges of the cones
+EDGES = 4  # of the pyramid that approximates a friction cone
+FRICTION, SOFTNESS = 0.8, 1e-4  # defaults: coefficient of friction; ε relative to the squared edges of the cones
 
 
 class _Found(NamedTuple):
-    """A wrench, what of it is left, the forces [N] at all contacts that supply the rest, and the cones' edges."""
+    """A wrench, its unsupplied part, the contact forces [N] that supply the rest, and the cones' edges."""
 
     wrench: RootWrench
     left: Unsupplied
@@ -41,8 +41,8 @@ class _Found(NamedTuple):
 
 
 class Reactions(NamedTuple):
-    """What the ground gives: at samples `at` (P,), on the points of footings `footing` (P,), at `place` (3, P) [m], a
-    force (3, P) [N], world axes."""
+    """Ground reactions at samples `at` (P,) on points of footings (P,), with place [m] and force [N] (3, P) in the
+    world."""
 
     at: Index
     footing: Index
@@ -52,15 +52,17 @@ class Reactions(NamedTuple):
 
 @dataclass(frozen=True)
 class Support(Penalty):
-    """|w − G λ|², least over λ ≥ 0: w the root's wrench, the columns of G the edges of friction pyramids at the points
-    in contact. Forces in units of the weight, moments about the centre of mass in units of the weight times the height.
-    Nothing counts at moments that are neither in a footing nor in a flight.
+    """|w − G λ|², minimised over λ ≥ 0, with w the root's wrench.
+
+    The columns of G are the edges of friction pyramids at the points in contact. Forces are in units of the weight,
+    moments about the centre of mass in units of weight times height. Instants outside footings and flights do not
+    contribute.
 
     root               index of the tree's free link
-    footings, flights  when which point can push, and when nothing does, regardless of the footings
+    footings, flights  intervals in which points can push, and in which nothing does, regardless of footings
     unit, length       weight [N] and height [m]
     friction           coefficient μ
-    softness           ε |λ|² is added, so that the forces are unique
+    softness           ε in the added term ε |λ|², which makes the forces unique
     """
 
     root: int
@@ -88,28 +90,24 @@ class Support(Penalty):
 
     @property
     def tells(self) -> bool:
-        """Whether it applies at any time."""
+        """Whether there is any footing or flight."""
         return bool(self.footings or self.flights)
 
     def known(self, t: Array) -> Mask:
-        """(S,) whether it is known at times t (S,) what carries the figure."""
+        """Return whether it is known what carries the figure at times t (S,), (S,)."""
         return within(self.flights, t) | (self._active(t).any(axis=0) if self.footings else np.zeros(t.size, bool))
 
     def rest(self, samples: Samples, wrench: RootWrench | None = None) -> Array:
-        """(6, S): force and moment that nothing can supply, in units of weight and weight times height.
-
-        wrench  at the root; by default that of masses and gravity alone
-        """
+        """Return the unsupplied force and moment (6, S) in units of weight and weight times height; wrench: at the
+        root."""
         out, at = np.zeros((6, samples.count)), np.flatnonzero(self.known(samples.t))
         if at.size:
             out[:, at] = self._found(samples, at, wrench).left.rest
         return out
 
     def reactions(self, samples: Samples, wrench: RootWrench | None = None) -> Reactions:
-        """The forces at the points in contact that supply the most, at the samples of which it is known.
-
-        wrench  at the root; by default that of masses and gravity alone
-        """
+        """Return the contact forces that supply as much as possible, at samples with known support; wrench: at the
+        root."""
         supported = np.flatnonzero(self.known(samples.t))
         which, _, _ = self._pairs(samples.t[supported])
         if not which.size:
@@ -144,7 +142,7 @@ class Support(Penalty):
         yield Dense(value, pulled_back, curved, more)
 
     def _found(self, samples: Samples, known: Index, wrench: RootWrench | None = None) -> _Found:
-        """At the samples `known` (P,)."""
+        """Evaluate the samples `known` (P,)."""
         wrench = RootWrench(samples, self.root) if wrench is None else wrench
         w = np.concatenate([wrench.force[:, known], wrench.moment[:, known] / self.length]) / self.unit
         which, at, slot = self._pairs(samples.t[known])
@@ -164,12 +162,12 @@ class Support(Penalty):
         return _Found(wrench, unsupplied_part, Pushes(sample, link, offset, force), pyramid)
 
     def _active(self, t: Array) -> Mask:
-        """(n, S) whether a footing holds at times t (S,)."""
+        """Return whether footings apply at times t (S,), (n, S)."""
         first, last = (np.array([getattr(f, name) for f in self.footings])[:, None] for name in ("first", "last"))
         return (first <= t) & (t <= last) & ~within(self.flights, t)
 
     def _pairs(self, t: Array) -> tuple[Index, Index, Index]:
-        """The pairs of a footing and a sample that it holds for, by sample, and which one of the sample's each is."""
+        """Return pairs of a footing and a sample within it, by sample, and the rank of each pair in its sample."""
         if not self.footings:
             none = np.zeros(0, np.intp)
             return none, none, none
@@ -189,7 +187,7 @@ class Support(Penalty):
 
 
 def friction_edges(normal: Array, friction: float) -> Array:
-    """(3, 4): the edges of the pyramid inside the friction cone about a unit normal (3,), each of normal part 1."""
+    """Return the edges (3, 4), with unit normal parts, of the pyramid in the friction cone about a normal (3,)."""
     across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     across /= np.linalg.norm(across)
     along = np.cross(across, normal)
