@@ -148,9 +148,9 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
         far = (off > np.maximum(bound, FAR_OFF * np.median(off))) & (apart < BESIDE * off)
         far &= known[:-2, columns[0]] & known[1:-1, columns[0]] & known[2:, columns[0]]
         out[1:-1, columns] = far[:, None]
-    some = out.any(axis=1)
-    if some.any():
+    has_jump = out.any(axis=1)
+    if has_jump.any():
         whose = sorted({_name(figure, columns) for columns in groups(figure) if out[:, columns].any()})
-        told = ", ".join(whose[:3]) + (f" and {len(whose) - 3} more" if len(whose) > 3 else "")
-        notes.append(f"{told}: {int(some.sum())} samples jump, first at {time[some][0]:.3f} s: bridged")
+        listed = ", ".join(whose[:3]) + (f" and {len(whose) - 3} more" if len(whose) > 3 else "")
+        notes.append(f"{listed}: {int(has_jump.sum())} samples jump, first at {time[has_jump][0]:.3f} s: bridged")
     return out

@@ -183,11 +183,11 @@ def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None
             if one.point.link != other.point.link or end <= start + ROUNDING:
                 continue
             apart = float(np.linalg.norm(one.spot - other.spot))
-            own = float(np.linalg.norm(one.point.position - other.point.position))
-            if abs(apart - own) > stretch:
+            distance = float(np.linalg.norm(one.point.position - other.point.position))
+            if abs(apart - distance) > stretch:
                 raise UserError(
                     f"{where}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
-                    f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {own:.3f} m on their body"
+                    f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {distance:.3f} m on their body"
                 )
 
 

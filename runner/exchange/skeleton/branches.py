@@ -49,8 +49,8 @@ def completed(model: mujoco.MjModel, found: Mapping[str, int], place: Array, tur
     names, parents = hierarchy.names(model), [-1, *model.body_parentid[1:].tolist()]
     out, changed = dict(found), False
     for parts in PARTS.values():
-        told = [f"{side}_{part}" for side in SIDES for part in parts[:2]]
-        if all(role in found for role in told) or not all(role in by_tree for role in told):
+        needed = [f"{side}_{part}" for side in SIDES for part in parts[:2]]
+        if all(role in found for role in needed) or not all(role in by_tree for role in needed):
             continue
         changed = True
         for side in SIDES:

@@ -143,19 +143,19 @@ class HingeLayout:
     def qvel(self, hinges: Array, qvel: Array) -> Array:
         """Return velocities (T, nv') of the variant at `hinges` (T, nq') for velocities (T, nv) of the model."""
         out = []
-        for (joint, own), start in zip(self.joints, self._starts, strict=True):
+        for (joint, names), start in zip(self.joints, self._starts, strict=True):
             dof = self.model.jnt_dofadr[joint]
             part = qvel[:, dof : dof + WIDTHS[int(self.model.jnt_type[joint])][1]]
-            out.append(part if len(own) == 1 else rates(hinges[:, start : start + 3], part, self.order))
+            out.append(part if len(names) == 1 else rates(hinges[:, start : start + 3], part, self.order))
         return np.concatenate(out, 1)
 
     def back(self, hinges: Array) -> Array:
         """Return configurations (T, nq) of the model for those (T, nq') of the variant."""
         out = []
-        for (joint, own), start in zip(self.joints, self._starts, strict=True):
-            width = 3 if len(own) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0]
+        for (joint, names), start in zip(self.joints, self._starts, strict=True):
+            width = 3 if len(names) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0]
             part = hinges[:, start : start + width]
-            out.append(part if len(own) == 1 else quat.aligned(rotation_of(part, self.order)))
+            out.append(part if len(names) == 1 else quat.aligned(rotation_of(part, self.order)))
         return np.concatenate(out, 1)
 
     def at_rest(self, joint: int) -> Array:
@@ -166,10 +166,10 @@ class HingeLayout:
     def nearest_lock(self, hinges: Array) -> tuple[float, str, int] | None:
         """Return the least distance [rad] from gimbal lock, its ball joint and sample; None without ball joints."""
         locks = []
-        for (_, own), start in zip(self.joints, self._starts, strict=True):
-            if len(own) == 3:
+        for (_, names), start in zip(self.joints, self._starts, strict=True):
+            if len(names) == 3:
                 off = np.abs(np.arcsin(np.clip(np.cos(hinges[:, start + 1]), -1, 1)))
-                locks.append((float(off.min()), own[0][:-2], int(off.argmin())))
+                locks.append((float(off.min()), names[0][:-2], int(off.argmin())))
         return min(locks, default=None)
 
     def mjcf(self, text: str) -> str:

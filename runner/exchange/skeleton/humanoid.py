@@ -64,7 +64,7 @@ class Humanoid:
         qpos = np.tile(self.model.qpos0, (len(position), 1))
         qpos[:, self.root : self.root + 3] = position
         qpos[:, self.root + 3 : self.root + 7] = quat.aligned(rotation)
-        for name, own in joints.items():
+        for name, local in joints.items():
             start = self.columns[name]
-            qpos[:, start : start + 4] = quat.aligned(own)
+            qpos[:, start : start + 4] = quat.aligned(local)
         return qpos

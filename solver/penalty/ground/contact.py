@@ -68,8 +68,8 @@ class Contact(Penalty):
             during = np.flatnonzero((keys.times >= first - ROUNDING) & (keys.times <= last + ROUNDING))
             for before, k in [*pairwise(during), *pairwise(during[::-1])]:
                 free = limb[~is_set[limb, k] & is_set[limb, before]]
-                for own in np.unique(self._arrays[0][free]):
-                    points = free[self._arrays[0][free] == own]
+                for part in np.unique(self._arrays[0][free]):
+                    points = free[self._arrays[0][free] == part]
                     excess[points, k] = excess[points, before].max()
                 is_set[free, k] = True
         return replace(self, allowed=Allowance(keys.times, excess))
@@ -168,16 +168,16 @@ class Contact(Penalty):
     def _in(self, surface: Surface, samples: Samples, seen: _Near, margin: float) -> Block:
         flat, arms, centres, radii = seen
         about, away = surface.depth(centres, radii + margin)
-        some = np.flatnonzero(about > 0)
-        depth, direction = about.ravel()[some], away.reshape(3, -1)[:, some]
+        near = np.flatnonzero(about > 0)
+        depth, direction = about.ravel()[near], away.reshape(3, -1)[:, near]
         if margin:  # outside a surface the depth changes by |away| per metre, at the sides of a box by more than 1
-            exact, normal = surface.depth(centres[:, some], radii[some])
+            exact, normal = surface.depth(centres[:, near], radii[near])
             inside = exact[:, 0] > 0
             beyond = np.minimum(depth - margin * np.sqrt(dot(direction, direction)), 0)
             depth, direction = np.where(inside, exact[:, 0], beyond), np.where(inside, normal[..., 0], direction)
-        link, at = np.divmod(flat[some % flat.size], samples.count)
-        direction, leg = self._in_world(samples, at, direction, centres[:, some, 0])
-        changes = [of_point(at, link, arms[:, some], direction)]
+        link, at = np.divmod(flat[near % flat.size], samples.count)
+        direction, leg = self._in_world(samples, at, direction, centres[:, near, 0])
+        changes = [of_point(at, link, arms[:, near], direction)]
         if self.carrier:
             changes.append(of_point(at, np.full(at.size, self.carrier), leg, -direction))
         return Block(at, depth, tuple(changes), one_sided=True)

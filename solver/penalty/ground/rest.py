@@ -88,8 +88,8 @@ class RestPenalty(Penalty):
 
     def _seen(self, samples: Samples) -> _Seen:
         which, at = self._during(samples.t)
-        own, positions, radii = arrays_of([rest.point for rest in self.rests])
-        links, link, radius = samples.links, own[which], radii[which]
+        links_of_rests, positions, radii = arrays_of([rest.point for rest in self.rests])
+        links, link, radius = samples.links, links_of_rests[which], radii[which]
         offset = np.einsum("ijp,jp->ip", links.rotation[:, :, link, at], positions[:, which])
         place = links.x[:, link, at] + offset
         has_plane, normals, along = self._grounds
@@ -97,8 +97,8 @@ class RestPenalty(Penalty):
         height = dot(up, place) - along[which] - radius
         below = np.flatnonzero(~has_plane[which])
         if below.size:
-            found, ways = height_over(self.surfaces, place[:, below, None], radius[below])
-            height[below], up[:, below] = found[:, 0], ways[..., 0]
+            above, normals_below = height_over(self.surfaces, place[:, below, None], radius[below])
+            height[below], up[:, below] = above[:, 0], normals_below[..., 0]
         rolls = np.array([rest.rolls for rest in self.rests], bool)[which]
         foot = offset - radius * rolls * up
         velocity = links.x_d[:, link, at] + cross(links.omega[:, link, at], foot)
