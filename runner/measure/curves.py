@@ -1,4 +1,4 @@
-"""The numbers behind the charts, kept in the motion file so that `plot` never solves again."""
+"""The data of the charts, stored in the motion file so that `plot` never solves again."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from dynsplines.solver.surface.points import places_of
 from ..clip.build import Clip
 from ..motion import samples_at
 
-RATE = 250.0  # [1/s]: finer than any chart is wide
+RATE = 250.0  # [1/s] of the samples, finer than the resolution of a chart
 TENTHS = 10  # of the path, as in the paper's figure 10
 
 
@@ -39,7 +39,7 @@ class Curves(TypedDict):
 
 
 def curves(clip: Clip, motion: Solution) -> Curves:
-    """Foot heights, lengths of quaternions and EL deviation over tenths, of both motions; plain lists."""
+    """Return foot heights, quaternion lengths and Euler-Lagrange deviation over tenths of both motions, as lists."""
     before = _side(clip, motion, motion.raw)
     return {"before": before, "after": before if motion.is_raw else _side(clip, motion, motion.timeline)}
 

@@ -1,6 +1,6 @@
-"""What a motion is like, before and after, on a 1 kHz grid: *between* the samples that the optimiser saw.
+"""The report on a motion before and after, on a 1 kHz grid, thus also *between* the samples of the optimiser.
 
-Everything here is a plain dict, so that it goes into JSON, into the motion file and on to the screen alike.
+The data are plain dicts for JSON, the motion file and the terminal.
 """
 
 from __future__ import annotations
@@ -31,20 +31,21 @@ from .formatting import rows
 from .quantities import Side
 from .violation import ViolationTable, plain, violations_of
 
-LOCAL_EVALUATIONS = 25  # of a local solve that estimates the remaining decrease of a segment
-LOCAL_TOLERANCE = 1e-4  # of a segment's E; what is left is known to a tenth, in a quarter of the time that 1e-7 takes
+LOCAL_EVALUATIONS = 25  # most evaluations of a local solve that estimates the remaining decrease of a segment
+LOCAL_TOLERANCE = 1e-4  # relative to a segment's E: the decrease within 10 %, in a quarter of the time of 1e-7
 DRIFT = "centre of mass off before, m"
 
 
 def report(
     clip: Clip, motion: Solution, seconds: float | None, told: Callable[[int, int], None] | None = None
 ) -> dict[str, Any]:
-    """The full report of a solved clip; `seconds` is the duration of the solve, where it is known; `told`
-    receives the progress of the local solves.
+    """Return the full report of a solved clip.
 
-    Ctrl-C leaves out the segments, which take longest, and nothing else. Nothing was searched of a recording: it has no
-    segments and nothing left to gain, and is measured once for both sides. What follows a recording has frames where
-    its detail is: they are no keyframes, and there are no segments between them.
+    seconds  duration of the solve, if known;  told  receives the progress of the local solves
+
+    Ctrl-C omits only the segments, which take longest. A recording is measured once for both sides; it has no segments
+    and no remaining decrease, because nothing is optimised. A motion that follows a recording has no segments either,
+    since its frames are not keyframes.
     """
     searched = not motion.is_raw
     before = Side.of(clip, motion.objective, motion.raw, motion.raw)
@@ -74,11 +75,11 @@ def report(
 
 
 def _cycle_report(clip: Clip) -> dict[str, float]:
-    """The gait cycle that the motion is drawn to, and its confidence; empty if there is none.
+    """Return the gait cycle of the cycle penalty, and its confidence; empty if there is none.
 
-    gain   log-likelihood of the keyframes over that of the best smooth motion, per number that they give
-    slip   speed of feet that are low, along the cycle, as a share of the travel; left out where nothing travels
-    trust  how many times the variance of the spline through the keyframes, about the cycle, is the cycle's own
+    gain   log-likelihood of the keyframes minus that of the best smooth motion, per given number
+    slip   mean speed of low feet along the cycle, relative to the travel speed; omitted without travel
+    trust  ratio of the spline's variance about the cycle to the cycle's variance
     """
     gait_cycle = next((penalty.gait_cycle for penalty, _ in clip.penalties if isinstance(penalty, Cycle)), None)
     if gait_cycle is None:
@@ -88,14 +89,14 @@ def _cycle_report(clip: Clip) -> dict[str, float]:
 
 
 def _centre_of_mass(samples: Samples) -> Array:
-    """(3, T) [m] of the whole figure."""
+    """Return the centre of mass (3, T) [m] of the whole figure."""
     tables = samples.figure.tables
     centres = samples.links.x + turned(samples.links.rotation, tables.centre)
     return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), 1e-12)
 
 
 def _far_from_trouble(clip: Clip, before: Samples, margin: float = 0.25) -> Mask:
-    """Times at least `margin` [s] away from any at which the raw motion is in a box."""
+    """Return the times at least `margin` [s] away from any at which the raw motion is in a box."""
     boxes = [surface for surface in clip.context.surfaces if isinstance(surface, Box)]
     inside = np.zeros(before.t.size, bool)
     if boxes and clip.context.points:
@@ -111,14 +112,14 @@ def _far_from_trouble(clip: Clip, before: Samples, margin: float = 0.25) -> Mask
 
 
 def _left_to_gain(motion: Solution) -> dict[str, float]:
-    """About how far E is above its optimum: what frames in the middle of all segments promise, summed (weak form)."""
+    """Return the estimated remaining decrease of E: the sum for frames in the middle of all segments (weak form)."""
     promised = float(by_weak_form(motion.objective, motion.timeline).sum())
     value = motion.objective.value(motion.path)
     return {"objective": promised, "share": promised / value if value > 0 else 0.0}
 
 
 def _segments(clip: Clip, motion: Solution, told: Callable[[int, int], None] | None) -> list[dict[str, float]]:
-    """Per segment between keyframes: EL deviation before and after, δ and the decrease by a local solve (app. C)."""
+    """Return per segment between keyframes EL deviation before and after, δ and decrease by a local solve (app. C)."""
     try:
         remaining = displacement(
             motion.objective,
@@ -149,7 +150,7 @@ def _segments(clip: Clip, motion: Solution, told: Callable[[int, int], None] | N
 
 
 def tables(data: dict[str, Any]) -> Group:
-    """The report for a screen."""
+    """Return the report for the terminal."""
     before, after = data["before"], data["after"]
     gain = (
         f"; about {data['left to gain']['share']:.1%} of the objective is left to gain" if data["left to gain"] else ""
@@ -181,7 +182,7 @@ def tables(data: dict[str, Any]) -> Group:
 
 
 def _worst_of_each(told: list[ViolationTable]) -> list[str]:
-    """The violations of a recording, worst first, only the first of each kind and name: most samples repeat them."""
+    """Return the violations of a recording, worst first, only one of each kind and name, as samples repeat them."""
     count = Counter((violation["kind"], violation["name"]) for violation in told)
     first: dict[tuple[str, str], str] = {}
     for violation in told:
@@ -190,7 +191,6 @@ def _worst_of_each(told: list[ViolationTable]) -> list[str]:
 
 
 def _cycle_words(data: dict[str, Any]) -> str:
-    """The cycle in a few words, if there is one."""
     cycle = data.get("cycle")
     if not cycle:
         return ""

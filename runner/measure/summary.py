@@ -1,4 +1,4 @@
-"""What a solve left, in few words: how it went and what is wrong, without measuring anything at length."""
+"""A short summary of a solve, with its violations, without long measurements."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .violation import Violation, plain
 
 
 def summary(saved: Saved, found: Sequence[Violation]) -> dict[str, object]:
-    """Plain numbers for JSON; the objective where a search left its values, and what the file keeps of that search."""
+    """Return plain numbers for JSON, with the objective and the data on the search that the file stores."""
     times, trace = saved.timeline.times, saved.trace
     values = {"objective before": trace[0][2], "objective": trace[-1][2]} if trace else {}
     return {

@@ -1,4 +1,4 @@
-"""How high feet are taken off the ground: a swing is from where a foot's last point leaves it to where one is back."""
+"""Swings of feet: from when a foot's last point leaves the ground to when one is back."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from dynsplines.solver.surface.points import places_of
 
 from ..clip.build import Clip
 
-MOST_SHOWN = 6  # swings of a foot that a table lists one by one
+MOST_SHOWN = 6  # most swings of a foot that a table lists one by one
 
 
 def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
-    """By foot, its swings: from when to when [s], and how far its lowest point gets over the surface below it [m]."""
+    """Return the swings of each foot: start and end [s], and height [m] of its lowest point above the surface below."""
     if not clip.context.points or not clip.context.surfaces:
         return {}
     model, links, limits = clip.figure.model, clip.figure.links, Thresholds.of(clip.figure)
@@ -35,13 +35,13 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
 
 
 def runs(mask: np.ndarray) -> list[tuple[int, int]]:
-    """The stretches (first, one past the last) in which a mask (T,) is true."""
+    """Return the intervals (first, one past the last) in which a mask (T,) is true."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def words(found: list[dict[str, float]]) -> str:
-    """A foot's swings for a table: how high each goes."""
+    """Return a foot's swings for a table, by their heights."""
     high = [1000 * swing["height, m"] for swing in found]
     if not high:
         return "never"

@@ -1,7 +1,7 @@
 """Violations of a motion, worst first.
 
-A quick check on a grid fine enough for motion between images, where `report` takes some seconds. Violations within a
-keyframe are reported for the keyframe, and not again for the path next to it.
+The check is quick, on a grid fine enough for motion between video frames, whereas `report` takes some seconds.
+Violations within a keyframe are reported for the keyframe, and not again for the path next to it.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from .bounds import BOUNDS
 from .checks import SAME_DEPTH, Check, Hits, Row, row_of
 from .measurement import Measurement
 
-MOST_TOLD = 10  # violations printed
+MOST_TOLD = 10  # most violations that are printed
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Violation:
 
 
 class ViolationTable(TypedDict):
-    """A violation as it is in files; the fields are those of `Violation`."""
+    """A violation in files; the fields are those of `Violation`."""
 
     kind: str
     name: str
@@ -78,16 +78,16 @@ class ViolationTable(TypedDict):
 
 
 def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
-    """Return the violations of a timeline that answers a clip, worst first.
+    """Return the violations of a timeline of a clip, worst first.
 
-    raw   the raw spline through its keyframes, to which whips are compared
+    raw   the raw spline through its keyframes, the reference for whips
     stop  why the search ended
     """
     return violations_of(Measurement.of(clip, timeline, raw), stop)
 
 
 def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
-    """Return everything beyond its bound in a measured motion, worst first."""
+    """Return all violations in a measured motion, worst first."""
     violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
     violations += [*_drifts(motion), *_beyond_hard(motion.clip, motion.timeline)]
     for row, amount, time, key in airborne(motion):
@@ -99,26 +99,26 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
 
 
 def of_motion(saved: Saved) -> tuple[Violation, ...]:
-    """The violations of a motion, from the content of its file."""
+    """Return the violations of a motion, from the content of its file."""
     try:
         clip = clips.clip_from_motion(saved)
-    except UserError:  # a text that this program cannot read, in a file from elsewhere
+    except UserError:  # a text of another version that this program cannot read
         clip = clips.of_motion(replace(saved, text=""))
     return violations(clip, saved.timeline, saved.raw, stop_of(saved))
 
 
 def stop_of(saved: Saved) -> Stop:
-    """Why the search of a motion ended, where there was one."""
+    """Return why the search of a motion ended, if there was one."""
     return Stop.__members__.get(str(saved.search.get("stop")), Stop.CONVERGED)
 
 
 def is_recording(saved: Saved) -> bool:
-    """Whether a motion is nothing but its keyframes: no search is to blame for any of it."""
+    """Return whether a motion consists of its keyframes only, so that no search causes its violations."""
     return not saved.search and saved.timeline.variable_count == 0
 
 
 def lines(found: Sequence[Violation], file: object = None) -> list[str]:
-    """For the terminal: a line each of the worst, and how many more there are."""
+    """Return the worst violations for the terminal, one per line, and the number of the others."""
     counts: dict[tuple[str, int], int] = {}
     first: list[Violation] = []
     for violation in found:
@@ -153,12 +153,12 @@ def by_name(found: Sequence[Violation]) -> tuple[Violation, ...]:
 
 
 def plain(found: Sequence[Violation]) -> list[ViolationTable]:
-    """For JSON."""
+    """Return the violations for JSON."""
     return [cast(ViolationTable, asdict(violation)) for violation in found]
 
 
 def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]:
-    """The worst of every group in each keyframe that causes it, and on the path if it is worse there."""
+    """Yield the worst of every group in each keyframe that causes it, and on the path if it is worse there."""
     hits = hits.select(hits.amount > check.bounds[hits.row])
     if not hits.row.size:
         return
@@ -188,14 +188,14 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]
 
 
 def _largest(hits: Hits, label: Index) -> list[int]:
-    """The largest hit, of equal ones the first, for every label that is not negative."""
+    """Return the largest hit, the first of equal ones, for every label that is not negative."""
     order = np.lexsort((-hits.at, hits.amount, label))
     last = np.append(label[order][1:] != label[order][:-1], True)[: order.size]
     return order[last & (label[order] >= 0)].tolist()
 
 
 def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
-    """The row to name for the worst hit of a group: a sole point, where one is about as deep."""
+    """Return the row to name for the worst hit of a group: a sole point, if one is about as deep."""
     if check.named is not None:
         beside = (hits.at == hits.at[worst]) & (group == group[worst]) & check.named[hits.row]
         beside &= hits.amount >= hits.amount[worst] - SAME_DEPTH
@@ -205,7 +205,7 @@ def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
 
 
 def _drifts(motion: Measurement) -> Iterator[Violation]:
-    """Keyframes that put a point that is to rest somewhere else than the keyframe before."""
+    """Yield keyframes that move a resting point from where the previous keyframe has it."""
     worst: dict[tuple[str, int, int], tuple[float, Row, float]] = {}
     for stay, group in motion.stays:
         stance = stay.stance
@@ -219,7 +219,7 @@ def _drifts(motion: Measurement) -> Iterator[Violation]:
 
 
 def _beyond_hard(clip: Clip, timeline: Timeline) -> Iterator[Violation]:
-    """Joints beyond ranges that the clip makes hard, at any time."""
+    """Yield joints that exceed hard ranges of the clip, at any time."""
     for joint, over, time in farthest(clip.figure, timeline, hard_ranges(clip.penalties)):
         slides = joint.kind is JointKind.SLIDE
         kind, amount = ("hard travel", over) if slides else ("hard range", float(np.degrees(over)))
