@@ -110,7 +110,11 @@ class _Standing:
     def feet(self) -> Index:
         """The geoms of the feet: the colliding ones, if there are any."""
         tops = [self.roles[role] for role in ("left_foot", "right_foot") if role in self.roles]
-        bodies = [body for body in range(1, self.model.nbody) if any(_is_above(self.model, top, body) for top in tops)]
+        bodies = [
+            body
+            for body in range(1, self.model.nbody)
+            if not set(tops).isdisjoint(hierarchy.above(self.model, body, itself=True))
+        ]
         geoms = np.flatnonzero(np.isin(self.model.geom_bodyid, bodies))
         touching = geoms[(self.model.geom_contype[geoms] | self.model.geom_conaffinity[geoms]) > 0]
         return touching if touching.size else geoms
@@ -152,7 +156,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
             )
     root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
     if root is None:
-        top = names[_root(standing)]
+        top = names[model.body_rootid[standing.roles.get("pelvis", standing.roles["left_thigh"])]]
         slides = "or slides on which it moves about; in URDF a joint of type 'floating' from a link 'world'"
         raise UserError(f"{where}: the figure's root, '{top}', needs a free joint, {slides}")
     shared = [role for role in standing.roles if role in captured.roles]
@@ -250,19 +254,6 @@ def _toes_in_foot(captured: CapturedSkeleton, side: str, *, at_zero: bool) -> Ca
 def _some(names: list[str]) -> str:
     more = f", and {len(names) - LISTED} more" if len(names) > LISTED else ""
     return ", ".join(names[:LISTED]) + more
-
-
-def _root(standing: _Standing) -> int:
-    body = standing.roles.get("pelvis", standing.roles["left_thigh"])
-    while standing.model.body_parentid[body]:
-        body = int(standing.model.body_parentid[body])
-    return body
-
-
-def _is_above(model: mujoco.MjModel, top: int, body: int) -> bool:
-    while body > top:
-        body = int(model.body_parentid[body])
-    return body == top
 
 
 def _leg(place: Mapping[str, Array]) -> float:
