@@ -41,6 +41,11 @@ def _middle_out(text: str, most: int) -> str:
     return f"{text[: 2 * most // 3]}{CUT}{text[-(most // 3) :]}"
 
 
+def missing_package(what: str, package: str | None, extra: str) -> UserError:
+    """Return the error of a feature whose optional package is not installed."""
+    return UserError(f"{what} needs '{package}'; install it: pip install 'dynamic-splines[{extra}]'")
+
+
 def one_line(text: object) -> str:
     """Return a text with unprintable characters escaped, so that a message is one line for any file content."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in shortened(str(text)))

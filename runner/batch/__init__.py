@@ -16,7 +16,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import UserError
+from ..errors import missing_package
 from .task import Limits, Options
 
 if TYPE_CHECKING:
@@ -37,9 +37,7 @@ def run(words: list[str], folder: Path, progress: Progress, options: Options) ->
     except ModuleNotFoundError as error:
         if error.name not in PACKAGES:
             raise
-        raise UserError(
-            f"dynsplines batch needs '{error.name}'; install it: pip install 'dynamic-splines[batch]'"
-        ) from None
+        raise missing_package("dynsplines batch", error.name, "batch") from None
     tally = dispatch.run(words, folder, options, progress)
     tally.report(progress, are_recordings=options.cleaning is not None)
     progress.say(f"{folder}: {tally.line}")

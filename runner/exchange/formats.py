@@ -10,7 +10,7 @@ from typing import Protocol
 
 import mujoco
 
-from ..errors import UserError, unknown
+from ..errors import UserError, missing_package, unknown
 from ..motion import Saved
 from ..system import size_limit
 from ..system.output import Replacement, check_target
@@ -386,8 +386,6 @@ def _module(form: Format) -> Module:
     except ModuleNotFoundError as error:
         if form.extra is None:
             raise
-        raise UserError(
-            f"the format '{form.name}' needs '{error.name}'; install it: pip install 'dynamic-splines[{form.extra}]'"
-        ) from None
+        raise missing_package(f"the format '{form.name}'", error.name, form.extra) from None
     write, read, beside, recognises = (getattr(code, name, None) for name in ("write", "read", "beside", "recognises"))
     return Module(write, read, beside, recognises)

@@ -10,7 +10,7 @@ import webbrowser
 from collections.abc import Callable
 from importlib.util import find_spec
 
-from ..errors import UserError
+from ..errors import UserError, missing_package
 from .document import Document
 from .session import Session
 
@@ -83,7 +83,7 @@ def check_packages() -> None:
     """Raise UserError if a package of the studio is missing."""
     for name in PACKAGES:
         if sys.modules.get(name) is None and (name in sys.modules or find_spec(name) is None):
-            raise UserError(f"the studio needs {name}: pip install 'dynamic-splines[studio]'")
+            raise missing_package("the studio", name, "studio")
 
 
 def check_host(host: str, *, allow_remote: bool) -> None:
