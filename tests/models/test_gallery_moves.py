@@ -85,7 +85,7 @@ def test_the_hand_comes_from_above_and_is_closed_about_the_rail():
 def test_the_hands_keep_their_place_on_the_crate_to_a_tenth_of_what_they_may():
     move = of("carry_box")
     for hold in move.clip.context.schedule.grasps:
-        during = (move.time >= hold.first) & (move.time <= hold.last)
+        during = (move.time[::10] >= hold.first) & (move.time[::10] <= hold.last)
         for raw in (True, False):
             track = move.on("crate", hold.point.name, raw=raw)[during]
             moved = np.linalg.norm(track - track[0], axis=1).max()

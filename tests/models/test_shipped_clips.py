@@ -145,6 +145,7 @@ def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal
 
 def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land_turned_as_the_way_is():
     walk = of("walk_and_turn")
+    assert walk.clip.ends == "free"  # though both feet are planted at its first keyframe
     t = walk.all().t
     heading = np.unwrap(heading_between(np.array([1.0, 0, 0, 0]), level(walk.motion.at(t)[:, 3:7])))
     about = np.degrees(heading)

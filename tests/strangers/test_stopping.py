@@ -20,9 +20,6 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another mat
 LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
 DEFAULT = "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from dynsplines.start import main; main()"
-BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
-PAPER = DEFAULT + f"sys.argv = sys.argv[1:]; sys.path.insert(0, {str(BENCHMARKS)!r}); "
-PAPER += "from paper.__main__ import main; main()"
 INTERRUPTED = (
     DEFAULT
     + """
@@ -64,7 +61,6 @@ def start(tmp_path: Path) -> Iterator[Start]:
         process.communicate()
 
 
-FIGURES = ("--figures", "drawn")
 FIRST_IMPORTS = ["dynsplines.cli", "typer", "mujoco"]
 
 
@@ -110,21 +106,3 @@ def test_a_signal_that_a_command_is_started_to_ignore_stays_ignored(start: Start
     process.send_signal(signal.SIGTERM)
     process.communicate(timeout=60)
     assert process.returncode == 143
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("number", "words"), [(signal.SIGINT, FIGURES)])
-def test_a_signal_ends_the_papers_claims_and_figures_with_nothing_half_done(
-    start: Start, tmp_path: Path, number: signal.Signals, words: tuple[str, ...]
-):
-    """Inside solves, too, which elsewhere keep their best path: here one that is cut short is no answer."""
-    process = start(PAPER, "paper", *words)
-    assert process.stderr is not None
-    process.stderr.readline()
-    time.sleep(0.5 + 0.4 * list(CODES).index(number))
-    process.send_signal(number)
-    out, said = process.communicate(timeout=60)
-    assert (process.returncode, out) == (CODES[number], "")
-    assert "Traceback" not in said
-    left = sorted(path for path in (tmp_path / "drawn").glob("*")) if words else []
-    assert all(path.suffix == ".png" and path.stat().st_size > 1000 for path in left)

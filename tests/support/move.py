@@ -71,10 +71,10 @@ class Move:
         return int(np.argmin(np.abs(self.time - time)))
 
     def on(self, body: str, site: str, *, raw: bool = False) -> Array:
-        """(T, 3) [m] where a site is on a body, in its axes, at all times."""
+        """(T, 3) [m] where a site is on a body, in its axes, at every tenth time."""
         data, out = mujoco.MjData(self.scene), []
         path = path_of(self.motion.raw if raw else self.motion.timeline)
-        for qpos in self.clip.figure.to_qpos(path.at(self.time)):
+        for qpos in self.clip.figure.to_qpos(path.at(self.time[::10])):
             data.qpos[:] = qpos
             mujoco.mj_kinematics(self.scene, data)
             held = data.body(body)

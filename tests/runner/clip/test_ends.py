@@ -63,8 +63,3 @@ def test_an_end_that_moves_or_is_in_the_air_is_free(bodies, ends):
 def test_the_text_may_set_one_end():
     found = clip(ALOFT + RAISED, ALOFT, "root.position = [0, 0, 1.4]\n", f'{HEAD}[solve]\nends = "clamped start"\n')
     assert (end_speeds(found) < 1e-9).tolist() == [True, False]
-
-
-def test_a_walk_that_begins_on_both_feet_travels_on():
-    """Both feet of this clip are planted at its first keyframe, and the body moves over them."""
-    assert load.load("walk_and_turn").ends == "free"

@@ -19,7 +19,6 @@ from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import TrackingPenalty
-from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
 
 REACH = """
@@ -170,30 +169,6 @@ name = "kerb"
 size = [4.0, 3.0, 0.12]
 position = [4.62, 0, 0.06]
 """
-ON_IT = """
-[[contact]]
-point = "left_heel"
-from = 2.17
-to = 2.55
-[[contact]]
-point = "left_toe"
-from = 2.26
-to = 2.80
-[[keyframe]]
-time = 2.24
-sites.left_heel = [2.76, 0.09, 0.12]
-sites.left_toe = ["free", 0.09, 0.12]
-[[keyframe]]
-time = 2.86
-root.position = [3.37, -0.015, 1.03]
-sites.right_heel = [3.45, -0.09, 0.12]
-sites.right_toe = ["free", -0.11, 0.12]
-[[keyframe]]
-time = 3.24
-root.position = [3.85, 0, 1.01]
-sites.left_heel = [4.14, 0.09, 0.12]
-sites.left_toe = ["free", 0.09, 0.20]
-"""
 
 
 BVH = """
@@ -265,11 +240,10 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported(tmp_path):
+def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported():
     """Contacts lie far from some keyframes, whose poses are found all the same; feet stay out of the kerb."""
-    clip = recordings.from_text(KERB + ON_IT, name="kerb", folder=tmp_path)
-    solved = Solved(clip, inbetween(clip.problem), None)
-    solution = solved.motion
+    solved = shipped.solved("step_on_kerb")
+    clip, solution = solved.clip, solved.motion
     path, model = path_of(solution.timeline), clip.figure.model
     soles = [model.nbody + model.site(f"{side}_{part}").id for side in ("left", "right") for part in ("heel", "toe")]
     times = np.linspace(0, 3.24, 300)

@@ -184,17 +184,21 @@ PARENTS = {
 }
 
 
+def on_the_human(skeleton, file):
+    file.write_text(bvh_file.written(skeleton), encoding="utf-8")
+    return SampledTrajectory.of(import_recording(file, figure="human", progress=Progress()), 30.0)
+
+
+@pytest.fixture(scope="module")
+def plain(cartwheel, tmp_path_factory):
+    return on_the_human(bvh.skeleton(cartwheel), tmp_path_factory.mktemp("plain") / "plain.bvh")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("parents", PARENTS)
-def test_parents_above_the_pelvis_change_nothing(parents, cartwheel, tmp_path):
+def test_parents_above_the_pelvis_change_nothing(parents, cartwheel, plain, tmp_path):
     """The figure moves as without them, whatever the parents are called."""
-    found = bvh.skeleton(cartwheel)
-    (tmp_path / "plain.bvh").write_text(bvh_file.written(found), encoding="utf-8")
-    (tmp_path / "under.bvh").write_text(bvh_file.written(PARENTS[parents](found)), encoding="utf-8")
-    with_parents, plain = (
-        SampledTrajectory.of(import_recording(tmp_path / name, figure="human", progress=Progress()), 30.0)
-        for name in ("under.bvh", "plain.bvh")
-    )
+    with_parents = on_the_human(PARENTS[parents](bvh.skeleton(cartwheel)), tmp_path / "under.bvh")
     assert np.ptp(plain.qpos[:, 0]) > 0.5
     np.testing.assert_allclose(with_parents.bodies.position, plain.bodies.position, atol=TENTH)
 

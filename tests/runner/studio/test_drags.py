@@ -10,7 +10,7 @@ from pulls import Pull, Pulls, human_model
 from dynsplines.clip.constraints import posing_bends
 from dynsplines.solver.figure.kinematics import Samples
 
-SAMPLE = 8
+SAMPLE = 4
 
 
 @pytest.fixture(scope="module")
