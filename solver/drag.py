@@ -140,7 +140,7 @@ class FloorClearance:
         return values, rows
 
     def depth(self, data: mujoco.MjData) -> Array:
-        """Return the depth (n,) [m] of every sphere beyond what is permitted, negative above the plane."""
+        """Return the depth (n,) [m] of every sphere beyond the permitted one, negative above the plane."""
         return self._depth(self._centres(data))
 
     @cached_property

@@ -135,7 +135,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
 
 
 def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
-    """Return times (K,) [s] and qpos (K, nq) of a model's own <keyframe> elements, K = 0 if there are none.
+    """Return times (K,) [s] and qpos (K, nq) of a model's <keyframe> elements, K = 0 if there are none.
 
     If the times do not rise, they are replaced by steps of half a second.
     """

@@ -20,7 +20,8 @@ class Spot:
     """A grasped position on a body, which may drift as keyframes do: `start` (3,) [m] at `first` [s], `end` at `last`.
 
     slack  [m] distance from the spot without cost, at either end of the interval. If a keyframe puts the body out of
-    the limb's reach, only a stretched limb comes nearest, and without slack it would whip to this pose and back.
+           the limb's reach, only a stretched limb approaches the spot; without slack it would whip to this pose and
+           back.
     """
 
     first: float

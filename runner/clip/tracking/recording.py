@@ -55,7 +55,7 @@ class TrackedRecording:
     """A recording on the time axis of the clip.
 
     Attributes:
-        knots: The times of its own frames, (M,) [s].
+        knots: The times of the recording's frames, (M,) [s].
         table: The [recording] table.
     """
 
@@ -138,7 +138,7 @@ class TrackedRecording:
 
     def _exact_knots(self) -> Array:
         """Return the knots, and midpoints where a spline through the knots alone differs from the recording. A
-        difference arises where the recording's quaternions have another length than 1 between its own frames."""
+        difference arises where the recording's quaternions are not of unit length between its frames."""
         figure, path = self.recorded.figure, self.recorded.path
         knots = np.unique(np.clip(self.knots, *path.span))
         frames = Frame.many(knots, path.at(knots), np.ones((knots.size, figure.width), bool))

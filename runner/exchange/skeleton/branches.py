@@ -1,8 +1,8 @@
 """Arms and legs of a figure without meaningful names, by its tree and the positions of its bodies at rest.
 
-Limbs come in pairs with equal lengths that hang on one body. Legs are the pair that reaches lowest, arms the one that
-hangs highest. A knee or elbow is the joint between the longest segments. A hinge that rotates about the limb's line
-does not end a segment: robots have such hinges half-way along upper arms and thighs.
+Limbs are pairs of chains with equal lengths on one body. Legs are the pair that reaches lowest, arms the one that hangs
+highest. A knee or elbow is the joint between the longest segments. A hinge that rotates about the limb's line does not
+end a segment: robots have such hinges half-way along upper arms and thighs.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ class Joint:
 class Skeleton:
     """Joints, parents first, and their motion: values (T, channels), in the file's units and degrees.
 
-    notes: lines on what is missing in the file; up: the vertical axis by convention
+    notes: lines on data that the file lacks; up: the vertical axis by convention
     """
 
     joints: tuple[Joint, ...]

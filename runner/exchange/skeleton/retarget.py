@@ -483,8 +483,8 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
 def _placed(
     captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float
 ) -> tuple[Array, Array]:
-    """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin. With it comes the
-    position error (T, 3) [m] of a root on slides."""
+    """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin. Also return the
+    position error (T, 3) [m] of a root on slides, which is zero for a free joint."""
     model = standing.model
     hips = captured.position[:, [captured.roles["left_thigh"], captured.roles["right_thigh"]]].mean(axis=1)
     middle = 0.5 * (standing.joint_of("left_thigh") + standing.joint_of("right_thigh"))

@@ -500,7 +500,7 @@ def _bare(timeline: Timeline) -> Timeline:
 
 
 class Course(TypedDict):
-    """How far a search has come: evaluations, E, and its terms."""
+    """The progress of a search: evaluations, E, and its terms."""
 
     evaluation: int
     value: float
