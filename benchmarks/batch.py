@@ -27,7 +27,7 @@ time = 0.5
 joints.left_hip = {{rotvec = [0, {hip}, 0]}}
 joints.left_knee = {{euler = [0, {knee}, 0]}}
 joints.right_elbow = {{rotvec = [0, {elbow}, 0]}}
-others = "hold"
+others = "previous"
 [[keyframe]]
 time = 1.0
 others = "rest"

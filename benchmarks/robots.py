@@ -175,7 +175,7 @@ def _turned_hinge(model: mujoco.MjModel) -> str:
     low, high = np.degrees(model.jnt_range[moved]) if model.jnt_limited[moved] else (-90.0, 90.0)
     at = np.degrees(model.qpos0[model.jnt_qposadr[moved]])
     to = at + SQUAT_TURN * (high - low) * (1 if high - at > at - low else -1)
-    return f'joints."{model.joint(moved).name}" = {to:.3f}\nothers = "hold"\n'
+    return f'joints."{model.joint(moved).name}" = {to:.3f}\nothers = "previous"\n'
 
 
 def measured(arrays: Path) -> dict[str, float]:

@@ -45,7 +45,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "keyframe": "the keyframes, at least two, in order of time",
             "scene": "obstacles and movable objects",
             "contact": "points that stay at rest for an interval",
-            "hold": "hands that hold a body for an interval",
+            "grasp": "hands that hold a body for an interval",
             "recording": "a recorded motion that the clip follows",
             "penalty": "changes to soft constraints",
             "solve": "settings of the solver",
@@ -93,8 +93,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "position": "in the world, in metres; default: the position in the keyframes of this interval",
         },
     ),
-    "[[hold]]": (
-        table.HoldTable,
+    "[[grasp]]": (
+        table.GraspTable,
         {
             "hand": "a site, foot, geom or body",
             "body": "the held body",

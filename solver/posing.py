@@ -153,7 +153,7 @@ class BodyGoal:
 
 
 @dataclass(frozen=True, eq=False)
-class HoldGoal:
+class GraspGoal:
     """A target that makes a point of one body coincide with a point of another.
 
     Attributes:
@@ -170,7 +170,7 @@ class HoldGoal:
     spot: Array
 
     @classmethod
-    def of(cls, figure: Figure, point: Point, link: int, spot: Array) -> HoldGoal:
+    def of(cls, figure: Figure, point: Point, link: int, spot: Array) -> GraspGoal:
         """Return the goal that a point coincides with a position (3,) [m] in the frame of a link."""
         hand, grip = PointGoal.of(figure, point), PointGoal.of(figure, Point(point.name, link, spot))
         return cls(point.name, hand.index, hand.offset, grip.index, grip.offset)
@@ -331,7 +331,7 @@ def chain(figure: Figure, body: int) -> list[int]:
 def moved_by(figure: Figure, goal: Goal) -> set[int]:
     """Return the links whose joints a goal depends on."""
     links = set(chain(figure, goal.body(figure.model)))
-    return links | set(chain(figure, goal.held)) if isinstance(goal, HoldGoal) else links
+    return links | set(chain(figure, goal.held)) if isinstance(goal, GraspGoal) else links
 
 
 def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:

@@ -52,7 +52,7 @@ class Clip(Renames):
         scene: The complete MJCF of figure and scene, with the files that it refers to.
         fps: Samples per second [1/s] of outputs.
         problem: The input of the solver: figure, keyframes, soft constraints, settings and end conditions.
-        context: The inputs of the soft constraints: soles, knees and elbows, contacts, holds, flights, the gait cycle.
+        context: The inputs of the soft constraints: soles, knees and elbows, contacts, grasps, flights, the gait cycle.
         notes: Lines on missing or doubtful input.
         custom_penalties: Custom soft constraints with their weights, which the problem contains, too. They are not
             stored in files.
@@ -156,7 +156,7 @@ def build(
     problem = Problem(figure, tuple(keys), (), source.settings, solve.ends, slope, solve.travel, turn)
     _check_timeline(problem, source.where)
     surfaces = static_surfaces(figure.model)
-    context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.hold)
+    context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.grasp)
     resting: tuple[str, ...] = ()
     stationary = context.is_stationary_at_ends
     if "ends" not in solve.given and any(stationary):

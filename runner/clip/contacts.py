@@ -1,8 +1,8 @@
-"""A clip's [[contact]] and [[hold]] tables: points that rest on the ground, and sites that stay on a body.
+"""A clip's [[contact]] and [[grasp]] tables: points that rest on the ground, and sites that stay on a body.
 
 Their position is `position` of the table, else that of the point in keyframes within the interval, of which the first
 has precedence. Without either, the search determines the position of a contact, and a hold only must not slide. If a
-keyframe puts the body out of the limb's reach, the hold is relaxed.
+keyframe puts the body out of the limb's reach, the grasp is relaxed.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import ROUNDING, Contacts, Hold, Rest, Spot, Stance
+from dynsplines.solver.contacts import ROUNDING, Contacts, Grasp, Rest, Spot, Stance
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
@@ -27,9 +27,9 @@ from dynsplines.solver.surface.points import Point, placed, places_of
 
 from ..errors import UserError, unknown
 from .posing.places import Places
-from .table import ContactTable, HoldTable
+from .table import ContactTable, GraspTable
 
-SLACK = 1.0  # slack of a hold relative to its excess of reach; without it a stretched limb whips there and back
+SLACK = 1.0  # slack of a grasp relative to its excess of reach; without it a stretched limb whips there and back
 
 
 def contacts(
@@ -77,7 +77,7 @@ def requested_rests(figure: Figure, tables: Sequence[ContactTable], soles: Seque
     return tuple(Rest(point, table.start, table.end) for point, table in points if point is not None)
 
 
-def check_interval(table: ContactTable | HoldTable, keys: Timeline, name: str) -> None:
+def check_interval(table: ContactTable | GraspTable, keys: Timeline, name: str) -> None:
     """Raise UserError unless a table's times rise and are within the clip."""
     first, last = float(keys.times[0]), float(keys.times[-1])
     if not table.start < table.end:
@@ -89,7 +89,7 @@ def check_interval(table: ContactTable | HoldTable, keys: Timeline, name: str) -
 
 
 def check_overlap(
-    table: ContactTable | HoldTable, before: Sequence[ContactTable | HoldTable], name: str, kind: str, why: str
+    table: ContactTable | GraspTable, before: Sequence[ContactTable | GraspTable], name: str, kind: str, why: str
 ) -> None:
     """Raise UserError if a table overlaps an earlier one (`before`) of the same point or site."""
     for number, other in enumerate(before, start=1):
@@ -192,22 +192,22 @@ def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None
 
 
 @dataclass(frozen=True)
-class _HoldRow:
-    """A table with its hold, and its label in errors."""
+class _GraspRow:
+    """A table with its grasp, and its label in errors."""
 
-    table: HoldTable
-    hold: Hold
+    table: GraspTable
+    grasp: Grasp
     name: str
 
 
-def holds(
-    figure: Figure, keys: Timeline, tables: Sequence[HoldTable], where: str, soles: Sequence[Point] = ()
-) -> tuple[Hold, ...]:
-    """Return the holds of a clip's tables; raises UserError that names the invalid table."""
+def grasps_of(
+    figure: Figure, keys: Timeline, tables: Sequence[GraspTable], where: str, soles: Sequence[Point] = ()
+) -> tuple[Grasp, ...]:
+    """Return the grasps of a clip's tables; raises UserError that names the invalid table."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
-    rows: list[_HoldRow] = []
+    rows: list[_GraspRow] = []
     for number, table in enumerate(tables, start=1):
-        name = f"{where}: hold {number} ('{table.hand}' on '{table.body}')"
+        name = f"{where}: grasp {number} ('{table.hand}' on '{table.body}')"
         point = places.point(table.hand)
         if point is None:
             raise UserError(f"{name}: {unknown('site', table.hand, places.points_listed)}")
@@ -217,17 +217,19 @@ def holds(
         if point.link == link:
             raise UserError(f"{name}: the site is on that body itself, where it always stays")
         check_interval(table, keys, name)
-        rows.append(_HoldRow(table, Hold(point, link, table.body, table.start, table.end), name))
-        check_overlap(table, tables[: number - 1], name, "hold {} of the same site", "a site holds one thing at a time")
-    return tuple(replace(row.hold, spots=tuple(_hold_spots(figure, keys, row))) for row in rows)
+        rows.append(_GraspRow(table, Grasp(point, link, table.body, table.start, table.end), name))
+        check_overlap(
+            table, tables[: number - 1], name, "grasp {} of the same site", "a site holds one thing at a time"
+        )
+    return tuple(replace(row.grasp, spots=tuple(_grasp_spots(figure, keys, row))) for row in rows)
 
 
-def requested_holds(figure: Figure, tables: Sequence[HoldTable], soles: Sequence[Point]) -> tuple[Hold, ...]:
-    """Return the holds of tables with existing sites and bodies, independent of the motion."""
+def requested_grasps(figure: Figure, tables: Sequence[GraspTable], soles: Sequence[Point]) -> tuple[Grasp, ...]:
+    """Return the grasps of tables with existing sites and bodies, independent of the motion."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
     points = [(places.point(table.hand), table) for table in tables if table.body in bodies]
     return tuple(
-        Hold(point, int(figure.body_link[bodies[table.body]]), table.body, table.start, table.end)
+        Grasp(point, int(figure.body_link[bodies[table.body]]), table.body, table.start, table.end)
         for point, table in points
         if point is not None
     )
@@ -248,29 +250,29 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
     return unknown("body", name, bodies)
 
 
-def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
+def _grasp_spots(figure: Figure, keys: Timeline, row: _GraspRow) -> list[Spot]:
     """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
-    hold, table, limits = row.hold, row.table, Thresholds.of(figure)
-    setting, places, exact = _hold_places(figure, keys, hold)
+    grasp, table, limits = row.grasp, row.table, Thresholds.of(figure)
+    setting, places, exact = _grasp_places(figure, keys, grasp)
     wanted = None
     if table.position is not None:
         wanted = figure.point_on_link(moving_bodies(figure)[table.body], np.array(table.position, float))[1]
 
     def contradicts(k: int, apart: float, first: int | None) -> str:
-        where = "the hold's position" if first is None else f"where keyframe {first + 1} has it"
+        where = "the grasp's position" if first is None else f"where keyframe {first + 1} has it"
         return (
             f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {apart:.3f} m from {where} on "
-            f"the body; a hold may drift by {limits.same_spot:.3g} m"
+            f"the body; a grasp may drift by {limits.same_spot:.3g} m"
         )
 
     firm = setting[exact[setting]] if exact[setting].any() else setting
     agreed = agreeing(places, firm, exact, wanted, limits.same_spot, contradicts)
     spots = {float(keys.times[k]): places[:, k].copy() for k in agreed}
     if wanted is not None and not spots:
-        spots = {hold.first: wanted}
+        spots = {grasp.first: wanted}
     if not spots:
         return []
-    there = replace(hold, spots=tuple(Spot(*stretch) for stretch in _hold_stretches(spots, hold)))
+    there = replace(grasp, spots=tuple(Spot(*stretch) for stretch in _grasp_stretches(spots, grasp)))
     slack: dict[float, float] = {}
     for k in np.setdiff1d(setting, firm):
         t = float(keys.times[k])
@@ -281,20 +283,20 @@ def _hold_spots(figure: Figure, keys: Timeline, row: _HoldRow) -> list[Spot]:
             spots[t], slack[t] = places[:, k].copy(), SLACK * short * (short > limits.met)
     return [
         Spot(*stretch, (slack.get(stretch[0], 0.0), slack.get(stretch[1], 0.0)))
-        for stretch in _hold_stretches(spots, hold)
+        for stretch in _grasp_stretches(spots, grasp)
     ]
 
 
-def _hold_stretches(found: dict[float, Array], hold: Hold) -> Iterator[tuple[float, float, Array, Array]]:
-    """Yield (first, last, from, to) from position to position of a hold, by time."""
-    return stretches(sorted(found.items(), key=lambda pair: pair[0]), hold.first, hold.last)
+def _grasp_stretches(found: dict[float, Array], grasp: Grasp) -> Iterator[tuple[float, float, Array, Array]]:
+    """Yield (first, last, from, to) from position to position of a grasp, by time."""
+    return stretches(sorted(found.items(), key=lambda pair: pair[0]), grasp.first, grasp.last)
 
 
-def _hold_places(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Mask]:
-    """Return the keyframes within a hold that specify it. These are indices (k,) of keyframes that set both site and
+def _grasp_places(figure: Figure, keys: Timeline, grasp: Grasp) -> tuple[Index, Array, Mask]:
+    """Return the keyframes within a grasp that specify it. These are indices (k,) of keyframes that set both site and
     body, positions (3, K) on the body, and which (K,) are fixed."""
     samples = Samples.still(figure, keys.states)
-    both = [hold.point, Point(hold.body, hold.link, np.zeros(3))]
+    both = [grasp.point, Point(grasp.body, grasp.link, np.zeros(3))]
     is_set, exact = (np.logical_and.reduce(placed(figure, mask, both)) for mask in (keys.known, keys.fixed))
-    inside = (keys.times >= hold.first - ROUNDING) & (keys.times <= hold.last + ROUNDING)
-    return np.flatnonzero(inside & is_set), slipped(samples, hold), exact
+    inside = (keys.times >= grasp.first - ROUNDING) & (keys.times <= grasp.last + ROUNDING)
+    return np.flatnonzero(inside & is_set), slipped(samples, grasp), exact

@@ -1,4 +1,4 @@
-"""The inputs of soft constraints, computed from keyframes and tables: soles, contacts, holds, flights, gait cycle."""
+"""The inputs of soft constraints, computed from keyframes and tables: soles, contacts, grasps, flights, gait cycle."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError, unknown
-from .contacts import contacts, holds
+from .contacts import contacts, grasps_of
 from .posing.feet import sole_points
 from .posing.places import Places
-from .table import ContactTable, HoldTable
+from .table import ContactTable, GraspTable
 
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
 REPEATED = 1e-3  # [m, 1] largest difference between equal keyframes; 1e-3 in a quaternion's entry is about 0.1°
@@ -58,13 +58,13 @@ class Context:
         where: str,
         placed: tuple[Placed, ...] = (),
         tables: Sequence[ContactTable] = (),
-        held: Sequence[HoldTable] = (),
+        held: Sequence[GraspTable] = (),
     ) -> Context:
         """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
         whole = [frame.state for frame in keys.frames if frame.fixed.all()]
         points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
         specified = contacts(figure, keys, tables, where, points, surfaces)
-        grasps = holds(figure, keys, held, where, points)
+        grasps = grasps_of(figure, keys, held, where, points)
         schedule = ContactSchedule(figure, keys, points, surfaces, specified, grasps)
         return cls(schedule, where, tuple(knees_and_elbows(figure)), placed)
 

@@ -25,7 +25,7 @@ from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Cycle,
     Flight,
-    HoldPenalty,
+    GraspPenalty,
     HoverPenalty,
     JointRange,
     Level,
@@ -239,7 +239,7 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
 
 
 def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
-    """Return the contacts of the figure's corners with the objects that it holds. Spheres that fill the figure would
+    """Return the contacts of the figure's corners with the objects that it grasps. Spheres that fill the figure would
     take ten times as long, because these objects are always near its hands."""
     points = context.schedule.exclude_grasped(body_points(context.figure))
     objects = [(link, surfaces_on(context.figure, link)) for link in context.schedule.grasped]
@@ -247,7 +247,7 @@ def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
         Contact(points, surfaces, margin, called=BODY, carrier=link).allowing(
             context.figure,
             context.keys,
-            [(hold.point.link, hold.first, hold.last) for hold in context.schedule.grasps if hold.link == link],
+            [(grasp.point.link, grasp.first, grasp.last) for grasp in context.schedule.grasps if grasp.link == link],
         )
         for link, surfaces in objects
         if surfaces
@@ -414,7 +414,7 @@ RENAMED = {
     "self": Renamed("collision", "self", {"margin": "margin"}, {"self": True}),
     "planted": Renamed("attach", "stance"),
     "resting": Renamed("attach", "contact"),
-    "hold": Renamed("attach", "hold"),
+    "hold": Renamed("attach", "grasp"),
     "placement": Renamed("attach", "placement"),
     "skate": Renamed("no_slip", "", {"reach": "reach"}),
     "bend": Renamed(
@@ -475,9 +475,9 @@ KINDS = {
                 Part(0.3, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
                 Part(750.0, "movement of [[contact]] points", _contact, "contact"),
                 Part(
-                    750.0, "movement of [[hold]] sites relative to the held body",
-                    lambda context, options: HoldPenalty(context.schedule.grasps) if context.schedule.grasps else None,
-                    "hold",
+                    750.0, "movement of [[grasp]] sites relative to the held body",
+                    lambda context, options: GraspPenalty(context.schedule.grasps) if context.schedule.grasps else None,
+                    "grasp",
                 ),
                 Part(
                     30.0, 'distance of sites with by = "search" from their targets',

@@ -27,7 +27,7 @@ from ..scene.assets import Scene, taken_along
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
-from .contacts import requested_holds, requested_rests
+from .contacts import requested_grasps, requested_rests
 from .obstacles import obstacles
 from .parse import Parsed, called, check_times, parse, read, renewed, table_of
 from .pose import pose, soles_of, stander_of
@@ -300,7 +300,7 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     """Return the clip that a saved motion solves, with the keyframes and the ends of the motion itself.
 
     Args:
-        contacts: Whether contacts and holds of its text, and positions left to the search, still apply.
+        contacts: Whether contacts and grasps of its text, and positions left to the search, still apply.
     """
     source, placed = Parsed.of(saved.text, saved.name, saved.name), list[Placed]()
     source = source.with_solve(solve_of(saved, source.table.solve), [key.time for key in saved.keys])
@@ -308,7 +308,7 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
         places = Places(saved.figure, soles_of(saved.figure, saved.keys))
         placed = [point for row in source.table.keyframe for point in wanted(places, row, saved.name).placed]
     else:  # the tables apply to the clip before its edits
-        source = replace(source, table=source.table.model_copy(update={"contact": [], "hold": []}))
+        source = replace(source, table=source.table.model_copy(update={"contact": [], "grasp": []}))
     return build(source, saved.scene, saved.figure, saved.keys, placed, saved.fps)
 
 
@@ -329,7 +329,7 @@ def clip_from_motion(saved: Saved) -> Clip:
         clip, table = of_motion(saved), source.table
         points = clip.context.points
         given_contacts = Contacts(requested=requested_rests(saved.figure, table.contact, points))
-        held_sites = requested_holds(saved.figure, table.hold, points)
+        held_sites = requested_grasps(saved.figure, table.grasp, points)
         return replace(clip, context=clip.context.scheduled(contacts=given_contacts, grasps=held_sites))
 
 

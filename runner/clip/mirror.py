@@ -121,9 +121,9 @@ def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTabl
         solve=_solve(clip.solve),
         penalty=[_penalty(entry, sides) for entry in clip.penalty],
         contact=[_placed(row.changed(point=sides.other(row.point)), "position") for row in clip.contact],
-        hold=[
+        grasp=[
             _placed(row.changed(hand=sides.other(row.hand), body=sides.other(row.body)), "position")
-            for row in clip.hold
+            for row in clip.grasp
         ],
         keyframe=[_keyframe(row, sides) for row in clip.keyframe],
     )

@@ -1,7 +1,7 @@
 """Obstacles and objects of a clip's [scene]. An object keeps its position until a hand grasps it.
 
 A keyframe that does not specify an object's pose has that of the previous keyframe. The keyframes before the first
-specified pose have this pose. If a [[hold]] moves an object in between, it is free, independent of `others`.
+specified pose have this pose. If a [[grasp]] moves an object in between, it is free, independent of `others`.
 """
 
 from __future__ import annotations
@@ -71,5 +71,5 @@ def _first(table: ClipTable, name: str) -> RootTable:
 
 def _is_carried(table: ClipTable, name: str, first: float, last: float) -> bool:
     """Return whether an object is held at any time of an interval."""
-    holds = (hold for hold in table.hold if hold.body == name)
-    return any(max(hold.start, first) < min(hold.end, last) - ROUNDING for hold in holds)
+    grasps = (grasp for grasp in table.grasp if grasp.body == name)
+    return any(max(grasp.start, first) < min(grasp.end, last) - ROUNDING for grasp in grasps)

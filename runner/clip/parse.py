@@ -158,13 +158,17 @@ def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
 
 
 def renewed(text: str) -> str:
-    """Return a clip's text with older kinds of penalty replaced by present ones."""
+    """Return a clip's text with older names of tables, values and kinds of penalty replaced by present ones."""
     try:
         raw = tomllib.loads(text)
-        now = replaced(raw.get("penalty", []))
-    except (ValueError, TypeError, RecursionError):  # damaged text is reported by the parser
+        penalties = replaced(raw.get("penalty", []))
+        keys = [row | {"others": "previous"} if row.get("others") == "hold" else row for row in raw.get("keyframe", [])]
+    except (ValueError, TypeError, AttributeError, RecursionError):  # damaged text is reported by the parser
         return text
-    return text if now is None else written(raw | {"penalty": [tables(entry) for entry in now]})
+    now = {("grasp" if key == "hold" else key): value for key, value in raw.items()}
+    now |= {"keyframe": keys} if keys else {}
+    now |= {} if penalties is None else {"penalty": [tables(entry) for entry in penalties]}
+    return text if now == raw else written(now)
 
 
 def references(text: str) -> tuple[str | None, str | None]:
@@ -180,8 +184,8 @@ def references(text: str) -> tuple[str | None, str | None]:
 
 def _misplaced(table: ClipTable) -> Iterator[str]:
     """Yield a line for every table or key that only a clip without a recording can have."""
-    if table.hold:
-        yield "[[hold]] is for clips of keyframes; one that follows a recording has none"
+    if table.grasp:
+        yield "[[grasp]] is for clips of keyframes; one that follows a recording has none"
     if table.solve.model_fields_set - {"coordinates"}:
         yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
     for entry in table.penalty:

@@ -58,13 +58,13 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
     loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
     keys: list[Frame] = []
     for row, here, free in zip(rows, places, loose, strict=True):
-        if row.others == "hold" and not keys:
-            raise UserError(f"{here}: others = 'hold' has no keyframe before it to hold")
+        if row.others == "previous" and not keys:
+            raise UserError(f"{here}: others = 'previous' has no keyframe before it")
         keys.append(_based(_key(figure, row, keys[-1] if keys else None, free, here), base))
     stander, missed = stander_of(source, figure), list[str]()
     if any(want.goals for want in wants):
         for k, (row, want, here) in enumerate(zip(rows, wants, places, strict=True)):
-            partial = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # "hold" uses solved keyframes
+            partial = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # "previous" uses solved keyframes
             keys[k] = _based(partial, base)
             if want.goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
@@ -88,7 +88,7 @@ def stander_of(source: Parsed, figure: Figure) -> Stander:
         posing_bends(figure, options),
         table.solve,
         source.where,
-        held=table.hold,
+        held=table.grasp,
         aloft=listed_flights(options),
     )
 
@@ -129,7 +129,7 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
     fixed = np.full(figure.width, row.others == "rest" or row.model_key is not None)
     if row.model_key is not None:
         qpos = figure.to_qpos(figure.to_state(figure.model.key(row.model_key).qpos))  # unit quaternions
-    if row.others == "hold" and before is not None:
+    if row.others == "previous" and before is not None:
         qpos, fixed = np.array(before.state), np.array(before.fixed)
     for i in loose:
         fixed[entries(figure, i)] = False

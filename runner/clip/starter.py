@@ -285,8 +285,8 @@ def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:
     free = {loop.name: "free" for loop in loops if loop is not link}
     closed = {loop.name: _joint(loop, qpos) for loop in loops}
     return [
-        KeyframeTable.unchecked(time=start + APART, joints={link.name: there, **free}, others="hold"),
-        KeyframeTable.unchecked(time=start + 2 * APART, joints={link.name: back, **closed}, others="hold"),
+        KeyframeTable.unchecked(time=start + APART, joints={link.name: there, **free}, others="previous"),
+        KeyframeTable.unchecked(time=start + 2 * APART, joints={link.name: back, **closed}, others="previous"),
     ]
 
 
@@ -395,7 +395,7 @@ def _head(source: str, own: bool, count: int, raised: float, settled: float) -> 
     return (
         f"# A clip for {name}: {content}{more}.{up}{off if own and settled >= TOLD else ''}"
         "# Units are degrees, metres and seconds. The solver chooses joints that a keyframe does not name. To specify\n"
-        '# them, add others = "hold" (as in the previous keyframe), "rest" or "key:NAME" (a <key> of the model).\n'
+        '# them, add others = "previous" (as in the previous keyframe), "rest" or "key:NAME" (a <key> of the model).\n'
         "# To see the motion: dynsplines render THIS_FILE"
     )
 

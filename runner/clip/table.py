@@ -139,7 +139,7 @@ class KeyframeTable(Table):
     joints: dict[str, RotationTable | Number | Literal["free"]] = {}
     sites: dict[str, SiteTable | Axes] = {}
     bodies: dict[str, BodyTable] = {}
-    others: Literal["free", "rest", "hold"] | ModelKey = "free"
+    others: Literal["free", "rest", "previous"] | ModelKey = "free"
 
     @property
     def model_key(self) -> str | None:
@@ -254,7 +254,7 @@ class ContactTable(Table):
         return self.point
 
 
-class HoldTable(Table):
+class GraspTable(Table):
     """A site that is fixed on a body in an interval [s]."""
 
     hand: str
@@ -360,6 +360,6 @@ class ClipTable(Table):
     solve: SolveTable = SolveTable()
     penalty: list[PenaltyTable] = []
     contact: list[ContactTable] = []
-    hold: list[HoldTable] = []
+    grasp: list[GraspTable] = []
     recording: RecordingTable | None = None
     keyframe: list[KeyframeTable] = []

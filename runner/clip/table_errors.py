@@ -15,7 +15,7 @@ from .table import (
     BoxTable,
     ClipTable,
     ContactTable,
-    HoldTable,
+    GraspTable,
     KeyframeTable,
     PenaltyTable,
     RecordingTable,
@@ -50,9 +50,13 @@ def describe(
     key = ".".join(names)
     kind = first["type"]
     if kind == "extra_forbidden":
+        if key in _RENAMED:
+            return f"[[{key}]] is named [[{_RENAMED[key]}]] now"
         above = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
         fields = _schema(words, names[:-1], root).model_fields
         return where + above + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
+    if names[-1:] == ["others"] and actual == "hold":
+        return f"{where}others = 'hold' is named others = 'previous' now"
     if kind == "missing" and isinstance(first["loc"][-1], str):
         return f"{where}'{key}' is missing"
     if kind == "value_error":
@@ -99,7 +103,7 @@ def _role(words: list[str], names: list[str]) -> str:
         return _OF_PENALTIES[names[0]]
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][0]
-    if words and words[0].startswith(("contact", "hold")) and names:
+    if words and words[0].startswith(("contact", "grasp")) and names:
         return {"from": "time", "to": "time", "position": "obstacle's position", "body": "body's name"}.get(
             names[-1], names[-1]
         )
@@ -127,6 +131,7 @@ def _shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+_RENAMED = {"hold": "grasp"}  # tables of a clip
 _OF_PENALTIES = {"weight": "weight", "bodies": "bodies of a penalty", "axis": "axis of a penalty"}
 _NAMED: dict[str, tuple[str, type[Table]]] = {
     "joints": ("joint", RotationTable),
@@ -138,7 +143,7 @@ _TABLES: dict[str, type[Table]] = {
     "keyframe": KeyframeTable,
     "penalty": PenaltyTable,
     "contact": ContactTable,
-    "hold": HoldTable,
+    "grasp": GraspTable,
     "scene": SceneTable,
     "step": StepTable,
     "scene.box": BoxTable,
@@ -160,12 +165,12 @@ _EXPECTED = {
     **dict.fromkeys(("kind", "criterion", "optimiser", "order", "point", "hand"), "a word in quotes"),
     **dict.fromkeys(("points", "bend_joints", "bodies of a penalty"), "a list of names"),
     "intervals": "a list of [from, to] in seconds",
-    "others": "'free', 'rest', 'hold' or 'key:NAME', a <key> of the model",
+    "others": "'free', 'rest', 'previous' or 'key:NAME', a <key> of the model",
     "figure": "the name of a figure or a path in quotes",
     "keyframe": "[[keyframe]] tables",
     "penalty": "[[penalty]] tables",
     "contact": "[[contact]] tables",
-    "hold": "[[hold]] tables",
+    "grasp": "[[grasp]] tables",
     **{kind: f"[[scene.{kind}]] tables" for kind in ("box", "sphere", "capsule", "cylinder")},
     **dict.fromkeys(("obstacle's position", "from", "to"), "[x, y, z] in metres"),
     "root": "a table: position and rotation of a free joint",

@@ -27,7 +27,7 @@ from ..clip.file import standing_alone
 from ..clip.load import clip_from_motion, of_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
-from ..clip.table import ClipTable, ContactTable, HoldTable, PenaltyTable, SolveTable
+from ..clip.table import ClipTable, ContactTable, GraspTable, PenaltyTable, SolveTable
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..measure.violation import stop_of
@@ -36,7 +36,7 @@ from ..solving import Solved
 from ..system.progress import Progress
 
 Span = tuple[float, float]  # [s]
-Row = TypeVar("Row", ContactTable, HoldTable)
+Row = TypeVar("Row", ContactTable, GraspTable)
 Edit = Callable[[ClipTable], ClipTable]
 
 FRAME_SECONDS = 0.025  # [s] spacing of variable frames in a transition, short enough to avoid the floor near its ends
@@ -85,7 +85,7 @@ def retimed(saved: Saved, speed: float) -> Saved:
 
 
 def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
-    """Return a clip's tables with the times of keyframes, contacts, holds, flights and a cycle at another speed."""
+    """Return a clip's tables with the times of keyframes, contacts, grasps, flights and a cycle at another speed."""
     if clip.recording is not None:
         raise UserError("recording: set its speed in the clip, or retime the solved motion: -o NAME.npz")
     start = clip.keyframe[0].time
@@ -96,7 +96,7 @@ def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
     return clip.changed(
         keyframe=[row.changed(time=later(row.time)) for row in clip.keyframe],
         contact=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.contact],
-        hold=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.hold],
+        grasp=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.grasp],
         penalty=[_paced(row, later, speed) for row in clip.penalty],
     )
 
@@ -115,7 +115,7 @@ class Lasting:
     """Contacts, holds and flights that a motion gets from another one; flights None: their times are unknown."""
 
     contacts: Sequence[ContactTable] = ()
-    holds: Sequence[HoldTable] = ()
+    grasps: Sequence[GraspTable] = ()
     flights: Sequence[Span] | None = ()
 
 
@@ -156,7 +156,7 @@ def repeated(saved: Saved, count: int) -> Saved:
     rounds = [(i, period * i) for i in range(1, count)]
     more = Lasting(
         [row for i, shift in rounds for row in _carried(_later(table.contact, shift), saved.figure, seam, i)],
-        [row for _, shift in rounds for row in _later(table.hold, shift)],
+        [row for _, shift in rounds for row in _later(table.grasp, shift)],
         [(first + shift, last + shift) for _, shift in rounds for first, last in flown],
     )
     displacement = around(replace(saved, timeline=timeline))
@@ -186,7 +186,7 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     table, flown = _table(after), _flights(after)
     more = Lasting(
         [row for row in _later(table.contact, shift) if row.position is None],  # specified positions no longer apply
-        _later(table.hold, shift),
+        _later(table.grasp, shift),
         None if flown is None else [(first + shift, last + shift) for first, last in flown],
     )
     return _with_keys(before, keys, join.joined(one, between, two), more)
@@ -275,7 +275,7 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
 
 
 def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None, more: Lasting = Lasting()) -> str:
-    """Return the clip's text with other keyframes, and its and `more`'s contacts, holds and flights, cut to its time.
+    """Return the clip's text with other keyframes, and its and `more`'s contacts, grasps and flights, cut to its time.
     There are no flights if the times of those of `more` are unknown. With `solve` None the clip has free ends."""
     span = keys[0].time, keys[-1].time
 
@@ -283,7 +283,7 @@ def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None,
         return clip.changed(
             solve=clip.solve.without("ends", *AROUND) if solve is None else solve,
             contact=_cut([*clip.contact, *more.contacts], *span),
-            hold=_cut([*clip.hold, *more.holds], *span),
+            grasp=_cut([*clip.grasp, *more.grasps], *span),
             penalty=[_flying(row, more.flights, span) for row in clip.penalty],
             keyframe=keyframe_tables(saved.figure, keys),
         )
@@ -335,7 +335,7 @@ def _carried(contacts: Sequence[ContactTable], figure: Figure, seam: Seam, perio
 
 
 def _cut(rows: Sequence[Row], first: float, last: float) -> list[Row]:
-    """Return the parts of contacts or holds between two times [s]."""
+    """Return the parts of contacts or grasps between two times [s]."""
     cut = [row.changed(start=max(row.start, first), end=min(row.end, last)) for row in rows]
     return [row for row in cut if row.end - row.start >= SHORTEST]
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import Hold, Rest, Stance
+from dynsplines.solver.contacts import Grasp, Rest, Stance
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
@@ -320,20 +320,20 @@ def moved(stays: Sequence[Stay], groups: Index, fixed: Fixed) -> Check:
     return Check.each("moved", rows, hits, fixed.places[[stay.stance.point.link for stay in stays]], groups)
 
 
-def slips(holds: Sequence[Hold], starts: Sequence[Array], fixed: Fixed) -> Check:
+def slips(grasps: Sequence[Grasp], starts: Sequence[Array], fixed: Fixed) -> Check:
     """Return the check of sites that move on grasped links; starts: initial positions (3,) [m] on these."""
     text = "{} moves {{}} on {}, which it holds"
-    rows = [row_of("hold", hold.point.name, text.format(hold.point.name, hold.body)) for hold in holds]
+    rows = [row_of("grasp", grasp.point.name, text.format(grasp.point.name, grasp.body)) for grasp in grasps]
 
     def hits(samples: Samples) -> Hits:
-        out = np.zeros((len(holds), samples.count))
-        for i, (hold, start) in enumerate(zip(holds, starts, strict=True)):
-            during = (samples.t >= hold.first) & (samples.t <= hold.last)
-            out[i] = during * np.linalg.norm(slipped(samples, hold) - start[:, None], axis=0)
+        out = np.zeros((len(grasps), samples.count))
+        for i, (grasp, start) in enumerate(zip(grasps, starts, strict=True)):
+            during = (samples.t >= grasp.first) & (samples.t <= grasp.last)
+            out[i] = during * np.linalg.norm(slipped(samples, grasp) - start[:, None], axis=0)
         return Hits.of(out)
 
     return Check.each(
-        "hold", rows, hits, np.array([fixed.places[hold.point.link] & fixed.places[hold.link] for hold in holds])
+        "grasp", rows, hits, np.array([fixed.places[grasp.point.link] & fixed.places[grasp.link] for grasp in grasps])
     )
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.contacts import Hold, Rest, Stance, stances
+from dynsplines.solver.contacts import Grasp, Rest, Stance, stances
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
@@ -64,7 +64,7 @@ class Measurement:
         key_times = np.clip([key.time for key in clip.keys], *path.span)
         stays = tuple(_stays(clip, timeline))
         instants = [t for stay, _ in stays for t in (stay.stance.first, stay.stance.last)]
-        instants += [t for hold in clip.context.schedule.grasps for t in (hold.first, hold.last)]
+        instants += [t for grasp in clip.context.schedule.grasps for t in (grasp.first, grasp.last)]
         instants += [place.time for place in clip.context.placed]
         even = np.linspace(*path.span, max(2, round(float(np.ptp(path.span)) * RATE) + 1))
         time = np.unique(np.concatenate([even, key_times, instants]))
@@ -139,7 +139,7 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
             yield checks.moved([stay for stay, _ in rows], np.array([group for _, group in rows]), fixed)
     if context.schedule.grasps:
         yield checks.slips(
-            context.schedule.grasps, [begun(figure, timeline, hold) for hold in context.schedule.grasps], fixed
+            context.schedule.grasps, [begun(figure, timeline, grasp) for grasp in context.schedule.grasps], fixed
         )
     soles = frozenset(point.name for point in context.points)
     yield checks.sunk(_kept_out(clip, parts), soles, feet, fixed)
@@ -215,9 +215,9 @@ def _groups(rests: Sequence[Rest | Stance], feet: Index) -> Index:
     return groups
 
 
-def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
-    """Return the position (3,) [m] of a hold's point on the link when the hold begins."""
-    return slipped(samples_at(figure, path_of(timeline), np.array([hold.first])), hold)[:, 0]
+def begun(figure: Figure, timeline: Timeline, grasp: Grasp) -> Array:
+    """Return the position (3,) [m] of a grasp's point on the link when the grasp begins."""
+    return slipped(samples_at(figure, path_of(timeline), np.array([grasp.first])), grasp)[:, 0]
 
 
 def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:

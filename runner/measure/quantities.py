@@ -82,7 +82,7 @@ class Side:
             "stances": _stances(clip, timeline),
             "swings": swings(clip, samples),
             "contacts": _contacts(clip, timeline),
-            "holds": _holds(clip, self.measurement),
+            "grasps": _grasps(clip, self.measurement),
             "in what is carried, m": _in_carried(clip, worst("self")),
             "off their places, m": {f"{row.name} at {time:g} s": away for row, away, time in worst("placement")},
             "edge clearance, m": _edge_clearance(clip, samples),
@@ -147,12 +147,12 @@ def _equalities(joints: Worst, loops: Worst) -> dict[str, Any]:
     return result | ({"closed": {"loop": loops[0][0].name, "most, m": loops[0][1]}} if loops else {})
 
 
-def _holds(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
-    """Return the displacement of every hold's site on the body since the start of the hold."""
-    largest, out = measurement.largest("hold"), []
-    for i, hold in enumerate(clip.context.schedule.grasps):
-        moved, time = largest.get(i, (0.0, hold.first))
-        row = {"hand": hold.point.name, "body": hold.body, "from, s": hold.first, "to, s": hold.last}
+def _grasps(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
+    """Return the displacement of every grasp's site on the body since the start of the grasp."""
+    largest, out = measurement.largest("grasp"), []
+    for i, grasp in enumerate(clip.context.schedule.grasps):
+        moved, time = largest.get(i, (0.0, grasp.first))
+        row = {"hand": grasp.point.name, "body": grasp.body, "from, s": grasp.first, "to, s": grasp.last}
         out.append(row | {"moved, m": moved, "at, s": time})
     return out
 

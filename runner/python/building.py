@@ -44,8 +44,8 @@ class Keyframe:
         bodies: By name: {"flat": True}, a rotation in the world, or {"position": [x, y, z]} of the body's origin, or
             of the point "at" in the body's axes.
         roots: As `root`, for further free bodies by the names of their joints.
-        others: Unspecified joints and root: "free", "rest", "hold" (as in the keyframe before), or "key:NAME" (a <key>
-            of the model).
+        others: Unspecified joints and root: "free", "rest", "previous" (as in the keyframe before), or "key:NAME" (a
+            <key> of the model).
         qpos: (nq,) complete configuration in MuJoCo's order, overridden by the other arguments.
     """
 
@@ -55,12 +55,12 @@ class Keyframe:
     sites: Mapping[str, ArrayLike | Table] = field(default_factory=dict)
     bodies: Mapping[str, Turn] = field(default_factory=dict)
     roots: Mapping[str, Table] = field(default_factory=dict)
-    others: Literal["free", "rest", "hold"] | str = "free"
+    others: Literal["free", "rest", "previous"] | str = "free"
     qpos: ArrayLike | None = None
 
 
 @as_python_warnings()
-@renamed_arguments(own="custom_penalties")
+@renamed_arguments(own="custom_penalties", holds="grasps")
 def build(
     figure: str | os.PathLike[str] | mujoco.MjSpec | mujoco.MjModel,
     keyframes: Sequence[Keyframe],
@@ -69,7 +69,7 @@ def build(
     fps: float = 30.0,
     scene: Table | None = None,
     contacts: Sequence[Table] = (),
-    holds: Sequence[Table] = (),
+    grasps: Sequence[Table] = (),
     penalties: Mapping[str, float | Table] | None = None,
     solve: Table | None = None,
     recording: Table | None = None,
@@ -86,7 +86,7 @@ def build(
         fps: Samples per second [1/s] of outputs.
         scene: The clip file's [scene]: {"step": {"x": 0.3, "height": 0.27}, "box": [{...}, ...]}.
         contacts: Its [[contact]] tables: {"point": "right_heel", "from": 0.0, "to": 0.8}, times in s.
-        holds: Its [[hold]] tables: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}, times in s.
+        grasps: Its [[grasp]] tables: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}, times in s.
         penalties: Changes of the default soft constraints: {"torque": 0.1, "collision": {"weight": 100, "margin":
             0.002}}.
         solve: Its [solve] table: {"ends": "periodic", "variable": 3}.
@@ -109,7 +109,7 @@ def build(
             key: _plain(value) for key, value in (("scene", scene), ("solve", solve), ("recording", recording)) if value
         }
         raw |= {"contact": [_plain(row) for row in contacts]} if contacts else {}
-        raw |= {"hold": [_plain(row) for row in holds]} if holds else {}
+        raw |= {"grasp": [_plain(row) for row in grasps]} if grasps else {}
         raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
         raw |= {"keyframe": [_table(key, posed) for key in keyframes]}
         return with_custom_penalties(

@@ -1,4 +1,4 @@
-"""The content of a clip's text on the page: keyframes and their entries, contacts, holds, weights, obstacles."""
+"""The content of a clip's text on the page: keyframes and their entries, contacts, grasps, weights, obstacles."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Outline(TypedDict):
     fps: float
     keys: list[TomlTable]
     contacts: list[TomlTable]
-    holds: list[TomlTable]
+    grasps: list[TomlTable]
     weights: dict[str, float]
     options: dict[str, TomlTable]
     obstacles: list[TomlTable]
@@ -44,7 +44,7 @@ def outline(text: str, where: str) -> Outline:
         "fps": table.fps,
         "keys": [_key(row) for row in content.get("keyframe", [])],
         "contacts": content.get("contact", []),
-        "holds": content.get("hold", []),
+        "grasps": content.get("grasp", []),
         "weights": weights(table, where),
         "options": {entry["kind"]: entry for entry in content.get("penalty", [])},
         "obstacles": [

@@ -15,7 +15,7 @@ from ..errors import UserError
 from .document import Document, parsed
 from .solver import Message
 
-BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` refers to these tables
+BARS = {"set_contact": "contact", "set_grasp": "grasp"}  # edits whose `index` refers to these tables
 
 
 def renumbered(document: Document, revision: int | None, request: Mapping[str, Any], edit: str = "") -> Message:

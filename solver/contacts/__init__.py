@@ -17,7 +17,7 @@ from .footing import Interval as Interval
 from .footing import flights as flights
 from .footing import footings as footings
 from .footing import within as within
-from .grasp import Hold as Hold
+from .grasp import Grasp as Grasp
 from .grasp import Spot as Spot
 from .grasp import grasped_links as grasped_links
 from .grasp import surfaces_on as surfaces_on

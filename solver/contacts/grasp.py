@@ -43,7 +43,7 @@ class Spot:
 
 
 @dataclass(frozen=True, eq=False)
-class Hold:
+class Grasp:
     """A grasp of one link by a point of another from `first` to `last` [s].
 
     link   index of the grasped link;  body  its name
@@ -92,10 +92,10 @@ def tree_of(figure: Figure, link: int) -> int:
     return link
 
 
-def grasped_links(figure: Figure, holds: Sequence[Hold]) -> tuple[int, ...]:
+def grasped_links(figure: Figure, grasps: Sequence[Grasp]) -> tuple[int, ...]:
     """Return the links, in order, of trees that are held by a point of another tree and hold nothing."""
-    holders = {tree_of(figure, hold.point.link) for hold in holds}
-    trees = {tree_of(figure, hold.link) for hold in holds} - holders
+    holders = {tree_of(figure, grasp.point.link) for grasp in grasps}
+    trees = {tree_of(figure, grasp.link) for grasp in grasps} - holders
     return tuple(i for i in range(1, len(figure.links)) if tree_of(figure, i) in trees)
 
 

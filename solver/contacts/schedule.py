@@ -16,7 +16,7 @@ from ..surface.points import Point, body_points, free_root, hanging
 from .footing import Footing, Interval, flights, footings
 from .gait import GaitCycle
 from .gait_period import Gait
-from .grasp import Hold, grasped_links
+from .grasp import Grasp, grasped_links
 from .grounded import clearance, grounded_intervals, open_intervals
 from .stance import Rest, Stance, resting_objects, stances
 from .thresholds import Thresholds
@@ -59,7 +59,7 @@ class ContactSchedule:
     points: tuple[Point, ...] = ()
     surfaces: tuple[Surface, ...] = ()
     contacts: Contacts = Contacts()
-    grasps: tuple[Hold, ...] = ()
+    grasps: tuple[Grasp, ...] = ()
     specified_footings: tuple[Footing, ...] | None = None
     specified_flights: tuple[Interval, ...] | None = None
     has_cycle: bool | None = None

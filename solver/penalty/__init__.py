@@ -16,8 +16,8 @@ from .block import Entries as Entries
 from .check import check as check
 from .ground.contact import Contact as Contact
 from .ground.flight import Flight as Flight
-from .ground.hold import HoldPenalty as HoldPenalty
-from .ground.hold import slipped as slipped
+from .ground.grasp import GraspPenalty as GraspPenalty
+from .ground.grasp import slipped as slipped
 from .ground.hover import HoverPenalty as HoverPenalty
 from .ground.placement import Placed as Placed
 from .ground.placement import Placement as Placement

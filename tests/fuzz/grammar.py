@@ -96,7 +96,7 @@ point = "left_heel"
 from = 0.05
 to = 0.15
 
-[[hold]]
+[[grasp]]
 hand = "left_hand"
 body = "crate"
 from = 0.2
@@ -241,7 +241,7 @@ class _Drawn:
         ends = number == 0
         found: dict[str, object] = {"time": self._odd(lambda: time), "root": self._some(root, 1.0 if ends else 0.7)}
         if ends or self.draw.random() < 0.3:
-            found["others"] = self._odd(lambda: "rest" if ends else self.draw.choice(["rest", "hold", "free"]))
+            found["others"] = self._odd(lambda: "rest" if ends else self.draw.choice(["rest", "previous", "free"]))
         found |= self._some({"joints": lambda: self._some(joints, 0.9)}, 0.6)
         if self.draw.random() < 10 * self.oddly:
             found["sites"] = {str(self._site()): self._vector(0.5)}

@@ -123,7 +123,7 @@ def test_several_depths_in_a_row_are_all_posed():
 
 @pytest.mark.slow
 def test_what_is_held_is_posed_again_where_the_pelvis_has_gone():
-    problem = between("root.position = [0, 0, 0.7]", 'root.position = [0.05, 0, 0.6]\nothers = "hold"')
+    problem = between("root.position = [0, 0, 0.7]", 'root.position = [0.05, 0, 0.6]\nothers = "previous"')
     assert posed_feet(problem) == ["", "lr", "lr", ""]
     np.testing.assert_allclose(soles(problem, 2), soles(problem, 0), atol=1e-6)
 

@@ -29,7 +29,7 @@ from dynsplines.solver.posing import (
     STARTS,
     BodyGoal,
     Goal,
-    HoldGoal,
+    GraspGoal,
     PointGoal,
     Posed,
     chain,
@@ -317,7 +317,7 @@ HOLDING = """
 def test_a_hold_misses_what_mujoco_has_between_its_places_and_changes_as_both_bodies_move(rng):
     figure = figure_of(HOLDING)
     palm, grip = site_points(figure, ["palm", "grip"])
-    goal = HoldGoal.of(figure, palm, grip.link, grip.position)
+    goal = GraspGoal.of(figure, palm, grip.link, grip.position)
     qpos = np.array(figure.model.qpos0)
     mujoco.mj_integratePos(figure.model, qpos, rng.normal(size=figure.model.nv), 1.0)
 

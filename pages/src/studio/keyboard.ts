@@ -63,7 +63,7 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: H
   ["]", "timeline: zoom in", () => timeline.zoom(0.7)],
   ["K", "insert a keyframe from the path", () => void addKey()],
   ["N", "new keyframes: of one limb, or of the whole figure", click("partial")],
-  ["Delete", "delete keyframes, a contact or hold", () => void remove()],
+  ["Delete", "delete keyframes, a contact or grasp", () => void remove()],
   ["Alt-ArrowLeft", "move the keyframe one frame earlier", () => nudge(-1)],
   ["Alt-ArrowRight", "move the keyframe one frame later", () => nudge(1)],
   ["Alt-ArrowUp", "spread selected keyframes by 10 %", () => scaled(1.1)],
@@ -106,7 +106,7 @@ const MOUSE: [string, string][] = [
   ["select an obstacle in the panel Scene", "arrows move it; the dots on its faces and ends resize it"],
   ["drag the background", "orbit; right button or Shift: pan; wheel: zoom"],
   ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Ctrl-Alt: scale in time; Alt: do not snap"],
-  ["drag over a point's row", "new contact; drag it or its ends; on a hand's row (select a joint of its arm): new hold"],
+  ["drag over a point's row", "new contact; drag it or its ends; on a hand's row (select a joint of its arm): new grasp"],
   ["Ctrl-wheel, Shift-wheel", "zoom and move the timeline"],
 ];
 

@@ -75,7 +75,7 @@ const HANDLERS: Record<string, (message: Message) => void> = {
     model.document = message as never;
     model.keys = new Set([...model.keys].map(renewed).filter((key) => key >= 0));
     if (model.bar) {
-      const bars = (of: typeof before) => (model.bar!.kind === "contact" ? of?.contacts : of?.holds) ?? [], was = JSON.stringify(bars(before)[model.bar.index]);
+      const bars = (of: typeof before) => (model.bar!.kind === "contact" ? of?.contacts : of?.grasps) ?? [], was = JSON.stringify(bars(before)[model.bar.index]);
       if (bars(before).length !== bars(model.document).length) {
         const index = bars(model.document).findIndex((bar) => JSON.stringify(bar) === was);
         model.bar = index < 0 ? null : { kind: model.bar.kind, index };

@@ -12,7 +12,7 @@ export interface Bar { point?: string; hand?: string; body?: string; from: numbe
 export interface Obstacle { kind: string; index: number; [key: string]: unknown; }
 export interface Outline {
   name: string; file: string | null; dirty: boolean; revision: number; undo: string | null; redo: string | null;
-  figure: string; fps: number; keys: KeyframeRow[]; contacts: Bar[]; holds: Bar[]; weights: Record<string, number>;
+  figure: string; fps: number; keys: KeyframeRow[]; contacts: Bar[]; grasps: Bar[]; weights: Record<string, number>;
   options: Record<string, Record<string, unknown>>; obstacles: Obstacle[]; solve: Record<string, unknown>; copied: number;
   recording: unknown;
 }
@@ -62,7 +62,7 @@ class Model {
   partial = false; // whether new keyframes specify only the dragged limb
   frames = 0; // paths that have come
   keys = new Set<number>();
-  bar: { kind: "contact" | "hold"; index: number } | null = null;
+  bar: { kind: "contact" | "grasp"; index: number } | null = null;
   joint: string | null = null;
   obstacle: { kind: string; index: number } | null = null;
   private readonly ears = new Map<Heard, (() => void)[]>();

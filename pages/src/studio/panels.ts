@@ -114,7 +114,7 @@ const pose = (): void => {
   }
   const authored = document.keys[key], { revision } = document;
   const others = el("select", { "aria-label": "joints that this keyframe does not name" });
-  for (const value of new Set(["free", "rest", "hold", authored.others])) others.append(el("option", { value, text: value, selected: value === authored.others }));
+  for (const value of new Set(["free", "rest", "previous", authored.others])) others.append(el("option", { value, text: value, selected: value === authored.others }));
   others.addEventListener("change", () => void edit("set_others", { key, revision, value: others.value }));
   const time = field("time", authored.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
   const focused = (window.document.activeElement as HTMLElement | null)?.getAttribute("aria-label");

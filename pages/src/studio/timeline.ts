@@ -1,4 +1,4 @@
-// The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, holds and flights as bars.
+// The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, grasps and flights as bars.
 import { Quaternion, Vector3 } from "three";
 import { $, el, toast } from "./dom";
 import { act, edit } from "./link";
@@ -226,7 +226,7 @@ export class Timeline {
   private barRows(): HTMLElement[] {
     const { document, loaded, stage } = model;
     const points = [...new Set([...(stage?.soles ?? []).map((sole) => sole.name), ...document!.contacts.map((bar) => bar.point!)])];
-    const hands = [...new Set([...(model.limb?.hands ?? []), ...document!.holds.map((bar) => bar.hand!)])];
+    const hands = [...new Set([...(model.limb?.hands ?? []), ...document!.grasps.map((bar) => bar.hand!)])];
     const rows = points.slice(0, 24).map((point) => {
       const row = el("div", { class: "row bars", "data-point": point }, this.label(point));
       for (const told of loaded?.stances.filter((each) => each.point === point) ?? []) row.append(this.told(told.from, told.to, `${point}: stance inferred from keyframes`));
@@ -234,8 +234,8 @@ export class Timeline {
       return row;
     });
     for (const hand of hands) {
-      const row = el("div", { class: "row bars", "data-hand": hand, title: "drag here for a new hold" }, this.label(`${hand} holds`));
-      document!.holds.forEach((bar, i) => { if (bar.hand === hand) row.append(this.bar("hold", i, bar, `${hand} holds ${bar.body}`)); });
+      const row = el("div", { class: "row bars", "data-hand": hand, title: "drag here for a new grasp" }, this.label(`${hand} holds`));
+      document!.grasps.forEach((bar, i) => { if (bar.hand === hand) row.append(this.bar("grasp", i, bar, `${hand} holds ${bar.body}`)); });
       rows.push(row);
     }
     if (loaded?.flights.length) {
@@ -257,7 +257,7 @@ export class Timeline {
     return this.placed(el("span", { class: `bar ${kind}`, title: `${title}: ${from.toFixed(2)} to ${to.toFixed(2)} s` }), from, to);
   }
 
-  private bar(kind: "contact" | "hold", index: number, bar: Bar, title: string): HTMLElement {
+  private bar(kind: "contact" | "grasp", index: number, bar: Bar, title: string): HTMLElement {
     const selected = model.bar?.kind === kind && model.bar.index === index;
     const words = `${title}, ${bar.from.toFixed(2)} to ${bar.to.toFixed(2)} s`;
     const made = el("button", {
@@ -337,8 +337,8 @@ export class Timeline {
   }
 
   private grabBar(target: HTMLElement, begin: number, event: PointerEvent): void {
-    const kind = target.dataset.bar as "contact" | "hold", index = Number(target.dataset.index);
-    const { revision } = model.document!, bar = (kind === "contact" ? model.document!.contacts : model.document!.holds)[index];
+    const kind = target.dataset.bar as "contact" | "grasp", index = Number(target.dataset.index);
+    const { revision } = model.document!, bar = (kind === "contact" ? model.document!.contacts : model.document!.grasps)[index];
     const box = target.getBoundingClientRect();
     const edge = event.clientX - box.left < 7 ? "from" : box.right - event.clientX < 7 ? "to" : "";
     model.bar = { kind, index };
@@ -367,9 +367,9 @@ export class Timeline {
     };
   }
 
-  /** A new contact of a point, or a new hold of a hand, over its row. */
+  /** A new contact of a point, or a new grasp of a hand, over its row. */
   private drawBar(row: HTMLElement, begin: number, event: PointerEvent): void {
-    const { point, hand } = row.dataset, kind = point ? "contact" : "hold";
+    const { point, hand } = row.dataset, kind = point ? "contact" : "grasp";
     const from = this.snapped(begin, event, true);
     const shown = el("span", { class: `bar ${kind} new` });
     let moved = false;
@@ -385,13 +385,13 @@ export class Timeline {
         const to = this.snapped(time, e, true), span = { begin: Math.min(from, to), end: Math.max(from, to) };
         if (!moved || to === from) { shown.remove(); model.select([]); model.seek(this.snapped(begin, e, true)); return; }
         if (point) { shown.remove(); void edit("set_contact", { point, ...span }); return; }
-        this.holdable(hand!, span.begin, e, (body) => { shown.remove(); if (body !== null) void edit("set_hold", { hand, body, ...span }); });
+        this.graspable(hand!, span.begin, e, (body) => { shown.remove(); if (body !== null) void edit("set_grasp", { hand, body, ...span }); });
       },
     };
   }
 
-  /** Asks what a hand is to hold: bodies that move, the nearest to it first; what no limb of its own is. */
-  private holdable(hand: string, time: number, at: { clientX: number; clientY: number }, done: (body: string | null) => void): void {
+  /** Asks what a hand is to grasp: bodies that move, the nearest to it first; what no limb of its own is. */
+  private graspable(hand: string, time: number, at: { clientX: number; clientY: number }, done: (body: string | null) => void): void {
     const { stage, now } = model, site = stage?.sites.find((each) => each.name === hand);
     if (!stage || !now || !site) { done(null); return; }
     const pose = now.at(time), root = (body: number): number => (stage.parents[body] ? root(stage.parents[body]) : body);
@@ -405,7 +405,7 @@ export class Timeline {
       .filter(({ name, body }) => body && name && !stage.still[body] && body !== site.body && stage.joints.some((joint) => joint.body === body)
         && !own?.joints.some((joint) => stage.joints.find((each) => each.name === joint)?.body === body))
       .sort((a, b) => Number(b.other) - Number(a.other) || a.away - b.away).slice(0, 8);
-    if (!bodies.length) { toast("there is no free body to hold", "note"); done(null); return; }
+    if (!bodies.length) { toast("there is no free body to grasp", "note"); done(null); return; }
     const menu = el("dialog", { class: "menu", "aria-label": `body held by ${hand}` });
     let chosen: string | null = null;
     menu.append(el("p", { class: "hint", text: `${hand} holds` }), ...bodies.map(({ name }) => el("button", { type: "button", text: name, onclick: () => { chosen = name; menu.close(); } })));

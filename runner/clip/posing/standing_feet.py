@@ -1,7 +1,7 @@
 """Posing of the free entries of partial keyframes: feet with a stance keep it.
 
 A straight leg has no gradient that bends it, so the search alone cannot find a squat. The goals of a pose are points
-that rest in a [[contact]] at the keyframe's time, sites that a [[hold]] keeps on a body, sole points with one position
+that rest in a [[contact]] at the keyframe's time, sites that a [[grasp]] keeps on a body, sole points with one position
 in the keyframes before and after, and positions left to the search. The entries on which these depend start in the
 pose and remain free.
 """
@@ -16,7 +16,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import ROUNDING, Contacts, Hold
+from dynsplines.solver.contacts import ROUNDING, Contacts, Grasp
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
@@ -27,7 +27,7 @@ from dynsplines.solver.penalty import BendLimits, Placed
 from dynsplines.solver.posing import (
     BodyGoal,
     Goal,
-    HoldGoal,
+    GraspGoal,
     PointGoal,
     Posed,
     entries,
@@ -39,8 +39,8 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, placed
 
-from ..contacts import contacts, holds
-from ..table import ContactTable, HoldTable, SolveTable
+from ..contacts import contacts, grasps_of
+from ..table import ContactTable, GraspTable, SolveTable
 from .feet import sole_points
 from .grounding import Grounding
 
@@ -97,7 +97,7 @@ def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterat
 class Stander:
     """Detects stances of feet in partial keyframes, and poses the feet.
 
-    tables  the clip's contacts;  held  its holds;  aloft  (first, last) [s] of specified flights
+    tables  the clip's contacts;  held  its grasps;  aloft  (first, last) [s] of specified flights
     where   label of the clip in errors
     """
 
@@ -109,7 +109,7 @@ class Stander:
         bends: BendLimits | None,
         solve: SolveTable,
         where: str,
-        held: Sequence[HoldTable] = (),
+        held: Sequence[GraspTable] = (),
         aloft: Sequence[tuple[float, float]] = (),
     ) -> None:
         self.figure, self.surfaces, self.tables, self.bends = figure, surfaces, tables, bends
@@ -176,7 +176,7 @@ class Stander:
         soles = sole_points(self.figure, self.figure.to_qpos(np.reshape(whole, (-1, self.figure.width))))
         tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))
         contact_rests = contacts(self.figure, timeline, tables, self.where, soles, self.surfaces)
-        held_sites = holds(self.figure, timeline, self.held, self.where, soles)
+        held_sites = grasps_of(self.figure, timeline, self.held, self.where, soles)
         return _Seen(self.figure, timeline, soles, self.surfaces, contact_rests, held_sites)
 
     def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
@@ -227,7 +227,7 @@ class Stander:
     def _reaching(self, home: Array, free: Mask, missed: Sequence[Goal]) -> tuple[Array, Mask]:
         """Return a pose with sites as near as possible to goals out of reach, and the entries (N,) that determine it.
         Sites that remain too far from their goals are left out."""
-        goals = [goal for goal in missed if isinstance(goal, HoldGoal)]
+        goals = [goal for goal in missed if isinstance(goal, GraspGoal)]
         while goals:
             pose = posed(self.figure, home, free, goals, self.bends, STARTS)
             if pose.worst <= Thresholds.of(self.figure).out_of_reach:
@@ -249,10 +249,10 @@ class _Seen:
         soles: Sequence[Point],
         surfaces: Sequence[Surface],
         found: Contacts,
-        held: Sequence[Hold] = (),
+        held: Sequence[Grasp] = (),
     ) -> None:
         self.figure, self.timeline, self.soles, self.contacts = figure, timeline, tuple(soles), found
-        self.holds, self.limits = tuple(held), Thresholds.of(figure)
+        self.grasps, self.limits = tuple(held), Thresholds.of(figure)
         rests = [stance.point for stance in found.stances]
         self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
         states = timeline.states
@@ -294,15 +294,15 @@ class _Seen:
             for members in by_link.values()
         ]
 
-    def holding(self, k: int) -> list[HoldGoal]:
+    def holding(self, k: int) -> list[GraspGoal]:
         """Return goals of sites that hold a known spot at keyframe k, unless it determines both bodies."""
-        t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[HoldGoal]()
-        for hold in self.holds:
-            spot = hold.spot(np.array([t]))
-            ends = (hold.point, Point(hold.body, hold.link, np.zeros(3)))
+        t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[GraspGoal]()
+        for grasp in self.grasps:
+            spot = grasp.spot(np.array([t]))
+            ends = (grasp.point, Point(grasp.body, grasp.link, np.zeros(3)))
             is_told = placed(self.figure, is_known, ends).all()
-            if spot is not None and hold.first - ROUNDING <= t <= hold.last + ROUNDING and not is_told:
-                goals.append(HoldGoal.of(self.figure, hold.point, hold.link, spot[:, 0]))
+            if spot is not None and grasp.first - ROUNDING <= t <= grasp.last + ROUNDING and not is_told:
+                goals.append(GraspGoal.of(self.figure, grasp.point, grasp.link, spot[:, 0]))
         return goals
 
     def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:

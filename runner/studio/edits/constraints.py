@@ -1,4 +1,4 @@
-"""Edits of contacts, holds, the weights of soft constraints, and the settings of the search."""
+"""Edits of contacts, grasps, the weights of soft constraints, and the settings of the search."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from ...clip.kinds import KINDS
 from ...errors import UserError
 from .tables import Blocks, add, number, numbers, put, remove, row
 
-EDITS = ("set_contact", "set_hold", "delete_bar", "set_weight", "set_option", "set_solve")
-SHORTEST = 0.001  # [s] minimum duration of a contact or hold
+EDITS = ("set_contact", "set_grasp", "delete_bar", "set_weight", "set_option", "set_solve")
+SHORTEST = 0.001  # [s] minimum duration of a contact or grasp
 SWITCHED = {("collision", "self"): "self"}  # options that must be set if a part gets a weight
 
 
@@ -25,10 +25,10 @@ def set_contact(
     return f"{'change the' if index is not None else 'a'} contact of {point}"
 
 
-def set_hold(tree: Blocks, *, hand: str, body: str, begin: float, end: float, index: int | None = None) -> str:
-    """Add a hold of a hand on a body, or change the one with this index."""
-    entries = {"hand": hand, "body": body, **_span(begin, end, f"the hold of {hand}")}
-    _put(tree, "hold", entries, index)
+def set_grasp(tree: Blocks, *, hand: str, body: str, begin: float, end: float, index: int | None = None) -> str:
+    """Add a grasp of a hand on a body, or change the one with this index."""
+    entries = {"hand": hand, "body": body, **_span(begin, end, f"the grasp of {hand}")}
+    _put(tree, "grasp", entries, index)
     return f"{'change the' if index is not None else 'a'} hold of {hand} on {body}"
 
 
@@ -50,9 +50,9 @@ def _put(tree: Blocks, name: str, entries: Mapping[str, Any], index: int | None)
 
 
 def delete_bar(tree: Blocks, *, kind: str, index: int) -> str:
-    """Remove a contact or a hold by index."""
-    if kind not in ("contact", "hold"):
-        raise UserError(f"'{kind}': not a contact or hold")
+    """Remove a contact or a grasp by index."""
+    if kind not in ("contact", "grasp"):
+        raise UserError(f"'{kind}': not a contact or grasp")
     remove(tree, kind, index)
     return f"delete a {kind}"
 

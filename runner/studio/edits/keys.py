@@ -22,7 +22,7 @@ def times(tree: Blocks) -> list[float]:
 def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
     """Move keyframes to other times, given as pairs of index and time [s].
 
-    Contacts and holds that begin or end at them move along. Raises UserError if the order of keyframes would change.
+    Contacts and grasps that begin or end at them move along. Raises UserError if the order of keyframes would change.
     """
     was = times(tree)
     now = dict(enumerate(was))
@@ -34,7 +34,7 @@ def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
     for index, time in now.items():
         if abs(time - was[index]) > SAME:
             put(row(tree, "keyframe", index), "time", time)
-    for name in ("contact", "hold"):
+    for name in ("contact", "grasp"):
         for block in tree.rows(name):
             for end in ("from", "to"):
                 _follow(block.table, end, was, now)

@@ -98,9 +98,9 @@ def set_place(tree: Blocks, *, key: int, site: str, position: Any) -> str:
 
 
 def set_others(tree: Blocks, *, key: int, value: str) -> str:
-    """Set the rule for unspecified joints: "free", "rest", "hold" (as in the keyframe before), or "key:NAME"."""
-    if value not in ("free", "rest", "hold") and not value.startswith(KEY):
-        raise UserError(f"others: 'free', 'rest', 'hold' or 'key:NAME', not '{value}'")
+    """Set the rule for unspecified joints: "free", "rest", "previous" (as in the keyframe before), or "key:NAME"."""
+    if value not in ("free", "rest", "previous") and not value.startswith(KEY):
+        raise UserError(f"others: 'free', 'rest', 'previous' or 'key:NAME', not '{value}'")
     table = row(tree, "keyframe", key)
     if value == "free":
         if "others" in table:

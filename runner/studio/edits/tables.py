@@ -92,7 +92,7 @@ class Blocks:
 
     def _check(self, entries: Mapping[str, Any], where: str) -> None:
         """Raise UserError if the blocks differ from the parsed text: lines of a list can look like headers."""
-        for name in ("keyframe", "contact", "hold", "penalty"):
+        for name in ("keyframe", "contact", "grasp", "penalty"):
             if len(self.rows(name)) != len(entries.get(name, ())):
                 raise UserError(f"{where}: '{name}' is written as a list; write [[{name}]] tables to edit it here")
         try:

@@ -520,7 +520,7 @@ def _plain(parts: dict[str, float]) -> dict[str, float]:
 
 
 def _shape(clip: Clip) -> dict[str, object]:
-    """Return data of the loaded clip beyond its text: complete keyframes, contacts, holds and inferred flights."""
+    """Return data of the loaded clip beyond its text: complete keyframes, contacts, grasps and inferred flights."""
     schedule = clip.context.schedule
     return {
         "keys": [

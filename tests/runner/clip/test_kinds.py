@@ -60,7 +60,7 @@ def test_there_are_at_most_fifteen_kinds_whose_options_have_units():
 
 def test_every_part_is_a_term_of_its_name_or_there_is_nothing_to_penalise():
     absent = {
-        "attach.contact", "attach.hold", "attach.placement", "limits.range", "limits.overshoot", "equality",
+        "attach.contact", "attach.grasp", "attach.placement", "limits.range", "limits.overshoot", "equality",
         "upright.trunk", "cycle",
     }  # fmt: skip
     tables, terms = [], {}

@@ -332,7 +332,7 @@ others = "rest"
 joints.left_hip = "free"
 [[keyframe]]
 time = 1
-others = "hold"
+others = "previous"
 root.position = [1, "free", 0.93]
 joints.left_knee = {rotvec = [0, 30, 0]}
 """
@@ -359,9 +359,9 @@ def test_others_held_takes_what_the_keyframe_before_says():
     np.testing.assert_array_equal(np.delete(first.fixed, 1), np.delete(second.fixed, 1))
 
 
-def test_the_first_keyframe_has_nothing_to_hold():
-    with pytest.raises(UserError, match=r"keyframe 1 \(t = 0 s\).*hold"):
-        clip.from_text(OTHERS.replace('"rest"', '"hold"'), name="others")
+def test_the_first_keyframe_has_no_previous_one():
+    with pytest.raises(UserError, match=r"keyframe 1 \(t = 0 s\).*previous"):
+        clip.from_text(OTHERS.replace('"rest"', '"previous"'), name="others")
 
 
 def test_joints_without_names_of_their_own_go_by_their_bodys_and_a_number(tmp_path):

@@ -46,7 +46,7 @@ joints.ankle_2 = -25
 [[keyframe]]
 time = 1
 root = {position = [0.1, 0.3, 0.8], rotation = {heading = 20, quat = [0.5, 0.5, 0.5, 0.5]}}
-others = "hold"
+others = "previous"
 """
 
 
@@ -74,7 +74,7 @@ time = 0
 others = "rest"
 [[keyframe]]
 time = 1
-others = "hold"
+others = "previous"
 sites = {toe_1 = [0.3, 0.1, 0.4], badge = [0.1, 0.0, 0.8]}
 bodies.foot_2 = {rotvec = [0, 20, 0]}
 """

@@ -52,7 +52,7 @@ def test_what_a_keyframe_does_not_name_is_as_in_the_key(folder: Path):
 
 
 def test_a_key_without_numbers_is_the_rest_and_a_hold_continues_from_a_key():
-    keys = [Keyframe(0, others="key:short"), Keyframe(1, others="key:home"), Keyframe(2, others="hold")]
+    keys = [Keyframe(0, others="key:short"), Keyframe(1, others="key:home"), Keyframe(2, others="previous")]
     made = build(ROBOT, keys)
     np.testing.assert_array_equal(made.keys[0].state, made.figure.model.qpos0)
     np.testing.assert_array_equal(made.keys[2].state, HOME)
@@ -72,8 +72,8 @@ def test_obstacles_with_bodies_of_their_own_are_at_rest(folder: Path):
             "key:hom",
             r"keyframe 1 \(t = 0 s\): others: no key 'hom'; did you mean 'home'\? Keys: home, step & go, short",
         ),
-        ("key:", "others must be 'free', 'rest', 'hold' or 'key:NAME', a <key> of the model, not 'key:'"),
-        ("home", "others must be 'free', 'rest', 'hold' or 'key:NAME', a <key> of the model, not 'home'"),
+        ("key:", "others must be 'free', 'rest', 'previous' or 'key:NAME', a <key> of the model, not 'key:'"),
+        ("home", "others must be 'free', 'rest', 'previous' or 'key:NAME', a <key> of the model, not 'home'"),
     ],
 )
 def test_an_unknown_key_is_refused_with_those_that_there_are(folder: Path, others: str, words: str):

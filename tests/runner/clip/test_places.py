@@ -28,7 +28,7 @@ ROBOT = (
     '<geom name="box" type="box" size=".1 .1 .05"/>'
     f"{LEG.format(side='left', y=0.1)}{LEG.format(side='right', y=-0.1)}</body></worldbody></mujoco>"
 )
-HEAD = 'figure = "robot.xml"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\nothers = "hold"\n'
+HEAD = 'figure = "robot.xml"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\nothers = "previous"\n'
 
 
 def figure() -> Figure:

@@ -76,7 +76,7 @@ EVERY = {"root", "spine"} | {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("coordinates", "others"), [("world", "free"), ("joint", "rest"), ("world", "hold")])
+@pytest.mark.parametrize(("coordinates", "others"), [("world", "free"), ("joint", "rest"), ("world", "previous")])
 def test_a_site_is_where_the_keyframe_specifies_and_stays_so_in_the_motion(coordinates, others):
     text = second(f'others = "{others}"\n{STEP}') + f'[solve]\ncoordinates = "{coordinates}"\n'
     problem = read(text)
@@ -102,7 +102,7 @@ def _own(problem: Clip, qpos: np.ndarray, name: str) -> np.ndarray:
 
 @pytest.mark.slow
 def test_what_is_given_stays_to_the_bit_and_the_rest_of_the_limb_gives_way():
-    body = 'others = "hold"\njoints.left_knee = {rotvec = [0, 70, 0]}\nsites.left_heel = [0.15, "free", 0.3]\n'
+    body = 'others = "previous"\njoints.left_knee = {rotvec = [0, 70, 0]}\nsites.left_heel = [0.15, "free", 0.3]\n'
     key = read(second(body)).keys[1]
     problem = read(second(body))
     np.testing.assert_array_equal(
@@ -114,7 +114,7 @@ def test_what_is_given_stays_to_the_bit_and_the_rest_of_the_limb_gives_way():
 
 
 def test_what_is_held_is_the_pose_that_was_found():
-    text = second(f'others = "hold"\n{STEP}') + '[[keyframe]]\ntime = 1.4\nothers = "hold"\n'
+    text = second(f'others = "previous"\n{STEP}') + '[[keyframe]]\ntime = 1.4\nothers = "previous"\n'
     first, posed, held = read(text).keys
     np.testing.assert_array_equal(held.state, posed.state)
     assert not np.array_equal(first.state, posed.state)

@@ -327,7 +327,7 @@ time = 0.0
 others = "rest"
 [[keyframe]]
 time = 1.0
-others = "hold"
+others = "previous"
 root.position = [0.0, 0.02, 0.9]
 sites.left_toe = [0.2, 0.1, 0.0]
 sites.right_hand = {position = [0.4, -0.3, "free"], by = "search"}

@@ -111,7 +111,7 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
     assert isinstance(found, Clip)
     assert [key.time for key in found.keys] == [0, 0.2, 0.41]
     assert load(str(path), fps=50).fps == 50
-    text = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\nothers = "hold"\n'
+    text = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\nothers = "previous"\n'
     assert repr(load(text)) == "<Clip clip: 1.00 s, 2 keyframes, 14 penalties, 39 DOF>"
     with pytest.raises(UserError, match=r"^clip: keyframe 1: time must be a number"):
         load(text.replace("time = 0", 'time = "now"'))
@@ -170,7 +170,7 @@ joints.left_hip = {rotvec = [0, -70, 0]}
 joints.left_knee = {euler = [70, 0], order = "yx"}
 sites.right_heel = [-0.05, -0.09, 0.05]
 bodies.right_foot = {flat = true}
-others = "hold"
+others = "previous"
 """
     made = build(
         "human",
@@ -182,7 +182,7 @@ others = "hold"
                 joints={"left_hip": {"rotvec": np.array([0, -70, 0])}, "left_knee": {"euler": (70, 0), "order": "yx"}},
                 sites={"right_heel": np.array([-0.05, -0.09, 0.05])},
                 bodies={"right_foot": {"flat": True}},
-                others="hold",
+                others="previous",
             ),
         ],
         fps=60,
@@ -203,7 +203,7 @@ others = "hold"
 
 def test_keyframes_specify_all_that_a_file_can():
     assert {*KeyframeTable.model_fields, "qpos"} == set(Keyframe.__dataclass_fields__)
-    tables = {"figure", "fps", "scene", "contact", "hold", "penalty", "solve", "recording", "keyframe"}
+    tables = {"figure", "fps", "scene", "contact", "grasp", "penalty", "solve", "recording", "keyframe"}
     assert set(ClipTable.model_fields) == tables
 
 
@@ -326,7 +326,7 @@ def test_before_is_the_raw_spline(motion):
 
 def test_other_figures_and_shorter_motions_are_not_compared(motion):
     with pytest.raises(UserError, match="different figures"):
-        motion.difference(inbetween(build("spinner", [Keyframe(0, others="rest"), Keyframe(1, others="hold")])))
+        motion.difference(inbetween(build("spinner", [Keyframe(0, others="rest"), Keyframe(1, others="previous")])))
     with pytest.raises(UserError, match="not all of"):
         motion.difference(motion.trimmed(0.2, 0.8))
 

@@ -17,7 +17,7 @@ def test_a_motion_plays_in_a_notebook(tmp_path: Path, monkeypatch: pytest.Monkey
     book.cells = [
         nbformat.v4.new_code_cell(
             "from dynsplines import Keyframe, build, inbetween\n"
-            "clip = build('spinner', [Keyframe(0, others='rest'), Keyframe(1, others='hold')])\n"
+            "clip = build('spinner', [Keyframe(0, others='rest'), Keyframe(1, others='previous')])\n"
             "clip"
         ),
         nbformat.v4.new_code_cell("motion = inbetween(clip)\nmotion"),

@@ -34,7 +34,7 @@ others = "rest"
 [[keyframe]]   # goes on
 time = 0.50
 joints.left_knee = {euler = [0, 70, 0]}
-others = "hold"
+others = "previous"
 
 # a remark before the last
 [[keyframe]]
@@ -65,7 +65,9 @@ deeds = st.one_of(
         st.just("set_root"),
         st.fixed_dictionaries({"key": keys, "position": st.sampled_from([[0.1, 0, "free"], "free", [1, 2]])}),
     ),
-    st.tuples(st.just("set_others"), st.fixed_dictionaries({"key": keys, "value": st.sampled_from(["free", "hold"])})),
+    st.tuples(
+        st.just("set_others"), st.fixed_dictionaries({"key": keys, "value": st.sampled_from(["free", "previous"])})
+    ),
     st.tuples(
         st.just("set_contact"), st.fixed_dictionaries({"point": st.just("left_heel"), "begin": times, "end": times})
     ),
@@ -195,7 +197,7 @@ def test_a_keyframe_that_says_something_else_keeps_its_remarks_and_the_lines_tha
         ("add_obstacle", {"kind": "cone"}, "no obstacle 'cone'; there are: step, box"),
         ("add_obstacle", {"kind": "step"}, "the clip already has a step"),
         ("paste_keys", {"copied": [], "at": 0.3}, "nothing has been copied"),
-        ("set_others", {"key": 0, "value": "all"}, "'free', 'rest', 'hold' or 'key:NAME'"),
+        ("set_others", {"key": 0, "value": "all"}, "'free', 'rest', 'previous' or 'key:NAME'"),
     ],
 )
 def test_nonsense_is_refused_in_words_and_changes_nothing(name, entries, words):
@@ -255,7 +257,7 @@ left_hip = {rotvec = [0, -70, 0]}   # lifted
 
 [[keyframe]]
 time = 0.5
-others = "hold"
+others = "previous"
 
 [keyframe.root]
 position = [0.1, 0, 0.93]

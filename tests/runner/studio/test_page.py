@@ -407,7 +407,7 @@ def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.press("n")
 
 
-def test_a_hold_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
+def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     page = tab.page
     assert page.locator("[data-hand]").count() == 0
     tab.look("void (studio.model.joint = 'left_elbow', studio.model.tell('joint'))")
@@ -424,9 +424,9 @@ def test_a_hold_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     names = menu.locator("button").all_inner_texts()
     assert not {"left_forearm", "left_upper_arm"} & set(names)
     tab.changes(menu.locator("button").first.click)
-    (hold,) = tab.look("studio.model.document.holds")
-    assert (hold["hand"], hold["body"]) == ("left_hand", names[0])
-    assert (hold["from"], hold["to"]) == (pytest.approx(0.92, abs=0.04), pytest.approx(1.15, abs=0.04))
+    (grasp,) = tab.look("studio.model.document.grasps")
+    assert (grasp["hand"], grasp["body"]) == ("left_hand", names[0])
+    assert (grasp["from"], grasp["to"]) == (pytest.approx(0.92, abs=0.04), pytest.approx(1.15, abs=0.04))
     tab.changes(lambda: tab.press("Control+z"))
     tab.press("Escape")
     page.locator("[data-hand]").first.wait_for(state="detached")

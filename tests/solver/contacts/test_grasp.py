@@ -6,7 +6,7 @@ import pytest
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
-from dynsplines.solver.contacts import Hold, grasped_links, surfaces_on
+from dynsplines.solver.contacts import Grasp, grasped_links, surfaces_on
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
@@ -56,9 +56,9 @@ def tangled(figure: Figure, rng: np.random.Generator) -> Samples:
 def test_what_another_tree_holds_is_carried_with_all_its_parts():
     figure = figure_of()
     hand, knee = Point("hand", 2, np.zeros(3)), Point("knee", 1, np.zeros(3))
-    assert grasped_links(figure, [Hold(hand, 3, "crate", 0, 1)]) == (3, 4)
-    assert grasped_links(figure, [Hold(hand, 1, "trunk", 0, 1)]) == ()
-    assert grasped_links(figure, [Hold(hand, 3, "crate", 0, 1), Hold(knee, 2, "arm", 0, 1)]) == (3, 4)
+    assert grasped_links(figure, [Grasp(hand, 3, "crate", 0, 1)]) == (3, 4)
+    assert grasped_links(figure, [Grasp(hand, 1, "trunk", 0, 1)]) == ()
+    assert grasped_links(figure, [Grasp(hand, 3, "crate", 0, 1), Grasp(knee, 2, "arm", 0, 1)]) == (3, 4)
     assert [surface.name for surface in surfaces_on(figure, 3)] == ["crate", "knob"]
 
 

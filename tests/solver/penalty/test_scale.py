@@ -10,7 +10,7 @@ from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Hold, Rest, Spot, Stance
+from dynsplines.solver.contacts import Grasp, Rest, Spot, Stance
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     Bend,
@@ -20,7 +20,7 @@ from dynsplines.solver.penalty import (
     Coupling,
     CouplingPenalty,
     CovariantAcceleration,
-    HoldPenalty,
+    GraspPenalty,
     HoverPenalty,
     JointRange,
     Lean,
@@ -51,7 +51,7 @@ CENTIMETRE = {
     "planted": StancePenalty((Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),
     "resting": RestPenalty((Rest(ORIGIN, -1, 1),), (FLOOR,)),
     "placement": Placement((Placed(ORIGIN, 0.0, np.zeros(3)),)),
-    "hold": HoldPenalty((Hold(ORIGIN, 0, "world", -1, 1, (Spot(-1, 1, np.zeros(3), np.zeros(3)),)),)),
+    "grasp": GraspPenalty((Grasp(ORIGIN, 0, "world", -1, 1, (Spot(-1, 1, np.zeros(3), np.zeros(3)),)),)),
     "closed": LoopClosure((Closure("ring", ORIGIN, WORLD),)),
     "self": SelfContact((Bar(0, 1, 0 * UP, UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
 }  # fmt: skip

@@ -168,7 +168,7 @@ joints.swing = 0
 [[keyframe]]
 time = 1.4
 joints = {swing = 10, left = 10}
-others = "hold"
+others = "previous"
 """
     found = solved(GRIPPER, keys, tmp_path)
     assert "equality" in [penalty.name for penalty, _ in found.clip.penalties]

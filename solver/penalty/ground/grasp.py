@@ -1,4 +1,4 @@
-"""Holds: a hand stays where it grasped another body, while both may move.
+"""Grasps: a hand stays where it grasped another body, while both may move.
 
 If keyframes specify the spot on that body, the hand is drawn to it. Otherwise it must not slide: its velocity is that
 of the body's material below it. A contact (`rest`) is the same on a static surface.
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Index
-from ...contacts.grasp import Hold
+from ...contacts.grasp import Grasp
 from ...contacts.thresholds import Thresholds
 from ...figure.algebra import applied, cross
 from ...figure.kinematics import Samples
@@ -24,27 +24,28 @@ TINY = 1e-12  # [m] least distance in a division
 
 
 @dataclass(frozen=True)
-class HoldPenalty(Penalty):
-    """Σ over holds, while they last, of the squared distance [m²] of the point from its spot beyond the spot's slack.
+class GraspPenalty(Penalty):
+    """Σ over grasps, while they last, of the squared distance [m²] of the point from its spot beyond the spot's slack.
 
-    If the spot is unknown, it is (0.05 s)² |u|² instead, with u the velocity relative to the body's material.
+    If the spot is unknown, it is τ² |u|² instead, with u the velocity relative to the body's material and τ = 0.05 s
+    for an adult.
     """
 
-    holds: tuple[Hold, ...]
+    grasps: tuple[Grasp, ...]
 
-    name = "attach.hold"
+    name = "attach.grasp"
     role = Role.CONTACT
     normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        for hold, at in self._during(samples.t):
-            spot = hold.spot(samples.t[at])
-            offset, spot_offset, away = _apart(samples, hold, at, spot)
+        for grasp, at in self._during(samples.t):
+            spot = grasp.spot(samples.t[at])
+            offset, spot_offset, away = _apart(samples, grasp, at, spot)
             if spot is None:
-                yield _sliding(samples, hold, at, offset, spot_offset)
+                yield _sliding(samples, grasp, at, offset, spot_offset)
                 continue
-            counted = _counted(hold, samples.t[at], away)
-            one, two = (np.full(3 * at.size, link) for link in (hold.point.link, hold.link))
+            counted = _counted(grasp, samples.t[at], away)
+            one, two = (np.full(3 * at.size, link) for link in (grasp.point.link, grasp.link))
             directions, when = np.concatenate(list(_residual_ways(away, counted)), axis=1), np.tile(at, 3)
             changes = (
                 of_point(when, one, np.tile(offset, 3), directions),
@@ -52,20 +53,20 @@ class HoldPenalty(Penalty):
             )
             yield Block(when, (counted * away).ravel(), changes)
 
-    def _during(self, t: Array) -> Iterator[tuple[Hold, Index]]:
-        """Yield the holds with the indices of their samples among times t (S,)."""
-        for hold in self.holds:
-            at = np.flatnonzero((t >= hold.first) & (t <= hold.last))
+    def _during(self, t: Array) -> Iterator[tuple[Grasp, Index]]:
+        """Yield the grasps with the indices of their samples among times t (S,)."""
+        for grasp in self.grasps:
+            at = np.flatnonzero((t >= grasp.first) & (t <= grasp.last))
             if at.size:
-                yield hold, at
+                yield grasp, at
 
 
-def _sliding(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array) -> Block:
-    """Return the velocity of a hold's point relative to the body's material, at samples `at` (P,)."""
-    links, one, two = samples.links, np.full(at.size, hold.point.link), np.full(at.size, hold.link)
-    spin = links.omega[:, hold.link, at]
-    slide = links.x_d[:, hold.point.link, at] + cross(links.omega[:, hold.point.link, at], offset)
-    slide -= links.x_d[:, hold.link, at] + cross(spin, own)
+def _sliding(samples: Samples, grasp: Grasp, at: Index, offset: Array, own: Array) -> Block:
+    """Return the velocity of a grasp's point relative to the body's material, at samples `at` (P,)."""
+    links, one, two = samples.links, np.full(at.size, grasp.point.link), np.full(at.size, grasp.link)
+    spin = links.omega[:, grasp.link, at]
+    slide = links.x_d[:, grasp.point.link, at] + cross(links.omega[:, grasp.point.link, at], offset)
+    slide -= links.x_d[:, grasp.link, at] + cross(spin, own)
     (when, first, axes), (_, second, _) = along_axes(at, one), along_axes(at, two)
     arm, leg = np.tile(offset, 3), np.tile(own, 3)
     other = cross(np.tile(spin, 3), axes)  # moving the point changes the material below it
@@ -78,26 +79,26 @@ def _sliding(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array)
     return Block(when, slide.ravel(), changes, Thresholds.of(samples.figure).settling ** 2)
 
 
-def slipped(samples: Samples, hold: Hold) -> Array:
-    """Return positions (3, S) [m] of a hold's point in the axes of the link that it holds."""
+def slipped(samples: Samples, grasp: Grasp) -> Array:
+    """Return positions (3, S) [m] of a grasp's point in the axes of the link that it grasps."""
     at = np.arange(samples.count)
-    _, spot_offset, _ = _apart(samples, hold, at, None)
-    return np.einsum("ijs,is->js", samples.links.rotation[:, :, hold.link], spot_offset)
+    _, spot_offset, _ = _apart(samples, grasp, at, None)
+    return np.einsum("ijs,is->js", samples.links.rotation[:, :, grasp.link], spot_offset)
 
 
-def _apart(samples: Samples, hold: Hold, at: Index, spot: Array | None) -> tuple[Array, Array, Array]:
-    """Return vectors (3, P) of a hold at samples `at` (P,). These are the offset of the point on its link, that of the
+def _apart(samples: Samples, grasp: Grasp, at: Index, spot: Array | None) -> tuple[Array, Array, Array]:
+    """Return vectors (3, P) of a grasp at samples `at` (P,). These are the offset of the point on its link, that of the
     spot (3, P) on the other link (of the point without a spot), and the displacement from the spot to the point."""
     links = samples.links
-    offset = np.einsum("ijp,j->ip", links.rotation[:, :, hold.point.link, at], hold.point.position)
-    between = links.x[:, hold.point.link, at] + offset - links.x[:, hold.link, at]
-    spot_offset = between if spot is None else applied(links.rotation[:, :, hold.link, at], spot)
+    offset = np.einsum("ijp,j->ip", links.rotation[:, :, grasp.point.link, at], grasp.point.position)
+    between = links.x[:, grasp.point.link, at] + offset - links.x[:, grasp.link, at]
+    spot_offset = between if spot is None else applied(links.rotation[:, :, grasp.link, at], spot)
     return offset, spot_offset, between - spot_offset
 
 
-def _counted(hold: Hold, t: Array, away: Array) -> Array:
+def _counted(grasp: Grasp, t: Array, away: Array) -> Array:
     """Return the fraction (P,) beyond the slack of displacements (3, P) from the spot."""
-    return np.maximum(1 - hold.slack(t) / np.maximum(np.linalg.norm(away, axis=0), TINY), 0)
+    return np.maximum(1 - grasp.slack(t) / np.maximum(np.linalg.norm(away, axis=0), TINY), 0)
 
 
 def _residual_ways(away: Array, counted: Array | float) -> Iterator[Array]:

@@ -1,4 +1,4 @@
-"""Holds: the value by hand, gradient and curvature, and a ball that stays where it was on a box that moves."""
+"""Grasps: the value by hand, gradient and curvature, and a ball that stays where it was on a box that moves."""
 
 import mujoco
 import numpy as np
@@ -8,13 +8,13 @@ from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Hold, Spot
+from dynsplines.solver.contacts import Grasp, Spot
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import CovariantAcceleration, HoldPenalty, RootAcceleration, UnitMagnitude, slipped
+from dynsplines.solver.penalty import CovariantAcceleration, GraspPenalty, RootAcceleration, UnitMagnitude, slipped
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point
@@ -26,39 +26,39 @@ TWO = """<mujoco><worldbody>
 HAND = Point("hand", 1, np.array([0.1, 0.2, -0.3]))
 
 
-def holds(figure: Figure) -> tuple[Hold, Hold]:
+def grasps(figure: Figure) -> tuple[Grasp, Grasp]:
     """One whose spot drifts and then stays, with more and more slack, and one whose spot nobody knows."""
     last = len(figure.links) - 1
     spots = (
         Spot(0.1, 0.4, np.array([0.1, 0, 0.2]), np.array([0.1, 0.3, 0]), (0.0, 0.3)),
         Spot(0.4, 0.8, np.array([0.1, 0.3, 0]), np.array([0.1, 0.3, 0]), (0.3, 0.7)),
     )
-    return Hold(HAND, last, "it", 0.1, 0.8, spots), Hold(Point("b", last, np.ones(3)), 1, "it", 0.3, 1.0)
+    return Grasp(HAND, last, "it", 0.1, 0.8, spots), Grasp(Point("b", last, np.ones(3)), 1, "it", 0.3, 1.0)
 
 
-def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, tuple[Hold, Hold]]:
-    return at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6)), holds(figure)
+def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, tuple[Grasp, Grasp]]:
+    return at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6)), grasps(figure)
 
 
-def known(samples: Samples, hold: Hold) -> Array:
+def known(samples: Samples, grasp: Grasp) -> Array:
     """(S, 3) the way from the spot to the hand, as far as it is beyond the slack."""
     links = samples.links
     away = np.empty((samples.count, 3))
     for s, t in enumerate(samples.t):
         share = np.clip((t - 0.1) / 0.3, 0, 1)
         spot = np.array([0.1, 0.3 * share, 0.2 * (1 - share)])
-        hand = links.x[:, hold.point.link, s] + links.rotation[:, :, hold.point.link, s] @ hold.point.position
-        whole = hand - links.x[:, hold.link, s] - links.rotation[:, :, hold.link, s] @ spot
+        hand = links.x[:, grasp.point.link, s] + links.rotation[:, :, grasp.point.link, s] @ grasp.point.position
+        whole = hand - links.x[:, grasp.link, s] - links.rotation[:, :, grasp.link, s] @ spot
         far = float(np.linalg.norm(whole))
         away[s] = max(far - np.interp(t, [0.1, 0.8], [0, 0.7]), 0) / far * whole
     return away
 
 
-def sliding(samples: Samples, hold: Hold) -> Array:
+def sliding(samples: Samples, grasp: Grasp) -> Array:
     """(S, 3) how fast the hand moves on the body, in that link's axes, by differences along y', y''."""
     h = 1e-5
     there = [
-        slipped(Samples(samples.figure, samples.y + k * h * samples.y_d, samples.y_d, samples.y_dd), hold)
+        slipped(Samples(samples.figure, samples.y + k * h * samples.y_d, samples.y_d, samples.y_dd), grasp)
         for k in (-1, 1)
     ]
     return ((there[1] - there[0]) / (2 * h)).T
@@ -72,22 +72,22 @@ def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_
     expected = ((t >= 0.1) & (t <= 0.8)) * np.sum(known(samples, first) ** 2, axis=1)
     settling = Thresholds.of(samples.figure).settling
     expected += ((t >= 0.3) & (t <= 1.0)) * settling**2 * np.sum(sliding(samples, second) ** 2, axis=1)
-    np.testing.assert_allclose(HoldPenalty((first, second)).evaluate(samples), expected, rtol=1e-6)
+    np.testing.assert_allclose(GraspPenalty((first, second)).evaluate(samples), expected, rtol=1e-6)
 
 
 @pytest.mark.parametrize("which", [0, 1])
 def test_the_gradient_has_taylor_slope_two(figure, rng, which):
     samples, some = case(figure, rng)
-    assert penalty_slope(HoldPenalty((some[which],)), samples, rng) > 1.95
+    assert penalty_slope(GraspPenalty((some[which],)), samples, rng) > 1.95
 
 
 def test_nothing_counts_within_the_slack(figure, rng):
     samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
-    there = slipped(samples, holds(figure)[0])[:, 2]
-    hold = Hold(HAND, len(figure.links) - 1, "it", 0.1, 0.8, (Spot(0.1, 0.8, there, there, (1e3, 1e3)),))
+    there = slipped(samples, grasps(figure)[0])[:, 2]
+    grasp = Grasp(HAND, len(figure.links) - 1, "it", 0.1, 0.8, (Spot(0.1, 0.8, there, there, (1e3, 1e3)),))
     curvature = Curvature(samples)
-    HoldPenalty((hold,)).curvature(samples, curvature, np.ones(6))
-    assert not HoldPenalty((hold,)).evaluate(samples).any()
+    GraspPenalty((grasp,)).curvature(samples, curvature, np.ones(6))
+    assert not GraspPenalty((grasp,)).evaluate(samples).any()
     assert not curvature.quadratic(rng.normal(size=(6, 3)), 0, 6).any()
 
 
@@ -104,7 +104,7 @@ def assert_curvature(figure: Figure, rng: np.random.Generator) -> None:
     """By differences of the residuals when the whole state moves by (φ, φ', φ'') e along every entry e."""
     samples, (first, second) = case(figure, rng)
     curvature, phi, scale = Curvature(samples), rng.normal(size=(6, 3)), rng.uniform(1, 2, 6)
-    HoldPenalty((first, second)).curvature(samples, curvature, scale)
+    GraspPenalty((first, second)).curvature(samples, curvature, scale)
     h, width = 1e-6, samples.y.shape[1]
 
     def residuals(moved: Array) -> Array:
@@ -130,13 +130,13 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
         box, turn = np.array([0.5, 0.4, 0.3]) * i, [np.cos(0.6 * i), 0, 0, np.sin(0.6 * i)]
         keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
     spots = (Spot(0, 1, spot, spot),) if is_known else ()
-    hold = Hold(Point("hand", 1, np.zeros(3)), 2, "box", 0.0, 1.0, spots)
+    grasp = Grasp(Point("hand", 1, np.zeros(3)), 2, "box", 0.0, 1.0, spots)
     others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
 
     def worst(weight: float) -> float:
-        motion = inbetween(Problem(figure, keys, [*others, (HoldPenalty((hold,)), weight)], Settings(tolerance=1e-5)))
+        motion = inbetween(Problem(figure, keys, [*others, (GraspPenalty((grasp,)), weight)], Settings(tolerance=1e-5)))
         samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
-        return float(np.linalg.norm(slipped(samples, hold) - spot[:, None], axis=0).max())
+        return float(np.linalg.norm(slipped(samples, grasp) - spot[:, None], axis=0).max())
 
     assert worst(0.0) > 0.1
     assert worst(300.0) < 0.003

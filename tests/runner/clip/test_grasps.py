@@ -1,4 +1,4 @@
-"""The clip's [[hold]] tables and things of its scene: what they become, what moves with what, every mistake in one
+"""The clip's [[grasp]] tables and things of its scene: what they become, what moves with what, every mistake in one
 line."""
 
 import io
@@ -13,17 +13,17 @@ from rich.console import Console
 from dynsplines import solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
-from dynsplines.clip.parse import table_of
+from dynsplines.clip.parse import renewed, table_of
 from dynsplines.clip.text import written
 from dynsplines.edit.edits import retimed_tables, trimmed
 from dynsplines.errors import UserError
 from dynsplines.measure.quantities import Side
 from dynsplines.measure.violation import violations
-from dynsplines.solver.contacts import Hold
+from dynsplines.solver.contacts import Grasp
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Contact, HoldPenalty, StancePenalty, Sum
+from dynsplines.solver.penalty import Contact, GraspPenalty, StancePenalty, Sum
 from dynsplines.system.progress import Progress
 
 SCENE = """
@@ -41,7 +41,7 @@ radius = 0.03
 mass = 1
 """
 HOLD = """
-[[hold]]
+[[grasp]]
 hand = "{hand}_hand"
 body = "crate"
 from = {start}
@@ -80,9 +80,9 @@ def place(clip: clips.Clip, qpos: np.ndarray, hand: str) -> np.ndarray:
     return crate.xmat.reshape(3, 3).T @ (data.site(hand).xpos - crate.xpos)
 
 
-def spot_of(hold: Hold, *times: float) -> np.ndarray:
+def spot_of(grasp: Grasp, *times: float) -> np.ndarray:
     """(T, 3) where it is on the body."""
-    found = hold.spot(np.array(times))
+    found = grasp.spot(np.array(times))
     assert found is not None
     return found.T
 
@@ -102,14 +102,14 @@ def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely():
 
 
 @pytest.mark.slow
-def test_a_hold_is_where_the_keyframes_have_the_site_on_the_body():
+def test_a_grasp_is_where_the_keyframes_have_the_site_on_the_body():
     clip = clips.from_text(lift(), name="lift")
-    assert [hold.name for hold in clip.context.schedule.grasps] == ["left_hand on crate", "right_hand on crate"]
-    for hold, y in zip(clip.context.schedule.grasps, (0.17, -0.17), strict=True):
-        assert (hold.first, hold.last, clip.figure.links[hold.link].name) == (0.6, 1.5, "crate")
-        np.testing.assert_allclose(spot_of(hold, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
-    (holding,) = parts(clip, "attach.hold")
-    assert isinstance(holding, HoldPenalty) and [w for p, w in clip.penalties if p is holding] == [750]
+    assert [grasp.name for grasp in clip.context.schedule.grasps] == ["left_hand on crate", "right_hand on crate"]
+    for grasp, y in zip(clip.context.schedule.grasps, (0.17, -0.17), strict=True):
+        assert (grasp.first, grasp.last, clip.figure.links[grasp.link].name) == (0.6, 1.5, "crate")
+        np.testing.assert_allclose(spot_of(grasp, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
+    (holding,) = parts(clip, "attach.grasp")
+    assert isinstance(holding, GraspPenalty) and [w for p, w in clip.penalties if p is holding] == [750]
 
 
 @pytest.mark.slow
@@ -122,18 +122,18 @@ def test_arms_that_keyframes_leave_free_begin_where_the_hands_hold():
         assert not key.fixed[arm : arm + 4].any() and key.known[arm : arm + 4].all()
 
 
-def test_a_hold_gives_way_where_a_keyframe_puts_the_body_out_of_reach():
+def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach():
     near, far = (lift().replace("[0.36, 0, 1.2]", f"[{x}, 0, 1.2]") for x in (0.36, 0.98))
     told = {}
     for name, text in {"near": near, "far": far}.items():
         clip = clips.from_text(text, name=name)
-        key, hold = clip.keys[2], next(each for each in clip.context.schedule.grasps if each.point.name == "left_hand")
+        key, grasp = clip.keys[2], next(each for each in clip.context.schedule.grasps if each.point.name == "left_hand")
         arm = clip.figure.model.joint("left_shoulder").qposadr[0]
         assert key.known[arm : arm + 4].all() and not key.fixed[arm : arm + 4].any()
         short = np.linalg.norm(place(clip, key.state, "left_hand") - [0, 0.17, 0])
-        np.testing.assert_allclose(spot_of(hold, 1.0)[0], place(clip, key.state, "left_hand"), atol=1e-6)
-        np.testing.assert_allclose(spot_of(hold, 0.6)[0], [0, 0.17, 0], atol=1e-6)
-        told[name] = short, hold.slack(np.array([0.6, 0.8, 1.0]))
+        np.testing.assert_allclose(spot_of(grasp, 1.0)[0], place(clip, key.state, "left_hand"), atol=1e-6)
+        np.testing.assert_allclose(spot_of(grasp, 0.6)[0], [0, 0.17, 0], atol=1e-6)
+        told[name] = short, grasp.slack(np.array([0.6, 0.8, 1.0]))
     assert told["near"][0] < 1e-5 and not told["near"][1].any()
     assert 0.02 < told["far"][0] < 0.15
     np.testing.assert_allclose(told["far"][1], np.array([0, 0.5, 1.0]) * told["far"][0], atol=1e-6)
@@ -152,7 +152,7 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
     late = clips.from_text(lift().replace(AT, "", 1), name="late")
     np.testing.assert_array_equal(late.keys[0].state[own], clip.keys[0].state[own])
     assert late.keys[0].fixed[own].all()
-    free = lift().replace(CRATE.format(x=0.36, z=1.2, pitch=15), 'others = "hold"')
+    free = lift().replace(CRATE.format(x=0.36, z=1.2, pitch=15), 'others = "previous"')
     assert not clips.from_text(free, name="free").keys[2].fixed[own].any()
 
 
@@ -160,8 +160,8 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
 def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
     up = HANDS.replace("1.0]", "1.2]")
     rows = keyframe(0.6, STANDING, AT, HANDS), keyframe(1.0, STANDING, up), keyframe(1.4, STANDING, up)
-    holds = "".join(HOLD.format(hand=hand, start=0.6, end=1.4) for hand in ("left", "right"))
-    clip = clips.from_text(SCENE + holds + keyframe(0.0, 'others = "rest"', AT) + "".join(rows), name="hands")
+    grasps = "".join(HOLD.format(hand=hand, start=0.6, end=1.4) for hand in ("left", "right"))
+    clip = clips.from_text(SCENE + grasps + keyframe(0.0, 'others = "rest"', AT) + "".join(rows), name="hands")
     for hand, y in (("left_hand", 0.17), ("right_hand", -0.17)):
         np.testing.assert_allclose(place(clip, clip.keys[2].state, hand), [0, y, 0], atol=1e-5)
 
@@ -183,8 +183,8 @@ def test_the_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate(
             track = np.array([place(clip, clip.figure.to_qpos(y), hand) for y in path(timeline).at(time)])
             moved.append(np.linalg.norm(track - track[0], axis=1).max())
         assert max(moved) > 0.006 if most is None else max(moved) <= most
-    assert not [each for each in violations(clip, motion.timeline, motion.raw) if each.kind == "hold"]
-    assert {each.name for each in violations(clip, motion.raw, motion.raw) if each.kind == "hold"}
+    assert not [each for each in violations(clip, motion.timeline, motion.raw) if each.kind == "grasp"]
+    assert {each.name for each in violations(clip, motion.raw, motion.raw) if each.kind == "grasp"}
 
 
 @pytest.mark.slow
@@ -192,7 +192,7 @@ def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_i
     clip, motion = solved
     timelines = motion.timeline, motion.raw
     sides = [Side.of(clip, motion.objective, timeline, motion.raw).quantities() for timeline in timelines]
-    (left, right), (raw, _) = (side["holds"] for side in sides)
+    (left, right), (raw, _) = (side["grasps"] for side in sides)
     assert (left["hand"], right["hand"], left["body"]) == ("left_hand", "right_hand", "crate")
     assert left["moved, m"] <= 0.003 < raw["moved, m"]
     time = np.linspace(0.0, 2.1, 60)
@@ -209,17 +209,17 @@ def test_limbs_stay_out_of_what_is_carried_and_not_of_what_is_not_held():
         assert sum(isinstance(part, Contact) and part.carrier > 0 for part in found) == expected
 
 
-def test_a_hold_with_a_position_and_one_that_was_not_placed():
+def test_a_grasp_with_a_position_and_one_that_was_not_placed():
     free = lift(hands=()).replace(HANDS, "")
-    hold = HOLD.format(hand="left", start=0.7, end=0.9)
-    (unknown,) = clips.from_text(free + hold, name="free").context.schedule.grasps
+    grasp = HOLD.format(hand="left", start=0.7, end=0.9)
+    (unknown,) = clips.from_text(free + grasp, name="free").context.schedule.grasps
     assert unknown.spots == ()
-    (known,) = clips.from_text(free + hold + "position = [0, 0.15, 0.05]\n", name="free").context.schedule.grasps
+    (known,) = clips.from_text(free + grasp + "position = [0, 0.15, 0.05]\n", name="free").context.schedule.grasps
     np.testing.assert_allclose(spot_of(known, 0.7, 0.8, 0.9), [[0, 0.15, 0.05]] * 3)
 
 
 MISTAKES = {
-    "no such site": (HOLD.format(hand="lift", start=0, end=1), ["hold 1 ('lift_hand' on 'crate')", "'left_hand'?"]),
+    "no such site": (HOLD.format(hand="lift", start=0, end=1), ["grasp 1 ('lift_hand' on 'crate')", "'left_hand'?"]),
     "no such body": (HOLD.format(hand="left", start=0, end=1).replace("crate", "crat"), ["no body 'crat'", "'crate'"]),
     "a body that does not move": (
         HOLD.format(hand="left", start=0, end=1).replace('"crate"', '"floor"'), ["'floor' does not move", "[[contact]]"]
@@ -227,11 +227,11 @@ MISTAKES = {
     "its own body": (HOLD.format(hand="left", start=0, end=1).replace('"crate"', '"left_forearm"'), ["on that body"]),
     "backwards": (HOLD.format(hand="left", start=1, end=0.5), ["from = 1 s is not before to = 0.5 s"]),
     "outside": (HOLD.format(hand="left", start=1, end=3), ["outside the clip"]),
-    "two at once": (HOLD.format(hand="left", start=0, end=1) * 2, ["hold 2", "overlaps hold 1", "one thing at a time"]),
-    "no end": ('[[hold]]\nhand = "left_hand"\nbody = "crate"\nfrom = 1\n', ["hold 1", "'to' is missing"]),
-    "an unknown key": (HOLD.format(hand="left", start=0, end=1) + "hnad = 1\n", ["hold 1", "no key 'hnad'", "'hand'?"]),
+    "two at once": (HOLD.format(hand="left", start=0, end=1) * 2, ["grasp 2", "overlaps grasp 1", "one thing"]),
+    "no end": ('[[grasp]]\nhand = "left_hand"\nbody = "crate"\nfrom = 1\n', ["grasp 1", "'to' is missing"]),
+    "an unknown key": (HOLD.format(hand="left", start=0, end=1) + "hnad = 1\n", ["grasp 1", "key 'hnad'", "'hand'?"]),
     "a number for a body": (
-        '[[hold]]\nhand = "left_hand"\nbody = 3\nfrom = 0\nto = 1\n', ["hold 1", "body must be a name in quotes"]
+        '[[grasp]]\nhand = "left_hand"\nbody = 3\nfrom = 0\nto = 1\n', ["grasp 1", "body must be a name in quotes"]
     ),
     "keyframes that contradict it": (
         HOLD.format(hand="left", start=0, end=0.6), ["keyframe 2", "m from where keyframe 1 has it on the body"]
@@ -259,26 +259,39 @@ def test_a_mirrored_clip_holds_with_the_other_hand():
     figure = clip.figure
     table = mirrored_tables(table_of(clip.text, "lift"), figure, Mirror.of(figure))
     other = clips.from_text(written(table), name="other")
-    (hold,) = other.context.schedule.grasps
-    assert hold.name == "right_hand on crate"
+    (grasp,) = other.context.schedule.grasps
+    assert grasp.name == "right_hand on crate"
     np.testing.assert_allclose(
-        hold.spots[0].start, clip.context.schedule.grasps[0].spots[0].start * [1, -1, 1], atol=1e-6
+        grasp.spots[0].start, clip.context.schedule.grasps[0].spots[0].start * [1, -1, 1], atol=1e-6
     )
 
 
 def test_several_hold_one_thing_one_after_the_other_and_at_once():
     both = lift(hands=("left",)) + HOLD.format(hand="right", start=0.6, end=1.0)
-    holds: tuple[Hold, ...] = clips.from_text(both, name="both").context.schedule.grasps
-    assert [(hold.point.name, hold.last) for hold in holds] == [("left_hand", 1.5), ("right_hand", 1.0)]
+    grasps: tuple[Grasp, ...] = clips.from_text(both, name="both").context.schedule.grasps
+    assert [(grasp.point.name, grasp.last) for grasp in grasps] == [("left_hand", 1.5), ("right_hand", 1.0)]
 
 
 @pytest.mark.slow
-def test_at_another_speed_and_in_a_part_of_the_clip_holds_keep_their_place():
-    """Of the raw spline, which with free ends loses the crate by no more than a hold may drift."""
+def test_at_another_speed_and_in_a_part_of_the_clip_grasps_keep_their_place():
+    """Of the raw spline, which with free ends loses the crate by no more than a grasp may drift."""
     clip = clips.from_text(lift() + '[solve]\nends = "free"\n', name="lift")
     fast = retimed_tables(table_of(clip.text, "lift"), 2.0)
-    assert [(row.start, row.end) for row in fast.hold] == [(0.3, 0.75)] * 2
+    assert [(row.start, row.end) for row in fast.grasp] == [(0.3, 0.75)] * 2
     part = trimmed(solving.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
     (left, right) = clips.clip_from_motion(part).context.schedule.grasps
     assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
-    assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.hold") == 1
+    assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.grasp") == 1
+
+
+def test_older_names_of_tables_and_values_are_replaced_by_their_present_ones():
+    """In a clip they are errors; the text of an older motion is read."""
+    rest = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\n'
+    with pytest.raises(UserError, match=r"^old.toml: \[\[hold\]\] is named \[\[grasp\]\] now$"):
+        clips.from_text(rest + "[[hold]]\n", name="old")
+    with pytest.raises(UserError, match=r"keyframe 2 \(t = 1 s\): others = 'hold' is named others = 'previous' now$"):
+        clips.from_text(rest + 'others = "hold"\n', name="old")
+    older = rest + 'others = "hold"\n[[hold]]\nhand = "left_hand"\nbody = "crate"\nfrom = 0.2\nto = 0.6\n'
+    table = table_of(renewed(older), "old.toml")
+    assert [row.others for row in table.keyframe] == ["rest", "previous"]
+    assert [(row.hand, row.body, row.start, row.end) for row in table.grasp] == [("left_hand", "crate", 0.2, 0.6)]
