@@ -29,6 +29,7 @@ from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import references, table_of
 from dynsplines.clip.starter import starter
+from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import import_recording
 from dynsplines.measure import violation
@@ -37,6 +38,7 @@ from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
 from dynsplines.system.progress import Progress
 
+READ, REFUSED = "read", "refused"
 Make = Callable[[Rng], bytes]
 Read = Callable[[Path], object]
 
@@ -261,3 +263,14 @@ KINDS = {
 
 def seeded(kind: str, seed: int) -> Rng:
     return np.random.default_rng([list(KINDS).index(kind), seed])
+
+
+def attempt(kind: Kind, seed: int, folder: Path) -> str:
+    """What becomes of one file: read, refused, or the mistake."""
+    path = folder / kind.name
+    path.write_bytes(kind.make(seeded(kind.name, seed)))
+    try:
+        kind.read(path)
+    except UserError as error:
+        return REFUSED if str(error) and "\n" not in str(error) else f"no line: {str(error)!r:.200}"
+    return READ

@@ -20,7 +20,7 @@ from dynsplines.system.progress import Progress
 
 @pytest.fixture(scope="module")
 def claims() -> list[Claim]:
-    return run(seeds=2)
+    return run(seeds=1)
 
 
 def by_text(claims: list[Claim], text: str) -> Claim:
@@ -33,7 +33,7 @@ def test_every_claim_has_finite_numbers_for_every_set_and_a_verdict(claims: list
     assert len(claims) > 20
     for claim in claims:
         assert claim.numbers
-        assert all(len(values) == 2 and all(map(math.isfinite, values)) for values in claim.numbers.values())
+        assert all(len(values) == 1 and all(map(math.isfinite, values)) for values in claim.numbers.values())
         assert claim.verdict in ("reproduced", "not reproduced")
         assert claim.verdict == ("reproduced" if claim.reproduced else "not reproduced")
         assert claim.place and claim.text and claim.paper and claim.here and claim.criterion

@@ -248,7 +248,7 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
     Counted.reset(0)
     inbetween(Problem(FIGURE, keys, terms, settings))
     total = Counted.calls
-    for share in (0.05, 0.15, 0.3, 0.48, 0.57, 0.7, 0.88, 0.95):  # some of them in searches without some terms
+    for share in (0.05, 0.3, 0.57, 0.88):  # some of them in searches without some terms
         Counted.reset(int(share * total))
         motion = inbetween(Problem(FIGURE, keys, terms, settings))
         Counted.reset(0)

@@ -1,6 +1,7 @@
-"""Files of strangers tried one after another in a process of their own: it may end in any way, and is begun again.
+"""Files changed at random, in processes of their own, which may end in any way and are then started again.
 
-`python -m fuzz.driver KIND SEED`, in tests/, tries one file alone and shows what goes wrong with it.
+python benchmarks/strange_files.py 300         some 140,000 files of all kinds, in one or two hours
+python benchmarks/strange_files.py clip.toml 42      the file number 42 of a kind, and the error that it causes
 """
 
 from __future__ import annotations
@@ -18,18 +19,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO
 
-from fuzz import strange
+TESTS = Path(__file__).parents[1] / "tests"
+sys.path[:0] = [str(TESTS), str(TESTS / "support")]
 
-from dynsplines.errors import UserError
+from fuzz import strange  # noqa: E402
+from fuzz.strange import READ, REFUSED, attempt  # noqa: E402
 
-TESTS = Path(__file__).parents[1]
 MOST_MEGABYTES = 1000.0  # of a process, at its peak
 ROOM = 6 * 2**30  # [bytes] of addresses: what asks for more fails, and the machine is spared
 MOST_SECONDS = 60.0  # of one file, by the clock of a machine that others use as well
 START_SECONDS = 120.0  # of a process, until it has its first file
 EACH = 3000  # files that one process tries, so that what it leaves behind is counted to no file
-PROGRAM = ["-m", "fuzz.driver"]
-READ, REFUSED = "read", "refused"
+ALL = 300  # of the short argument: all files of every kind
 
 
 @dataclass
@@ -64,9 +65,8 @@ def tried(kind: str, count: int, folder: Path, *, start: int = 0) -> Tally:
 
 def _batch(kind: str, start: int, stop: int, folder: Path, tally: Tally) -> int:
     """By one process; the first seed that is left."""
-    command = [sys.executable, *PROGRAM, kind, str(start), str(stop), str(folder)]
-    paths = os.pathsep.join([str(TESTS), str(TESTS / "support")])
-    environment = {**os.environ, "PYTHONPATH": paths, "OMP_NUM_THREADS": "1", "DYNSPLINES_CACHE": "off"}
+    command = [sys.executable, __file__, kind, str(start), str(stop), str(folder)]
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "DYNSPLINES_CACHE": "off"}
     with (folder / "errors.txt").open("ab") as errors:
         process = subprocess.Popen(
             command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=errors, bufsize=0
@@ -105,17 +105,6 @@ def _line(stream: IO[bytes], seconds: float) -> bytes | None:
     """What the process says of a file; nothing if it has ended, None if it is at it for too long."""
     ready, _, _ = select.select([stream], [], [], seconds)
     return stream.readline() if ready else None
-
-
-def attempt(kind: strange.Kind, seed: int, folder: Path) -> str:
-    """What becomes of one file: read, refused, or the mistake."""
-    path = folder / kind.name
-    path.write_bytes(kind.make(strange.seeded(kind.name, seed)))
-    try:
-        kind.read(path)
-    except UserError as error:
-        return REFUSED if str(error) and "\n" not in str(error) else f"no line: {str(error)!r:.200}"
-    return READ
 
 
 def _serve(name: str, start: int, stop: int, kept: Path) -> None:
@@ -160,12 +149,21 @@ def main() -> None:
     if len(words) == 4:
         _serve(words[0], int(words[1]), int(words[2]), Path(words[3]))
         return
-    kind = strange.KINDS[words[0]]
-    with tempfile.TemporaryDirectory() as folder:
-        for other, text in kind.beside:
-            (Path(folder) / other).write_text(text, encoding="utf-8")
-        os.chdir(folder)
-        print(attempt(kind, int(words[1]), Path(folder)))
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        if len(words) == 2:
+            kind = strange.KINDS[words[0]]
+            for other, text in kind.beside:
+                (folder / other).write_text(text, encoding="utf-8")
+            os.chdir(folder)
+            print(attempt(kind, int(words[1]), folder))
+            return
+        tallies = {}
+        for each in strange.KINDS.values():
+            tallies[each.name] = tried(each.name, round(each.long * int(words[0]) / ALL), folder)
+            print(f"{each.name}: {tallies[each.name].line}", *tallies[each.name].bad.items(), sep="\n  ", flush=True)
+    if any(tally.bad for tally in tallies.values()):
+        raise SystemExit(1)
 
 
 if __name__ == "__main__":
