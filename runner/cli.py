@@ -125,8 +125,9 @@ def new_clip(
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Write a clip for a model, with comments.
-    Its keyframes are those of the model, or else a pose and a movement. Comments list joints, sites and options."""
+    """Write a commented starter clip for a model.
+    It has the keyframes of the model; without any, a pose and a small movement.
+    Comments list joints, sites and options."""
     target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
     text = starter.starter(model, target, lambda note: print(f"note: {note}", file=sys.stderr))
     with outputs.Replacement(target) as temporary:
@@ -148,7 +149,8 @@ def solve(
     allow_outside: option.Outside = False,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz).
-    Violations are printed last, worst first. Ctrl-C stops solving and saves the best motion so far."""
+    At the end, the constraints that the motion violates are listed, the worst one first.
+    Ctrl-C stops solving and saves the best motion so far."""
     target = _target(output, f"{_name(source, model, keys)}.npz", "motion")
     with terminal.Progress() as progress:
         clip = inputs.load(source, model=model, keys=keys, fps=fps)
@@ -175,12 +177,15 @@ def render(
     ] = "1280x720",
     fps: Annotated[float | None, number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
     camera: Annotated[
-        str, value("NAME", "Camera: side, left, front, three_quarter, back, or a camera of the model")
+        str, value("NAME", "Camera: side (the right one), left, front, three_quarter, back, or a camera of the model")
     ] = "side",
-    slow: Annotated[float, number("FACTOR", "Slow-motion factor", 0.01, 1000)] = 1.0,
+    slow: Annotated[
+        float, number("FACTOR", "Slow motion: 2 plays at half speed, 0.5 at double speed", 0.01, 1000)
+    ] = 1.0,
     at: Annotated[float | None, seconds("Time of a single frame", "all frames")] = None,
     workers: Annotated[
-        int | None, number("N", "Number of rendering processes", 1, 60, "1; without OpenGL one per core", kind=int)
+        int | None,
+        number("N", "Number of rendering processes", 1, 60, "1; one per core if there is no OpenGL driver", kind=int),
     ] = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,
@@ -232,7 +237,7 @@ def studio(
     ] = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Edit a clip in the browser while it is solved."""
+    """Edit a clip in the browser; every edit is solved again."""
     launch.check_packages()
     launch.check_host(host, allow_remote=allow_remote)
     document = sources.opened(source, figure=figure)
@@ -367,8 +372,9 @@ def report(
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Measure a motion before and after solving.
-    The report contains penetration, joint ranges, foot skate, torques and the distance from the optimum."""
+    """Measure a motion, and the spline before solving.
+    It lists penetration, excess of joint ranges, foot skate and torques.
+    It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
 
     measured = _measured(source, model, keys, fresh).report
@@ -390,7 +396,7 @@ def plot(
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Draw charts of a motion and of its search.
+    """Plot a motion and the convergence of its search.
     The charts are foot height, quaternion length, Euler-Lagrange deviation, and penalties per evaluation.
     The extension of -o selects .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
@@ -446,7 +452,7 @@ def import_motion(
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Read a recording and report its violations.
+    """Convert a recording to a motion and list its violations.
     Every sample becomes a keyframe. The motion is not changed."""
     target = _target(output, f"{formats.stem(source)}.npz", "motion")
     if target.exists() and source.exists() and target.samefile(source):
@@ -472,7 +478,7 @@ def list_formats() -> None:
 @app.command(rich_help_panel="Recordings")
 def clean(
     source: option.Recording,
-    output: Annotated[Path | None, option.output("RECORDING.clean with the extension of RECORDING")] = None,
+    output: Annotated[Path | None, option.output("NAME.clean.EXT of NAME.EXT")] = None,
     figure: option.Figure = None,
     map_file: option.Map = None,
     write_map: option.WriteMap = False,
@@ -486,7 +492,7 @@ def clean(
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Remove foot skate, penetration and jumps from a recording.
+    """Remove foot skate, penetration and jitter from a recording.
     The result stays close to the recording."""
     place = maps.map_of(map_file, writes=write_map)
     recording = clean_command.Source(
@@ -540,9 +546,9 @@ def batch(
         float | None, number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share of the memory")
     ] = None,
     measure: Annotated[
-        bool, flag("--report/--no-report", "Measure every motion; this takes longer than solving")
+        bool, flag("--report/--no-report", "Also measure every motion, which more than doubles the time")
     ] = False,
-    retry_failed: Annotated[bool, flag("--retry-failed", "Solve clips again that failed in an earlier run")] = False,
+    retry_failed: Annotated[bool, flag("--retry-failed", "Retry clips that failed in an earlier run")] = False,
     strict: option.Strict = False,
     clean_all: Annotated[bool, flag("--clean", "Clean recordings, as `dynsplines clean` does")] = False,
     onto: Annotated[str | None, value("MODEL", "Retarget recordings to this figure", "none", "--retarget")] = None,

@@ -93,7 +93,7 @@ Only = Annotated[
     Part | None,
     value(
         "before|after|keys",
-        "Render only the motion before solving, after solving, or the keyframes",
+        "Render one version only: the spline through the keyframes (before), the solved motion (after), or keys",
         "before and after",
     ),
 ]
@@ -114,15 +114,16 @@ Recording = Annotated[
     Path, typer.Argument(metavar="RECORDING", help="Motion (.npz), or a file in a format that `import` reads")
 ]
 Overwrite = Annotated[bool, flag("--overwrite", "Overwrite an existing output file")]
-Strict = Annotated[bool, flag("--strict", "Exit with code 3 if the motion has violations")]
+Strict = Annotated[bool, flag("--strict", "Exit with code 3 if a motion violates constraints")]
 NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve the clip again, even if its solution is in the cache")]
 Outside = Annotated[bool, flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
 AsJson = Annotated[bool, flag("--json", "Print the result as JSON")]
 SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose or rest pose before the motion")]
-Repeat = Annotated[int | None, number("N", "Play a loop N times", 1, default="1", kind=int)]
+Repeat = Annotated[int | None, number("N", "Repeat a clip that is a loop N times", 1, default="1", kind=int)]
 Rate = Annotated[float | None, number("HZ", "Samples per second of the output", 0.01, 100_000, "the clip's, or 30")]
 Figure = Annotated[
-    str | None, value("MODEL", "Figure of the recording: name of a shipped figure, or MJCF file", "that of the file")
+    str | None,
+    value("MODEL", "Figure that was recorded: name of a shipped figure, or MJCF file", "the one in the recording"),
 ]
 Format = Annotated[
     str | None, value("FORMAT", "Format of the recording, see `dynsplines formats`", "by its extension", "--from")
@@ -136,19 +137,35 @@ Scene = Annotated[
 ]
 Within = Annotated[
     float | None,
-    quantity("length", "Largest displacement of pelvis, hands and feet, e.g. 3cm", "--max-displacement", "--within"),
+    quantity(
+        "length",
+        "Keep pelvis, hands and feet within this distance of the recording, e.g. 3cm",
+        "--max-displacement",
+        "--within",
+    ),
 ]
 Speed = Annotated[float | None, quantity("speed", "Largest joint speed, e.g. 20rad/s or 1200deg/s", "--speed-limit")]
 Contacts = Annotated[
-    Path | None, value("FILE", "TOML file with [[contact]] tables: the stances of the recording", "detected")
+    Path | None,
+    value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
 ]
-WriteMap = Annotated[bool, flag("--write-map", "Write the inferred bone map to the file of --map")]
-Model = Annotated[str | None, value("MODEL", "Figure of --keys: name of a shipped figure, or MJCF file", "none")]
+WriteMap = Annotated[
+    bool, flag("--write-map", "Infer the bone map and write it to the file of --map, instead of reading that file")
+]
+Model = Annotated[
+    str | None, value("MODEL", "Figure that moves, if --keys is used: name of a shipped figure, or MJCF file", "none")
+]
 Keys = Annotated[
     str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
 ]
 Edited = Annotated[Path | None, output("name of the input with a suffix such as _mirrored")]
 OverSource = Annotated[bool, flag("--overwrite", "Overwrite the input file, if it is also the output file")]
 Map = Annotated[
-    Path | None, value("FILE", "Bone map: a TOML file, or the shipped map g1 or human", "inferred", "--map")
+    Path | None,
+    value(
+        "FILE",
+        "Which bones are the pelvis, hands, feet etc.: a TOML file, or a shipped map (g1, human)",
+        "inferred",
+        "--map",
+    ),
 ]
