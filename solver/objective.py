@@ -1,7 +1,8 @@
 """The objective E(Y) = Σ_j α_j ∫ f_j dt (eq. 1), its renormalisation (eq. 7), and its gradient.
 
-Taken at single times, equation 7 divides by zero at every keyframe. Here each term f_j is divided by its integral over
-the raw spline instead. These divisors are computed once and do not change with subdivision.
+Equation 7 divides f_j(t) by its value on the raw spline, the spline through the keyframes alone. This value is zero at
+every keyframe. Here f_j is divided by its integral over the raw spline instead. These divisors are computed once and do
+not change with subdivision.
 """
 
 from __future__ import annotations
@@ -55,7 +56,8 @@ class Objective:
 
     Attributes:
         terms: The soft constraints, with their weights and factors.
-        heavy: Upper limit of E where tolerances are relative to E, so that gross violations do not loosen them.
+        heavy: Cap on the value of E that relative tolerances refer to. A path with gross violations has a large E,
+            which would make tolerances loose.
         key_times: Times of the keyframes, (K,) [s], from which tension is computed. If None, the tension is 1
             everywhere.
     """
@@ -90,14 +92,14 @@ class Objective:
 
         The divisor of a term is limited to an interval:
 
-        - Lower limit, for terms that are nearly zero on the raw path: the integral of the penalty's reference value
-          (1 cm or 1°) over 1 % of the clip.
-        - Upper limit of a violation: the integral of the reference value over the whole clip. A raw path deep in the
-          floor therefore does not make the floor soft.
-        - Upper limit of any other term: `raw_cap` of its normalization times the length of the clip.
+        - Lower limit, for terms that are nearly zero on the raw path: `Normalization.reference`, the penalty's value at
+          a violation of 1 cm or 1°, integrated over 1 % of the clip.
+        - Upper limit, for terms that measure violations: the same value integrated over the whole clip. A raw path deep
+          in the floor therefore does not make the floor soft.
+        - Upper limit, for all other terms: `Normalization.raw_cap` times the length of the clip.
 
-        Segments with exceptionally large costs contribute only in part, see `_typical`. Terms with `normalize_by` use
-        the divisor of another term, times their reference value.
+        Segments with exceptionally large costs contribute only in part, see `_typical`. The divisor of
+        a term with `normalize_by` is its reference value times the divisor of the term named there.
 
         Args:
             initial_guess: A path near the optimum, if one is available. Terms other than violations are divided by the
@@ -129,12 +131,12 @@ class Objective:
 
     @property
     def raw_cost(self) -> float:
-        """The cost of the raw spline [1]: the sum of the weights of the terms in `measured`."""
+        """The cost of the raw spline without violations [1]. Each term in `measured` contributes its weight α_j."""
         return sum(term.weight for term in self.measured)
 
     @property
     def measured(self) -> tuple[Term, ...]:
-        """The terms divided by their integral over the raw spline, without violations."""
+        """The terms whose divisor is their integral over the raw spline; terms that measure violations are excluded."""
         return tuple(
             t
             for t in self.terms
@@ -161,11 +163,12 @@ class Objective:
         return typical
 
     def tension(self, t: Array) -> Array:
-        """Return the tension at times t (S,) [s], (S,) [1].
+        """Return the dimensionless tension (S,) at times t (S,) [s].
 
         The tension is 1 where neighbouring keyframes are at most LONG apart. Beyond LONG, it rises with the fourth
-        power of the time between them, up to MAX_TENSION. Distant keyframes specify accelerations poorly, so
-        acceleration terms are weighted down and joints do not overshoot, see `Normalization.by_tension`.
+        power of the time between them, up to MAX_TENSION. Keyframes that are far
+        apart determine the acceleration between them poorly. Acceleration terms are divided by the tension there, so
+        that joints do not overshoot, see `Normalization.by_tension`.
         """
         if self.key_times is None:
             return np.ones(t.size)
@@ -174,7 +177,7 @@ class Objective:
         return ((gaps / (LONG * Size.of(self.figure).time)) ** TENSION_POWER).clip(1.0, MAX_TENSION)
 
     def factor(self, term: Term, t: Array) -> Array:
-        """Return the multiplier of f_j of a term at times t (S,) [s], including tension, (S,)."""
+        """Return `term.factor` times the power of tension in its normalization, at times t (S,) [s]; (S,)."""
         return term.factor * self._tension_share(term, t)
 
     def _tension_share(self, term: Term, t: Array) -> Array:
@@ -183,14 +186,14 @@ class Objective:
         return self.tension(t) ** power if power else np.ones(t.size)
 
     def nodes(self, times: Array) -> tuple[Array, Array, Array]:
-        """Return the samples of a spline with knots at `times` [s].
+        """Return the quadrature nodes of a spline with knots at `times` [s].
 
-        Terms that are evaluated only at given instants add these instants to the samples. An instant has the weight 1
-        in these terms and 0 in all others.
+        Terms that are evaluated only at given instants add these instants to the nodes. An instant has the weight 1
+        in the term that added it and 0 in all others.
 
         Returns:
-            The sample times (S,) [s] in ascending order, their weights in an integral (S,) [s], and their weights in
-            every term (terms, S), which include tension.
+            The times in ascending order, (S,) [s]; the weights of an integral, (S,) [s]; and the weights of each term,
+            including tension, (terms, S), in [s], or [1] at instants.
         """
         t, w = self.quadrature.nodes(times)
         instants_by_term = [instants_of(term.penalty) for term in self.terms]
@@ -316,16 +319,18 @@ class Evaluation:
 
 
 class Discretised:
-    """E(x) for one timeline, with the spline factorised and the samples and unknowns prepared once.
+    """E as a function of the unknowns x of one timeline: its keyframes and variable frames.
 
-    The samples are evaluated in runs, see `run_of`. The cost per sample therefore does not grow with the clip's length.
+    The spline's linear system is factorised, and the samples and the layout of x are prepared, once on construction.
+    Samples are evaluated in runs: batches of consecutive samples that fit in the processor's cache, see `run_of`.
 
     Attributes:
         objective: The objective E.
         timeline: The timeline whose unknowns are x.
-        unknowns: The map between x (n,) and the spline's rows.
+        unknowns: The map between x (n,) and the states of the frames, one row per frame, (M, N).
         weights: The weights of the samples in an integral, (S,) [s].
-        instants: The terms that are evaluated only at given instants, each with the sampling of these instants.
+        instants: Pairs of a term that is evaluated only at given instants, and the operator that interpolates the
+            spline at the instants of this term.
     """
 
     def __init__(self, objective: Objective, timeline: Timeline) -> None:
@@ -365,7 +370,10 @@ class Discretised:
         return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)
 
     def seen(self, x: Array) -> Sequence[Seen]:
-        """Return the evaluated samples at x (n,), reusing those of the last evaluation if x is the same array."""
+        """Return the evaluated samples at x (n,), one `Seen` per run.
+
+        If x is the array object of the last evaluation, its samples are reused.
+        """
         if self._last is None or self._last[0] is not x:
             coefficients = self.sampling.coefficients(self.unknowns.rows(x))
             return [self._seen(coefficients, piece) for piece in self._pieces]

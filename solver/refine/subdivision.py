@@ -1,8 +1,8 @@
 """Subdivision: a variable frame at the middle of each badly approximated segment (step 5 of the paper's figure 5).
 
 A criterion returns one number per segment between neighbouring frames; the segments with the largest are split.
-"residual" is the paper's criterion. "weak" estimates the reduction of E. The paper argues against "objective" and
-"resolution" (§2); they serve comparison.
+"residual" is the paper's criterion. "weak", from the weak form, predicts how much a split would reduce E. The paper
+argues against "objective" and "resolution" (§2); they are included only for comparison.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def midpoints(timeline: Timeline) -> Array:
 
 
 def by_residual(objective: Objective, timeline: Timeline) -> Array:
-    """Return ∫ |R| dt over every segment, the paper's criterion."""
+    """Return ∫ |R| dt over every segment, (M − 1,), with R the residual of the Euler-Lagrange equation of E."""
     return residual(objective, path_of(timeline)).deviation()
 
 
@@ -60,7 +60,7 @@ CRITERIA: dict[str, Callable[[Objective, Timeline], Array]] = {
 
 
 def split(timeline: Timeline, times: Array) -> Timeline:
-    """Return the timeline with variable frames inserted at times on the present curve, which does not change."""
+    """Return the timeline with variable frames at `times` [s], on its curve, which does not change."""
     states = path_of(timeline).at(times)
     return timeline.inserted(Frame.many(times, states, np.zeros(states.shape, bool)))
 

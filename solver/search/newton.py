@@ -1,8 +1,8 @@
 """Minimisation of E by Gauss-Newton steps with Levenberg's damping. Each step is a banded solve.
 
 The damping decreases after good predictions of the reduction of E and increases after poor ones (D. W. Marquardt, "An
-algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963). It multiplies the flat acceleration
-energy of the step, so that a damped step is smooth.
+algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963). The damping
+multiplies ∫ |δy''|² dt of the step δy, with equal weight for all coordinates, so that a damped step is smooth.
 """
 
 from __future__ import annotations
@@ -34,8 +34,9 @@ class GaussNewton:
 
     Attributes:
         refine: The final stage, refine(search, factor, tolerance) with the Cholesky factor of the last model; or None.
-        final: The tolerance of the last rounds. The final stage runs only in searches of at most this tolerance.
-        damping: The damping of the next step, which continues from round to round.
+        final: The tolerance of the last rounds; a round is one search and one subdivision. The final stage runs only if
+            the tolerance of a search is no larger than this.
+        damping: The damping of the next step, carried over from one search to the next.
     """
 
     def __init__(self, refine: Refine | None = None, final: float = TOLERANCE, damping: float = FIRST_DAMPING) -> None:
@@ -54,10 +55,10 @@ class GaussNewton:
 
         Args:
             problem: E and its gradient.
-            tolerance: The search ends when the predicted reduction of the next step is less than this share of E, or of
-                a thousandth of the first E.
-            improved: Called with (evaluation, Evaluation, x) whenever E falls. It may raise StopSearch to end the
-                search.
+            tolerance: The search ends when the next step is predicted to reduce E by less than tolerance · max(E,
+                E_first / 1000).
+            improved: Called as improved(count, evaluation, x) whenever E falls, with the number of evaluations so far.
+                It may raise StopSearch to end the search.
 
         Returns:
             The best point.
@@ -99,7 +100,7 @@ class Search:
         value: E there.
         gradient: dE/dx there, (n,).
         count: The number of evaluations so far.
-        scale: The curvature of E in y'' from the first model, the unit of the damping.
+        scale: The median second derivative of E with respect to y'' in the first model; damping is a multiple of it.
         factor: The Cholesky factor of the last model.
     """
 
@@ -137,7 +138,7 @@ class Search:
         return evaluation
 
     def is_negligible(self, decrease: float, tolerance: float) -> bool:
-        """Return whether a decrease is less than a share of E, or of a thousandth of the first E."""
+        """Return whether decrease < tolerance · max(E, E_first / 1000), with E at most `Objective.heavy`."""
         size = min(max(self.value, NEGLIGIBLE * self.first), self.problem.objective.heavy)
         return decrease <= tolerance * size
 
@@ -147,7 +148,11 @@ class Search:
         return model
 
     def step(self, model: Model, tolerance: float) -> tuple[Proposal, Stop | None]:
-        """Take the model's step, damped until E falls. Return it, and a Stop if the search ends instead."""
+        """Take the model's step, damped until E falls.
+
+        Returns:
+            The last proposed step, and None; a Stop instead of None if the search ends.
+        """
         while True:
             proposal = model.minimise(self.damping * model.scale)
             self.factor = proposal.factor
