@@ -32,7 +32,7 @@ def figure(saved: Saved, tmp_path_factory: pytest.TempPathFactory) -> Figure:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("ending", "magic"), [("svg", b"<?xml"), ("pdf", b"%PDF"), ("PNG", b"\x89PNG")])
+@pytest.mark.parametrize(("ending", "magic"), [("svg", b"<?xml"), ("pdf", b"%PDF")])
 def test_the_ending_selects_what_is_written(saved, tmp_path, ending, magic):
     drawn(saved, tmp_path / f"c.{ending}")
     assert (tmp_path / f"c.{ending}").read_bytes().startswith(magic)
@@ -91,21 +91,15 @@ def test_a_clip_without_feet_or_evaluations_can_be_charted(saved, tmp_path):
     for side in ("before", "after"):
         bare["curves"][side]["height"] = {}
         bare["curves"][side]["EL over tenths"] = [0.0] * 10
-    draw("bare", bare, [], np.array([0.0, 1.0]), tmp_path / "bare.svg")
+    draw(r"a$\frac$b", bare, [], np.array([0.0, 1.0]), tmp_path / "bare.svg")  # a name with dollars is no formula
     assert (tmp_path / "bare.svg").stat().st_size > 1000
 
 
 @pytest.mark.slow
 def test_a_clip_on_which_nothing_is_to_be_gained_can_be_charted(saved, tmp_path):
     trace = [[1, 0, 0.0, {"root": 0.0}], [2, 0, 0.0, {"root": 0.0}]]
-    draw("still", saved.report, trace, np.array([0.0, 1.0]), tmp_path / "still.png")
-    assert (tmp_path / "still.png").stat().st_size > 1000
-
-
-@pytest.mark.slow
-def test_a_name_with_dollars_is_no_formula(saved, tmp_path):
-    draw(r"a$\frac$b", saved.report, saved.trace, np.array([0.0]), tmp_path / "c.svg")
-    assert (tmp_path / "c.svg").stat().st_size > 1000
+    draw("still", saved.report, trace, np.array([0.0, 1.0]), tmp_path / "still.PNG")
+    assert (tmp_path / "still.PNG").read_bytes().startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize("name", ["c.jpg", "c", "c.npz", ".png"])
