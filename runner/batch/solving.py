@@ -61,8 +61,9 @@ def _cleaned(task: Task, cleaning: Source, folder: Path) -> Outcome:
 
     options, recording = task.options, folder / task.files.clip
     others = {word: folder / path for word, path in task.files.others.items()}
-    figure = str(others.pop("figure")) if "figure" in others else cleaning.figure
-    source = replace(cleaning, file=recording, figure=figure, fps=options.fps, **others)
+    figure = str(others["figure"]) if "figure" in others else cleaning.figure
+    scene, bone_map = others.get("scene"), others.get("map")
+    source = replace(cleaning, file=recording, figure=figure, fps=options.fps, scene=scene, map=bone_map)
     result, saved = command.made(source, options.within, Progress(Console(quiet=True)))
     comparison = Comparison(result)
     outcome = _written(saved, task, folder, None)

@@ -118,7 +118,7 @@ class Task:
     program: str = field(default_factory=lambda: program())
 
 
-def _violation(table: dict[str, Any]) -> dict[str, Any]:
+def _violation(table: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return a violation as a table. Raises ValueError for values that a batch cannot print and compare."""
     numbers = [table.get(name) for name in ("amount", "bound")]
     if not isinstance(table.get("text"), str) or not all(isinstance(x, int | float) and x > 0 for x in numbers):
@@ -145,7 +145,7 @@ class Result:
     seconds: float = 0.0
     worker: str = ""
     violations: Annotated[
-        tuple[Annotated[dict[str, Any], AfterValidator(_violation)], ...],
+        tuple[Annotated[Mapping[str, Any], AfterValidator(_violation)], ...],
         Field(validation_alias=AliasChoices("violations", "problems")),  # its former name, in older manifests
     ] = ()
     figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)

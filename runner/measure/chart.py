@@ -86,7 +86,7 @@ def _lengths(axes: Axes, curves: Curves, key_times: Collection[float]) -> None:
 def _tenths(axes: Axes, curves: Curves) -> None:
     axes.set_title("Euler-Lagrange deviation over tenths of the clip", loc="left")
     highest = 0.0
-    for shift, (side, colour) in zip((-0.2, 0.2), (("before", BEFORE), ("after", AFTER)), strict=True):
+    for side, colour, shift in (("before", BEFORE, -0.2), ("after", AFTER, 0.2)):
         values = curves[side]["EL over tenths"]
         highest = max(highest, *values)
         axes.bar(np.arange(1, len(values) + 1) + shift, values, width=0.4, color=colour, label=side)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 
@@ -67,7 +67,7 @@ class Side:
         values = self.objective.integrals(path_of(self.timeline))
         return {t.penalty.name: float(t.factor * v) for t, v in zip(self.objective.terms, values, strict=True)}
 
-    def quantities(self) -> dict[str, Any]:
+    def quantities(self) -> dict[str, object]:
         """Return all quantities by name; those that do not apply to the clip are omitted or empty."""
         clip, samples, timeline, worst = self.clip, self.samples, self.timeline, self.measurement.worst
         every = {
@@ -96,23 +96,35 @@ class Side:
         return {name: value for name, value in every.items() if value is not None}
 
 
+class Deepest(TypedDict, total=False):
+    """The deepest penetration [m], and where; empty if there is nothing to penetrate."""
+
+    deepest: float
+    where: str
+
+
+Entry = dict[str, float | str]  # values of a quantity by name and unit
+Penetration = TypedDict(  # [m] of the figure's geoms and contact points in their surroundings
+    "Penetration",
+    {"deepest": float, "where": str, "geoms": dict[str, float], "points": dict[str, float], "all geoms count": bool},
+)
 Worst = Sequence[tuple[Row, float, float]]  # rows with their largest amounts and the times [s], worst first
 
 
-def _deepest(worst: Worst) -> dict[str, Any]:
+def _deepest(worst: Worst) -> Deepest:
     if not worst or worst[0][1] <= 0:
         return {"deepest": 0.0, "where": "nothing"}
     row, depth, time = worst[0]
     return {"deepest": depth, "where": f"{row.name} in {row.other} at {time:.3f} s"}
 
 
-def _in_carried(clip: Clip, worst: Worst) -> dict[str, Any]:
+def _in_carried(clip: Clip, worst: Worst) -> Deepest:
     return (
         _deepest([entry for entry in worst if entry[0].kind == "penetration"]) if clip.context.schedule.grasps else {}
     )
 
 
-def _penetration(clip: Clip, worst: Worst) -> dict[str, Any]:
+def _penetration(clip: Clip, worst: Worst) -> Penetration:
     model = clip.figure.model
     names, depths = {geom_name(model, geom) for geom in movers(model)}, dict[str, float]()
     for row, depth, _ in worst:
@@ -133,7 +145,7 @@ def _bends(clip: Clip, worst: Worst) -> dict[str, dict[str, float]]:
     return {bend.name: {kind: max(0.0, angles[bend.name, kind]) for kind in within} for bend in limits.joints}
 
 
-def _most(worst: Worst, what: str) -> dict[str, Any]:
+def _most(worst: Worst, what: str) -> Entry:
     """Return the row that exceeds its bound most, in degrees or m."""
     if not worst:
         return {}
@@ -141,23 +153,23 @@ def _most(worst: Worst, what: str) -> dict[str, Any]:
     return {what: row.name, "at, s": time, "most": most, "unit": row.unit}
 
 
-def _equalities(joints: Worst, loops: Worst) -> dict[str, Any]:
+def _equalities(joints: Worst, loops: Worst) -> dict[str, Entry]:
     """Return deviations of coupled joints, and gaps of closed loops."""
-    result = {"coupled": _most(joints, "joint")} if joints else {}
+    result: dict[str, Entry] = {"coupled": _most(joints, "joint")} if joints else {}
     return result | ({"closed": {"loop": loops[0][0].name, "most, m": loops[0][1]}} if loops else {})
 
 
-def _grasps(clip: Clip, measurement: Measurement) -> list[dict[str, Any]]:
+def _grasps(clip: Clip, measurement: Measurement) -> list[Entry]:
     """Return the displacement of every grasp's site on the body since the start of the grasp."""
-    largest, out = measurement.largest("grasp"), []
+    largest, out = measurement.largest("grasp"), list[Entry]()
     for i, grasp in enumerate(clip.context.schedule.grasps):
         moved, time = largest.get(i, (0.0, grasp.first))
-        row = {"hand": grasp.point.name, "body": grasp.body, "from, s": grasp.first, "to, s": grasp.last}
+        row: Entry = {"hand": grasp.point.name, "body": grasp.body, "from, s": grasp.first, "to, s": grasp.last}
         out.append(row | {"moved, m": moved, "at, s": time})
     return out
 
 
-def _peak(worst: Worst) -> dict[str, Any]:
+def _peak(worst: Worst) -> Entry:
     """Return the largest angular acceleration of a link relative to its parent."""
     if not worst:
         return {"peak": 0.0, "joint": "", "at, s": 0.0}
@@ -187,14 +199,14 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
     return out
 
 
-def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
+def _stances(clip: Clip, timeline: Timeline) -> list[Entry]:
     """Return every stance of a foot inferred from keyframes, with the rise of its lowest geom and its slide."""
     shortest = Thresholds.of(clip.figure).brief_stance
     long_stances = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > shortest]
     groups: dict[tuple[float, float, int], list[Any]] = {}
     for stance in long_stances:
         groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)
-    out = []
+    out: list[Entry] = []
     for (first, last, link), group in groups.items():
         time = np.linspace(first, last, max(2, round((last - first) * RATE)))
         samples = samples_at(clip.figure, path_of(timeline), time)
@@ -212,9 +224,9 @@ def _stances(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     return out
 
 
-def _contacts(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
+def _contacts(clip: Clip, timeline: Timeline) -> list[Entry]:
     """Return every contact of the clip, with the largest distance from its mid-contact position and the path."""
-    out = []
+    out: list[Entry] = []
     for rest in clip.context.schedule.contacts.requested:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
         samples = samples_at(clip.figure, path_of(timeline), time)
@@ -224,7 +236,7 @@ def _contacts(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
         path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
         speed = path / (rest.last - rest.first)
-        interval = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
+        interval: Entry = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
         out.append(interval | {"moved, m": moved, "path, m": path, "speed, m/s": speed})
     return out
 
@@ -256,7 +268,7 @@ def _unit_deviation(samples: Samples) -> dict[str, float]:
     }
 
 
-def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any] | None:
+def _seam(clip: Clip, timeline: Timeline) -> dict[str, float | list[float]] | None:
     """Return travel and rotation of a loop's root per period, and jumps of y, y', y'' at its end; else None."""
     if timeline.ends != "periodic":
         return None
@@ -269,7 +281,7 @@ def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any] | None:
     return {"travel, m": travel, **turn, **mismatch}
 
 
-def _torque(samples: Samples) -> dict[str, Any]:
+def _torque(samples: Samples) -> Entry:
     """Return joint torques by inverse dynamics, and the external wrench at the roots. The root mean square is over
     time, of the norm of the torques of all ball joints and hinges."""
     figure = samples.figure

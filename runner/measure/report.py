@@ -31,7 +31,7 @@ from .formatting import rows
 from .quantities import Side
 from .violation import ViolationTable, plain, violations_of
 
-LOCAL_EVALUATIONS = 25  # most evaluations of a local solve that estimates the remaining decrease of a segment
+LOCAL_EVALUATIONS: int = 25  # most evaluations of a local solve that estimates the remaining decrease of a segment
 LOCAL_TOLERANCE = 1e-4  # relative to a segment's E: the decrease within 10 %, in a quarter of the time of 1e-7
 DRIFT = "centre of mass off before, m"
 

@@ -3,6 +3,7 @@ line."""
 
 import io
 from dataclasses import replace
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -191,6 +192,7 @@ def test_the_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate(
 def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_it_carries(solved):
     clip, motion = solved
     timelines = motion.timeline, motion.raw
+    sides: list[dict[str, Any]]
     sides = [Side.of(clip, motion.objective, timeline, motion.raw).quantities() for timeline in timelines]
     (left, right), (raw, _) = (side["grasps"] for side in sides)
     assert (left["hand"], right["hand"], left["body"]) == ("left_hand", "right_hand", "crate")
