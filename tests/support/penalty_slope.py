@@ -1,4 +1,4 @@
-"""The Taylor test of a soft constraint, and samples of another length of the quaternions."""
+"""The Taylor test of a soft constraint, whose value does not depend on the length of quaternions."""
 
 from __future__ import annotations
 
@@ -10,12 +10,15 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Penalty
 
 
-def penalty_slope(penalty: Penalty, samples: Samples, rng: np.random.Generator) -> float:
-    """The Taylor slope of Σ_s scale_s f(y_s, y'_s, y''_s) along a random direction of all three."""
+def penalty_slope(penalty: Penalty, samples: Samples, rng: np.random.Generator, *, any_length: bool = True) -> float:
+    """The Taylor slope of Σ_s scale_s f(y_s, y'_s, y''_s) along a random direction of all three; with any_length, f is
+    also that of quaternions of any length."""
     scale = rng.uniform(0.5, 2, samples.count)
     cotangent = Cotangent(samples)
     values = penalty.evaluate(samples, cotangent, scale)
     np.testing.assert_array_equal(values, penalty.evaluate(samples))
+    if any_length:
+        np.testing.assert_allclose(penalty.evaluate(scaled_like(samples, rng)), values, rtol=1e-8, atol=1e-12)
     gradients = cotangent.gradients()
     unscaled, ones = Cotangent(samples), Cotangent(samples)
     penalty.evaluate(samples, unscaled)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from figures import LEG
 from ground import FLOOR, SLOPE, some_points
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_keys import random_keys
 from random_samples import random_samples
 
@@ -118,13 +118,6 @@ def test_points_that_one_sphere_stands_for_are_64_at_most_neighbours_across_wher
     assert [part.size for part in neighbours(places, some[:65])] == [32, 33]
     level = np.zeros((3, 70))
     assert [part.tolist() for part in neighbours(level, np.arange(70))] == [list(range(35)), list(range(35, 70))]
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples = random_samples(figure, rng)
-    samples.y[:, 2] = 0
-    contact = Contact(some_points(figure, rng), (FLOOR,))
-    np.testing.assert_allclose(contact.evaluate(scaled_like(samples, rng)), contact.evaluate(samples), rtol=1e-9)
 
 
 @pytest.mark.parametrize("surface", [FLOOR, BLOCK, STEP], ids=lambda s: s.name)

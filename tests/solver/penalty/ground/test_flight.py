@@ -6,7 +6,7 @@ import pytest
 from curvature_of import assembled, assert_near, curvature_of, jacobians
 from figures import BALL_TREE, TINY, figure_of
 from oracles import mujoco_forces
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
@@ -41,12 +41,6 @@ def test_it_is_the_root_force_of_mj_inverse_in_weights_while_a_flight_lasts(figu
     found = Flight.of(figure, 1, ((0.05, 0.4), (0.7, 0.8))).evaluate(samples)
     np.testing.assert_allclose(found, expected, rtol=1e-9)
     assert np.count_nonzero(expected) == 4
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples = random_samples(figure, rng, 5)
-    flight = Flight.of(figure, 1, ALL, 0.5)
-    np.testing.assert_allclose(flight.evaluate(scaled_like(samples, rng)), flight.evaluate(samples), rtol=1e-9)
 
 
 def thrown() -> Samples:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 from block_rows import assert_rows_of
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals
@@ -52,11 +52,6 @@ def test_the_value_by_hand(figure, rng):
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     samples, grounded = case(figure, rng)
     assert penalty_slope(grounded, samples, rng) > 1.95
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples, grounded = case(figure, rng)
-    np.testing.assert_allclose(grounded.evaluate(scaled_like(samples, rng)), grounded.evaluate(samples), rtol=1e-9)
 
 
 def test_heights_change_as_their_rows_say(figure, rng):

@@ -10,7 +10,7 @@ from curvature_of import RESIDUALS, assembled, assert_near, curvature_of, jacobi
 from dense_hessian import SMOOTH, dense_hessian, tiny_clip
 from every_penalty import clip
 from figures import TINY, figure_of
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_keys import TIMES
 from random_samples import at_times, random_samples
 from taylor import taylor_slope
@@ -67,11 +67,6 @@ def test_it_is_the_squared_distance_along_the_given_axes_at_its_time(figure, rng
 
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     assert penalty_slope(placement_of(figure, 0.5, 1.0), some(figure, rng), rng) > 1.95
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples, placement = some(figure, rng), placement_of(figure, 0.5)
-    np.testing.assert_allclose(placement.evaluate(scaled_like(samples, rng)), placement.evaluate(samples), rtol=1e-9)
 
 
 @pytest.mark.slow

@@ -3,7 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver.contacts.thresholds import Thresholds
@@ -55,12 +55,6 @@ def test_the_gradient_has_taylor_slope_two_over_a_box(figure, rng):
     top = below(samples).point[2]
     box = Box("step", np.array([0, 0, top - 1.0]), np.eye(3), np.array([100.0, 100, 1]))
     assert penalty_slope(Skate(some_points(samples), (box,), 1.0), samples, rng) > 1.95
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples = random_samples(figure, rng, 5)
-    skate = Skate(some_points(samples), (below(samples),), 1.0)
-    np.testing.assert_allclose(skate.evaluate(scaled_like(samples, rng)), skate.evaluate(samples), rtol=1e-9)
 
 
 def test_the_model_holds_the_weight(figure, rng):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from figures import BALL, figure_of
 from ground import stance_of
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
@@ -52,12 +52,6 @@ def test_it_is_measured_by_a_point_that_is_a_centimetre_off():
     assert planted.evaluate(Samples(figure, y, 0 * y, 0 * y))[0] == pytest.approx(
         planted.normalization.reference, rel=1e-9
     )
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples = at_times(random_samples(figure, rng, 5), np.linspace(0, 1, 5))
-    planted = StancePenalty((stance_of(2, 0.0, 1.0),))
-    np.testing.assert_allclose(planted.evaluate(scaled_like(samples, rng)), planted.evaluate(samples), rtol=1e-9)
 
 
 def test_no_stance_costs_nothing(figure, rng):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from closed_forms import WOOD
 from curvature_of import assembled, curvature_of, shifted
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.optimize import nnls
 
@@ -44,12 +44,6 @@ def standing(figure: Figure, rng: np.random.Generator) -> Support:
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
     assert penalty_slope(standing(figure, rng), samples, rng) > 1.95
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
-    support = standing(figure, rng)
-    np.testing.assert_allclose(support.evaluate(scaled_like(samples, rng)), support.evaluate(samples), rtol=1e-8)
 
 
 def test_it_is_what_the_best_forces_in_the_friction_pyramids_leave(figure, rng):

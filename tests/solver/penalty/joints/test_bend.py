@@ -5,7 +5,7 @@ import pytest
 from bends import DOWN, ELBOW, KNEE, limb, limits
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import random_samples
 from scipy.spatial.transform import Rotation
 
@@ -103,12 +103,6 @@ def test_the_gradient_of_each_angle_alone_has_taylor_slope_two(rng, lateral, whi
     penalty = limits(lateral, **bounds[which])
     assert np.all(penalty.evaluate(samples) > 0)
     assert penalty_slope(penalty, samples, rng) > 1.95
-
-
-def test_it_does_not_feel_the_quaternions_length(rng):
-    samples = random_samples(limb(), rng)
-    penalty = limits(KNEE)
-    np.testing.assert_allclose(penalty.evaluate(scaled_like(samples, rng)), penalty.evaluate(samples), rtol=1e-9)
 
 
 @pytest.mark.parametrize("gap", [1e-3, 1e-7, 1e-12, 0.0])

@@ -9,7 +9,7 @@ from curvature_of import curvature_of, shifted, sides_of
 from figures import BALL_TREE, EVERY_JOINT
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
@@ -18,7 +18,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, JointRange, UnitMagnitude, joint_ranges
@@ -87,12 +87,6 @@ def test_the_gradient_has_taylor_slope_two(figure, rng):
     samples, penalty = random_samples(figure, rng, 12), JointRange(joint_ranges(figure))
     assert np.all(penalty.evaluate(samples) > 0)
     assert penalty_slope(penalty, samples, rng) > 1.9
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples = random_samples(figure, rng)
-    penalty = JointRange(tuple(r for r in joint_ranges(figure) if r.kind is JointKind.BALL))
-    np.testing.assert_allclose(penalty.evaluate(scaled_like(samples, rng)), penalty.evaluate(samples), rtol=1e-9)
 
 
 def test_the_sides_add_up_to_the_penalty_and_their_rows_are_gradients(figure, rng):

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from curvature_of import assembled, assert_near, curvature_of, jacobians
 from figures import BALL_TREE
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver.array import Array
@@ -50,11 +50,6 @@ def test_it_is_the_squared_distance_of_the_axes_ends_at_its_time(figure, rng):
 
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     assert penalty_slope(upright_of(figure, 0.5, 1.0), some(figure, rng), rng) > 1.95
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples, upright = some(figure, rng), upright_of(figure, 0.5)
-    np.testing.assert_allclose(upright.evaluate(scaled_like(samples, rng)), upright.evaluate(samples), rtol=1e-9)
 
 
 def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng):

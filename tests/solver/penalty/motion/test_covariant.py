@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
@@ -23,19 +23,14 @@ def angular_accelerations(samples: Samples) -> np.ndarray:
 
 @pytest.mark.parametrize("form", ["intrinsic", "paper"])
 def test_the_gradient_has_taylor_slope_two(figure, rng, form):
-    assert penalty_slope(CovariantAcceleration(form), random_samples(figure, rng), rng) > 1.95
+    assert (
+        penalty_slope(CovariantAcceleration(form), random_samples(figure, rng), rng, any_length=form != "paper") > 1.95
+    )
 
 
 def test_the_intrinsic_form_is_a_quarter_of_the_squared_angular_acceleration(figure, rng):
     samples = random_samples(figure, rng)
     np.testing.assert_allclose(CovariantAcceleration().evaluate(samples), angular_accelerations(samples), rtol=1e-11)
-
-
-def test_the_intrinsic_form_does_not_feel_the_quaternions_length(figure, rng):
-    samples = random_samples(figure, rng)
-    scaled = scaled_like(samples, rng)
-    penalty = CovariantAcceleration()
-    np.testing.assert_allclose(penalty.evaluate(scaled), penalty.evaluate(samples), rtol=1e-10)
 
 
 def test_the_gradient_of_the_intrinsic_form_is_across_the_gauge(figure, rng):

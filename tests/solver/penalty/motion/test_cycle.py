@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from figures import HUMAN_AND_CHAINS
 from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import random_samples
 from scipy.spatial.transform import Rotation
 
@@ -72,11 +72,6 @@ def test_the_value_is_how_far_joints_are_off(cycled, rng):
 
 def test_the_gradient_has_taylor_slope_two(cycled, rng):
     assert penalty_slope(cycled, at_its_times(cycled, rng, 5)[0], rng) > 1.95
-
-
-def test_it_does_not_feel_the_quaternions_length(cycled, rng):
-    samples, _ = at_its_times(cycled, rng, 5)
-    np.testing.assert_allclose(cycled.evaluate(scaled_like(samples, rng)), cycled.evaluate(samples), rtol=1e-9)
 
 
 def test_its_curvature_is_that_of_differences(cycled, rng):

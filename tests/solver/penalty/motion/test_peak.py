@@ -6,7 +6,7 @@ import pytest
 from closed_forms import WOOD
 from curvature_of import assembled, assert_near, curvature_of, jacobians
 from figures import BALL_TREE, TINY
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import random_samples
 from small_problems import turning
 
@@ -39,13 +39,6 @@ def test_the_gradient_has_taylor_slope_two(figure, rng):
 def test_it_is_the_sum_of_eighth_powers(figure, rng):
     samples = random_samples(figure, rng)
     np.testing.assert_allclose(PeakAcceleration().evaluate(samples), np.sum(sizes(samples) ** 8, axis=1), rtol=1e-10)
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples = random_samples(figure, rng)
-    np.testing.assert_allclose(
-        PeakAcceleration().evaluate(scaled_like(samples, rng)), PeakAcceleration().evaluate(samples), rtol=1e-8
-    )
 
 
 def test_of_a_hinge_it_is_the_eighth_power_of_its_acceleration():

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from figures import with_armature
 from oracles import mujoco_forces
-from penalty_slope import penalty_slope, scaled_like
+from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver.figure.figure import Figure
@@ -26,11 +26,6 @@ def test_it_is_the_sum_of_squares_of_mj_inverses_joint_entries(figure, rng, arma
 def test_the_gradient_has_taylor_slope_two(figure, rng, armature):
     figure = with_armature(figure, rng) if armature else figure
     assert penalty_slope(Torque(), random_samples(figure, rng), rng) > 1.95
-
-
-def test_it_does_not_feel_the_quaternions_length(figure, rng):
-    samples = random_samples(figure, rng)
-    np.testing.assert_allclose(Torque().evaluate(scaled_like(samples, rng)), Torque().evaluate(samples), rtol=1e-9)
 
 
 def test_a_pendulum_held_out_level_bears_its_weight_times_its_arm():
