@@ -172,21 +172,12 @@ def render(
     output: Annotated[Path | None, option.output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
     only: option.Only = None,
     ghosts: Annotated[bool, flag("--ghosts", "Draw all frames in one picture, keyframes darkest")] = False,
-    size: Annotated[
-        Any, value("WIDTHxHEIGHT", "Width and height of the picture in pixels", parser=option.size)
-    ] = "1280x720",
+    size: option.Size = "1280x720",
     fps: Annotated[float | None, number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
-    camera: Annotated[
-        str, value("NAME", "Camera: side (the right one), left, front, three_quarter, back, or a camera of the model")
-    ] = "side",
-    slow: Annotated[
-        float, number("FACTOR", "Slow motion: 2 plays at half speed, 0.5 at double speed", 0.01, 1000)
-    ] = 1.0,
+    camera: option.Camera = "side",
+    slow: option.SlowMotion = 1.0,
     at: Annotated[float | None, seconds("Time of a single frame", "all frames")] = None,
-    workers: Annotated[
-        int | None,
-        number("N", "Number of rendering processes", 1, 60, "1; one per core if there is no OpenGL driver", kind=int),
-    ] = None,
+    workers: option.RenderWorkers = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,
     fresh: option.NoCache = False,
@@ -219,22 +210,12 @@ def render(
 
 @app.command(rich_help_panel="Create")
 def studio(
-    source: Annotated[
-        str,
-        typer.Argument(
-            metavar="CLIP|MOTION|RECORDING|MODEL.xml",
-            help="Shipped clip, clip (.toml), motion or recording to edit, or model (.xml) for a new clip",
-        ),
-    ] = "run_and_step",
+    source: option.StudioSource = "run_and_step",
     figure: option.Figure = None,
     port: Annotated[int, number("PORT", "TCP port; 0 selects a free one", 0, 65535, kind=int)] = 0,
-    host: Annotated[
-        str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")
-    ] = "127.0.0.1",
+    host: option.Host = "127.0.0.1",
     browser: Annotated[bool, flag("--browser/--no-browser", "Open the page in a browser")] = True,
-    allow_remote: Annotated[
-        bool, flag("--allow-remote", "Allow other machines to edit the clip and write files")
-    ] = False,
+    allow_remote: option.AllowRemote = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Edit a clip in the browser; every edit is solved again."""
@@ -340,12 +321,8 @@ def thin(
     output: Annotated[Path | None, option.output("MOTION_thin.toml")] = None,
     max_error: Annotated[str, value("LENGTH", "Largest position error of any body, site or limb tip")] = "2cm",
     max_angle: Annotated[float, number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
-    solve: Annotated[
-        bool, flag("--solve", "Apply the bounds to the solved motion, not only to the spline through the keyframes")
-    ] = False,
-    exact: Annotated[
-        bool, flag("--exact", "Disable optimisation in the written clip, so that solving it keeps the spline")
-    ] = False,
+    solve: option.BoundsSolved = False,
+    exact: option.Exact = False,
     skip_rest: option.SkipRest = False,
     figure: option.Figure = None,
     kind: option.Format = None,
@@ -411,14 +388,10 @@ def plot(
 @app.command(rich_help_panel="Exchange")
 def export(
     source: option.Source,
-    to: Annotated[
-        str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "by the extension of -o")
-    ] = None,
+    to: option.ExportFormat = None,
     output: Annotated[Path | None, option.output("name of the input with the extension of the format")] = None,
     fps: option.Rate = None,
-    columns: Annotated[
-        str, value("COLUMNS", "Further columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
-    ] = "",
+    columns: option.Columns = "",
     simulate: Annotated[bool, flag("--simulate", "With mjcf: write a model with actuators, to simulate")] = False,
     repeat: option.Repeat = None,
     overwrite: option.Overwrite = False,
@@ -532,22 +505,14 @@ def batch(
     output: Annotated[Path, value("DIR", "Folder of the results and the manifest", True, "-o", "--output")] = Path(
         "batch"
     ),
-    listed: Annotated[
-        str | None, value("FILE", "File with more clips, one per line; - reads stdin", "none", "--list")
-    ] = None,
-    workers: Annotated[
-        int | None, number("N", "Number of processes on this machine", 1, 1000, "one per core", kind=int)
-    ] = None,
+    listed: option.List = None,
+    workers: option.BatchWorkers = None,
     scheduler: Annotated[str | None, value("tcp://HOST:PORT", "Address of a Dask cluster to run on", "none")] = None,
     to: Annotated[str, value("FORMAT", "Format of the results: npz, or one of `dynsplines formats`")] = "npz",
     fps: option.Rate = None,
     limit_time: Annotated[float, number("SECONDS", "Time limit for solving each clip", 0.1, 10**6)] = 3600.0,
-    limit_memory: Annotated[
-        float | None, number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share of the memory")
-    ] = None,
-    measure: Annotated[
-        bool, flag("--report/--no-report", "Also measure every motion, which more than doubles the time")
-    ] = False,
+    limit_memory: option.MemoryLimit = None,
+    measure: option.MeasureAll = False,
     retry_failed: Annotated[bool, flag("--retry-failed", "Retry clips that failed in an earlier run")] = False,
     strict: option.Strict = False,
     clean_all: Annotated[bool, flag("--clean", "Clean recordings, as `dynsplines clean` does")] = False,

@@ -169,3 +169,43 @@ Map = Annotated[
         "--map",
     ),
 ]
+Size = Annotated[Any, value("WIDTHxHEIGHT", "Width and height of the picture in pixels", parser=size)]
+Camera = Annotated[
+    str, value("NAME", "Camera: side (the right one), left, front, three_quarter, back, or a camera of the model")
+]
+SlowMotion = Annotated[float, number("FACTOR", "Slow motion: 2 plays at half speed, 0.5 at double speed", 0.01, 1000)]
+RenderWorkers = Annotated[
+    int | None,
+    number("N", "Number of rendering processes", 1, 60, "1; one per core if there is no OpenGL driver", kind=int),
+]
+StudioSource = Annotated[
+    str,
+    typer.Argument(
+        metavar="CLIP|MOTION|RECORDING|MODEL.xml",
+        help="Shipped clip, clip (.toml), motion or recording to edit, or model (.xml) for a new clip",
+    ),
+]
+Host = Annotated[str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")]
+AllowRemote = Annotated[bool, flag("--allow-remote", "Allow other machines to edit the clip and write files")]
+BoundsSolved = Annotated[
+    bool, flag("--solve", "Apply the bounds to the solved motion, not only to the spline through the keyframes")
+]
+Exact = Annotated[
+    bool, flag("--exact", "Disable optimisation in the written clip, so that solving it keeps the spline")
+]
+ExportFormat = Annotated[
+    str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "by the extension of -o")
+]
+Columns = Annotated[
+    str, value("COLUMNS", "Further columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
+]
+List = Annotated[str | None, value("FILE", "File with more clips, one per line; - reads stdin", "none", "--list")]
+BatchWorkers = Annotated[
+    int | None, number("N", "Number of processes on this machine", 1, 1000, "one per core", kind=int)
+]
+MemoryLimit = Annotated[
+    float | None, number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share of the memory")
+]
+MeasureAll = Annotated[
+    bool, flag("--report/--no-report", "Also measure every motion, which more than doubles the time")
+]
