@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import puppet
 import pytest
+import shipped
 import tiny
 from rich.console import Console
 
@@ -45,7 +46,7 @@ def solved(text: str, name: str) -> Saved:
 @pytest.fixture(scope="module")
 def cycle() -> Saved:
     """The run loop: it travels."""
-    return solved(models.clip_text("run_loop"), "run_loop")
+    return shipped.solved("run_loop").saved(progress(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -371,7 +372,7 @@ def test_contacts_and_flights_are_retimed_with_the_keyframes(tmp_path):
 
 @pytest.mark.slow
 def test_a_loop_with_contacts_can_be_repeated():
-    many = edits.repeated(solved(models.clip_text("walk_loop"), "walk_loop"), 2)
+    many = edits.repeated(shipped.solved("walk_loop").saved(progress(), with_report=False), 2)
     assert clip.of_motion(many).keys[-1].time == pytest.approx(2 * 1.08)
 
 
