@@ -22,6 +22,7 @@ from ..errors import UserError
 from ..scene.assets import Scene
 from . import missing_input
 from .evidence import Plausibility, disagreement, in_degrees
+from .skeleton import hierarchy
 from .trajectory import BodyPoses, Recording
 
 FREE, BALL, HINGE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "BALL", "HINGE"))
@@ -291,10 +292,8 @@ def breadth_first(model: mujoco.MjModel) -> Index | None:
     above = []
     for joint in joints:
         body = int(model.jnt_bodyid[joint])
-        count, body = int(joint - model.body_jntadr[body]), int(model.body_parentid[body])
-        while body:
-            count, body = count + int(model.body_jntnum[body]), int(model.body_parentid[body])
-        above.append(count)
+        carriers = hierarchy.above(model, body)
+        above.append(int(joint - model.body_jntadr[body]) + int(model.body_jntnum[carriers].sum()))
     order = np.argsort(above, kind="stable")
     return None if np.array_equal(order, np.arange(joints.size)) else joints[order]
 

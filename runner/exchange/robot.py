@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.figure.root import root_of
+from dynsplines.solver.figure.root import root_of, subtree
 
 from ..errors import UserError
 from . import missing_input
@@ -114,11 +114,8 @@ def robot_joints(model: mujoco.MjModel) -> list[int]:
     root = root_of(model)
     if root is None:
         return list(range(model.njnt))
-    under = {root.body}
-    for body in range(root.body + 1, model.nbody):
-        if int(model.body_parentid[body]) in under:
-            under.add(body)
-    return [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) in under and j not in root.joints]
+    is_part = subtree(model, root.body)[model.jnt_bodyid]
+    return [joint for joint in np.flatnonzero(is_part).tolist() if joint not in root.joints]
 
 
 def _order(names: list[str], wanted: list[str], where: object) -> list[int]:

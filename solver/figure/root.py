@@ -100,7 +100,7 @@ class _Tree:
     def __init__(self, model: mujoco.MjModel, joint: int) -> None:
         self.model = model
         top = int(model.jnt_bodyid[joint])
-        self.bodies: Mask = _under(model, top)
+        self.bodies: Mask = subtree(model, top)
         root = self._root(top)
         is_limb = self.bodies[model.jnt_bodyid]
         is_limb[list(root.joints)] = False
@@ -161,7 +161,7 @@ class _Tree:
         return count
 
 
-def _under(model: mujoco.MjModel, top: int) -> Mask:
+def subtree(model: mujoco.MjModel, top: int) -> Mask:
     """Return which bodies are `top` or its descendants, (nbody,)."""
     out = np.zeros(model.nbody, bool)
     out[top] = True

@@ -38,6 +38,7 @@ from ...scene.compose import quietly
 from ...scene.framing import size_of
 from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..forces import Forces
+from ..skeleton import hierarchy
 from ..skeleton.roles import unique
 from ..trajectory import SampledTrajectory
 
@@ -333,13 +334,8 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
 
 def _bases(model: mujoco.MjModel) -> set[int]:
     """Return the static bodies, other than the world, that carry limbs and so are parts of a figure."""
-    out: set[int] = set()
-    for body in np.flatnonzero(model.body_weldid != 0).tolist():
-        above = int(model.body_parentid[body])
-        while above and model.body_weldid[above] == 0:
-            out.add(above)
-            above = int(model.body_parentid[above])
-    return out
+    moving = np.flatnonzero(model.body_weldid != 0).tolist()
+    return {base for body in moving for base in hierarchy.above(model, body) if model.body_weldid[base] == 0}
 
 
 def _exclude_overlaps(spec: mujoco.MjSpec, model: mujoco.MjModel, qpos: Array) -> list[str]:

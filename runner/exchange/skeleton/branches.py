@@ -16,6 +16,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.root import subtree
 
 from . import hierarchy
 from .roles import lineage, split, with_trunk
@@ -116,13 +117,7 @@ def _chain(model: mujoco.MjModel, body: int, place: Array, turn: Array) -> _Chai
 
 
 def _moving(model: mujoco.MjModel, top: int) -> bool:
-    inside = {top}
-    for body in range(top, model.nbody):
-        if body == top or int(model.body_parentid[body]) in inside:
-            inside.add(body)
-            if model.body_jntnum[body]:
-                return True
-    return False
+    return bool(model.body_jntnum[subtree(model, top)].any())
 
 
 def _are_alike(one: _Chain, other: _Chain) -> bool:

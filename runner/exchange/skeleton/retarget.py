@@ -21,7 +21,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.root import Root
+from dynsplines.solver.figure.root import Root, subtree
 
 from ...errors import UserError
 from ...scene.configuration import posed
@@ -110,11 +110,7 @@ class _Standing:
     def feet(self) -> Index:
         """The geoms of the feet: the colliding ones, if there are any."""
         tops = [self.roles[role] for role in ("left_foot", "right_foot") if role in self.roles]
-        bodies = [
-            body
-            for body in range(1, self.model.nbody)
-            if not set(tops).isdisjoint(hierarchy.above(self.model, body, itself=True))
-        ]
+        bodies = [body for top in tops for body in np.flatnonzero(subtree(self.model, top))]
         geoms = np.flatnonzero(np.isin(self.model.geom_bodyid, bodies))
         touching = geoms[(self.model.geom_contype[geoms] | self.model.geom_conaffinity[geoms]) > 0]
         return touching if touching.size else geoms
