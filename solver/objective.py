@@ -131,11 +131,11 @@ class Objective:
 
     @property
     def raw_cost(self) -> float:
-        """The cost of the raw spline without violations [1]. Each term in `measured` contributes its weight α_j."""
-        return sum(term.weight for term in self.measured)
+        """The cost of the raw spline without violations [1]: the sum of the weights α_j of `raw_normalized`."""
+        return sum(term.weight for term in self.raw_normalized)
 
     @property
-    def measured(self) -> tuple[Term, ...]:
+    def raw_normalized(self) -> tuple[Term, ...]:
         """The terms whose divisor is their integral over the raw spline; terms that measure violations are excluded."""
         return tuple(
             t
@@ -290,7 +290,7 @@ def run_of(figure: Figure) -> int:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class EvaluatedRun:
     """The evaluated samples of one run.
 
     Attributes:
@@ -347,7 +347,7 @@ class Discretised:
             for term, weight in zip(objective.terms, weights_by_term, strict=True)
             if instants_of(term.penalty).size and weight.any()
         ]
-        self._last: tuple[Array, Sequence[Seen]] | None = None
+        self._last: tuple[Array, Sequence[EvaluatedRun]] | None = None
         self._shares = [factors * weights_by_term[:, piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
@@ -359,7 +359,7 @@ class Discretised:
         coefficients = self.sampling.coefficients(self.unknowns.rows(x))
         gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
-        self._last = (x, [self._seen(coefficients, piece) for piece in self._pieces])
+        self._last = (x, [self._evaluated_run(coefficients, piece) for piece in self._pieces])
         for evaluated, shares in zip(self._last[1], self._shares, strict=True):
             cotangent = Cotangent(evaluated.samples)
             for term, share, blocks in zip(self.objective.terms, shares, evaluated.blocks, strict=True):
@@ -369,19 +369,19 @@ class Discretised:
         rows = self.sampling.coefficients_transposed(gradient)
         return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)
 
-    def seen(self, x: Array) -> Sequence[Seen]:
-        """Return the evaluated samples at x (n,), one `Seen` per run.
+    def evaluated_runs(self, x: Array) -> Sequence[EvaluatedRun]:
+        """Return the evaluated samples at x (n,), one `EvaluatedRun` per run.
 
         If x is the array object of the last evaluation, its samples are reused.
         """
         if self._last is None or self._last[0] is not x:
             coefficients = self.sampling.coefficients(self.unknowns.rows(x))
-            return [self._seen(coefficients, piece) for piece in self._pieces]
+            return [self._evaluated_run(coefficients, piece) for piece in self._pieces]
         return self._last[1]
 
-    def _seen(self, coefficients: Array, piece: Piece) -> Seen:
+    def _evaluated_run(self, coefficients: Array, piece: Piece) -> EvaluatedRun:
         samples = Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
-        return Seen(piece, samples, [term.penalty.blocks(samples) for term in self.objective.terms])
+        return EvaluatedRun(piece, samples, [term.penalty.blocks(samples) for term in self.objective.terms])
 
 
 def _valued(

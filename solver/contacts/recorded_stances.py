@@ -43,7 +43,7 @@ def infer_stances(
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
     limits = Thresholds.of(recorded.figure)
-    times, centres, is_known, noise = _seen(recorded, points)
+    times, centres, is_known, noise = _tracks(recorded, points)
     height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), limits.edge)
     moving = surprisal(times, centres, noise**2 + limits.rolls**2, is_known, limits)
     slow = _speeds(recorded, points, times) <= (limits.fast + noise / limits.blurred)[:, None]
@@ -64,10 +64,10 @@ def unsure(recorded: RecordedMotion, points: Sequence[Point]) -> float:
     """Return the largest noise [m] of the positions of any point."""
     if not points or recorded.times.size < ORDER:
         return 0.0
-    return float(_seen(recorded, points).noise.max())
+    return float(_tracks(recorded, points).noise.max())
 
 
-class _Seen(NamedTuple):
+class _Tracks(NamedTuple):
     """Times (T,), positions (3, p, T) [m], which times are known (T,), and noise of the positions (p,) [m]."""
 
     times: Array
@@ -76,12 +76,12 @@ class _Seen(NamedTuple):
     noise: Array
 
 
-def _seen(recorded: RecordedMotion, points: Sequence[Point]) -> _Seen:
+def _tracks(recorded: RecordedMotion, points: Sequence[Point]) -> _Tracks:
     step = max(1, round(recorded.rate / Thresholds.of(recorded.figure).finest))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _, _ = places_of(points, Samples.still(recorded.figure, states))
     is_known = recorded.known.min(axis=1)[::step]
-    return _Seen(recorded.times[::step], centres, is_known > 0, white(centres, is_known))
+    return _Tracks(recorded.times[::step], centres, is_known > 0, white(centres, is_known))
 
 
 def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> Array:

@@ -33,7 +33,7 @@ from ..curve.quadrature import gauss_nodes
 from ..curve.seam import Seam
 from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
 from ..figure.kinematics import Samples
-from ..objective import Discretised, Seen, Term
+from ..objective import Discretised, EvaluatedRun, Term
 from ..penalty.curvature import Curvature
 from ..penalty.one_sided import OneSidedResiduals
 
@@ -131,7 +131,7 @@ class Layout:
             return
         for columns, blocks in curvature.blocks(piece.values, POINTS):
             local = blocks.transpose(0, 2, 4, 1, 3, 5)
-            for part, target in _seen_blocks(matrix, columns, local):
+            for part, target in _block_views(matrix, columns, local):
                 for pair in pairs:
                     target[pair.j, pair.k] += part[pair.spans, pair.b, pair.a]
 
@@ -325,7 +325,7 @@ class Pair(NamedTuple):
     k: Picked
 
 
-def _seen_blocks(matrix: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
+def _block_views(matrix: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
     """Yield parts of blocks (..., n, k, k) with views (M + 2, K + 1, ...) of the matrix entries to add them to. The
     columns (n, k) rise. All blocks are one part if the columns are one run, otherwise one per pair of runs."""
     if np.all(np.diff(columns.ravel()) == 1):
@@ -367,7 +367,7 @@ class OneSidedTerms:
     sampling: Sampling
 
     @classmethod
-    def of(cls, layout: Layout, evaluated: Sequence[Seen]) -> OneSidedTerms | None:
+    def of(cls, layout: Layout, evaluated: Sequence[EvaluatedRun]) -> OneSidedTerms | None:
         """Collect the one-sided residuals of evaluated samples; None if there are none."""
         problem, parts, indices = layout.problem, list[tuple[float, OneSidedResiduals]](), set[int]()
         terms = problem.objective.terms
@@ -452,7 +452,7 @@ class Model:
             scale: The unit of the damping; None: from this model.
         """
         self.layout = layout
-        evaluated = layout.problem.seen(x)
+        evaluated = layout.problem.evaluated_runs(x)
         self.curvature = layout.springs.copy()
         self.scale = self._add_smooth(layout.problem.path(x), evaluated, scale)
         self.sided = OneSidedTerms.of(layout, evaluated)
@@ -461,7 +461,7 @@ class Model:
             pull = 2 * self.sided.weight * np.maximum(self.sided.value, 0)
             self.gradient -= self.sided.pulled_back(pull)
 
-    def _add_smooth(self, path: Path, evaluated: Sequence[Seen], scale: float | None) -> float:
+    def _add_smooth(self, path: Path, evaluated: Sequence[EvaluatedRun], scale: float | None) -> float:
         """Add the curvature of the two-sided residuals; return its median density in y'', or `scale` unless None."""
         layout, problem = self.layout, self.layout.problem
         matrix, sizes, rows = layout.empty(), [], []

@@ -61,8 +61,8 @@ def cost_increased(objective: Objective, parts: Mapping[str, float]) -> bool:
 
     Without obstacles the result is False: feet that must clear the floor or a step cost as much on any route.
     """
-    measured = {term.penalty.name for term in objective.measured}
-    cost = sum(value for name, value in parts.items() if name in measured)
+    normalized = {term.penalty.name for term in objective.raw_normalized}
+    cost = sum(value for name, value in parts.items() if name in normalized)
     return cost > COST_RATIO * objective.raw_cost and any(term.penalty.obstructs for term in objective.terms)
 
 

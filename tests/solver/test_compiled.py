@@ -41,7 +41,7 @@ def test_a_model_by_the_kernel_is_numpys(name, monkeypatch):
 def test_rows_by_the_kernel_are_numpys(name, rng, monkeypatch):
     problem = clips.load(name).problem
     discretised = problem.objective.on(problem.raw)
-    samples = discretised.seen(discretised.unknowns.start)[0].samples
+    samples = discretised.evaluated_runs(discretised.unknowns.start)[0].samples
     at, link = rng.integers(samples.count, size=100), rng.integers(len(samples.figure.links), size=100)
     wrenches = Wrenches(at, link, **{vector: rng.normal(size=(3, 100)) for vector in VECTORS})
     ours = wrenches.rows(samples)

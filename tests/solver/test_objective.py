@@ -345,7 +345,7 @@ def test_motion_costs_the_weights_of_what_its_own_integrals_measure():
     keys = [Frame.key(t, [q]) for t, q in ((0, 0.0), (1, 1.0), (2, 0.5))]
     objective = Objective.of(figure, [(CovariantAcceleration(), 2.0), (Posture(), 5.0), (RootAcceleration(), 0.25)])
     assert objective.raw_cost == 2.25
-    assert [term.penalty.name for term in objective.measured] == ["acceleration.angular", "acceleration.linear"]
+    assert [term.penalty.name for term in objective.raw_normalized] == ["acceleration.angular", "acceleration.linear"]
     assert objective.renormalised(path_of(raw_timeline(figure, keys))).heavy == pytest.approx(10 * 2.25)
     assert Objective.of(figure, [(Posture(), 5.0)]).renormalised(path_of(raw_timeline(figure, keys))).heavy == np.inf
 

@@ -132,7 +132,7 @@ class Stander:
         if all(key.is_key for key in keys):
             return list(keys)
         try:
-            inferred = self.seen(self.timeline(keys))
+            inferred = self.known_positions(self.timeline(keys))
         except TimelineError:  # loading the clip reports it
             return list(keys)
         count = len(keys) - (self.ends == "periodic")  # the last keyframe of a loop is the first
@@ -159,7 +159,7 @@ class Stander:
         busy = {link for goal in goals for link in limb(figure, goal.body(figure.model))}
         if not free[is_reached].any():
             return []
-        inferred = self.seen(timeline)
+        inferred = self.known_positions(timeline)
         result: list[Goal] = []
         for foot in inferred.standing(k):
             more = foot.goals(figure)
@@ -171,13 +171,13 @@ class Stander:
                 result.append(goal)
         return result
 
-    def seen(self, timeline: Timeline) -> _Seen:
+    def known_positions(self, timeline: Timeline) -> _KnownPositions:
         whole = [frame.state for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, self.figure.to_qpos(np.reshape(whole, (-1, self.figure.width))))
         tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))
         contact_rests = contacts(self.figure, timeline, tables, self.where, soles, self.surfaces)
         held_sites = grasps_of(self.figure, timeline, self.held, self.where, soles)
-        return _Seen(self.figure, timeline, soles, self.surfaces, contact_rests, held_sites)
+        return _KnownPositions(self.figure, timeline, soles, self.surfaces, contact_rests, held_sites)
 
     def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
         """Return the pose with the trunk, from the root to where limbs branch off, oriented as in `home`. If there is
@@ -194,12 +194,12 @@ class Stander:
         pose = posed(self.figure, home, free & ~trunk, goals, self.bends, 3)
         return pose if pose.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
 
-    def _posed(self, key: Frame, seen: _Seen, k: int, left: Sequence[Placed]) -> Frame:
+    def _posed(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Placed]) -> Frame:
         """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
         figure = self.figure
-        frame = seen.timeline.frames[k]
-        groups = [foot.goals(figure) for foot in seen.standing(k)]
-        groups += [[goal] for goal in seen.holding(k)]
+        frame = known.timeline.frames[k]
+        groups = [foot.goals(figure) for foot in known.standing(k)]
+        groups += [[goal] for goal in known.holding(k)]
         for point in left:
             if abs(point.time - key.time) < ROUNDING:
                 groups.append([PointGoal.of(self.figure, point.point, point.target)])
@@ -217,7 +217,7 @@ class Stander:
             missed += groups.pop(int(of_group[np.argmax(pose.missed)]))
         home, more = self._reaching(home, ~frame.fixed & ~is_determined, missed)
         is_determined |= more
-        home = in_winding(figure, home, seen.timeline.states[k - 1] if k else home, is_determined)
+        home = in_winding(figure, home, known.timeline.states[k - 1] if k else home, is_determined)
         return (
             Frame(key.time, np.where(is_determined, home, key.state), key.fixed, is_determined)
             if is_determined.any()
@@ -236,7 +236,7 @@ class Stander:
         return home, np.zeros(self.figure.width, bool)
 
 
-class _Seen:
+class _KnownPositions:
     """Positions of points at keyframes, as far as these determine them.
 
     For a loop three periods are evaluated, which include the keyframes before the first and after the last.

@@ -59,7 +59,7 @@ class Contact(Penalty):
         if not self.points or not self.surfaces:
             return self
         samples = Samples.still(figure, keys.states)
-        centres = self.seen(samples, self.centres(samples)[0])
+        centres = self.relative_to_carrier(samples, self.centres(samples)[0])
         deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
         is_set = placed(figure, keys.fixed, self.points)
         excess, path = deep * is_set, figure.tables.path > 0
@@ -137,7 +137,7 @@ class Contact(Penalty):
         """Return the points' positions, see `places_of`."""
         return places_of(self.points, samples)
 
-    def seen(self, samples: Samples, points: Array) -> Array:
+    def relative_to_carrier(self, samples: Samples, points: Array) -> Array:
         """Return points (3, n, S) of the world in the axes of the surfaces' carrier."""
         if not self.carrier:
             return points
@@ -155,7 +155,7 @@ class Contact(Penalty):
         if not self.points or not self.surfaces:
             return
         carriers, middles, reach = self._bounds
-        around = self.seen(samples, samples.links.points(carriers, middles)[0])
+        around = self.relative_to_carrier(samples, samples.links.points(carriers, middles)[0])
         touching = [surface.near(around, reach[:, None] + margin) for surface in self.surfaces]
         near = np.flatnonzero(np.logical_or.reduce(touching))
         block = self._near(samples, near) if near.size else None
@@ -165,8 +165,8 @@ class Contact(Penalty):
                 parts.append(self._in(surface, samples, block, margin))
         yield Block.joined(parts)
 
-    def _in(self, surface: Surface, samples: Samples, seen: _Near, margin: float) -> Block:
-        flat, arms, centres, radii = seen
+    def _in(self, surface: Surface, samples: Samples, candidates: _Near, margin: float) -> Block:
+        flat, arms, centres, radii = candidates
         about, away = surface.depth(centres, radii + margin)
         near = np.flatnonzero(about > 0)
         depth, direction = about.ravel()[near], away.reshape(3, -1)[:, near]

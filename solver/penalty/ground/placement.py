@@ -51,18 +51,18 @@ class Placement(Momentary):
     def away(self, samples: Samples) -> tuple[Index, Array]:
         """Return the points with a sample at their time (p,), and their offsets from the targets (3, p) [m]."""
         which, at = self.pairs(samples)
-        return which, self._seen(samples, which, at)[2]
+        return which, self._offsets(samples, which, at)[2]
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         which, at = self.pairs(samples)
         if not which.size:
             return
-        flat, offset, away = self._seen(samples, which, at)
+        flat, offset, away = self._offsets(samples, which, at)
         axis, pair = np.nonzero(self._arrays[3][:, which])
         at, link, arm = at[pair], flat[pair] // samples.count, offset[:, pair]
         yield Block(at, away[axis, pair], (of_point(at, link, arm, np.eye(3)[:, axis]),))
 
-    def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
+    def _offsets(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
         """Return the state of p pairs of a placed point and a sample.
 
         Returns:

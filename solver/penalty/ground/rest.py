@@ -66,7 +66,7 @@ class RestPenalty(Penalty):
     normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        below = self._seen(samples)
+        below = self._resting(samples)
         yield Block(below.at, below.height, (of_point(below.at, below.link, below.offset, below.up),))
         at, link, axes = along_axes(below.at, below.link)
         moved = of_velocity(samples, at, link, np.tile(below.foot, 3), axes, turning=np.tile(below.offset, 3))
@@ -86,7 +86,7 @@ class RestPenalty(Penalty):
         at, which = np.nonzero((t[:, None] >= first) & (t[:, None] <= last))
         return which, at
 
-    def _seen(self, samples: Samples) -> _Seen:
+    def _resting(self, samples: Samples) -> _RestingPoints:
         which, at = self._during(samples.t)
         links_of_rests, positions, radii = arrays_of([rest.point for rest in self.rests])
         links, link, radius = samples.links, links_of_rests[which], radii[which]
@@ -102,10 +102,10 @@ class RestPenalty(Penalty):
         rolls = np.array([rest.rolls for rest in self.rests], bool)[which]
         foot = offset - radius * rolls * up
         velocity = links.x_d[:, link, at] + cross(links.omega[:, link, at], foot)
-        return _Seen(which, at, link, height, up, offset, foot, velocity)
+        return _RestingPoints(which, at, link, height, up, offset, foot, velocity)
 
 
-class _Seen(NamedTuple):
+class _RestingPoints(NamedTuple):
     """Pairs of a rest and a sample (P,) with links, heights (P,) and their gradients (3, P).
 
     The offsets (3, P) are those of the points and of the resting material, whose velocities are (3, P).

@@ -27,7 +27,7 @@ from ..penalty import Normalization, Penalty, Role
 NEAR = np.radians(4)  # [rad] distance to a bound that one step of the search may cover
 ALONG, FLAT = 1e-9, 1e-18  # [1] sine of the angle between limb and hinge axis without defined flexion, and its square
 ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of the five bounds, as in `_excess`
-Seen = tuple[Array, Array, Array, Array, Array, Array]
+JointFrames = tuple[Array, Array, Array, Array, Array, Array]
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class BendLimits(Penalty):
 
     def angles(self, samples: Samples) -> Array:
         """Return flexion, sideways bend and twist of every joint, (3, n, S) [rad]."""
-        return self._seen(samples)[0]
+        return self._angles_and_frames(samples)[0]
 
     @cached_property
     def _axes(self) -> tuple[Index, Array]:
@@ -104,7 +104,7 @@ class BendLimits(Penalty):
         forward = np.cross(lateral.T, down.T).T
         return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
 
-    def _seen(self, samples: Samples) -> tuple[Array, Seen]:
+    def _angles_and_frames(self, samples: Samples) -> tuple[Array, JointFrames]:
         joints, axes = self._axes
         tables = samples.figure.tables
         carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest aligned with the parent's
@@ -129,7 +129,7 @@ class BendLimits(Penalty):
         """Yield the angles whose excess is more than `least` [rad]."""
         if not self.joints:
             return
-        angles, rotated = self._seen(samples)
+        angles, rotated = self._angles_and_frames(samples)
         excess = self._excess(angles)
         if self.allowed is not None and self.allowed.excess.any():
             excess -= self.allowed.at(samples.t)
@@ -140,10 +140,10 @@ class BendLimits(Penalty):
         yield Block(at, excess[side, joint, at], changes, one_sided=True)
 
 
-def _turning_axes(seen: Seen, angle: Index, joint: Index, at: Index) -> Array:
+def _turning_axes(frames: JointFrames, angle: Index, joint: Index, at: Index) -> Array:
     """Return the derivatives (3, P) of joints' angles (0 to 2) by a small rotation of the child in the parent."""
-    world, frame = (part[..., joint, at] for part in seen[:2])
-    (x, z, _), v, planar, p = (part[..., joint, at] for part in seen[2:])
+    world, frame = (part[..., joint, at] for part in frames[:2])
+    (x, z, _), v, planar, p = (part[..., joint, at] for part in frames[2:])
     flexes, leans, twists = ((angle == k).astype(float) for k in range(3))
     q = v[2]
     both = np.maximum(p**2 + q**2, FLAT)

@@ -62,7 +62,7 @@ class TrackingPenalty(Guide):
 
     recorded: RecordedMotion
     eased: tuple[tuple[float, float], ...] = ()
-    _seen: dict[tuple[float, float, int], _Target] = field(default_factory=dict)
+    _targets: dict[tuple[float, float, int], _Target] = field(default_factory=dict)
 
     name = "near"
     role = Role.TRACKING
@@ -163,7 +163,7 @@ class TrackingPenalty(Guide):
     def _at(self, t: Array) -> _Target:
         """Return the recording at times t (S,), cached."""
         key = (float(t[0]), float(t[-1]), t.size)
-        cached = self._seen.get(key)
+        cached = self._targets.get(key)
         if cached is not None and np.array_equal(cached.t, t):
             return cached
         rec, weight = self.recorded, self._held(t)
@@ -175,10 +175,10 @@ class TrackingPenalty(Guide):
         motion = rec.path.motion(np.clip(t, *rec.path.span))
         ends, _ = Samples(rec.figure, *motion).links.points(*self.ends)
         whole = np.interp(t, rec.times, rec.trust.min(axis=1))
-        if sum(target.t.size for target in self._seen.values()) > REMEMBERED:
-            self._seen.clear()
-        self._seen[key] = _Target(t, motion, weights, ends, whole * weight / (2 * STRAYS**2 * BACK))
-        return self._seen[key]
+        if sum(target.t.size for target in self._targets.values()) > REMEMBERED:
+            self._targets.clear()
+        self._targets[key] = _Target(t, motion, weights, ends, whole * weight / (2 * STRAYS**2 * BACK))
+        return self._targets[key]
 
 
 def levers(figure: Figure) -> Array:

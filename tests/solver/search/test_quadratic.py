@@ -35,7 +35,7 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search.quadratic import Layout, Model, _seen_blocks, middle
+from dynsplines.solver.search.quadratic import Layout, Model, _block_views, middle
 from dynsplines.solver.surface.points import Point
 
 ENDS = ["free", "clamped", "clamped end", "periodic"]
@@ -343,6 +343,6 @@ def test_blocks_of_columns_are_added_where_the_columns_stand_however_they_lie(co
         for a, row in enumerate(own):
             for b, column in enumerate(own):
                 expected[:, row, :, column] += blocks[:, :, i, a, b]
-    for part, entries in _seen_blocks(found, columns, blocks):
+    for part, entries in _block_views(found, columns, blocks):
         entries += part
     np.testing.assert_allclose(found, expected)
