@@ -126,7 +126,7 @@ def new_clip(
     allow_outside: option.Outside = False,
 ) -> None:
     """Write a commented starter clip for a model.
-    It has the keyframes of the model; without any, a pose and a small movement.
+    It contains the keyframes of the model. If there are none, it contains a pose and a small movement.
     Comments list joints, sites and options."""
     target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
     text = starter.starter(model, target, lambda note: print(f"note: {note}", file=sys.stderr))
@@ -171,7 +171,7 @@ def render(
     source: option.Source = "",
     output: Annotated[Path | None, option.output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
     only: option.Only = None,
-    ghosts: Annotated[bool, flag("--ghosts", "Draw all frames in one picture, keyframes darkest")] = False,
+    ghosts: option.Ghosts = False,
     size: option.Size = "1280x720",
     fps: Annotated[float | None, number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
     camera: option.Camera = "side",
@@ -218,7 +218,7 @@ def studio(
     allow_remote: option.AllowRemote = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Edit a clip in the browser; every edit is solved again."""
+    """Edit a clip in the browser; it is solved after every edit."""
     launch.check_packages()
     launch.check_host(host, allow_remote=allow_remote)
     document = sources.opened(source, figure=figure)
@@ -349,8 +349,8 @@ def report(
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Measure a motion, and the spline before solving.
-    It lists penetration, excess of joint ranges, foot skate and torques.
+    """Measure a motion and the raw spline through its keyframes.
+    It lists penetration, joint-limit violations, foot skate and torques.
     It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
 
@@ -374,7 +374,8 @@ def plot(
     allow_outside: option.Outside = False,
 ) -> None:
     """Plot a motion and the convergence of its search.
-    The charts are foot height, quaternion length, Euler-Lagrange deviation, and penalties per evaluation.
+    The charts show foot height, the length of the interpolated quaternions, the Euler-Lagrange residual,
+    and the penalties over the evaluations of the search.
     The extension of -o selects .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
@@ -451,7 +452,7 @@ def list_formats() -> None:
 @app.command(rich_help_panel="Recordings")
 def clean(
     source: option.Recording,
-    output: Annotated[Path | None, option.output("NAME.clean.EXT of NAME.EXT")] = None,
+    output: Annotated[Path | None, option.output("NAME.clean.EXT, if the recording is NAME.EXT")] = None,
     figure: option.Figure = None,
     map_file: option.Map = None,
     write_map: option.WriteMap = False,

@@ -93,7 +93,7 @@ Only = Annotated[
     Part | None,
     value(
         "before|after|keys",
-        "Render one version only: the spline through the keyframes (before), the solved motion (after), or keys",
+        "Render only the spline through the keyframes (before), the solved motion (after), or the keyframes (keys)",
         "before and after",
     ),
 ]
@@ -117,9 +117,12 @@ Overwrite = Annotated[bool, flag("--overwrite", "Overwrite an existing output fi
 Strict = Annotated[bool, flag("--strict", "Exit with code 3 if a motion violates constraints")]
 NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve the clip again, even if its solution is in the cache")]
 Outside = Annotated[bool, flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
+Ghosts = Annotated[
+    bool, flag("--ghosts", "Draw the figure at all keyframes and variable frames in one picture, keyframes darkest")
+]
 AsJson = Annotated[bool, flag("--json", "Print the result as JSON")]
 SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose or rest pose before the motion")]
-Repeat = Annotated[int | None, number("N", "Repeat a clip that is a loop N times", 1, default="1", kind=int)]
+Repeat = Annotated[int | None, number("N", "If the clip is a loop, repeat it N times", 1, default="1", kind=int)]
 Rate = Annotated[float | None, number("HZ", "Samples per second of the output", 0.01, 100_000, "the clip's, or 30")]
 Figure = Annotated[
     str | None,
@@ -158,7 +161,7 @@ Model = Annotated[
 Keys = Annotated[
     str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
 ]
-Edited = Annotated[Path | None, output("name of the input with a suffix such as _mirrored")]
+Edited = Annotated[Path | None, output("name of the first input with a suffix, such as _mirrored")]
 OverSource = Annotated[bool, flag("--overwrite", "Overwrite the input file, if it is also the output file")]
 Map = Annotated[
     Path | None,
@@ -171,7 +174,7 @@ Map = Annotated[
 ]
 Size = Annotated[Any, value("WIDTHxHEIGHT", "Width and height of the picture in pixels", parser=size)]
 Camera = Annotated[
-    str, value("NAME", "Camera: side (the right one), left, front, three_quarter, back, or a camera of the model")
+    str, value("NAME", "Camera: side (from its right), left, front, three_quarter, back, or a camera of the model")
 ]
 SlowMotion = Annotated[float, number("FACTOR", "Slow motion: 2 plays at half speed, 0.5 at double speed", 0.01, 1000)]
 RenderWorkers = Annotated[
