@@ -33,16 +33,18 @@ class Settings:
     """Settings of the search.
 
     Attributes:
-        variable: Initial variable frames in every segment between keyframes. None: 2, or 3 if the clip is solved in
-            windows, where further rounds would take too long.
+        variable: The initial number of variable frames in every segment between keyframes. None: it depends on the
+            length of the segment, see `beginning`.
         frames: The maximum number of variable frames. None: 12 per segment between keyframes.
-        criterion: The criterion of subdivision: "weak", "residual", "objective" or "resolution".
-        threshold: A segment is split if its criterion exceeds this value. For "weak", the unit is the mean of E per
-            segment between keyframes; the other criteria have their own units.
+        criterion: The criterion by which segments are split, see `refine.subdivision`: "weak" (predicted decrease of
+            E), "residual" (of the Euler-Lagrange equation, as in the paper), "objective" or "resolution".
+        threshold: A segment is split if its criterion exceeds this value. "weak" is relative to E divided by the number
+            of segments between keyframes.
         batch: The maximum share of the segments that are split in one round.
         optimiser: The NLopt algorithm of the last stage, by name; "none": Gauss-Newton steps alone. An `Optimiser`
             replaces the whole search.
-        tolerance: Relative progress at which the last round ends.
+        max_evaluations: The maximum number of evaluations of E.
+        tolerance: The last round ends when a step is predicted to reduce E by a smaller share than this.
         renormalise: Whether each term is divided by its integral over the raw spline (eq. 7).
         quadrature: The quadrature rule of E.
 
@@ -72,7 +74,8 @@ class Settings:
     def beginning(self, times: Array, *, in_windows: bool) -> Array:
         """Return the times of the initial variable frames, (V,) [s].
 
-        Unless `variable` is set, long segments get more frames, and tiny segments none: E is hard to lower with them.
+        If `variable` is None, a segment has 2 frames, or 3 in a long clip that is solved window by window. Segments
+        longer than 0.3 s per frame have more. Segments much shorter than their neighbours have none.
 
         Args:
             times: The times of the keyframes, (K,) [s].
@@ -107,9 +110,12 @@ class Problem:
             fixed entries.
         penalties: The soft constraints f with their weights α.
         ends: The end conditions: "free", "clamped", "clamped start", "clamped end" or "periodic".
-        end_slope: The velocities at clamped ends, (2, N), in the figure's coordinates.
-        travel: The displacement of a loop's root per period, (3,) [m]; None: that of the keyframes in x and y.
-        turn: The rotation of a loop's root per period [rad]; None: that of the keyframes.
+        end_slope: The velocities of the state at the start and the end, (2, N). Rows of ends that are not clamped have
+            no effect. None: zero.
+        travel: The displacement of a loop's root per period, (3,) [m]. None: that from the first to the last keyframe
+            in x and y, and zero in z.
+        turn: The rotation of a loop's root about the vertical axis per period [rad]. None: that from the first to the
+            last keyframe.
     """
 
     figure: Figure
@@ -133,14 +139,15 @@ class Problem:
 
     @cached_property
     def objective(self) -> Objective:
-        """E as these settings define it, renormalised by default (eq. 7)."""
+        """The objective E, renormalised (eq. 7 of the paper) unless `Settings.renormalise` is False."""
         return renormalised(self.plain_objective, self.raw) if self.settings.renormalise else self.plain_objective
 
 
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
     """Return E with every term divided by its integral over the raw path (eq. 7), see `Objective.renormalised`.
 
-    If a term provides an initial guess, that path limits the divisors too. If posture is penalised, tension is used.
+    If a penalty provides an initial guess, divisors of terms other than violations are at least their integrals over
+    that path. `Objective.tension` is used if the posture has a penalty.
     """
     guide = guide_of(objective)
     out = objective.renormalised(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
@@ -155,13 +162,14 @@ class Guides:
     parts: tuple[Guide, ...]
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
+        """Return the timeline after all parts have changed it in turn, with at most `most` variable frames."""
         for guide in self.parts:
             timeline = guide.initial_guess(timeline, most)
         return timeline
 
 
 def guide_of(objective: Objective) -> Guide | Guides | None:
-    """Return the soft constraints that provide an initial guess, limits last; None if there are none."""
+    """Return the soft constraints that provide an initial guess, limits of joints last; None if there are none."""
     guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
     guides.sort(key=lambda guide: guide.role is Role.LIMIT)
     return Guides(tuple(guides)) if len(guides) > 1 else next(iter(guides), None)

@@ -26,14 +26,20 @@ ROUNDING = 1e-9  # [s]
 
 @dataclass(frozen=True)
 class Contacts:
-    """The contacts that a clip specifies: stances with known places, rests with unknown ones, and all as requested."""
+    """The contacts that a clip specifies.
+
+    Attributes:
+        stances: Contacts at a known position.
+        rests: Contacts whose position the search determines.
+        requested: All contacts, as the clip lists them.
+    """
 
     stances: tuple[Stance, ...] = ()
     rests: tuple[Rest, ...] = ()
     requested: tuple[Rest, ...] = ()
 
     def overlaps(self, stance: Stance) -> bool:
-        """Return whether the clip specifies a contact of the point of a stance at any time of the stance."""
+        """Return whether a specified contact of the same point overlaps a stance in time."""
         return any(
             contact.point.link == stance.point.link
             and np.array_equal(contact.point.position, stance.point.position)
@@ -48,9 +54,9 @@ class ContactSchedule:
     """The stances, grasps, flights and gait of a figure over time. What is not specified is inferred once, when needed.
 
     Attributes:
-        specified_footings: The footings; None: they are inferred from the stances.
-        specified_flights: The flights [s]; None: they are inferred from the keyframes.
-        has_cycle: Whether the keyframes form a gait cycle; None: they do if the cycle is unambiguous.
+        specified_footings: The points that can support the figure, each with its interval; None: inferred from stances.
+        specified_flights: The intervals [s] in which nothing supports the figure; None: inferred from keyframes.
+        has_cycle: Whether the keyframes form a gait cycle; None: inferred, true only if a cycle is unambiguous.
         period: The period of a gait cycle [s]; None: the likeliest one.
     """
 
@@ -67,7 +73,7 @@ class ContactSchedule:
 
     @cached_property
     def root(self) -> int | None:
-        """The index of the free link whose tree stands on the soles; None without a free joint."""
+        """The index of the link on a free joint whose kinematic tree contains the feet; None without a free joint."""
         links = self.figure.tables.free_links
         if not links.size:
             return None
@@ -93,21 +99,21 @@ class ContactSchedule:
 
     @cached_property
     def footings(self) -> tuple[Footing, ...]:
-        """The points that can carry the tree of the root, each for an interval."""
+        """The points that can support the figure, each with the interval in which it does."""
         if self.specified_footings is not None or self.root is None:
             return self.specified_footings or ()
         return footings(self.figure, self.keys, self._soles, self.surfaces, self._carriers, self._body)
 
     @cached_property
     def flights(self) -> tuple[Interval, ...]:
-        """The intervals [s] in which nothing carries the tree of the root."""
+        """The intervals [s] in which nothing supports the figure."""
         if self.specified_flights is not None or self.root is None:
             return self.specified_flights or ()
         return flights(self.figure, self.root, self.keys, self._soles, self.surfaces, self._carriers, self._body)
 
     @property
     def is_known(self) -> bool:
-        """Whether it is known at any time what carries the figure."""
+        """Whether there is an interval in which the support of the figure is known: a footing or a flight."""
         return bool(self.footings or self.flights)
 
     @cached_property
@@ -122,26 +128,26 @@ class ContactSchedule:
 
     @property
     def low_points(self) -> tuple[Point, ...]:
-        """The points of soles and body of which the lowest touches the ground, of the supported tree if it is known."""
+        """The points of the figure, on soles and body, of which the lowest one touches the ground where it stands."""
         points = self.exclude_grasped((*self.points, *body_points(self.figure)))
         return points if self.root is None else hanging(self.figure, self.root, points)
 
     @property
     def grounded(self) -> tuple[Interval, ...]:
-        """The intervals [s] between keyframes that touch the ground, but for flights and those of `held_down`."""
+        """The segments [s] whose two keyframes touch the ground, except flights and the intervals in `held_down`."""
         intervals = grounded_intervals(self.figure, self.keys, self.low_points, self.surfaces, self.flights)
         return tuple(interval for interval in intervals if interval not in self.held_down)
 
     @cached_property
     def held_down(self) -> tuple[Interval, ...]:
-        """The intervals [s] next to keyframes that touch the ground at an unspecified height, but for flights."""
+        """The intervals [s] beside keyframes that touch the ground but leave the root's height free, except flights."""
         if self.root is None or not self.points:
             return ()
         return open_intervals(self.figure, self.root, self.keys, self.low_points, self.surfaces, self.flights)
 
     @property
     def touches(self) -> Mask:
-        """Whether a sole point of each keyframe is on the ground, (K,)."""
+        """For each keyframe, whether any sole point is on the ground, (K,)."""
         height = clearance(self.figure, self.keys, self.points, self.surfaces)
         return height < Thresholds.of(self.figure).touching
 
@@ -151,18 +157,18 @@ class ContactSchedule:
 
     @property
     def _soles(self) -> tuple[Point, ...]:
-        """The sole points of the tree of the root."""
+        """The sole points of the figure, without those of other trees."""
         return () if self.root is None else hanging(self.figure, self.root, self.points)
 
     @property
     def _body(self) -> tuple[Point, ...]:
-        """The points of the body of the tree of the root."""
+        """The points of the figure's body, without those of other trees."""
         return (
             () if self.root is None else hanging(self.figure, self.root, self.exclude_grasped(body_points(self.figure)))
         )
 
     @property
     def _carriers(self) -> tuple[Stance | Rest, ...]:
-        """The stances and specified contacts of the tree of the root."""
+        """The stances and specified contacts of the figure, without those of other trees."""
         every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
         return tuple(each for each in every if self.figure.tables.path[each.point.link, self.root])

@@ -93,7 +93,7 @@ class Penalty(ABC):
 
     @property
     def obstructs(self) -> bool:
-        """Whether the constraint is an obstacle other than floors and steps, which other routes may avoid."""
+        """Whether the constraint is an obstacle that the figure may pass on another side; not a floor or a step."""
         return False
 
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
@@ -129,7 +129,7 @@ class Penalty(ABC):
         return tuple(self.residuals(samples)) if type(self).evaluate is Penalty.evaluate else None
 
     def model_blocks(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
-        """Return `nearby`, or `known` if both methods return the same residuals."""
+        """Return the blocks of `nearby`; `known`, the result of `blocks`, if the class does not override `nearby`."""
         return known if known is not None and type(self).nearby is Penalty.nearby else self.nearby(samples)
 
     def curvature(

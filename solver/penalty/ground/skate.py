@@ -30,11 +30,11 @@ WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the gro
 
 @dataclass(frozen=True, eq=False)
 class Bound:
-    """The weights of n points between keyframes.
+    """Factors of the penalty of n points in the segments between keyframes.
 
     Attributes:
         times: The times of the keyframes, (K,) [s].
-        shares: The weight of every point in every segment, from 0 to 1, (n, K − 1).
+        shares: The factor of every point in every segment, from 0 to 1, (n, K − 1).
     """
 
     times: Array
@@ -42,11 +42,12 @@ class Bound:
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], *, swings: bool = True) -> Bound:
-        """Return the weights of points between keyframes.
+        """Return the factors of points.
 
-        In long segments, the weight falls with the square of the length, because feet may take steps between the
-        keyframes. If `swings` is set, the weight is zero where a point moves by more than 8 cm between keyframes at
-        most 0.25 s apart (for an adult): a foot that swings so fast passes low over the ground and must not be braked.
+        In segments of more than 0.45 s, the factor falls with the square of the duration, because feet may take steps
+        between the keyframes. If `swings` is set, it is zero in segments of at most 0.25 s in which the point moves by
+        more than 8 cm. Such a point belongs to a swinging foot, which may pass low over the ground. These are values of
+        an adult, which scale with the figure.
         """
         spans, limits = np.diff(keys.times), Thresholds.of(figure)
         shares = np.tile(np.minimum(1.0, (limits.long / spans) ** 2), (len(points), 1))
@@ -59,7 +60,7 @@ class Bound:
         return cls(keys.times, shares)
 
     def at(self, t: Array) -> Array:
-        """Return the weights of the points at times t (S,) [s], (n, S)."""
+        """Return the factors of the points at times t (S,) [s], (n, S)."""
         span = np.searchsorted(self.times, t, side="right") - 1
         return self.shares[:, np.clip(span, 0, self.times.size - 2)]
 
@@ -68,12 +69,12 @@ class Bound:
 class Skate(Penalty):
     """Σ over points of exp(−(h/reach)²) |v|² [m²/s²]: v the point's velocity, h ≥ 0 its height over the surface below.
 
-    The term is normalized by the angular accelerations instead of the raw spline's skate. The result therefore depends
-    neither on the duration of the clip nor on the spacing of its keyframes.
+    Unlike other terms, it is not divided by its own integral over the raw spline, which may skate little or much. It
+    has the divisor of the squared angular accelerations, see `Normalization.normalize_by`.
 
     Attributes:
         reach: The height at which the weight of a point is 1/e of the weight on the surface [m].
-        bound: The weights of points over time, in addition to those by height; None: 1.
+        bound: Factors over time that multiply the weights by height; None: 1.
     """
 
     points: tuple[Point, ...]
@@ -94,7 +95,10 @@ class Skate(Penalty):
         return self._slides(samples, TINY)
 
     def nearby(self, samples: Samples) -> Iterator[Block]:
-        """Return the residuals with constant weights. The derivative of a weight would keep feet from rising."""
+        """Return the residuals with derivatives through the velocities only, not through the weights.
+
+        A Gauss-Newton model with derivatives of the weights would make it costly to raise a foot that moves.
+        """
         for block in self._slides(samples, NEGLIGIBLE):
             velocity, _ = block.changes
             yield replace(block, changes=(velocity,))
