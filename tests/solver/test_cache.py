@@ -14,12 +14,11 @@ from site_goal import SiteGoal
 
 from dynsplines import models
 from dynsplines.clip import load
-from dynsplines.solver import posing
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.cache import Cache, cache_key
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
-from dynsplines.solver.posing import PointGoal, Posed, entries, posed, reached
+from dynsplines.solver.posing import PointGoal, Posed, PoseSearch, entries, inverse_kinematics, posed, reached
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +87,7 @@ def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_a
     def never(*_: object) -> None:
         pytest.fail("searched again")
 
-    monkeypatch.setattr(posing, "_posed", never)
+    monkeypatch.setattr(inverse_kinematics, "_posed", never)
     again = posed(figure, other, free, goals)
     own = reached(figure, goals)
     assert np.array_equal(again.qpos, fresh.qpos)
@@ -121,13 +120,13 @@ def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_w
     text = clip.text.replace("left_hand = [0.4, 0.2, 0.26]", "left_hand = [0.4, 0.2, 0.27]", 1)
     assert text != clip.text
     searched: list[int] = []
-    search = posing._posed
+    search = inverse_kinematics._posed
 
-    def counted(asked: posing.PoseSearch, starts: int) -> Posed:
+    def counted(asked: PoseSearch, starts: int) -> Posed:
         searched.append(1)
         return search(asked, starts)
 
-    monkeypatch.setattr(posing, "_posed", counted)
+    monkeypatch.setattr(inverse_kinematics, "_posed", counted)
     edited = load.from_text(text, name="carry_box", like=clip)
     few, _ = len(searched), searched.clear()
     heavier = text.replace("weight = {body = 200}", "weight = {body = 300}", 1)

@@ -17,26 +17,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty import Bend, BendLimits
-from dynsplines.solver.posing import (
-    BENT,
-    INSIDE,
-    MET,
-    PER_METRE,
-    STRAIGHT,
-    TRUNK,
-    BodyGoal,
-    Goal,
-    PointGoal,
-    Posed,
-    PoseSearch,
-    _Bends,
-    _posed,
-    _Ranges,
-    _step,
-    entries,
-    limb,
-    posed,
-)
+from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, PoseSearch, entries, limb, posed
+from dynsplines.solver.posing.bounds import INSIDE, STRAIGHT, Bends, Ranges
+from dynsplines.solver.posing.inverse_kinematics import _posed
+from dynsplines.solver.posing.pose_search import BENT, PER_METRE, TRUNK, _step
 from dynsplines.solver.surface.points import Point, site_points
 
 RANGED = """
@@ -125,8 +109,8 @@ def test_a_body_that_leans_misses_upright_by_its_lean_about_the_axis_that_it_lea
     assert_rows(goal, model, nearly, atol=2e-5)
 
 
-def ranges_of(figure: Figure, beyond: float = 0.0) -> _Ranges:
-    return _Ranges.of(figure, list(range(2, len(figure.links))), np.arange(6, figure.model.nv), beyond)
+def ranges_of(figure: Figure, beyond: float = 0.0) -> Ranges:
+    return Ranges.of(figure, list(range(2, len(figure.links))), np.arange(6, figure.model.nv), beyond)
 
 
 @pytest.mark.parametrize("beyond", [0.0, 0.3])
@@ -165,10 +149,10 @@ def test_a_search_begins_inside_the_ranges_with_hinges_that_rest_near_one_end_be
         assert ranges.linearised(begun)[0][1:].max() <= 1e-12
 
 
-def bends_of(figure: Figure) -> _Bends:
+def bends_of(figure: Figure) -> Bends:
     knee = next(i for i, link in enumerate(figure.links) if link.name == "knee")
     joints = (Bend("knee", knee, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])),)
-    found = _Bends.of(figure, BendLimits(joints, 0.1, 0.2, 0.3), np.ones(figure.model.nq, bool))
+    found = Bends.of(figure, BendLimits(joints, 0.1, 0.2, 0.3), np.ones(figure.model.nq, bool))
     assert found is not None
     return found
 

@@ -17,7 +17,6 @@ from dynsplines import models
 from dynsplines.clip.constraints import posing_bends
 from dynsplines.clip.kinds import LimitOptions
 from dynsplines.clip.posing.feet import sole_points
-from dynsplines.solver import posing
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
@@ -32,8 +31,11 @@ from dynsplines.solver.posing import (
     GraspGoal,
     PointGoal,
     Posed,
+    PoseSearch,
+    bounds,
     chain,
     entries,
+    pose_search,
     posed,
 )
 from dynsplines.solver.surface.points import Point, site_points
@@ -279,20 +281,20 @@ def test_with_joints_at_their_ranges_it_is_as_near_as_scipys_and_its_goals_weigh
     figure = figure_of(ARM.replace("-150 150", "-10 10").replace("-.1 .2", "-.02 .01"))
     home, weights, weighed = np.array([0.3 * side, 0, 0.1, 0]), np.array([1.0, 1, 1, 5]), []
     target = np.array([0.0, 0, 1]) + reach * np.array([np.cos(0.3), 0, -side * np.sin(0.3)])
-    levenberg = posing.PoseSearch._levenberg
+    levenberg = PoseSearch._levenberg
 
-    def watched(self: posing.PoseSearch, qpos: Array, weight: float, *more: object) -> tuple[Array, float]:
+    def watched(self: PoseSearch, qpos: Array, weight: float, *more: object) -> tuple[Array, float]:
         weighed.append(weight)
         return levenberg(self, qpos, weight, *more)  # type: ignore[arg-type]
 
     def cost(qpos: Array) -> float:
         return float(np.sum((weights * (qpos - home)) ** 2))
 
-    monkeypatch.setattr(posing.PoseSearch, "_levenberg", watched)
+    monkeypatch.setattr(PoseSearch, "_levenberg", watched)
     found = posed(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
     assert found.is_met
-    assert max(weighed) == posing.FIRM
-    hinge, low, high = np.radians(10) - posing.INSIDE, -0.02 + posing.INSIDE, 0.01 - posing.INSIDE
+    assert max(weighed) == pose_search.FIRM
+    hinge, low, high = np.radians(10) - bounds.INSIDE, -0.02 + bounds.INSIDE, 0.01 - bounds.INSIDE
     np.testing.assert_allclose([abs(found.qpos[1]), found.qpos[3]], [hinge, low], atol=1e-8)
     best = minimize(
         cost,
@@ -456,7 +458,7 @@ def test_what_a_goal_apart_misses_does_not_move_the_others():
 def test_a_search_begins_with_every_joint_bent_by_its_least_flexion_and_those_that_bend_more_as_they_are():
     figure = HUMAN["world"]
     assert BENDS is not None
-    bends = posing._Bends.of(figure, BENDS, everything(figure))
+    bends = bounds.Bends.of(figure, BENDS, everything(figure))
     assert bends is not None
     straight = np.array(figure.model.qpos0)
     least = bends._angles(straight[bends.columns])[0].max() + 0.2

@@ -1,0 +1,204 @@
+"""Goals of inverse kinematics, and the joints that they depend on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import mujoco
+import numpy as np
+
+from .. import quaternion as quat
+from ..array import Array, Mask
+from ..figure.figure import Figure, JointKind
+from ..surface.points import Point
+
+# [1] smallest sine of a tilt with a defined direction; smallest squared norm of a Jacobian column in damping
+UPRIGHT, UNSEEN = 1e-12, 1e-12
+
+
+class Goal(Protocol):
+    """A target for a pose."""
+
+    @property
+    def name(self) -> str:
+        """The site's or body's name in the model."""
+        ...
+
+    def body(self, model: mujoco.MjModel) -> int:
+        """Return MuJoCo's id of the body that the goal applies to."""
+        ...
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        """Return the residual, current minus requested value, (k,) [m or rad]."""
+        ...
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        """Return the Jacobian of the residual with respect to the degrees of freedom, (k, nv)."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class PointGoal:
+    """A target position for a point of a body.
+
+    Attributes:
+        index: MuJoCo's id of the body.
+        offset: The position of the point in the body's frame, (3,) [m].
+        position: The target in the world, (3,) [m]; NaN along unconstrained axes.
+    """
+
+    name: str
+    index: int
+    offset: Array
+    position: Array
+
+    @classmethod
+    def of(cls, figure: Figure, point: Point, position: Array | None = None) -> PointGoal:
+        """Return the goal that a point of the figure is at a position (3,) [m]; None: at the origin."""
+        body = figure.links[point.link].body
+        offset = quat.rotated(quat.inverse(figure.body_turn[body]), point.position - figure.body_offset[body])
+        return cls(point.name, body, offset, np.zeros(3) if position is None else np.array(position, float))
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return self.index
+
+    def place(self, data: mujoco.MjData) -> Array:
+        """Return the current position of the point in the world, (3,) [m]."""
+        return data.xpos[self.index] + data.xmat[self.index].reshape(3, 3) @ self.offset
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return (self.place(data) - self.position)[self._given]
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows = np.zeros((3, model.nv))
+        mujoco.mj_jac(model, data, rows, None, self.place(data), self.index)
+        return rows[self._given]
+
+    @cached_property
+    def _given(self) -> Mask:
+        return ~np.isnan(self.position)
+
+
+@dataclass(frozen=True, eq=False)
+class BodyGoal:
+    """A target rotation for a body.
+
+    Attributes:
+        rotation: The target in the world, a wxyz quaternion (4,); None: upright as in the rest pose, with any heading.
+        index: MuJoCo's id of the body; None: the body is identified by its name.
+    """
+
+    name: str
+    rotation: Array | None = None
+    index: int | None = None
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return int(model.body(self.name).id) if self.index is None else self.index
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        here = data.xquat[self.body(model)]
+        if self.rotation is not None:
+            return quat.rotation_vector(quat.product(here, quat.inverse(self.rotation)))
+        up = quat.rotated(quat.product(here, quat.inverse(_at_rest(model, self.body(model)))), [0.0, 0, 1])
+        tilt = np.cross([0.0, 0, 1], up)
+        length = float(np.linalg.norm(tilt))
+        if length < UPRIGHT:
+            return np.array([0.0 if up[2] > 0 else np.pi, 0.0])
+        return tilt[:2] * np.arctan2(length, up[2]) / length
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows = np.zeros((3, model.nv))
+        mujoco.mj_jacBody(model, data, None, rows, self.body(model))
+        return rows if self.rotation is not None else rows[:2]
+
+
+@dataclass(frozen=True, eq=False)
+class GraspGoal:
+    """A target that makes a point of one body coincide with a point of another.
+
+    Attributes:
+        index: MuJoCo's id of the grasping body.
+        offset: The grasping point in the frame of its body, (3,) [m].
+        held: MuJoCo's id of the grasped body.
+        spot: The grasped point in the frame of its body, (3,) [m].
+    """
+
+    name: str
+    index: int
+    offset: Array
+    held: int
+    spot: Array
+
+    @classmethod
+    def of(cls, figure: Figure, point: Point, link: int, spot: Array) -> GraspGoal:
+        """Return the goal that a point coincides with a position (3,) [m] in the frame of a link."""
+        hand, grip = PointGoal.of(figure, point), PointGoal.of(figure, Point(point.name, link, spot))
+        return cls(point.name, hand.index, hand.offset, grip.index, grip.offset)
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return self.index
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        hand, spot = self._places(data)
+        return hand - spot
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows, back = np.zeros((3, model.nv)), np.zeros((3, model.nv))
+        hand, spot = self._places(data)
+        mujoco.mj_jac(model, data, rows, None, hand, self.index)
+        mujoco.mj_jac(model, data, back, None, spot, self.held)
+        return rows - back
+
+    def _places(self, data: mujoco.MjData) -> tuple[Array, Array]:
+        ends = ((self.index, self.offset), (self.held, self.spot))
+        hand, spot = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ offset for body, offset in ends)
+        return hand, spot
+
+
+def chain(figure: Figure, body: int) -> list[int]:
+    """Return the links from the link of a body up to the root."""
+    links, link = [], int(figure.body_link[body])
+    while link:
+        links.append(link)
+        link = figure.links[link].parent
+    return links
+
+
+def moved_by(figure: Figure, goal: Goal) -> set[int]:
+    """Return the links whose joints a goal depends on."""
+    links = set(chain(figure, goal.body(figure.model)))
+    return links | set(chain(figure, goal.held)) if isinstance(goal, GraspGoal) else links
+
+
+def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
+    """Return the mask of the entries of qpos that goals depend on, (nq,): the joints from the root to their bodies."""
+    mask = np.zeros(figure.width, bool)
+    for link in {link for goal in goals for link in moved_by(figure, goal)}:
+        mask[entries(figure, link)] = True
+    return mask
+
+
+def limb(figure: Figure, body: int) -> list[int]:
+    """Return the links from the link of a body towards the root, up to the first link with several children."""
+    links = chain(figure, body)
+    forks = [i for i, link in enumerate(links) if i > 0 and figure.tables.children[link] > 1]
+    return links[: forks[0]] if forks else links
+
+
+def entries(figure: Figure, link: int) -> slice:
+    """Return the columns of qpos of a link's joint."""
+    size = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
+    joint = figure.links[link]
+    return slice(joint.qpos, joint.qpos + size[joint.kind])
+
+
+def _at_rest(model: mujoco.MjModel, body: int) -> Array:
+    """Return the orientation of a body in the world in the rest pose, a wxyz quaternion (4,)."""
+    turn = np.array([1.0, 0, 0, 0])
+    while body:
+        turn = quat.product(model.body_quat[body], turn)
+        body = int(model.body_parentid[body])
+    return quat.normalised(turn)

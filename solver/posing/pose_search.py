@@ -1,0 +1,287 @@
+"""The search for a pose that meets goals, by damped least squares.
+
+The pose nearest to a given pose is computed (K. Levenberg 1944; D. W. Marquardt 1963) in the tangent space of MuJoCo's
+configurations. Goals and bounds have multipliers (M. R. Hestenes 1969; R. T. Rockafellar 1973). They are therefore met
+exactly at weights that keep the least-squares problem well conditioned.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from ..array import Array, Index, Mask
+from ..figure.figure import Figure, JointKind
+from ..penalty.joints.bend import BendLimits
+from .bounds import Bends, Part, Ranges, joined
+from .goals import Goal, entries, moved_by, reached
+
+# [m, rad] largest residual norm of a goal that counts as met; residual at which the search ends
+MET, EXACT = 1e-6, 1e-9
+# [rad/m, 1] weights of goals, relative to 1 rad of a limb joint: rough search, first round, upper limit
+COARSE, FIRM, FIRMEST = 30.0, 1e2, 1e5
+FIRMER = 30.0  # [1] weight of ranges and bend bounds, relative to the weight of goals
+TRUNK = 6.0  # [1] weight of a trunk joint (a joint with several child links), relative to a limb joint
+PER_METRE = 5.0  # [rad/m] weight of translations of the root and of slides, relative to rotations of a limb joint
+# [rad] smallest flexions of knees and elbows in starting poses; straight limbs have a singular Jacobian
+BENT = np.radians([15, 50, 90])
+STARTS, SPREAD = 12, 0.4  # [1] largest number of starting poses; [rad] standard deviation of random rotations in them
+HOPELESS = 0.05  # [m, rad] largest residual of a rough pose that is refined further
+# [1] largest number of multiplier updates; ratio of successive residuals that counts as no progress
+ROUNDS, STALLED = 20, 0.7
+# [1] largest number of steps of a descent; initial, smallest and largest damping
+STEPS, FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e-12, 1e8
+# [1] divisor of damping after a step that reduces the cost; multiplier of damping after any other step
+BOLDER, MORE_CAREFUL = 5, 8
+ROUGHLY, SETTLED = 1e-3, 1e-9  # [1] relative decrease of the cost at which a descent ends: rough search, exact search
+SMALLEST_STEP = 1e-11  # [rad, m] norm of a step at which a descent ends
+SQUARED = 3e3  # [1] largest weight for which normal equations are accurate enough
+# [1] smallest sine of a tilt with a defined direction; smallest squared norm of a Jacobian column in damping
+UPRIGHT, UNSEEN = 1e-12, 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """A pose and the residuals of its goals.
+
+    Attributes:
+        qpos: The pose of the whole figure, (nq,).
+        fixed: The mask of the entries that the goals depend on, (nq,): the joints from the root to their bodies.
+        missed: The residual norm of every goal, (n,) [m or rad].
+        starts: The number of starting poses tried if no pose met the goals; otherwise 0.
+    """
+
+    qpos: Array
+    fixed: Mask
+    missed: Array
+    starts: int = 0
+
+    @property
+    def is_met(self) -> bool:
+        return bool(np.all(self.missed <= MET))
+
+    @property
+    def worst(self) -> float:
+        """The largest residual norm [m or rad]."""
+        return float(self.missed.max(initial=0.0))
+
+
+class PoseSearch:
+    """Least squares over the n free degrees of freedom that the goals depend on.
+
+    Args:
+        home: The pose from which distances are measured, (nq,).
+        free: The mask of the entries of qpos that may change, (nq,).
+        bends: The knees and elbows on ball joints, with their bounds.
+        beyond: The permitted excess of hinges and ball joints over their ranges [rad].
+        range_shares: The permitted share of a joint's range, by the index of its link.
+    """
+
+    def __init__(
+        self,
+        figure: Figure,
+        home: Array,
+        free: Mask,
+        goals: tuple[Goal, ...],
+        bends: BendLimits | None,
+        beyond: float = 0.0,
+        range_shares: Mapping[int, float] | None = None,
+    ) -> None:
+        self.figure, self.model, self.home, self.goals = figure, figure.model, home, goals
+        self.data = mujoco.MjData(self.model)
+        links = sorted({link for goal in goals for link in moved_by(figure, goal)})
+        self.fixed = reached(figure, goals)
+        free = free & self.fixed
+        self.dofs, self.weights = self._freedoms(links, free)
+        self.joints = [
+            i for i in links if figure.links[i].kind is not JointKind.FREE and free[entries(figure, i)].all()
+        ]
+        self.ranges = Ranges.of(figure, self.joints, self.dofs, beyond)
+        if range_shares:
+            self.ranges = self.ranges.narrowed({figure.links[i].qpos: share for i, share in range_shares.items()}, home)
+        self.bends = None if bends is None else Bends.of(figure, bends, free)
+
+    def _freedoms(self, links: list[int], free: Mask) -> tuple[Index, Array]:
+        """Return the free columns of qvel (n,), and their weights in the distance from home (n,)."""
+        dofs, weights = [], []
+        for i in links:
+            link = self.figure.links[i]
+            turn = TRUNK if self.figure.tables.children[i] > 1 else 1.0
+            size = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}[link.kind]
+            shift = {JointKind.FREE: 3, JointKind.SLIDE: 1}.get(link.kind, 0)
+            for k in range(size):  # rotations share one entry of the mask
+                if free[link.qpos + min(k, shift)]:
+                    dofs.append(link.dof + k)
+                    weights.append(PER_METRE if k < shift else turn)
+        return np.array(dofs, np.intp), np.array(weights)
+
+    def bent_starts(self) -> list[Array]:
+        """Return the starting poses: home clipped, with knees and elbows bent by each angle of BENT."""
+        starts = [self.begun(self.home, angle) for angle in BENT]
+        return starts[:1] if np.array_equal(starts[0], starts[-1]) else starts
+
+    def starts_around(self, count: int) -> Iterator[Array]:
+        """Return `count` further starting poses.
+
+        The first is the rest pose of the joints, the second the middle of their ranges, both with knees and elbows
+        bent. All others are random.
+        """
+        rest, middle, rng = np.array(self.home), np.array(self.home), np.random.default_rng(0)
+        for i in self.joints:
+            rest[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
+        middle[self.ranges.simple] = self.ranges.limits.mean(axis=1)
+        yield from (self.begun(rest, BENT[0]), self.begun(middle, BENT[1]))[:count]
+        turns = self.weights != PER_METRE
+        for number in range(count - 2):
+            start = self.moved(self.home if number % 2 else rest, SPREAD * rng.normal(size=self.dofs.size) * turns)
+            start[self.ranges.simple] = rng.uniform(*self.ranges.limits.T)
+            yield start if self.bends is None else self.bends.begun(start, rng.uniform(BENT[0], BENT[-1]))
+
+    def clipped(self, qpos: Array) -> Array:
+        """Return qpos (nq,) with hinges and slides clipped to their ranges."""
+        return self.ranges.begun(qpos, -np.inf)
+
+    def begun(self, qpos: Array, least: float) -> Array:
+        """Return qpos (nq,) clipped to the ranges, with every knee and elbow bent by at least `least` [rad]."""
+        start = self.ranges.begun(qpos, least)
+        return start if self.bends is None else self.bends.begun(start, least)
+
+    def result(self, qpos: Array) -> Posed:
+        self._place(qpos)
+        missed = [np.linalg.norm(goal.missed(self.model, self.data)) for goal in self.goals]
+        return Posed(qpos, self.fixed, np.array(missed, float))
+
+    def roughly(self, qpos: Array) -> tuple[Array, float]:
+        """Return a pose that meets the goals approximately, at a small weight of the goals, and its cost."""
+        return self._levenberg(qpos, COARSE, None, ROUGHLY)
+
+    def around(self, qpos: Array) -> Array:
+        """Return a pose near qpos, instead of near home, that meets the goals approximately."""
+        home, self.home = self.home, qpos
+        try:
+            return self._levenberg(qpos, COARSE, None, ROUGHLY)[0]
+        finally:
+            self.home = home
+
+    def followed(self, qpos: Array) -> Posed:
+        """Return the minimum nearest to a pose; the pose itself if its residual exceeds HOPELESS."""
+        rough = self.result(qpos)
+        return self.exactly(qpos) if rough.worst <= HOPELESS else rough
+
+    def exactly(self, qpos: Array) -> Posed:
+        """Return the minimum nearest to a pose, with multipliers updated until the goals are met."""
+        weight, last, shifts = FIRM, np.inf, None
+        for _ in range(ROUNDS):
+            qpos, _ = self._levenberg(qpos, weight, shifts, SETTLED)
+            off, over = (values for values, _ in self.linearised(qpos)[1:])
+            shifts = (
+                (off, np.maximum(over, 0)) if shifts is None else (off + shifts[0], np.maximum(over + shifts[1], 0))
+            )
+            worst = max(np.abs(off).max(initial=0), over.max(initial=0))
+            if worst <= EXACT:
+                break
+            if worst > STALLED * last:  # a nearly straight limb bends only at a large weight
+                if weight >= FIRMEST or worst > HOPELESS:
+                    break
+                weight *= 10
+                shifts = shifts[0] / 100, shifts[1] / 100
+            last = worst
+        return self.result(qpos)
+
+    def _levenberg(
+        self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None, settled: float, steps: int = STEPS
+    ) -> tuple[Array, float]:
+        """Return the least-squares pose and its cost; `shifts` are added to the residuals of goals and bounds."""
+        damping = FIRST_DAMPING
+        residuals, rows = self._weighed(qpos, weight, shifts)
+        cost = float(residuals @ residuals)
+        for _ in range(steps):
+            step = _step(residuals, rows, damping, is_exact=FIRMER * weight > SQUARED)
+            there = self.moved(qpos, step)
+            residuals_there, rows_there = self._weighed(there, weight, shifts)
+            cost_there = float(residuals_there @ residuals_there)
+            if cost_there < cost:
+                ends = cost - cost_there <= settled * cost and damping <= FIRST_DAMPING
+                qpos, residuals, rows, cost = there, residuals_there, rows_there, cost_there
+                damping = max(damping / BOLDER, LEAST_DAMPING)
+                if ends:
+                    break
+            else:
+                damping *= MORE_CAREFUL
+            if np.linalg.norm(step) < SMALLEST_STEP or damping > MOST_DAMPING:
+                break
+        return qpos, cost
+
+    def _place(self, qpos: Array) -> None:
+        self.data.qpos[:] = qpos
+        mujoco.mj_kinematics(self.model, self.data)
+        mujoco.mj_comPos(self.model, self.data)
+
+    def moved(self, qpos: Array, step: Array) -> Array:
+        """Return qpos (nq,) moved by a step (n,) of the free degrees of freedom; all other entries are unchanged."""
+        velocity, there = np.zeros(self.model.nv), np.array(qpos)
+        velocity[self.dofs] = step
+        mujoco.mj_integratePos(self.model, there, velocity, 1.0)
+        return there
+
+    def _weighed(self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None) -> Part:
+        """Return all weighted residuals (r,) and their Jacobian (r, n) with respect to the free degrees of freedom."""
+        near, (off, by_off), (over, by_over) = self.linearised(qpos)
+        if shifts is not None:
+            off, over = off + shifts[0], over + shifts[1]
+        firm = FIRMER * weight * (over > 0)
+        return (
+            np.concatenate([near[0], weight * off, firm * over]),
+            np.concatenate([near[1], weight * by_off, firm[:, None] * by_over]),
+        )
+
+    @cached_property
+    def _by_near(self) -> Array:
+        """The Jacobian of the weighted distance from home, (n, n)."""
+        return np.diag(self.weights)
+
+    def linearised(self, qpos: Array) -> tuple[Part, Part, Part]:
+        """Return three residuals of a pose (nq,), each with its Jacobian.
+
+        Returns:
+            The weighted distance from home, including sideways and twist angles of knees and elbows; the residuals of
+            the goals; and the excess over bounds, which is negative within them.
+        """
+        self._place(qpos)
+        from_home = np.zeros(self.model.nv)
+        mujoco.mj_differentiatePos(self.model, from_home, 1.0, self.home, qpos)
+        near, off = [(self.weights * from_home[self.dofs], self._by_near)], []
+        for goal in self.goals:
+            missed, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
+            off.append((missed, rows[:, self.dofs]))
+        over = [self.ranges.linearised(qpos)]
+        if self.bends is not None:
+            crooked, beyond = self.bends.linearised(qpos, self.model.nv)
+            near.append((crooked[0], crooked[1][:, self.dofs]))
+            over.append((beyond[0], beyond[1][:, self.dofs]))
+        return joined(near), joined(off), joined(over)
+
+
+def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> Array:
+    """Return the step (n,) that minimises |residuals + rows · step|² + damping Σ size² step².
+
+    Args:
+        residuals: The residuals, (r,).
+        rows: Their Jacobian, (r, n).
+        damping: The damping, relative to the squared size of every unknown, which is the norm of its Jacobian column.
+        is_exact: Whether an orthogonal factorisation replaces the normal equations, for weights of very different size.
+    """
+    squares = damping * np.maximum(np.einsum("rn,rn->n", rows, rows), UNSEEN)
+    if not is_exact:
+        normal = rows.T @ rows
+        normal.flat[:: squares.size + 1] += squares
+        try:
+            return np.asarray(np.linalg.solve(normal, -(rows.T @ residuals)), float)
+        except np.linalg.LinAlgError:
+            pass
+    system = np.vstack([rows, np.diag(np.sqrt(squares))])
+    return np.asarray(np.linalg.lstsq(system, np.append(-residuals, 0 * squares), rcond=None)[0], float)
