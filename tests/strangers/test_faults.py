@@ -110,7 +110,7 @@ def left(folder: Path) -> list[str]:
 @pytest.mark.slow
 @pytest.mark.parametrize(("command", "number", "share"), MOMENTS)
 def test_a_signal_at_any_moment_leaves_the_older_file_or_the_whole_new_one(
-    command: str, number: int, share: float, tried: Tried, tmp_path: Path
+    command: str, number: signal.Signals, share: float, tried: Tried, tmp_path: Path
 ):
     words = COMMANDS[command]
     target = tmp_path / words[-1] if words[-2] == "-o" else None
