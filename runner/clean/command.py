@@ -37,6 +37,7 @@ from .comparison import Comparison, verdict
 from .repairs import repaired
 
 NAMED = 6  # most stances of a point that are listed
+FAR = 0.05  # [m] displacement in 95 % of the time above which stances are in doubt: most for captured motion is 4.8 cm
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,7 @@ def run(
     check_target(target, overwrite=overwrite)
     result, saved = made(source, within, progress)
     table = Comparison(result).table()
-    missed = () if within is None else tuple(_missed(result, within))
+    missed = tuple(_doubtful(result) if within is None else _missed(result, within))
     del result  # it needs as much memory as writing the files
     if form is None:
         motion.save(saved, target)
@@ -243,6 +244,16 @@ def _missed(result: Cleaned, within: float) -> Iterator[str]:
         held = {rest.point.name for rest in result.rests if rest.first <= one.time <= rest.last}
         why = f" while {' and '.join(sorted(held))} stand" + ("s" if len(held) == 1 else "") if held else ""
         yield f"note: {one.name} is {1000 * one.most:.0f} mm off the recording at {one.time:.2f} s{why}"
+
+
+def _doubtful(result: Cleaned) -> Iterator[str]:
+    """Yield a note if a hand, a foot or the pelvis is moved so far that the stances may be wrong."""
+    farthest = max(Comparison(result).moved, key=lambda one: one.high, default=None)
+    if result.rests and farthest is not None and farthest.high > FAR:
+        yield (
+            f"note: {farthest.name} is up to {1000 * farthest.most:.0f} mm off the recording; if a stance above is "
+            "wrong, give the stances by --contacts"
+        )
 
 
 def _saved(result: Cleaned, found: _Read) -> Saved:

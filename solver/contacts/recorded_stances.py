@@ -52,9 +52,10 @@ def infer_stances(
         place, point_noise = centres[:, i], float(noise[i])
         cuts = _cut(times, place, height[i], moving[i], is_known, point_noise, limits)
         runs = _joined(times, cuts, place, point_noise, limits)
-        trimmed = [_trimmed(slow[i], *run) for run in runs]
-        for a, b in trimmed:
-            if b - a > 1:
+        for run in runs:
+            still = slow[i] & _is_low(place, *run, point_noise, limits)
+            a, b = _trimmed(still, *run)
+            if b - a > 1 and not _moves(times, place, a, b, point_noise, limits):
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
                 result.append(RecordedStance(point, float(times[a]), float(times[b - 1]), ground))
     return tuple(result)
@@ -157,7 +158,22 @@ def _joined(
     return out
 
 
-def _trimmed(slow: Mask, first: int, last: int) -> tuple[int, int]:
-    """Remove samples at both ends of a run at which the point is not slow (T,)."""
-    rests = first + np.flatnonzero(slow[first:last])
+def _trimmed(still: Mask, first: int, last: int) -> tuple[int, int]:
+    """Remove samples at both ends of a run at which the point is not still (T,)."""
+    rests = first + np.flatnonzero(still[first:last])
     return (int(rests[0]), int(rests[-1]) + 1) if rests.size else (first, first)
+
+
+def _is_low(place: Array, first: int, last: int, noise: float, limits: Thresholds) -> Mask:
+    """Return where positions (3, T) [m] are raised over the median of a run by no more than noise and rolling feet."""
+    return place[2] - np.median(place[2, first:last]) < limits.rolls + SURE * noise
+
+
+def _moves(times: Array, place: Array, first: int, last: int, noise: float, limits: Thresholds) -> bool:
+    """Return whether a run is part of a motion that is slow enough to look like standing for a moment."""
+    seconds, third = times[last - 1] - times[first], max(1, (last - first) // 3)
+    if not limits.brief_stance <= seconds < limits.long_stance:
+        return bool(seconds < limits.brief_stance)
+    moved = place[:, last - third : last].mean(axis=1) - place[:, first : first + third].mean(axis=1)
+    distance = float(np.linalg.norm(moved)) - SURE * noise / np.sqrt(third)
+    return distance > max(limits.rolls, limits.drift * seconds)

@@ -64,7 +64,8 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     """Return the stances inferred from keyframes.
 
     In both of two neighbouring keyframes, the point is near a surface and every joint from the root to the point is
-    set. The two positions are close to each other (12 mm and 5 cm for an adult, see `Thresholds`).
+    set. The two positions are close to each other (12 mm and 5 cm for an adult, see `Thresholds`), and the point moves
+    slower than 0.35 m/s.
     """
     if not points or not surfaces:
         return ()
@@ -79,9 +80,10 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     )
     result = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
+        drift = min(limits.same_spot, limits.fast * (last - first))
         for i, point in enumerate(points):
             spot, landed = centres[:, i, k], centres[:, i, k + 1]
-            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < limits.same_spot:
+            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < drift:
                 weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
                 result.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
     return tuple(result)

@@ -100,6 +100,18 @@ def spans(stances: tuple[RecordedStance, ...]) -> list[tuple[float, float]]:
     return [(one.first, one.last) for one in stances]
 
 
+@pytest.mark.parametrize("seconds", [0.5, 0.7, 1.4])
+def test_a_slow_step_is_no_stance(seconds):
+    """A foot at rest is lifted by 8 cm, moved by 26 cm and put down again; it is slow all along, or when it lifts."""
+    times = np.arange(0.0, 1.0 + seconds + 0.8, 1 / FPS)
+    share = np.clip((times - 1.0) / seconds, 0, 1)
+    x, over = 0.26 * share**2 * (3 - 2 * share), 0.08 * np.sin(np.pi * share) ** 2
+    (first, lifted), (landed, last) = spans(stances_of(times, x, over))
+    assert (first, last) == (times[0], times[-1])
+    assert abs(over[times <= lifted].max()) <= 0.02 and abs(over[times >= landed].max()) <= 0.02
+    assert 1.0 <= lifted <= 1.0 + 0.25 * seconds and 1.0 + 0.75 * seconds <= landed <= 1.0 + seconds
+
+
 @pytest.mark.parametrize("below", [False, True])
 def test_what_rests_for_long_is_a_stance_up_to_half_as_high_as_anything_is(below):
     times = np.arange(60) / FPS
