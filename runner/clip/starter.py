@@ -122,7 +122,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
             source,
             has_keys,
             len(poses),
-            float(np.abs(poses - settled).max()),
+            float(max((poses - settled).flat, key=abs)),
             float(np.abs(settled - given_poses).max()),
         ),
         written(head).rstrip("\n"),
@@ -390,7 +390,11 @@ def _head(source: str, own: bool, count: int, raised: float, settled: float) -> 
     name = Path(source).name
     content = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
     more = "" if count > 1 else ", and one joint moved"
-    up = f" Raised by up to {1000 * raised:.1f} mm, out of the floor or an obstacle.\n" if raised >= TOLD else "\n"
+    up = "\n"
+    if abs(raised) >= TOLD:
+        way = "Raised" if raised > 0 else "Lowered"
+        where = "out of" if raised > 0 else "onto"
+        up = f" {way} by up to {1000 * abs(raised):.1f} mm, {where} the floor or an obstacle.\n"
     off = "# Joints that follow others have the values that these determine, not those of the model's keyframes.\n"
     return (
         f"# A clip for {name}: {content}{more}.{up}{off if own and settled >= TOLD else ''}"
