@@ -78,15 +78,16 @@ def run(
         raise UserError(f"'{target}' is what is read; give another -o")
     check_target(target, overwrite=overwrite)
     result, saved = made(source, within, progress)
-    table = Comparison(result).table()
-    missed = tuple(_doubtful(result) if within is None else _missed(result, within))
-    del result  # it needs as much memory as writing the files
+    comparison = Comparison(result)
+    table = comparison.table()
+    notes = tuple(_doubtful(comparison) if within is None else _missed(comparison, within))
+    del result, comparison  # they need as much memory as writing the files
     if form is None:
         motion.save(saved, target)
     else:
         formats.export(saved, form.name, target, overwrite=overwrite, tell=progress.say)
     progress.console.print(table)
-    for line in missed:
+    for line in notes:
         progress.say(line)
     progress.say(f"wrote {target}")
     return target
@@ -236,20 +237,20 @@ def _stances(result: Cleaned) -> Iterator[str]:
             yield f"{point.name} stands {', '.join(spans[:NAMED])}{more} s"
 
 
-def _missed(result: Cleaned, within: float) -> Iterator[str]:
+def _missed(comparison: Comparison, within: float) -> Iterator[str]:
     """Yield a note on every point that deviates from the recording by more than `within`, with the reason."""
-    for one in Comparison(result).moved:
+    for one in comparison.moved:
         if one.most <= within:
             continue
-        held = {rest.point.name for rest in result.rests if rest.first <= one.time <= rest.last}
+        held = {rest.point.name for rest in comparison.cleaned.rests if rest.first <= one.time <= rest.last}
         why = f" while {' and '.join(sorted(held))} stand" + ("s" if len(held) == 1 else "") if held else ""
         yield f"note: {one.name} is {1000 * one.most:.0f} mm off the recording at {one.time:.2f} s{why}"
 
 
-def _doubtful(result: Cleaned) -> Iterator[str]:
-    """Yield a note if a hand, a foot or the pelvis is moved so far that the stances may be wrong."""
-    farthest = max(Comparison(result).moved, key=lambda one: one.high, default=None)
-    if result.rests and farthest is not None and farthest.high > FAR:
+def _doubtful(comparison: Comparison) -> Iterator[str]:
+    """Yield a note if a hand, a foot or the pelvis is moved so far that the detected stances may be wrong."""
+    farthest = max(comparison.moved, key=lambda one: one.high, default=None)
+    if comparison.cleaned.rests and farthest is not None and farthest.high > FAR:
         yield (
             f"note: {farthest.name} is up to {1000 * farthest.most:.0f} mm off the recording; if a stance above is "
             "wrong, give the stances by --contacts"
