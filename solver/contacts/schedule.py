@@ -17,9 +17,8 @@ from .footing import Footing, Interval, flights, footings
 from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links
-from .grounded import clearance, grounded_intervals, open_intervals
+from .grounded import grounded_intervals, open_intervals, touches
 from .stance import Rest, Stance, resting_objects, stances
-from .thresholds import Thresholds
 
 ROUNDING = 1e-9  # [s]
 
@@ -126,7 +125,7 @@ class ContactSchedule:
             return gait.infer()
         return gait.likeliest() if self.period is None else gait.with_period(self.period)
 
-    @property
+    @cached_property
     def low_points(self) -> tuple[Point, ...]:
         """The points of the figure, on soles and body, of which the lowest one touches the ground where it stands."""
         points = self.exclude_grasped((*self.points, *body_points(self.figure)))
@@ -135,7 +134,7 @@ class ContactSchedule:
     @property
     def grounded(self) -> tuple[Interval, ...]:
         """The segments [s] whose two keyframes touch the ground, except flights and the intervals in `held_down`."""
-        intervals = grounded_intervals(self.figure, self.keys, self.low_points, self.surfaces, self.flights)
+        intervals = grounded_intervals(self.keys, self._is_down, self.flights)
         return tuple(interval for interval in intervals if interval not in self.held_down)
 
     @cached_property
@@ -143,17 +142,22 @@ class ContactSchedule:
         """The intervals [s] beside keyframes that touch the ground but leave the root's height free, except flights."""
         if self.root is None or not self.points:
             return ()
-        return open_intervals(self.figure, self.root, self.keys, self.low_points, self.surfaces, self.flights)
+        is_open = ~self.keys.fixed[:, self.figure.links[self.root].qpos + 2]
+        return open_intervals(self.keys, self._is_down, is_open, self.flights)
 
     @property
     def touches(self) -> Mask:
         """For each keyframe, whether any sole point is on the ground, (K,)."""
-        height = clearance(self.figure, self.keys, self.points, self.surfaces)
-        return height < Thresholds.of(self.figure).touching
+        return touches(self.figure, self.keys, self.points, self.surfaces)
 
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
         """Return the points that do not belong to grasped objects."""
         return tuple(point for point in points if point.link not in self.grasped)
+
+    @cached_property
+    def _is_down(self) -> Mask:
+        """For each keyframe, whether any point of the figure is on the ground, (K,)."""
+        return touches(self.figure, self.keys, self.low_points, self.surfaces)
 
     @property
     def _soles(self) -> tuple[Point, ...]:

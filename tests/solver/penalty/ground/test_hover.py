@@ -8,8 +8,8 @@ from block_rows import assert_rows_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
-from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals
-from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals, touches
+from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -90,11 +90,18 @@ BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody
 FOOT = Point("foot", 1, np.zeros(3), 0.1)
 
 
+def grounded(
+    figure: Figure, keys: Timeline, points: tuple[Point, ...], surfaces: tuple[Plane, ...], flights: tuple = ()
+) -> tuple:
+    """The segments between keyframes in which the lowest of the points is on the ground."""
+    return grounded_intervals(keys, touches(figure, keys, points, surfaces), flights)
+
+
 def on_a_path(heights: list[float], weight: float, flights: tuple = ()) -> float:
     """How high a ball gets in the middle third of keyframes with these heights."""
     figure = Figure(mujoco.MjModel.from_xml_string(BALL))
     keys = [Frame.key(0.5 * i, [0.5 * i, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate(heights)]
-    intervals = grounded_intervals(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,), flights)
+    intervals = grounded(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,), flights)
     penalties: list[tuple[Penalty, float]] = [
         (CovariantAcceleration(), 1.0),
         (RootAcceleration(), 1.0),
@@ -120,9 +127,9 @@ def test_segments_with_an_end_in_the_air_are_left_out():
     figure = Figure(mujoco.MjModel.from_xml_string(BALL))
     keys = [Frame.key(float(i), [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate([0.0, 0.04, 0.0, 0.3, 0.0])]
     timeline = raw_timeline(figure, keys)
-    assert grounded_intervals(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
-    assert grounded_intervals(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0),)
-    assert grounded_intervals(figure, timeline, (), (FLOOR,)) == grounded_intervals(figure, timeline, (FOOT,), ()) == ()
+    assert grounded(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
+    assert grounded(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0),)
+    assert grounded(figure, timeline, (), (FLOOR,)) == grounded(figure, timeline, (FOOT,), ()) == ()
 
 
 def test_nothing_floats_without_points_or_without_a_ground(figure, rng):
@@ -147,7 +154,9 @@ def open_of(heights: list[float], free: set[int], flights: tuple = (), step: flo
     states = [np.array([0, 0, z + 0.5, 1, 0, 0, 0]) for z in heights]
     fixed = [np.arange(7) != (2 if i in free else -1) for i in range(len(heights))]
     keys = [Frame(step * i, *both, np.arange(7) == 2) for i, both in enumerate(zip(states, fixed, strict=True))]
-    return open_intervals(figure, 1, raw_timeline(figure, keys), (FOOT_OF_IT,), (FLOOR,), flights)
+    timeline = raw_timeline(figure, keys)
+    down = touches(figure, timeline, (FOOT_OF_IT,), (FLOOR,))
+    return open_intervals(timeline, down, ~timeline.fixed[:, 2], flights)
 
 
 def test_segments_are_open_whose_keyframes_stand_at_a_height_of_nobodys():
