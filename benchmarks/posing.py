@@ -117,7 +117,7 @@ class Draw:
             goal = PointGoal.of(figure, point)
             goals.append(PointGoal.of(figure, point, goal.place(data)))
             if number % 3 == 2:
-                body = figure.model.body(goal.body(figure.model)).name
+                body = figure.model.body(goal.bodies(figure.model)[0]).name
                 goals.append(BodyGoal(body, data.body(body).xquat.copy()))
         return rest, free, goals
 

@@ -10,9 +10,8 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.drag import FixedPoints, FloorClearance
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.posing import PointGoal, limb
+from dynsplines.solver.posing import FixedPoints, FloorClearance, PointGoal, limb
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.plane import Plane
 from dynsplines.solver.surface.points import Point, body_points

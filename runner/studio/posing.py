@@ -17,10 +17,20 @@ from numpy.typing import ArrayLike
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.drag import Constraints, FloorClearance, SupportPolygon, dragged
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty.joints.bend import BendLimits
-from dynsplines.solver.posing import BodyGoal, PointGoal, Posed, chain, entries, limb
+from dynsplines.solver.posing import (
+    BodyGoal,
+    Constraints,
+    FloorClearance,
+    PointGoal,
+    Posed,
+    SupportPolygon,
+    chain,
+    dragged,
+    entries,
+    limb,
+)
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 

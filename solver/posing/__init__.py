@@ -1,14 +1,18 @@
 """Inverse kinematics: poses that meet target positions of points and target rotations of bodies.
 
 inverse_kinematics  the pose for goals, from several starting poses
-pose_search         damped least squares from one starting pose
+drag                the pose that follows the drag of a point, with soles, floor and balance
+pose_search         the pose for goals, from one starting pose
+least_squares       damped least squares, of one pose or of many at once
 goals               positions of points, rotations of bodies, grasps; the joints that they depend on
 bounds              joint ranges, and the bending of knees and elbows
+limits              the floor, and the support polygon of the centre of mass
 """
 
-from .bounds import Part as Part
-from .bounds import joined as joined
+from .drag import Constraints as Constraints
+from .drag import dragged as dragged
 from .goals import BodyGoal as BodyGoal
+from .goals import FixedPoints as FixedPoints
 from .goals import Goal as Goal
 from .goals import GraspGoal as GraspGoal
 from .goals import PointGoal as PointGoal
@@ -19,6 +23,10 @@ from .goals import reached as reached
 from .inverse_kinematics import STARTS as STARTS
 from .inverse_kinematics import in_winding as in_winding
 from .inverse_kinematics import posed as posed
+from .least_squares import LeastSquares as LeastSquares
+from .least_squares import Residuals as Residuals
+from .limits import FloorClearance as FloorClearance
+from .limits import SupportPolygon as SupportPolygon
 from .pose_search import MET as MET
 from .pose_search import Posed as Posed
 from .pose_search import PoseSearch as PoseSearch

@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
+from ..figure.algebra import cross
 from ..figure.figure import Figure, JointKind
 from ..surface.points import Point
 
@@ -27,8 +28,8 @@ class Goal(Protocol):
         """The site's or body's name in the model."""
         ...
 
-    def body(self, model: mujoco.MjModel) -> int:
-        """Return MuJoCo's id of the body that the goal applies to."""
+    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
+        """Return MuJoCo's ids of the bodies whose positions or rotations the goal depends on, the main one first."""
         ...
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
@@ -62,8 +63,8 @@ class PointGoal:
         offset = quat.rotated(quat.inverse(figure.body_turn[body]), point.position - figure.body_offset[body])
         return cls(point.name, body, offset, np.zeros(3) if position is None else np.array(position, float))
 
-    def body(self, model: mujoco.MjModel) -> int:
-        return self.index
+    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
+        return [self.index]
 
     def place(self, data: mujoco.MjData) -> Array:
         """Return the current position of the point in the world, (3,) [m]."""
@@ -83,6 +84,40 @@ class PointGoal:
 
 
 @dataclass(frozen=True, eq=False)
+class FixedPoints:
+    """Goal: target positions for n points of one body.
+
+    Attributes:
+        index: MuJoCo's id of the body.
+        offsets: The points in the frame of the body, (n, 3) [m].
+        positions: The targets in the world, (n, 3) [m]; NaN along unconstrained axes.
+    """
+
+    name: str
+    index: int
+    offsets: Array
+    positions: Array
+
+    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
+        return [self.index]
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return (data.xpos[self.index] + self._arms(data) - self.positions)[self._constrained]
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        shift, turn = np.zeros((3, model.nv)), np.zeros((3, model.nv))
+        mujoco.mj_jacBody(model, data, shift, turn, self.index)
+        return (shift + cross(turn[:, None], self._arms(data).T[:, :, None]).swapaxes(0, 1))[self._constrained]
+
+    def _arms(self, data: mujoco.MjData) -> Array:
+        return self.offsets @ data.xmat[self.index].reshape(3, 3).T
+
+    @cached_property
+    def _constrained(self) -> Mask:
+        return ~np.isnan(self.positions)
+
+
+@dataclass(frozen=True, eq=False)
 class BodyGoal:
     """A target rotation for a body.
 
@@ -95,14 +130,17 @@ class BodyGoal:
     rotation: Array | None = None
     index: int | None = None
 
-    def body(self, model: mujoco.MjModel) -> int:
+    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
+        return [self._body(model)]
+
+    def _body(self, model: mujoco.MjModel) -> int:
         return int(model.body(self.name).id) if self.index is None else self.index
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        here = data.xquat[self.body(model)]
+        here = data.xquat[self._body(model)]
         if self.rotation is not None:
             return quat.rotation_vector(quat.product(here, quat.inverse(self.rotation)))
-        up = quat.rotated(quat.product(here, quat.inverse(_at_rest(model, self.body(model)))), [0.0, 0, 1])
+        up = quat.rotated(quat.product(here, quat.inverse(_at_rest(model, self._body(model)))), [0.0, 0, 1])
         tilt = np.cross([0.0, 0, 1], up)
         length = float(np.linalg.norm(tilt))
         if length < UPRIGHT:
@@ -111,7 +149,7 @@ class BodyGoal:
 
     def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         rows = np.zeros((3, model.nv))
-        mujoco.mj_jacBody(model, data, None, rows, self.body(model))
+        mujoco.mj_jacBody(model, data, None, rows, self._body(model))
         return rows if self.rotation is not None else rows[:2]
 
 
@@ -138,8 +176,8 @@ class GraspGoal:
         hand, grip = PointGoal.of(figure, point), PointGoal.of(figure, Point(point.name, link, spot))
         return cls(point.name, hand.index, hand.offset, grip.index, grip.offset)
 
-    def body(self, model: mujoco.MjModel) -> int:
-        return self.index
+    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
+        return [self.index, self.held]
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         hand, spot = self._places(data)
@@ -169,8 +207,7 @@ def chain(figure: Figure, body: int) -> list[int]:
 
 def moved_by(figure: Figure, goal: Goal) -> set[int]:
     """Return the links whose joints a goal depends on."""
-    links = set(chain(figure, goal.body(figure.model)))
-    return links | set(chain(figure, goal.held)) if isinstance(goal, GraspGoal) else links
+    return {link for body in goal.bodies(figure.model) for link in chain(figure, body)}
 
 
 def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:

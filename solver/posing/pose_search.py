@@ -7,7 +7,7 @@ exactly at weights that keep the least-squares problem well conditioned.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -19,6 +19,7 @@ from ..figure.figure import Figure, JointKind
 from ..penalty.joints.bend import BendLimits
 from .bounds import Bends, Part, Ranges, joined
 from .goals import Goal, entries, moved_by, reached
+from .least_squares import LeastSquares, Residuals
 
 # [m, rad] largest residual norm of a goal that counts as met; residual at which the search ends
 MET, EXACT = 1e-6, 1e-9
@@ -33,15 +34,9 @@ STARTS, SPREAD = 12, 0.4  # [1] largest number of starting poses; [rad] standard
 HOPELESS = 0.05  # [m, rad] largest residual of a rough pose that is refined further
 # [1] largest number of multiplier updates; ratio of successive residuals that counts as no progress
 ROUNDS, STALLED = 20, 0.7
-# [1] largest number of steps of a descent; initial, smallest and largest damping
-STEPS, FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e-12, 1e8
-# [1] divisor of damping after a step that reduces the cost; multiplier of damping after any other step
-BOLDER, MORE_CAREFUL = 5, 8
+STEPS = 60  # [1] largest number of steps of a descent
 ROUGHLY, SETTLED = 1e-3, 1e-9  # [1] relative decrease of the cost at which a descent ends: rough search, exact search
-SMALLEST_STEP = 1e-11  # [rad, m] norm of a step at which a descent ends
-SQUARED = 3e3  # [1] largest weight for which normal equations are accurate enough
-# [1] smallest sine of a tilt with a defined direction; smallest squared norm of a Jacobian column in damping
-UPRIGHT, UNSEEN = 1e-12, 1e-12
+SMALLEST_STEP = 1e-11  # [rad, m] largest change of a joint by a step at which a descent ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,13 +152,13 @@ class PoseSearch:
 
     def roughly(self, qpos: Array) -> tuple[Array, float]:
         """Return a pose that meets the goals approximately, at a small weight of the goals, and its cost."""
-        return self._levenberg(qpos, COARSE, None, ROUGHLY)
+        return self._nearest(qpos, COARSE, None, ROUGHLY)
 
     def around(self, qpos: Array) -> Array:
         """Return a pose near qpos, instead of near home, that meets the goals approximately."""
         home, self.home = self.home, qpos
         try:
-            return self._levenberg(qpos, COARSE, None, ROUGHLY)[0]
+            return self._nearest(qpos, COARSE, None, ROUGHLY)[0]
         finally:
             self.home = home
 
@@ -176,7 +171,7 @@ class PoseSearch:
         """Return the minimum nearest to a pose, with multipliers updated until the goals are met."""
         weight, last, shifts = FIRM, np.inf, None
         for _ in range(ROUNDS):
-            qpos, _ = self._levenberg(qpos, weight, shifts, SETTLED)
+            qpos, _ = self._nearest(qpos, weight, shifts, SETTLED)
             off, over = (values for values, _ in self.linearised(qpos)[1:])
             shifts = (
                 (off, np.maximum(over, 0)) if shifts is None else (off + shifts[0], np.maximum(over + shifts[1], 0))
@@ -192,29 +187,41 @@ class PoseSearch:
             last = worst
         return self.result(qpos)
 
-    def _levenberg(
-        self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None, settled: float, steps: int = STEPS
+    def _nearest(
+        self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None, settled: float
     ) -> tuple[Array, float]:
         """Return the least-squares pose and its cost; `shifts` are added to the residuals of goals and bounds."""
-        damping = FIRST_DAMPING
-        residuals, rows = self._weighed(qpos, weight, shifts)
-        cost = float(residuals @ residuals)
-        for _ in range(steps):
-            step = _step(residuals, rows, damping, is_exact=FIRMER * weight > SQUARED)
-            there = self.moved(qpos, step)
-            residuals_there, rows_there = self._weighed(there, weight, shifts)
-            cost_there = float(residuals_there @ residuals_there)
-            if cost_there < cost:
-                ends = cost - cost_there <= settled * cost and damping <= FIRST_DAMPING
-                qpos, residuals, rows, cost = there, residuals_there, rows_there, cost_there
-                damping = max(damping / BOLDER, LEAST_DAMPING)
-                if ends:
-                    break
-            else:
-                damping *= MORE_CAREFUL
-            if np.linalg.norm(step) < SMALLEST_STEP or damping > MOST_DAMPING:
-                break
-        return qpos, cost
+        firm = FIRMER * weight
+
+        def residuals(qpos: Array) -> Residuals:
+            near, (off, by_off), (over, by_over) = self.linearised(qpos)
+            if shifts is not None:
+                off, over = off + shifts[0], over + shifts[1]
+            parts = [near, (weight * off, weight * by_off), (firm * over, firm * by_over)]
+            return Residuals.of_one(*joined(parts), near[0].size + off.size)
+
+        return self.descended(residuals, qpos, STEPS, settled=settled)
+
+    def descended(
+        self,
+        residuals: Callable[[Array], Residuals],
+        qpos: Array,
+        steps: int,
+        *,
+        longest: float = np.inf,
+        settled: float = 0.0,
+        smallest: float = SMALLEST_STEP,
+    ) -> tuple[Array, float]:
+        """Return the pose of least cost near a pose (nq,), and its cost; see `LeastSquares`."""
+
+        def moved(poses: Array, steps: Array) -> Array:
+            return self.moved(poses[0], steps[0])[None]
+
+        problem = LeastSquares(
+            lambda poses, _: residuals(poses[0]), moved, self.weights, steps, longest, settled, smallest
+        )
+        poses, costs = problem.descended(qpos[None])
+        return poses[0], float(costs[0])
 
     def _place(self, qpos: Array) -> None:
         self.data.qpos[:] = qpos
@@ -227,17 +234,6 @@ class PoseSearch:
         velocity[self.dofs] = step
         mujoco.mj_integratePos(self.model, there, velocity, 1.0)
         return there
-
-    def _weighed(self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None) -> Part:
-        """Return all weighted residuals (r,) and their Jacobian (r, n) with respect to the free degrees of freedom."""
-        near, (off, by_off), (over, by_over) = self.linearised(qpos)
-        if shifts is not None:
-            off, over = off + shifts[0], over + shifts[1]
-        firm = FIRMER * weight * (over > 0)
-        return (
-            np.concatenate([near[0], weight * off, firm * over]),
-            np.concatenate([near[1], weight * by_off, firm[:, None] * by_over]),
-        )
 
     @cached_property
     def _by_near(self) -> Array:
@@ -264,24 +260,3 @@ class PoseSearch:
             near.append((crooked[0], crooked[1][:, self.dofs]))
             over.append((beyond[0], beyond[1][:, self.dofs]))
         return joined(near), joined(off), joined(over)
-
-
-def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> Array:
-    """Return the step (n,) that minimises |residuals + rows · step|² + damping Σ size² step².
-
-    Args:
-        residuals: The residuals, (r,).
-        rows: Their Jacobian, (r, n).
-        damping: The damping, relative to the squared size of every unknown, which is the norm of its Jacobian column.
-        is_exact: Whether an orthogonal factorisation replaces the normal equations, for weights of very different size.
-    """
-    squares = damping * np.maximum(np.einsum("rn,rn->n", rows, rows), UNSEEN)
-    if not is_exact:
-        normal = rows.T @ rows
-        normal.flat[:: squares.size + 1] += squares
-        try:
-            return np.asarray(np.linalg.solve(normal, -(rows.T @ residuals)), float)
-        except np.linalg.LinAlgError:
-            pass
-    system = np.vstack([rows, np.diag(np.sqrt(squares))])
-    return np.asarray(np.linalg.lstsq(system, np.append(-residuals, 0 * squares), rcond=None)[0], float)

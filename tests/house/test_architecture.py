@@ -31,7 +31,7 @@ SCIPY_IN_SOLVER = {
     "solver/curve/banded.py",
     "solver/curve/spline.py",
     "solver/curve/unknowns.py",
-    "solver/drag.py",
+    "solver/posing/limits.py",
     "solver/refine/limits.py",
     "solver/search/quadratic.py",
 }
@@ -130,7 +130,6 @@ STRATA = {
         contacts
         penalty
         objective posing
-        drag
         search
         refine
         problem solution

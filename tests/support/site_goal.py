@@ -18,8 +18,8 @@ class SiteGoal:
     name: str
     position: Array
 
-    def body(self, model: mujoco.MjModel) -> int:
-        return int(model.site_bodyid[model.site(self.name).id])
+    def bodies(self, model: mujoco.MjModel) -> list[int]:
+        return [int(model.site_bodyid[model.site(self.name).id])]
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         return (data.site(self.name).xpos - self.position)[self._given]

@@ -54,7 +54,7 @@ class Wanted:
     def loose(self, figure: Figure, row: KeyframeTable) -> list[int]:
         """Return the links whose joints the goals and points free, independent of `others`."""
         model = figure.model
-        bodies = [goal.body(model) for goal in self.goals]
+        bodies = [goal.bodies(model)[0] for goal in self.goals]
         bodies += [figure.links[point.point.link].body for point in self.placed]
         named = root_links(figure, row) | {i for i, link in enumerate(figure.links) if link.name in row.joints}
         return sorted({link for body in bodies for link in limb(figure, body)} - named)
@@ -157,7 +157,7 @@ def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal
 
 
 def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
-    if not chain(figure, goal.body(figure.model)):
+    if not chain(figure, goal.bodies(figure.model)[0]):
         raise UserError(f"{what} is not part of the figure: no joint moves it")
 
 
@@ -184,7 +184,7 @@ def _complaints(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed)
 
 
 def _complaint(figure: Figure, key: Frame, goal: Goal, missed: float, starts: int) -> str:
-    body = goal.body(figure.model)
+    body = goal.bodies(figure.model)[0]
     joints = _free_joints(figure, key, body)
     kind = _kind(figure, goal)
     if not joints:

@@ -156,7 +156,7 @@ class Stander:
         """
         figure, free = self.figure, ~key.fixed
         is_reached = reached(figure, goals)
-        busy = {link for goal in goals for link in limb(figure, goal.body(figure.model))}
+        busy = {link for goal in goals for link in limb(figure, goal.bodies(figure.model)[0])}
         if not free[is_reached].any():
             return []
         inferred = self.known_positions(timeline)
@@ -166,7 +166,7 @@ class Stander:
             if foot.points[0].link not in busy and (reached(figure, more) & is_reached & free).any():
                 result += more
         for goal in inferred.holding(k):
-            links = limb(figure, goal.body(figure.model))
+            links = limb(figure, goal.bodies(figure.model)[0])
             if not busy.intersection(links) and (reached(figure, [goal]) & is_reached & free).any():
                 result.append(goal)
         return result
@@ -188,7 +188,7 @@ class Stander:
         if self.figure.root is not None:
             for link in self.figure.root.links:
                 trunk[entries(self.figure, link)] |= self.figure.links[link].kind is JointKind.HINGE
-        legs = {link for goal in goals for link in limb(self.figure, goal.body(self.figure.model))}
+        legs = {link for goal in goals for link in limb(self.figure, goal.bodies(self.figure.model)[0])}
         for link in legs:
             trunk[entries(self.figure, link)] = False
         pose = posed(self.figure, home, free & ~trunk, goals, self.bends, 3)

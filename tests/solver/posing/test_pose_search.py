@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from figures import EVERY_JOINT, LEG, MIXED, figure_of
 from oracles import placed
-from scipy.optimize import lsq_linear
 from scipy.spatial.transform import Rotation
 from site_goal import SiteGoal
 
@@ -20,7 +19,7 @@ from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, PoseSearch, entries, limb, posed
 from dynsplines.solver.posing.bounds import INSIDE, STRAIGHT, Bends, Ranges
 from dynsplines.solver.posing.inverse_kinematics import _posed
-from dynsplines.solver.posing.pose_search import BENT, PER_METRE, TRUNK, _step
+from dynsplines.solver.posing.pose_search import BENT, PER_METRE, TRUNK
 from dynsplines.solver.surface.points import Point, site_points
 
 RANGED = """
@@ -75,7 +74,7 @@ def test_points_and_sites_miss_what_mujoco_has_between_them_and_their_place_alon
         plain = PointGoal.of(figure, point)
         np.testing.assert_allclose(plain.missed(model, data), data.site(name).xpos, atol=1e-12)
         np.testing.assert_allclose(plain.place(data), data.site(name).xpos, atol=1e-12)
-        assert model.body(plain.body(model)).id == figure.links[point.link].body
+        assert plain.bodies(model) == [figure.links[point.link].body]
 
 
 @pytest.mark.parametrize("text", [MIXED, EVERY_JOINT, LEG])
@@ -88,7 +87,7 @@ def test_a_body_misses_its_rotation_by_scipys_rotation_vector_which_changes_as_i
     here = Rotation.from_matrix(data.xmat[body].reshape(3, 3))
     np.testing.assert_allclose(goal.missed(model, data), (here * turn.inv()).as_rotvec(), atol=1e-9)
     there = BodyGoal("by number", np.array(data.xquat[body]), body)
-    assert there.body(model) == goal.body(model) == body
+    assert there.bodies(model) == goal.bodies(model) == [body]
     np.testing.assert_allclose(there.missed(model, data), 0, atol=1e-9)
     assert_rows(there, model, qpos)
 
@@ -187,28 +186,6 @@ def test_a_joint_that_bends_less_than_it_begins_with_is_bent_that_far_about_its_
         np.testing.assert_array_equal(np.delete(begun, knee), np.delete(qpos, knee))
 
 
-@pytest.mark.parametrize("is_exact", [False, True])
-@pytest.mark.parametrize("damping", [1e-6, 0.1, 10.0])
-def test_a_step_is_scipys_least_squares_with_every_unknown_damped_in_its_own_size(damping, is_exact, rng):
-    rows, residuals = rng.normal(size=(9, 5)) * np.array([1, 10, 0.1, 3, 1]), rng.normal(size=9)
-    size = np.linalg.norm(rows, axis=0)
-    whole = np.vstack([rows, np.sqrt(damping) * np.diag(size)])
-    expected = lsq_linear(whole, np.append(-residuals, np.zeros(5))).x
-    np.testing.assert_allclose(_step(residuals, rows, damping, is_exact=is_exact), expected, rtol=1e-7)
-
-
-def test_unknowns_that_nothing_depends_on_stay_where_they_are(rng):
-    rows, residuals = rng.normal(size=(6, 3)), rng.normal(size=6)
-    rows[:, 1] = 0
-    for damping in (0.0, 1e-3):
-        for is_exact in (False, True):
-            step = _step(residuals, rows, damping, is_exact=is_exact)
-            assert abs(step[1]) < 1e-6
-            if damping == 0:
-                expected = np.linalg.lstsq(rows[:, ::2], -residuals, rcond=None)[0]
-                np.testing.assert_allclose(step[::2], expected, rtol=1e-7)
-
-
 def test_what_is_free_weighs_a_metre_as_five_radians_and_a_joint_where_limbs_branch_off_more(rng):
     figure = figure_of(RANGED)
     free = np.ones(figure.model.nq, bool)
@@ -236,8 +213,10 @@ def test_what_a_search_adds_up_changes_as_its_rows_say(rng):
     goals = (SiteGoal("tip", np.ones(3)), PointGoal.of(figure, Point("foot", len(figure.links) - 1, np.ones(3))))
     search = PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends)
     near = search.moved(home, 1e-3 * rng.normal(size=search.dofs.size))
-    _, rows = search._weighed(near, 7.0, None)
-    expected = differences(figure.model, near, lambda at: search._weighed(at, 7.0, None)[0])
+    rows = np.concatenate([rows for _, rows in search.linearised(near)])
+    expected = differences(
+        figure.model, near, lambda at: np.concatenate([values for values, _ in search.linearised(at)])
+    )
     np.testing.assert_allclose(rows, expected[:, search.dofs], atol=2e-2)
     np.testing.assert_allclose(rows[search.dofs.size :], expected[search.dofs.size :, search.dofs], atol=1e-5)
 

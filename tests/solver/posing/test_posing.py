@@ -31,11 +31,9 @@ from dynsplines.solver.posing import (
     GraspGoal,
     PointGoal,
     Posed,
-    PoseSearch,
     bounds,
     chain,
     entries,
-    pose_search,
     posed,
 )
 from dynsplines.solver.surface.points import Point, site_points
@@ -274,26 +272,16 @@ def test_of_all_poses_that_meet_the_goals_it_is_a_nearest_one(seed):
 
 @pytest.mark.parametrize("reach", [2.6, 2.8])
 @pytest.mark.parametrize("side", [-1, 1])
-def test_with_joints_at_their_ranges_it_is_as_near_as_scipys_and_its_goals_weigh_no_more_for_it(
-    reach, side, monkeypatch
-):
-    """The multipliers of ranges do what else only ever larger weights could."""
+def test_with_joints_at_their_ranges_it_is_as_near_as_scipys(reach, side):
     figure = figure_of(ARM.replace("-150 150", "-10 10").replace("-.1 .2", "-.02 .01"))
-    home, weights, weighed = np.array([0.3 * side, 0, 0.1, 0]), np.array([1.0, 1, 1, 5]), []
+    home, weights = np.array([0.3 * side, 0, 0.1, 0]), np.array([1.0, 1, 1, 5])
     target = np.array([0.0, 0, 1]) + reach * np.array([np.cos(0.3), 0, -side * np.sin(0.3)])
-    levenberg = PoseSearch._levenberg
-
-    def watched(self: PoseSearch, qpos: Array, weight: float, *more: object) -> tuple[Array, float]:
-        weighed.append(weight)
-        return levenberg(self, qpos, weight, *more)  # type: ignore[arg-type]
 
     def cost(qpos: Array) -> float:
         return float(np.sum((weights * (qpos - home)) ** 2))
 
-    monkeypatch.setattr(PoseSearch, "_levenberg", watched)
     found = posed(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
     assert found.is_met
-    assert max(weighed) == pose_search.FIRM
     hinge, low, high = np.radians(10) - bounds.INSIDE, -0.02 + bounds.INSIDE, 0.01 - bounds.INSIDE
     np.testing.assert_allclose([abs(found.qpos[1]), found.qpos[3]], [hinge, low], atol=1e-8)
     best = minimize(

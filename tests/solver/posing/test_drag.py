@@ -8,17 +8,17 @@ import pytest
 from scipy.optimize import minimize
 
 from dynsplines import models
-from dynsplines.solver.drag import (
-    MAX_MISS,
-    TARGET_WEIGHT,
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.posing import (
     Constraints,
     FixedPoints,
     FloorClearance,
+    PointGoal,
+    PoseSearch,
     SupportPolygon,
     dragged,
 )
-from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.posing import PointGoal, PoseSearch
+from dynsplines.solver.posing.drag import MAX_MISS, TARGET_WEIGHT
 
 ARM = """
 <mujoco><compiler angle="radian"/><worldbody>

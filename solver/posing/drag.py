@@ -1,0 +1,134 @@
+"""Pose of a standing figure that is dragged by one point, by damped least squares from the previous pose.
+
+The priorities are, from the highest: soles, joint ranges with floor and balance, dragged point. The dragging force is
+bounded, so an unreachable target moves neither the soles nor the centre of mass beyond the support polygon.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from ..array import Array, Mask
+from ..figure.figure import Figure
+from ..penalty.joints.bend import BendLimits
+from .bounds import Part, joined
+from .goals import Goal
+from .least_squares import Residuals
+from .limits import FloorClearance, SupportPolygon
+from .pose_search import Posed, PoseSearch
+
+# Weights relative to one radian of a limb's joint.
+TARGET_WEIGHT, MAX_MISS = 100.0, 0.02  # [1/m]; [m] distance to the target beyond which the force is constant
+FIXED_WEIGHT, RANGE_WEIGHT, LIMIT_WEIGHT = 3e3, 3e3, 1e3  # [1/m], [1/rad], [1/m]
+
+RESTART_MISS, RESTART_COST = 0.005, 0.9  # [m] that triggers restarts; relative cost below which one is accepted
+RESTART_BENDS = np.radians([12, 30, 70])  # flexion of knees and elbows: of all, then of the dragged limb
+STIFFNESS = 0.1, 1.0, 1.0, 1.0, 1.0  # factors of the constraints' weights in successive descents, as many as needed
+FIXED_MISS = 3e-4  # [m] largest residual of fixed goals
+STEPS, MAX_STEP = 8, 0.5  # per descent; [rad, m] of any degree of freedom
+MIN_GAIN, MIN_STEP = 1e-4, 1e-5  # limits of convergence [1], [rad, m]
+
+
+@dataclass(frozen=True, eq=False)
+class Constraints:
+    """Constraints of a drag, by descending priority.
+
+    Attributes:
+        preferred: Pairs of a weight [1/rad or 1/m] and a goal that is met approximately.
+    """
+
+    fixed: tuple[Goal, ...] = ()
+    limits: tuple[SupportPolygon | FloorClearance, ...] = ()
+    preferred: tuple[tuple[float, Goal], ...] = ()
+
+
+def dragged(
+    figure: Figure,
+    home: Array,
+    free: Mask,
+    target: Goal,
+    constraints: Constraints,
+    bends: BendLimits | None = None,
+    *,
+    begin: Array,
+    limb: Mask | None = None,
+    range_shares: Mapping[int, float] | None = None,
+) -> Posed:
+    """Return the pose nearest to `home` that meets the target or approaches it.
+
+    A straight limb has no gradient that bends it, and a hand that passes its shoulder can get stuck. If the target is
+    missed, the descent is therefore repeated with bent knees and elbows.
+
+    Args:
+        home: The preferred pose, (nq,).
+        free: Entries that may change, (nq,).
+        bends: Limits of knees and elbows on ball joints.
+        begin: The previous pose, from which the descent starts, (nq,).
+        limb: Entries of the dragged limb, for restarts that bend it more, (nq,).
+        range_shares: By link, the share of its range that a joint may use.
+    """
+    goals = (target, *constraints.fixed)
+    search = PoseSearch(figure, np.array(home, float), np.asarray(free, bool), goals, bends, range_shares=range_shares)
+    if not search.dofs.size:
+        return search.result(search.home)
+    drag = _Drag(search, constraints)
+    begin = np.array(begin, float)
+    best, cost = drag.descended(search.clipped(begin))
+    result = search.result(best)
+    if result.missed[0] > RESTART_MISS:
+        for start in _restarts(search, begin, limb):
+            pose, other = drag.descended(start)
+            if other < RESTART_COST * cost:
+                result, cost = search.result(pose), other
+    return result
+
+
+def _restarts(search: PoseSearch, begin: Array, limb: Mask | None) -> list[Array]:
+    least, *more = RESTART_BENDS
+    bent = search.begun(begin, least)
+    starts = [] if np.array_equal(bent, search.begun(begin, 0.0)) else [bent]
+    if limb is not None and limb.any():
+        starts += [np.where(limb, search.begun(search.home, angle), bent) for angle in more]
+    return starts
+
+
+class _Drag:
+    """The least-squares problem of a drag."""
+
+    def __init__(self, search: PoseSearch, constraints: Constraints) -> None:
+        self.search, self.constraints = search, constraints
+        self.target_size = search.goals[0].missed(search.model, search.data).size
+
+    def descended(self, qpos: Array) -> tuple[Array, float]:
+        """Return the pose (nq,) after the descents from another, and its cost."""
+        cost = 0.0
+        for stiffness in STIFFNESS:
+            residuals = partial(self._residuals, stiffness=stiffness)
+            qpos, cost = self.search.descended(
+                residuals, qpos, STEPS, longest=MAX_STEP, settled=MIN_GAIN, smallest=MIN_STEP
+            )
+            if stiffness == 1 and self.search.result(qpos).missed[1:].max(initial=0.0) < FIXED_MISS:
+                break
+        return qpos, cost
+
+    def _residuals(self, qpos: Array, stiffness: float) -> Residuals:
+        search = self.search
+        distance, (off, by_off), (over, by_over) = search.linearised(qpos)
+        miss = float(np.linalg.norm(off[: self.target_size]))
+        weights = np.full(off.size, stiffness * FIXED_WEIGHT)
+        weights[: self.target_size] = TARGET_WEIGHT * np.sqrt(min(1.0, MAX_MISS / max(miss, MAX_MISS)))
+        parts: list[Part] = [distance, (weights * off, weights[:, None] * by_off)]
+        for weight, goal in self.constraints.preferred:
+            values, rows = goal.missed(search.model, search.data), goal.rows(search.model, search.data)
+            parts.append((weight * values, weight * rows[:, search.dofs]))
+        two_sided = sum(values.size for values, _ in parts)
+        parts.append((stiffness * RANGE_WEIGHT * over, stiffness * RANGE_WEIGHT * by_over))
+        for limit in self.constraints.limits:
+            values, rows = limit.linearized(search.model, search.data)
+            parts.append((stiffness * LIMIT_WEIGHT * values, stiffness * LIMIT_WEIGHT * rows[:, search.dofs]))
+        constant = TARGET_WEIGHT**2 * max(miss * MAX_MISS - MAX_MISS**2, 0.0)
+        return Residuals.of_one(*joined(parts), two_sided, constant)
