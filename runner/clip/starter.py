@@ -89,7 +89,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
         raise UserError(f"{Path(source).name}: {first_line(error)}") from None
     soles = sole_points(figure, poses)
     has_keys = bool(len(poses))
-    equalities = Equalities(figure.model)
+    equalities = Equalities(figure)
     notes = [line] if (line := fixed_base(source, figure.model)) else []
     if not has_keys:
         times, poses = np.zeros(1), _within(figure)[None]

@@ -1,24 +1,21 @@
 """Poses moved onto a model's equality constraints: loops (connect, weld), couplings of joints and tendons.
 
-Residuals and derivatives are `efc_pos` and `efc_J` of MuJoCo's equality rows. Each step is the shortest one that closes
-them, damped (K. Levenberg 1944; D. W. Marquardt 1963), within the joints' ranges.
+Residuals and derivatives are `efc_pos` and `efc_J` of MuJoCo's equality rows: a goal of inverse kinematics.
 """
 
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.posing import entries, posed
 
-CLOSED = 1e-9  # [m, rad] largest residual of a closed constraint
-STEPS, STARTS = 200, 12
-LONGEST = 0.3  # [rad, m] longest step
-FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e-12, 1e6
 OPEN = {"m": 1e-3, "degrees": 0.1}  # least violation of a constraint that is reported
 
 
@@ -38,8 +35,8 @@ class Opening:
 class Equalities:
     """The active equality constraints of a model, at any pose."""
 
-    def __init__(self, model: mujoco.MjModel) -> None:
-        self.model = _bare(model)
+    def __init__(self, figure: Figure) -> None:
+        self.figure, self.model = figure, _bare(figure.model)
         self.data = mujoco.MjData(self.model)
 
     def residuals(self, qpos: Array) -> tuple[Array, Array]:
@@ -65,86 +62,38 @@ class Equalities:
         )
 
     def closed(self, qpos: Array) -> Array | None:
-        """Return the pose near qpos (nq,) that closes all constraints, within the joints' ranges; None without one.
+        """Return the pose nearest to qpos (nq,) that closes all constraints, within the joints' ranges; None if no such
+        pose is found.
 
-        Free joints are constant unless nothing else closes them.
+        Free joints are constant unless nothing else closes the constraints.
         """
-        free = np.isin(self.model.dof_jntid, np.flatnonzero(self.model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)))
-        for moves in (~free, np.ones(self.model.nv, bool)):
-            for begin in self._starts(qpos, moves):
-                pose = self._descend(begin, moves)
-                if pose is not None:
-                    return pose
-            if not free.any():
-                return None
+        figure = self.figure
+        kinds = [(link.kind, entries(figure, i)) for i, link in enumerate(figure.links) if i]
+        rigid, free = np.ones(figure.width, bool), np.ones(figure.width, bool)
+        for kind, columns in kinds:
+            rigid[columns] = kind is not JointKind.FREE
+        for movable in (rigid, free) if not rigid.all() else (free,):
+            pose = posed(figure, qpos, movable, (self,))
+            if pose.is_met:
+                return pose.qpos
         return None
+
+    # a goal of inverse kinematics
+
+    name = "equality constraints"
+
+    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
+        return np.flatnonzero(model.body_dofnum).tolist()
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return self.residuals(data.qpos)[0]
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return self.residuals(data.qpos)[1]
 
     @property
     def _rows(self) -> Mask:
         return np.array(self.data.efc_type) == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
-
-    def _starts(self, qpos: Array, moves: Mask) -> Iterator[Array]:
-        """Yield initial poses: the given one, then others at increasing distances."""
-        yield qpos
-        _, rows = self.residuals(qpos)
-        involved = moves & np.any(rows != 0, axis=0)
-        chance = np.random.default_rng(0)
-        for number in range(1, STARTS):
-            yield self._stepped(qpos, involved * chance.uniform(-1.5, 1.5, self.model.nv) * number / STARTS)
-
-    def _descend(self, qpos: Array, moves: Mask) -> Array | None:
-        qpos, damping = self._stepped(qpos, np.zeros(self.model.nv)), FIRST_DAMPING
-        residual, rows = self.residuals(qpos)
-        for _ in range(STEPS):
-            if np.abs(residual).max(initial=0.0) < CLOSED:
-                return qpos
-            step = self._step(qpos, residual, rows, moves, damping)
-            there = self._stepped(qpos, step)
-            after, rows_after = self.residuals(there)
-            if np.linalg.norm(after) < np.linalg.norm(residual):
-                qpos, residual, rows, damping = there, after, rows_after, max(damping / 5, LEAST_DAMPING)
-            else:
-                damping *= 8
-            if damping > MOST_DAMPING:
-                break
-        return None
-
-    def _step(self, qpos: Array, residual: Array, rows: Array, moves: Mask, damping: float) -> Array:
-        """Return the shortest step (nv,) that closes the residuals, without joints at an end of their range."""
-        moves, step = np.array(moves), np.zeros(self.model.nv)
-        for _ in range(self.model.nv):
-            moving_rows = rows[:, moves]
-            step[:] = 0.0
-            normal = moving_rows @ moving_rows.T + damping * np.eye(len(moving_rows))
-            step[moves] = -moving_rows.T @ np.linalg.lstsq(normal, residual, rcond=None)[0]
-            step *= min(1.0, LONGEST / max(float(np.abs(step).max(initial=0.0)), LONGEST))
-            blocked = moves & self._leaves(qpos, step)
-            if not blocked.any():
-                return step
-            moves &= ~blocked
-        return step
-
-    def _leaves(self, qpos: Array, step: Array) -> Mask:
-        """Return the degrees of freedom (nv,) at an end of their range that a step moves beyond it."""
-        model, out = self.model, np.zeros(self.model.nv, bool)
-        for joint in self._limited:
-            dof, at = model.jnt_dofadr[joint], qpos[model.jnt_qposadr[joint]]
-            low, high = model.jnt_range[joint]
-            out[dof] = (at <= low and step[dof] < 0) or (at >= high and step[dof] > 0)
-        return out
-
-    def _stepped(self, qpos: Array, step: Array) -> Array:
-        there, model = np.array(qpos), self.model
-        mujoco.mj_integratePos(model, there, step, 1.0)
-        for joint in self._limited:
-            column = model.jnt_qposadr[joint]
-            there[column] = np.clip(there[column], *model.jnt_range[joint])
-        return there
-
-    @property
-    def _limited(self) -> list[int]:
-        simple = (int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE))
-        return np.flatnonzero(self.model.jnt_limited.astype(bool) & np.isin(self.model.jnt_type, simple)).tolist()
 
 
 def _bare(model: mujoco.MjModel) -> mujoco.MjModel:
