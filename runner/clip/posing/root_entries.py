@@ -15,16 +15,15 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, Link
 from dynsplines.solver.figure.root import Root, roots_of
-from dynsplines.solver.posing import entries, in_winding
+from dynsplines.solver.posing import BodyGoal, entries, in_winding, posed
 
 from ...errors import UserError, unknown
 from ..table import KeyframeTable, RootTable, RotationTable
 from .rotation import UP, quaternion_of
 
-STEPS, LONGEST = 100, 0.5  # most Gauss-Newton steps on a root's hinges; [rad] longest step
-TURNED, MOVED = 1e-6, 1e-6  # [rad, m] tolerance of a root's pose
+WHOLE_TURNS = 1e3  # [rad] permitted excess of a root's hinges over their ranges: any number of turns
+MOVED = 1e-6  # [m] tolerance of a root's position
 FLAT = 1e-9  # component of a joint's motion below which it is ignored
-STARTS = 8
 
 
 def ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
@@ -201,23 +200,16 @@ class _Chain:
         rest = np.array(self.figure.model.qpos0)
         self._place(rest)
         near = rest[columns] + np.array([self.data.xaxis[self.figure.links[i].joint] @ hint for i in hinges])
-        home, best, least = np.array(self.qpos), np.array(self.qpos), np.inf
-        random = np.random.default_rng(0)
-        for k in range(STARTS):
-            self.qpos[:] = home
-            self.qpos[columns] = near if k != 1 else home[columns]
-            if k > 1:
-                self.qpos[columns] += random.normal(size=len(columns))
-            angle_left = self._turned(target)
-            if angle_left < least - TURNED:
-                best, least = np.array(self.qpos), angle_left
-            if least <= TURNED:
-                break
-        self.qpos[:] = best
-        if least > TURNED:
+        self.qpos[columns] = near
+        free = np.zeros(self.figure.width, bool)
+        self.fix(free, self.turning, True)
+        goal = BodyGoal(self._body, target, self.root.body)
+        pose = posed(self.figure, self.qpos, free, (goal,), beyond=WHOLE_TURNS)
+        self.qpos[:] = pose.qpos
+        if not pose.is_met:
             raise UserError(
                 f"{where}: '{self._body}' turns on {self._listed(self.turning)} alone, which come within "
-                f"{np.degrees(least):.3g} degrees of it; specify a rotation that they reach, or joints.NAME"
+                f"{np.degrees(pose.worst):.3g} degrees of it; specify a rotation that they reach, or joints.NAME"
             )
         for column, angle in zip(columns, near, strict=True):  # whole turns as specified
             self.qpos[column] += 2 * np.pi * np.round((angle - self.qpos[column]) / (2 * np.pi))
@@ -304,25 +296,6 @@ class _Chain:
             return bool(after)
         axes = [self.data.xaxis[self.figure.links[k].joint] for k in after]
         return any(np.linalg.norm(np.cross(self.data.xaxis[link.joint], axis)) > FLAT for axis in axes)
-
-    def _turned(self, target: Array) -> float:
-        """Rotate the body towards a rotation (4,) by Gauss-Newton; return the remaining angle [rad]."""
-        model, dofs = self.figure.model, np.concatenate([[], *(self._dofs(i) for i in self.turning)]).astype(int)
-        for _ in range(STEPS):
-            turn = self._jacobian()[1]
-            error = quat.rotation_vector(quat.product(target, quat.inverse(self.data.xquat[self.root.body])))
-            step = np.zeros(model.nv)
-            if dofs.size:
-                jacobian = turn[:, dofs]
-                step[dofs] = jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + 1e-12 * np.eye(3), error)
-            size = float(np.abs(step).max(initial=0.0))
-            if size < 0.01 * TURNED:
-                break
-            mujoco.mj_integratePos(model, self.qpos, step * min(1.0, LONGEST / size), 1.0)
-        self._place(self.qpos)
-        return float(
-            np.linalg.norm(quat.rotation_vector(quat.product(target, quat.inverse(self.data.xquat[self.root.body]))))
-        )
 
 
 def angles_about(table: RotationTable) -> Array:
