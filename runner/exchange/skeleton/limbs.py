@@ -15,14 +15,15 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.posing import LeastSquares, Residuals
 
 from .hierarchy import joints
 
 PLACE = 0.01  # [m] position error of a hand or foot that counts as a residual of 1
 TURN, TURN_OF_END = np.radians(15), np.radians(4)  # [rad] rotation errors of a limb's parts and its end that count as 1
+RANGE = 1e3  # [1/rad] weight of joint ranges
 STEPS, LONGEST = 30, 0.3  # most iterations of least squares; [rad] largest change of a joint in one
-DAMPING = 5.0  # [1/rad²] of steps in the least squares
 STILL = 1e-4  # [rad] step below which a sample has converged
 RUN = 2000  # most samples bent at once, which bounds the memory
 TURNING = [int(kind) for kind in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_BALL)]
@@ -67,45 +68,36 @@ def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arra
 
 def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
     """Bend the samples of one run."""
-    qpos, low, high = qpos.copy(), *_ranges(model, limb)
+    low, high = _ranges(model, limb)
     spread = {body: TURN_OF_END if body == limb.bodies[-1] else TURN for body in limb.turns}
-    best, least = qpos.copy(), np.full(len(qpos), np.inf)
-    going = np.arange(len(qpos))  # samples that have not converged
-    for _ in range(STEPS):
-        now = qpos[going]
-        bend_state = _bent(model, now, limb.bodies, carried[going])
+    bounded = np.flatnonzero(np.isfinite(low) & np.isfinite(high))
+    by_range = RANGE * np.concatenate([np.eye(low.size)[bounded], -np.eye(low.size)[bounded]])
+
+    def residuals(now: Array, which: Index) -> Residuals:
+        state = _bent(model, now, limb.bodies, carried[which])
         off, rows = list[Array](), list[Array]()
         if limb.about is not None:
-            off.append((limb.about[going] - bend_state.end) / PLACE)
-            rows.append(np.cross(bend_state.axes, bend_state.end[:, None] - bend_state.anchors) / PLACE)
-        for body, wanted in limb.turns.items():
-            short = quat.product(wanted[going], quat.conjugate(bend_state.turn[body]))
-            off.append(quat.rotation_vector(short) / spread[body])
-            above = np.array(
-                [limb.bodies.index(moved_body) <= limb.bodies.index(body) for moved_body in bend_state.moved]
-            )
-            rows.append(np.where(above[:, None], bend_state.axes, 0.0) / spread[body])
-        residual, jacobian = np.concatenate(off, axis=1), np.concatenate(rows, axis=2)  # (T, R), (T, D, R)
-        cost = np.sum(residual**2, axis=1)
-        better = cost < least[going]
-        best[going[better]], least[going[better]] = now[better], cost[better]
-        step = _step(jacobian, residual, _values(model, now, limb.bodies), low, high)
-        _move(model, now, limb.bodies, step, low, high)
-        qpos[going] = now
-        going = going[np.abs(step).max(axis=1, initial=0.0) >= STILL]
-        if not going.size:
-            break
-    return best
+            off.append((state.end - limb.about[which]) / PLACE)
+            rows.append(np.cross(state.axes, state.end[:, None] - state.anchors) / PLACE)
+        for body, target in limb.turns.items():
+            away = quat.product(state.turn[body], quat.conjugate(target[which]))
+            off.append(quat.rotation_vector(away) / spread[body])
+            above = np.array([limb.bodies.index(moved_body) <= limb.bodies.index(body) for moved_body in state.moved])
+            rows.append(np.where(above[:, None], state.axes, 0.0) / spread[body])
+        two_sided = sum(part.shape[1] for part in off)
+        at = _values(model, now, limb.bodies)[:, bounded]
+        off += [RANGE * (at - high[bounded]), RANGE * (low[bounded] - at)]
+        goal_rows = np.swapaxes(np.concatenate(rows, axis=2), 1, 2)
+        range_rows = np.broadcast_to(by_range, (len(now), *by_range.shape))
+        return Residuals(np.concatenate(off, axis=1), np.concatenate([goal_rows, range_rows], axis=1), two_sided)
 
+    def moved(before: Array, step: Array) -> Array:
+        after = before.copy()
+        _move(model, after, limb.bodies, step, low, high)
+        return after
 
-def _step(jacobian: Array, left: Array, values: Array, low: Array, high: Array) -> Array:
-    """Return a least-squares step (T, D) [rad]; a hinge at a bound of its range does not step beyond it."""
-    slope = np.einsum("tdr,tr->td", jacobian, left)
-    stuck = ((values <= low) & (slope < 0)) | ((values >= high) & (slope > 0))
-    jacobian = np.where(stuck[:, :, None], 0.0, jacobian)
-    normal = jacobian @ np.swapaxes(jacobian, 1, 2) + np.eye(jacobian.shape[1]) * DAMPING
-    step = np.linalg.solve(normal, np.where(stuck, 0.0, slope)[..., None])[..., 0]
-    return np.asarray(np.clip(step, -LONGEST, LONGEST), float)
+    problem = LeastSquares(residuals, moved, np.ones(low.size), STEPS, LONGEST, smallest=STILL)
+    return problem.descended(qpos)[0]
 
 
 def _ranges(model: mujoco.MjModel, limb: Limb) -> tuple[Array, Array]:
