@@ -216,8 +216,8 @@ def measure(effort: Effort) -> Section:
             section.add(file.stem, "mink", *row, np.nan, length / spent)
     most, mine = np.max(ours, axis=0), np.array(ours)
     section.targets = [
-        Target("deepest in anything", most[0], 2.0, unit="mm"),
-        Target("slip of a stance", most[1], 10.0, unit="mm"),
+        Target("deepest penetration", most[0], 2.0, unit="mm"),
+        Target("stance slip", most[1], 10.0, unit="mm"),
         Target("off the recording, median", most[2], 4.0, unit="cm"),
         Target("off the recording, 95 %", most[3], 9.0, unit="cm"),
         Target("beyond ranges", most[4], 0.0, unit="°"),

@@ -17,6 +17,16 @@ from ..exchange import formats
 if TYPE_CHECKING:
     from ..clean.command import Source as Recording
 
+FORMER_QUANTITIES = {  # names in older manifests, and the present ones
+    "deepest in anything [mm]": "deepest penetration [mm]",
+    "slip of a stance, most [mm]": "largest stance slip [mm]",
+    "sole at rest, off the ground [mm]": "largest sole height in a stance [mm]",
+    "joint beyond its range [°]": "largest joint range excess [°]",
+    "joint speed, most [rad/s]": "largest joint speed [rad/s]",
+    "joint acceleration, most [rad/s²]": "largest joint acceleration [rad/s²]",
+    "jerk of bodies, mean [m/s³]": "mean body jerk [m/s³]",
+    "force nothing supplies, mean [weight]": "mean unsupported force [weight]",
+}
 NPZ = "npz"
 
 
@@ -126,6 +136,11 @@ def _violation(table: Mapping[str, Any]) -> Mapping[str, Any]:
     return table
 
 
+def _present_quantities(figures: Mapping[str, tuple[float, float]]) -> Mapping[str, tuple[float, float]]:
+    """Return measurements by their present names."""
+    return {FORMER_QUANTITIES.get(name, name): values for name, values in figures.items()}
+
+
 @dataclass(frozen=True)
 class Result:
     """The measurements of a clip's motion, or its error.
@@ -148,7 +163,9 @@ class Result:
         tuple[Annotated[Mapping[str, Any], AfterValidator(_violation)], ...],
         Field(validation_alias=AliasChoices("violations", "problems")),  # its former name, in older manifests
     ] = ()
-    figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    figures: Annotated[Mapping[str, tuple[float, float]], AfterValidator(_present_quantities)] = field(
+        default_factory=dict
+    )
     notes: tuple[str, ...] = ()
 
 

@@ -61,16 +61,16 @@ class Comparison:
         """The defects before and after."""
         before, after = (Look(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after))
         rows = [
-            ("deepest in anything", "mm", "depth", DEPTH),
-            ("slip of a stance, most", "mm", "slip", SLIP),
-            ("sole at rest, off the ground", "mm", "hover", HOVER),
-            ("joint beyond its range", "°", "range", RANGE),
-            ("joint speed, most", "rad/s", "speed", self.cleaned.ground.speed),
-            ("joint acceleration, most", "rad/s²", "peak", None),
-            ("jerk of bodies, mean", "m/s³", "jerk", None),
-            ("force nothing supplies, mean", "weight", "force", None),
+            ("deepest penetration", "mm", "depth", DEPTH),
+            ("largest stance slip", "mm", "slip", SLIP),
+            ("largest sole height in a stance", "mm", "hover", HOVER),
+            ("largest joint range excess", "°", "range", RANGE),
+            ("largest joint speed", "rad/s", "speed", self.cleaned.ground.speed),
+            ("largest joint acceleration", "rad/s²", "peak", None),
+            ("mean body jerk", "m/s³", "jerk", None),
+            ("mean unsupported force", "weight", "force", None),
         ]
-        return tuple(Line(says, unit, getattr(before, of), getattr(after, of), bound) for says, unit, of, bound in rows)
+        return tuple(Line(name, unit, getattr(before, of), getattr(after, of), bound) for name, unit, of, bound in rows)
 
     @property
     def violations(self) -> list[dict[str, Any]]:

@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
+from dynsplines.batch.task import FORMER_QUANTITIES
 from dynsplines.errors import UserError
 from dynsplines.system.lock import locked
 
@@ -73,6 +74,12 @@ def test_a_manifest_of_another_version_is_refused(tmp_path: Path):
     (tmp_path / "manifest.jsonl").write_text('{"dynsplines batch": 99}\n', encoding="utf-8")
     with pytest.raises(UserError, match="another version"):
         Manifest.of(tmp_path)
+
+
+def test_former_names_of_measurements_are_read_as_the_present_ones(tmp_path: Path):
+    former = replace(DONE, figures=dict.fromkeys(FORMER_QUANTITIES, (2.0, 1.0)))
+    Manifest.of(tmp_path).record([former])
+    assert Manifest.of(tmp_path).entries["walk"].figures == dict.fromkeys(FORMER_QUANTITIES.values(), (2.0, 1.0))
 
 
 def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):

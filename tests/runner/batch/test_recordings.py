@@ -79,7 +79,7 @@ def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(folder: Path, t
     for name in ("walk", "more/turn"):
         motion, figures = load_motion(into / f"{name}.npz"), entries[name].figures
         assert motion.duration > 0.5
-        before, after = figures["deepest in anything [mm]"]
+        before, after = figures["deepest penetration [mm]"]
         assert np.isfinite(before)
         assert after <= 2
     again = run([str(tmp_path / "in")], into, options, quiet())
