@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .solver import Message
 
 AT = 1e-6  # [s] distance up to which a time is that of a keyframe
-RESTS = 0.1  # [s] pause of a drag after which its edit is solved speculatively
+PAUSE = 0.1  # [s] pause of a drag after which its edit is solved speculatively
 
 
 class Bodies(TypedDict):
@@ -46,11 +46,11 @@ class Actions:
         self._turned: tuple[float, str] | None = None
         self._body = 0
         self._time, self._is_partial = 0.0, False
-        self._rest: asyncio.TimerHandle | None = None
+        self._timer: asyncio.TimerHandle | None = None
 
     async def poser(self) -> Poser:
         """Return the poser of the present figure, once the path belongs to the present text."""
-        await self.session.caught_up()
+        await self.session.wait_for_path()
         return await asyncio.to_thread(prepared, self.session)
 
     async def _same_poser(self) -> Poser:
@@ -76,7 +76,7 @@ class Actions:
 
         With `alone`, only its limb moves. `partial` is the value that `drop` will use.
         """
-        self._moves_on(time, partial)
+        self._mark_moved(time, partial)
         poser, qpos = await self.poser(), self.at(time)
         self._release()
         grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
@@ -87,25 +87,25 @@ class Actions:
         """Return the pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
         if self._grip is None:
             raise UserError("no limb is grabbed; press the mouse on one first")
-        self._moves_on()
+        self._mark_moved()
         poser = await self._same_poser()
         begin = time.perf_counter()
         pose = await asyncio.to_thread(poser.pulled, self._grip, position, self._last)
         self._last = pose.qpos
         bodies = _bodies(poser, pose.qpos)
-        self._rests()
+        self._restart_timer()
         return {**bodies, "missed": round(pose.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
     async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> Bodies:
         """Return the pose with one joint rotated, in the format of `drag`."""
-        self._moves_on(time, partial)
+        self._mark_moved(time, partial)
         poser, turned = await self.poser(), (float(time), joint)
         if turned != self._turned or self._home is None:
             self._release()
             self._home, self._turned = self.at(time), turned
         self._last = (await self._same_poser()).turned(self._home, joint, turn)
         self._body = next(int(link.body) for link in poser.figure.links[1:] if link.name == joint)
-        self._rests()
+        self._restart_timer()
         return _bodies(poser, self._last)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
@@ -114,49 +114,49 @@ class Actions:
         With `partial`, a new keyframe specifies only what was moved; the optimiser determines the rest.
         """
         self._time, self._is_partial = time, partial
-        self._keep_still()
+        self._cancel_timer()
         if self._last is None or self._home is None:
             return ""
         edit, poser = None, await self._same_poser()
         try:
-            edit = self._meant(poser)
+            edit = self._pending_edit(poser)
         finally:
             self._release()
         return "" if edit is None else await self.session.edit(*edit)
 
-    def _meant(self, poser: Poser) -> tuple[str, Message, int | None] | None:
+    def _pending_edit(self, poser: Poser) -> tuple[str, Message, int | None] | None:
         """Return the edit, as arguments of `Session.edit`, that ends the current drag; None if nothing has moved."""
         home, last, index = self._home, self._last, self.key_at(self._time)
         entries = poser.keyframe_entries(last, home)
         if not any(entries.values()):
             return None
         if index is None:
-            moved = self._whole_limb(poser, entries, last) if self._is_partial else poser.keyframe_entries(last)
+            moved = self._limb_entries(poser, entries, last) if self._is_partial else poser.keyframe_entries(last)
             return "add_key", {"entries": {**moved, "time": self._time}}, None
         if "root" in entries:  # the whole pose, because everything attached to the root moves along
-            entries = self._kept_free(index, poser.keyframe_entries(last), home, last, poser)
-            arguments = {"places": self._placed(index), **entries}
+            entries = self._without_free_joints(index, poser.keyframe_entries(last), home, last, poser)
+            arguments = {"places": self._targets(index), **entries}
         else:
-            arguments = self._let_go(index, _named(entries, poser), last, poser, entries)
+            arguments = self._released_entries(index, _named(entries, poser), last, poser, entries)
         return "set_pose", {"key": index, **arguments}, self.session.document.revision
 
-    def _moves_on(self, time: float | None = None, partial: bool = False) -> None:
+    def _mark_moved(self, time: float | None = None, partial: bool = False) -> None:
         """Mark the pose as changed and discard pending speculation."""
         if time is not None:
             self._time, self._is_partial = time, partial
-        self._keep_still()
+        self._cancel_timer()
         self.session.wait()
 
-    def _keep_still(self) -> None:
+    def _cancel_timer(self) -> None:
         """Cancel a speculative solve that has not started."""
-        if self._rest is not None:
-            self._rest.cancel()
-            self._rest = None
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
 
-    def _rests(self) -> None:
+    def _restart_timer(self) -> None:
         """Start a timer. After a pause in the drag, the edit that it would make is solved speculatively."""
-        self._keep_still()
-        self._rest = asyncio.get_running_loop().call_later(RESTS, self._speculate)
+        self._cancel_timer()
+        self._timer = asyncio.get_running_loop().call_later(PAUSE, self._speculate)
 
     def _speculate(self) -> None:
         prepared_poser = self.session.poser
@@ -168,20 +168,20 @@ class Actions:
         ):
             return
         with suppress(UserError, LookupError):  # the keyframe no longer exists
-            edit = self._meant(prepared_poser[1]) if len(self._home) == prepared_poser[1].figure.width else None
+            edit = self._pending_edit(prepared_poser[1]) if len(self._home) == prepared_poser[1].figure.width else None
             if edit is not None:
                 self.session.speculate(*edit)
 
-    def _placed(self, index: int) -> list[str]:
+    def _targets(self, index: int) -> list[str]:
         """Return the sites and bodies with a target position in a keyframe."""
         row = self._row(index)
         return [name for group in ("sites", "bodies") for name in row.get(group, {})]
 
-    def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: PoseEntries) -> PoseEdit:
+    def _released_entries(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: PoseEntries) -> PoseEdit:
         """Return the moved joints of a keyframe, and the targets that these override. Other joints that such a target
         determined, of its limb and the root, are fixed as in the pose (nq,)."""
         row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
-        places = [name for name in self._placed(index) if poser.deciding_joints(name)[0] & names]
+        places = [name for name in self._targets(index) if poser.deciding_joints(name)[0] & names]
         decided = {joint for name in places for joint in poser.deciding_joints(name)[1]} - set(row.get("joints", {}))
         if places and "root" not in row and poser.root is not None:
             decided |= {poser.root}
@@ -195,13 +195,13 @@ class Actions:
             out["roots"] = roots
         return out
 
-    def _whole_limb(self, poser: Poser, entries: PoseEntries, qpos: Any) -> PoseEntries:
+    def _limb_entries(self, poser: Poser, entries: PoseEntries, qpos: Any) -> PoseEntries:
         """Return the moved joints with all other joints of the dragged or rotated limb."""
         limb = poser.limb_names(self._body)
         limb_joints = {name: value for name, value in poser.keyframe_entries(qpos)["joints"].items() if name in limb}
         return {**entries, "joints": {**limb_joints, **entries["joints"]}}
 
-    def _kept_free(self, index: int, entries: PoseEntries, home: Any, last: Any, poser: Poser) -> PoseEntries:
+    def _without_free_joints(self, index: int, entries: PoseEntries, home: Any, last: Any, poser: Poser) -> PoseEntries:
         """Return the entries without joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
         moved = _named(poser.keyframe_entries(last, home), poser)
@@ -209,7 +209,7 @@ class Actions:
 
     async def cancel(self) -> str:
         """End the drag without an edit."""
-        self._moves_on()
+        self._mark_moved()
         self._release()
         return ""
 
@@ -229,28 +229,28 @@ class Actions:
     async def rest(self, *, key: int, revision: int | None = None) -> str:
         """Set a keyframe's joints to the rest pose. The root stays at its position."""
         poser = await self.poser()
-        key, revision = self._now(revision, key=key)["key"], self.session.document.revision
+        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         joints = poser.keyframe_entries(poser.figure.model.qpos0)["joints"]
-        arguments = self._let_go(key, set(joints), self._state(key), poser, {"joints": joints})
-        arguments["places"] = self._placed(key)
+        arguments = self._released_entries(key, set(joints), self._state(key), poser, {"joints": joints})
+        arguments["places"] = self._targets(key)
         return await self.session.edit("set_pose", {"key": key, **arguments, "words": "pose as at rest"}, revision)
 
     async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Fix joints of a keyframe at their values on the present path."""
         poser = await self.poser()
-        key, revision = self._now(revision, key=key)["key"], self.session.document.revision
+        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         row = self._row(key)
         entries = poser.select_joints(poser.keyframe_entries(self.at(float(row["time"]))), joints)
         determined = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
         # targets whose joints are all fixed now
-        places = [name for name in self._placed(key) if poser.deciding_joints(name)[0] <= determined]
+        places = [name for name in self._targets(key) if poser.deciding_joints(name)[0] <= determined]
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
         return await self.session.edit("set_pose", {"key": key, **entries, "places": places, "words": words}, revision)
 
     async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Free joints of a keyframe, and remove the targets that determine them."""
         poser = await self.poser()
-        key, revision = self._now(revision, key=key)["key"], self.session.document.revision
+        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         entries: PoseEntries = {"joints": {}}
         whole: BodyEntry = {"position": "free", "rotation": "free"}
         for link in poser.figure.links[1:]:
@@ -260,7 +260,7 @@ class Actions:
                 entries.setdefault("roots", {})[link.name] = whole
             elif link.name in joints:
                 entries["joints"][link.name] = "free"
-        arguments = self._let_go(key, set(joints), self._state(key), poser, entries)
+        arguments = self._released_entries(key, set(joints), self._state(key), poser, entries)
         words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
         return await self.session.edit("set_pose", {"key": key, **arguments, "words": words}, revision)
 
@@ -278,7 +278,7 @@ class Actions:
             mirror = Mirror.of(poser.figure)
         except MirrorError as error:
             raise UserError(str(error)) from None
-        keys, revision = self._now(revision, keys=keys)["keys"], self.session.document.revision
+        keys, revision = self._present_indices(revision, keys=keys)["keys"], self.session.document.revision
         rows = table_of(self.session.document.text, self.session.document.place).keyframe
         entries = {str(index): tables(mirrored_keyframe(rows[index], poser.figure, mirror)) for index in keys}
         words = "mirror a keyframe" if len(keys) == 1 else f"mirror {len(keys)} keyframes"
@@ -286,9 +286,9 @@ class Actions:
 
     async def copy(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Copy keyframes to the clipboard that all pages share."""
-        keys = self._now(revision, keys=keys)["keys"]
+        keys = self._present_indices(revision, keys=keys)["keys"]
         self.session.clipboard = [_plain(self._row(index)) for index in sorted(keys)]
-        self.session.told()
+        self.session.send_outline()
         return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
 
     async def paste(self, *, time: float) -> str:
@@ -318,7 +318,7 @@ class Actions:
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
 
-    def _now(self, revision: int | None, **indices: Any) -> Message:
+    def _present_indices(self, revision: int | None, **indices: Any) -> Message:
         """Return the present indices for those of a revision."""
         request = {name: list(value) if name == "keys" else value for name, value in indices.items()}
         return renumbered(self.session.document, revision, request)

@@ -61,7 +61,7 @@ class Document:
     newline: str = "\n"
     _back: list[Packed] = field(default_factory=list)
     _forth: list[Packed] = field(default_factory=list)
-    _seen: deque[tuple[int, bytes]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
+    _revisions: deque[tuple[int, bytes]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
     _plain: tuple[int, TomlTable] | None = None  # a revision, and its plain tables
 
     @property
@@ -81,7 +81,7 @@ class Document:
     def redone(self) -> str | None:
         return self._forth[-1][0] if self._forth else None
 
-    def told(self) -> DocumentState:
+    def state(self) -> DocumentState:
         """Return the state of the document for pages, without its tables."""
         return {
             "name": self.name,
@@ -139,28 +139,28 @@ class Document:
         self.file, self.saved, self.name, self.folder = file, self.text, file.stem, file.parent
 
     @property
-    def keeping(self) -> Path:
+    def unsaved_file(self) -> Path:
         """The file of unsaved work."""
         return self.folder / f".{self.place}.unsaved"
 
-    def keep(self) -> None:
+    def write_unsaved(self) -> None:
         """Write unsaved work to a file next to the clip."""
         if not self.is_dirty:
             self.discard()
             return
-        with suppress(UserError, OSError), Replacement(self.keeping) as temporary:
+        with suppress(UserError, OSError), Replacement(self.unsaved_file) as temporary:
             temporary.write_bytes(self.text.encode())
 
-    def kept(self) -> str | None:
+    def read_unsaved(self) -> str | None:
         """Return unsaved work of an earlier session, if it differs from this text."""
         with suppress(OSError, UnicodeDecodeError):
-            text = self.keeping.read_bytes().decode()
+            text = self.unsaved_file.read_bytes().decode()
             return None if text == self.text else text
         return None
 
     def discard(self) -> None:
         with suppress(OSError):
-            self.keeping.unlink(missing_ok=True)
+            self.unsaved_file.unlink(missing_ok=True)
 
     def _peeked(self, stack: list[Packed]) -> tuple[str, str] | None:
         return (stack[-1][0], zlib.decompress(stack[-1][1]).decode()) if stack else None
@@ -173,12 +173,12 @@ class Document:
 
     def since(self, revision: int) -> list[str] | None:
         """Return the texts from a revision to the present one; None for an unknown or too old one."""
-        texts = [text for number, text in self._seen if number >= revision]
-        if not self._seen or len(texts) != self.revision - revision:
+        texts = [text for number, text in self._revisions if number >= revision]
+        if not self._revisions or len(texts) != self.revision - revision:
             return None
         return [*(zlib.decompress(text).decode() for text in texts), self.text]
 
     def _put(self, text: str) -> None:
-        self._seen.append((self.revision, zlib.compress(self.text.encode())))
+        self._revisions.append((self.revision, zlib.compress(self.text.encode())))
         self.text = text
         self.revision += 1

@@ -37,7 +37,7 @@ class Files:
 
     def __init__(self, session: Session) -> None:
         self.session = session
-        self._made: set[Path] = set()  # videos and exports of this session, which may be overwritten
+        self._written: set[Path] = set()  # videos and exports of this session, which may be overwritten
         self._running: asyncio.subprocess.Process | None = None
 
     @property
@@ -54,7 +54,7 @@ class Files:
         if name is not None and target != document.file and target.exists() and not overwrite:
             raise UserError(f"'{target.name}' already exists; choose another name")
         document.save(target)
-        self.session.told()
+        self.session.send_outline()
         return f"saved {target.name}"
 
     def listed(self) -> list[str]:
@@ -79,12 +79,12 @@ class Files:
     async def export(self, *, to: str, name: str, overwrite: bool = False) -> str:
         """Export the present motion to another program's format."""
         target = self._target(name, overwrite)
-        again = ["--overwrite"] if overwrite or target in self._made else []
+        again = ["--overwrite"] if overwrite or target in self._written else []
         with scratch() as folder:
             motion = folder / f"{self.session.document.name}.npz"
-            await self.session.kept(motion)
+            await self.session.save_motion(motion)
             await self._run(["export", str(motion), "--to", to, "-o", str(target), *again], "export")
-        self._made.add(target)
+        self._written.add(target)
         return f"exported {target.name}"
 
     async def render(
@@ -96,16 +96,16 @@ class Files:
             raise UserError(f"'{name}': a video's name ends in {', '.join(FILMS)}")
         with scratch() as folder:
             motion = folder / f"{self.session.document.name}.npz"
-            await self.session.kept(motion)
+            await self.session.save_motion(motion)
             words = ["render", str(motion), "-o", str(target), "--size", size, "--camera", camera]
             await self._run([*words, *(["--only", only] if only else [])], "render")
-        self._made.add(target)
+        self._written.add(target)
         return f"rendered {target.name}"
 
     def _target(self, name: str, overwrite: bool) -> Path:
         """Return the target of a video or an export. Raises UserError if it is an unrelated existing file."""
         target = inside(self.folder, name)
-        if target.exists() and target not in self._made and not overwrite:
+        if target.exists() and target not in self._written and not overwrite:
             raise UserError(f"'{target.name}' already exists; choose another name, or confirm replacing it")
         return target
 
@@ -129,7 +129,7 @@ class Files:
             if self._running.returncode is None:
                 self._running.kill()
             self._running = None
-            self.session.tell({"is": "task", "what": what, "words": None})
+            self.session.broadcast({"is": "task", "what": what, "words": None})
         if code:
             raise UserError(last.removeprefix("dynsplines: ") if code > 0 else f"{what}: stopped")
 
@@ -143,7 +143,7 @@ class Files:
             rest = parts.pop()
             for line in filter(None, map(str.strip, parts)):
                 last = line
-                self.session.tell({"is": "task", "what": what, "words": line[:200]})
+                self.session.broadcast({"is": "task", "what": what, "words": line[:200]})
         await drain
         return rest.strip() or last
 

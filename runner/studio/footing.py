@@ -36,7 +36,7 @@ class Spheres:
     def lowest(self, data: mujoco.MjData) -> Spheres:
         """Return the spheres that reach lowest, on which the body stands on level ground."""
         bottoms = self.centres(data)[:, 2] - self.radii
-        return self._taken(np.flatnonzero(bottoms < bottoms.min() + CONTACT))
+        return self._select(np.flatnonzero(bottoms < bottoms.min() + CONTACT))
 
     def outermost(self, data: mujoco.MjData) -> Spheres:
         """Return at most four spheres, the corners of their horizontal extent, which suffice to fix the body."""
@@ -46,14 +46,14 @@ class Spheres:
         off = off @ axes.T
         off = off / np.maximum(np.ptp(off, axis=0), 1e-3)
         signs = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]])[:, : off.shape[1]]
-        return self._taken(np.unique(np.argmax(off @ signs.T, axis=0)))
+        return self._select(np.unique(np.argmax(off @ signs.T, axis=0)))
 
     def above(self, floor: FloorClearance, height: float) -> FloorClearance:
         """Return the limit that keeps the spheres at a minimum height [m] above a floor."""
         bodies, allowed = np.full(len(self.radii), self.body), np.full(len(self.radii), -height)
         return replace(floor, bodies=bodies, offsets=self.offsets, radii=self.radii, allowed=allowed)
 
-    def _taken(self, indices: Index) -> Spheres:
+    def _select(self, indices: Index) -> Spheres:
         return Spheres(self.body, self.offsets[indices], self.radii[indices])
 
 

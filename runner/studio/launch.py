@@ -20,7 +20,7 @@ TOKEN = 24  # random bytes in a token
 GRACE = 1  # [s] time for pages to receive the end of the server
 
 
-def _say(line: str) -> None:
+def _print(line: str) -> None:
     print(line, flush=True)
 
 
@@ -31,7 +31,7 @@ def run(
     port: int,
     browser: bool,
     allow_remote: bool,
-    say: Callable[[str], None] = _say,
+    report: Callable[[str], None] = _print,
 ) -> None:
     """Serve a document until Ctrl-C. Raises UserError for an unavailable host or port."""
     check_host(host, allow_remote=allow_remote)
@@ -45,10 +45,12 @@ def run(
         hosts |= frozenset(f"{name}:{port}" for name in (socket.gethostname(), socket.getfqdn(), *_own_addresses()))
         shown = socket.gethostname()
     address = f"http://{shown}:{port}/?token={token}"
-    say(address)
+    report(address)
     if not _is_loopback(host):
-        say("note: anyone with this address and access to this machine can edit the clip and write files next to it;")
-        say("note: the connection is not encrypted")
+        report(
+            "note: anyone with this address and access to this machine can edit the clip and write files next to it;"
+        )
+        report("note: the connection is not encrypted")
     if browser:
         webbrowser.open(address)
     try:
@@ -59,7 +61,7 @@ def run(
         listening.close()
         session.close()
         if session.document.is_dirty:
-            print(f"not saved; it is offered again: {session.document.keeping}", file=sys.stderr)
+            print(f"not saved; it is offered again: {session.document.unsaved_file}", file=sys.stderr)
 
 
 def _serve(session: Session, listening: socket.socket, token: str, hosts: frozenset[str]) -> None:

@@ -46,10 +46,10 @@ END_RANGE = 0.78  # [1] share of their ranges that ankles and wrists use
 LIFTED = 0.02  # [m] distance of a pulled knee from its target beyond which its foot leaves the ground
 LEVEL_WEIGHT = 2.0  # [1] weight of a lifted foot's rotation, relative to that of a joint
 BALANCED = 0.01  # [m] tolerance of the centre of mass beyond the support polygon, before a drag
-KEPT = 0.005  # [m] tolerance of the centre of mass after a drag
+BALANCE_KEPT = 0.005  # [m] tolerance of the centre of mass after a drag
 LANDINGS = 2  # number of solves while a foot lands
 CLEAR = 0.035  # [m] minimum height of a foot in the air
-STANDS = 0.03  # [m] height below which a sole is on the ground
+STANDING = 0.03  # [m] height below which a sole is on the ground
 SHORT = 0.002  # [m] distance above which a limb does not reach its target
 MOVED = 1e-5  # [rad, m] difference above which a joint was moved
 DIGITS = 3  # decimal places of degrees (2e-5 rad); positions have two more
@@ -89,7 +89,7 @@ class Grip:
         body: MuJoCo's id of the body.
         offset: The point in the body's axes, (3,) [m].
         limb: The entries of its limb, (nq,).
-        whole: The entries that may move, (nq,).
+        is_whole_figure: The entries that may move, (nq,).
         planted: The goals of sole points on the ground, of other limbs.
         standing: The feet on the ground.
         hanging: The feet of the grabbed limb.
@@ -101,7 +101,7 @@ class Grip:
     body: int
     offset: Array
     limb: Mask
-    whole: Mask
+    is_whole_figure: Mask
     planted: tuple[PointGoal, ...]
     standing: tuple[Spheres, ...]
     hanging: tuple[Spheres, ...]
@@ -110,12 +110,12 @@ class Grip:
 
 
 class Poser:
-    """Poses of one figure in its scene; feet are inferred from complete keyframes `whole` (K, nq)."""
+    """Poses of one figure in its scene; feet are inferred from complete keyframes `full_keyframes` (K, nq)."""
 
-    def __init__(self, figure: Figure, penalties: Sequence[PenaltyTable], whole: Array) -> None:
+    def __init__(self, figure: Figure, penalties: Sequence[PenaltyTable], full_keyframes: Array) -> None:
         self.figure = figure
         self.bends: BendLimits | None = posing_bends(figure, chosen(penalties, "clip"))
-        self.soles: tuple[Point, ...] = sole_points(figure, np.reshape(whole, (-1, figure.width)))
+        self.soles: tuple[Point, ...] = sole_points(figure, np.reshape(full_keyframes, (-1, figure.width)))
         self.footing = Footing(figure, self.soles, static_surfaces(figure.model))
         self.data = mujoco.MjData(figure.model)
 
@@ -164,7 +164,7 @@ class Poser:
         return [
             replace(goal, position=position)
             for goal, radius, position in zip(goals, radii, positions, strict=True)
-            if self.footing.height(position) - radius < STANDS
+            if self.footing.height(position) - radius < STANDING
         ]
 
     def _support(self, grip: Grip, hanging: Sequence[Spheres]) -> SupportPolygon | None:
@@ -200,7 +200,7 @@ class Poser:
         pose = self._dragged(grip, target, begin)
         for _ in range(LANDINGS if grip.hanging else 0):  # the support polygon moves with the sliding foot
             self._place(pose.qpos)
-            low = tuple(foot for foot in grip.hanging if self.footing.clearance(foot, self.data) < STANDS)
+            low = tuple(foot for foot in grip.hanging if self.footing.clearance(foot, self.data) < STANDING)
             pose = self._dragged(grip, target, pose.qpos, landing=low) if low else pose
         return pose
 
@@ -229,14 +229,14 @@ class Poser:
         constraints = Constraints(tuple(goals), limits, tuple(level))
         may_restart = free is None and not fixed and not landing
         return dragged(
-            self.figure, grip.qpos, grip.whole if free is None else free, target, constraints, self.bends,
+            self.figure, grip.qpos, grip.is_whole_figure if free is None else free, target, constraints, self.bends,
             begin=begin, limb=grip.limb if may_restart else None, range_shares=self._range_shares,
         )  # fmt: skip
 
     def _keeps_balance(self, grip: Grip, pose: Posed) -> bool:
         self._place(pose.qpos)
         support = self._support(grip, grip.hanging) if grip.is_balanced else None
-        return support is None or support.excess(self.data) < KEPT
+        return support is None or support.excess(self.data) < BALANCE_KEPT
 
     def _is_within_reach(self, grip: Grip, position: Array) -> bool:
         """Return whether the straightened limb is long enough for a position (3,) [m]."""
@@ -250,7 +250,7 @@ class Poser:
         """Return whether a foot at a position (3,) [m] of its point, if level, is on or close to the ground."""
         rest = self.footing.rest
         bottom = float((foot.centres(rest)[:, 2] - foot.radii).min()) - self._point(grip, rest)[2]
-        return self.footing.height(position) + bottom < STANDS
+        return self.footing.height(position) + bottom < STANDING
 
     @staticmethod
     def _point(grip: Grip, data: mujoco.MjData) -> Array:

@@ -181,13 +181,13 @@ class _Page:
         self._put(json.dumps(answer))
 
     async def _done(self, do: str, arguments: Message) -> Any:
-        deed = self._deeds.get(do)
-        if deed is None:
+        request = self._requests.get(do)
+        if request is None:
             raise UserError(f"'{do}': unknown request; reload the page")
-        return await deed(**arguments)
+        return await request(**arguments)
 
     @property
-    def _deeds(self) -> dict[str, Callable[..., Awaitable[Any]]]:
+    def _requests(self) -> dict[str, Callable[..., Awaitable[Any]]]:
         session, actions, writer = self.session, self.actions, self.writer
         methods = {name: getattr(self, f"_{name}") for name in ("edit", "go", "stop", "curves", "offer", "files")}
         posing = ("grip", "drag", "turn", "drop", "cancel", "key", "rest", "pin", "free", "mirror", "copy", "paste")
@@ -207,7 +207,7 @@ class _Page:
         return await self.session.edit(name, arguments, revision)
 
     async def _go(self, anew: bool = False) -> str:
-        self.session.search(go=True, anew=anew)
+        self.session.search(go=True, restart=anew)
         return ""
 
     async def _stop(self) -> str:

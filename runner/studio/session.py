@@ -21,17 +21,17 @@ if TYPE_CHECKING:
     from ..clip.text import TomlTable
 
 Send = Callable[[str | bytes], None]
-VERDICT = 60.0  # [s] time limit for loading an edited clip
-CATCHING_UP = 5.0  # [s] time limit for a path of the present text
-KEEPING = 0.4  # [s] delay after an edit before unsaved work is written
+LOAD_TIMEOUT = 60.0  # [s] time limit for loading an edited clip
+PATH_TIMEOUT = 5.0  # [s] time limit for a path of the present text
+UNSAVED_DELAY = 0.4  # [s] delay after an edit before unsaved work is written
 LISTINGS = ("kinds", "formats")  # messages that do not change: a page that connects later gets them, too
-LATEST = ("raw", "carried", "found")  # kinds of paths; a page that connects later gets the last of each
+LATEST = ("raw", "initial", "best")  # kinds of paths; a page that connects later gets the last of each
 
 
 STAGE = b'{"is":"stage","stage":'  # prefix of a stage in a message to a page
 
 
-def _told_stage(stage: bytes) -> bytes:
+def _stage_message(stage: bytes) -> bytes:
     return STAGE + stage + b"}"
 
 
@@ -40,7 +40,7 @@ class Session:
 
     def __init__(self, document: Document, *, go: bool = True) -> None:
         self.document, self.go = document, go
-        self.solver = Solver(self._heard, self._lost)
+        self.solver = Solver(self._receive, self._resume)
         self.pages: dict[int, Send] = {}
         self.loaded: Message = {}
         self._timeline: bytes | None = None
@@ -49,7 +49,7 @@ class Session:
         self.settled: Callable[[], None] | None = None
         self.poser: tuple[int, Any] | None = None
         self.clipboard: list[TomlTable] = []
-        self.offer = document.kept()
+        self.offer = document.read_unsaved()
         self.status: Message = {"is": "status", "state": "loading"}
         self.outline: Message = {}
         self._listings: dict[str, Message] = {}
@@ -58,13 +58,13 @@ class Session:
         self._settled: Message | None = None
         self._curves: str | None = None
         self._verdict: asyncio.Future[Message] | None = None
-        self._kept: asyncio.Future[str] | None = None
+        self._saved_motion: asyncio.Future[str] | None = None
         self._lock = asyncio.Lock()
-        self._pathed = -1  # the revision of the present path
+        self._path_revision = -1  # the revision of the present path
         self._waiting: set[asyncio.Future[None]] = set()
-        self._trying: Message | None = None
-        self._keeper: asyncio.TimerHandle | None = None
-        self._curved: set[int] = set()
+        self._load_request: Message | None = None
+        self._unsaved_timer: asyncio.TimerHandle | None = None
+        self._curve_pages: set[int] = set()
         self._shows_snapshot = self._is_speculating = False
         self._snapshot_text: str | None = None
         self._speculation: tuple[tuple[Any, ...], tuple[str, str]] | None = None  # an edit; its text and description
@@ -74,13 +74,13 @@ class Session:
         """The present path, unpickled on use because this needs the solver's imports."""
         return None if self._timeline is None else pickle.loads(self._timeline)  # data of this program only
 
-    async def caught_up(self) -> None:
+    async def wait_for_path(self) -> None:
         """Wait until the present path belongs to the present text, a moment after an edit was accepted."""
-        while self._timeline is not None and self._pathed < self.document.revision:
+        while self._timeline is not None and self._path_revision < self.document.revision:
             waiting: asyncio.Future[None] = asyncio.get_running_loop().create_future()
             self._waiting.add(waiting)
             try:
-                await asyncio.wait_for(waiting, CATCHING_UP)
+                await asyncio.wait_for(waiting, PATH_TIMEOUT)
             except TimeoutError:
                 return
             finally:
@@ -94,10 +94,10 @@ class Session:
     def start(self) -> None:
         """Start the process and load the clip. Messages are queued until the session listens."""
         view = startup_snapshot.read(startup_snapshot.file_of(self.document))
-        self.solver.start(is_seen=view is not None)
+        self.solver.start(shows_view=view is not None)
         self._load(self.document.text, self.document.revision, first=True)
         if view is not None:
-            self._shows_snapshot, self._stage, self._paths["found"] = True, _told_stage(view[0]), view[1]
+            self._shows_snapshot, self._stage, self._paths["best"] = True, _stage_message(view[0]), view[1]
 
     def begin(self) -> None:
         """Listen to the process, and start it if necessary."""
@@ -107,7 +107,7 @@ class Session:
 
     def close(self) -> None:
         """End the process, with unsaved work on the disk."""
-        self.document.keep()
+        self.document.write_unsaved()
         self.solver.close()
 
     # ---- pages
@@ -126,23 +126,23 @@ class Session:
             if message is not None:
                 send(json.dumps(message))
         if self.offer is not None:
-            send(json.dumps({"is": "offer", "words": self._offering()}))
+            send(json.dumps({"is": "offer", "words": self._offer_text()}))
 
     def leave(self, number: int) -> None:
         """Remove a page."""
         self.pages.pop(number, None)
         self.want_curves(number, False)
 
-    def tell(self, message: Message | bytes) -> None:
+    def broadcast(self, message: Message | bytes) -> None:
         text = message if isinstance(message, bytes) else json.dumps(message)
         for send in list(self.pages.values()):
             send(text)
 
     def _outline(self) -> str:
-        state = {**self.document.told(), **self.outline, "copied": len(self.clipboard)}
+        state = {**self.document.state(), **self.outline, "copied": len(self.clipboard)}
         return json.dumps({"is": "document", **state})
 
-    def _offering(self) -> str:
+    def _offer_text(self) -> str:
         return f"work on {self.document.place} that was not saved is still there, from a studio that ended"
 
     # ---- edits
@@ -161,7 +161,7 @@ class Session:
                 else self._edited(name, arguments, revision)
             )
             if text != self.document.text:
-                verdict = await self._tried(text)
+                verdict = await self._validate(text)
                 self.document.commit(text, words)
                 self._changed(verdict)
             return words
@@ -197,24 +197,24 @@ class Session:
             self.solver.send({"do": "wait"})
 
     async def undo(self) -> str:
-        return await self._stepped(self.document.back, self.document.undo, "undo")
+        return await self._step(self.document.back, self.document.undo, "undo")
 
     async def redo(self) -> str:
-        return await self._stepped(self.document.forth, self.document.redo, "redo")
+        return await self._step(self.document.forth, self.document.redo, "redo")
 
-    async def _stepped(self, seen: Callable[[], tuple[str, str] | None], step: Callable[[], None], verb: str) -> str:
+    async def _step(self, peek: Callable[[], tuple[str, str] | None], step: Callable[[], None], verb: str) -> str:
         async with self._lock:
-            target = seen()
+            target = peek()
             if target is None:
                 raise UserError(f"nothing to {verb}")
-            verdict = await self._tried(target[1])
+            verdict = await self._validate(target[1])
             step()
             self._changed(verdict)
             return f"{verb}: {target[0]}"
 
     async def replace(self, text: str, words: str) -> str:
         async with self._lock:
-            verdict = await self._tried(text)
+            verdict = await self._validate(text)
             self.document.commit(text, words)
             self._changed(verdict)
             return words
@@ -222,7 +222,7 @@ class Session:
     async def take_offer(self, *, yes: bool) -> str:
         """Restore or discard unsaved work of an earlier session."""
         text, self.offer = self.offer, None
-        self.tell({"is": "offer", "words": None})
+        self.broadcast({"is": "offer", "words": None})
         if text is None:
             raise UserError("there is no unsaved work")
         if not yes:
@@ -233,39 +233,41 @@ class Session:
     async def reopen(self, document: Document) -> str:
         """Open another document, after writing unsaved work of this one to the disk."""
         async with self._lock:
-            self.document.keep()
+            self.document.write_unsaved()
             before, self.document = self.document, document
             document.revision = before.revision
             try:
-                verdict = await self._tried(document.text, first=True)
+                verdict = await self._validate(document.text, first=True)
             except UserError:
                 self.document = before
                 raise
-            self.offer = document.kept()
+            self.offer = document.read_unsaved()
             document.revision += 1
             self._changed(verdict)
-            self.tell({"is": "offer", "words": self._offering() if self.offer is not None else None})
+            self.broadcast({"is": "offer", "words": self._offer_text() if self.offer is not None else None})
             return f"opened {document.place}"
 
-    async def _tried(self, text: str, *, first: bool = False) -> Message:
+    async def _validate(self, text: str, *, first: bool = False) -> Message:
         """Return the solver's answer to a text, which it then searches. Raises UserError for an invalid clip."""
         self._verdict, self._shows_snapshot = asyncio.get_running_loop().create_future(), False
         self._load(text, self.document.revision + 1, first=first)
         try:
-            verdict = await asyncio.wait_for(self._verdict, VERDICT)
+            verdict = await asyncio.wait_for(self._verdict, LOAD_TIMEOUT)
         except TimeoutError:
-            self.solver.begin_anew()  # otherwise it would finish this clip first
-            raise UserError(f"the clip took longer than {VERDICT:g} s to load") from None
+            self.solver.restart()  # otherwise it would finish this clip first
+            raise UserError(f"the clip took longer than {LOAD_TIMEOUT:g} s to load") from None
         finally:
             self._verdict = None
         if verdict["is"] != "loaded":
             raise UserError(verdict["words"])
         return verdict
 
-    def _load(self, text: str, revision: int, *, first: bool = False, found: Any = None) -> None:
+    def _load(self, text: str, revision: int, *, first: bool = False, initial_path: Any = None) -> None:
         self._is_speculating = False
-        self._trying = {"do": "load", **self._named(text), "revision": revision, "go": self.go, "first": first}
-        self.solver.send(self._trying if found is None else {**self._trying, "found": found})
+        self._load_request = {"do": "load", **self._named(text), "revision": revision, "go": self.go, "first": first}
+        self.solver.send(
+            self._load_request if initial_path is None else {**self._load_request, "initial_path": initial_path}
+        )
 
     def _named(self, text: str) -> Message:
         document = self.document
@@ -274,123 +276,123 @@ class Session:
     def _changed(self, verdict: Message) -> None:
         """Notify every page, and schedule the writing of unsaved work."""
         self._accept(verdict)
-        if self._keeper is not None:
-            self._keeper.cancel()
-        self._keeper = asyncio.get_running_loop().call_later(KEEPING, self.document.keep)
+        if self._unsaved_timer is not None:
+            self._unsaved_timer.cancel()
+        self._unsaved_timer = asyncio.get_running_loop().call_later(UNSAVED_DELAY, self.document.write_unsaved)
 
     def _accept(self, loaded: Message) -> None:
         """Make the loaded clip that of the document."""
         self.outline = loaded.pop("outline")
         self.loaded = loaded
-        self.told()
-        self.tell(loaded)
+        self.send_outline()
+        self.broadcast(loaded)
 
-    def told(self) -> None:
+    def send_outline(self) -> None:
         text = self._outline()
         for send in list(self.pages.values()):
             send(text)
 
     # ---- the search
 
-    def search(self, *, go: bool, anew: bool = False) -> None:
+    def search(self, *, go: bool, restart: bool = False) -> None:
         """Continue or stop the search; the state applies to later edits."""
         self.go = go
-        self.solver.send({"do": "go", "anew": anew} if go else {"do": "stop"})
+        self.solver.send({"do": "go", "restart": restart} if go else {"do": "stop"})
         self._status(self.status.get("state", "settled"))
 
     def want_curves(self, number: int, on: bool) -> None:
-        had = bool(self._curved)
-        (self._curved.add if on else self._curved.discard)(number)
-        if bool(self._curved) != had:
-            self.solver.send({"do": "curves", "on": bool(self._curved)})
+        had = bool(self._curve_pages)
+        (self._curve_pages.add if on else self._curve_pages.discard)(number)
+        if bool(self._curve_pages) != had:
+            self.solver.send({"do": "curves", "on": bool(self._curve_pages)})
         elif on and self._curves is not None:
             self.pages[number](self._curves)
 
-    async def kept(self, file: Path) -> None:
+    async def save_motion(self, file: Path) -> None:
         """Write the present motion to a file."""
         async with self._lock:
-            self._kept = asyncio.get_running_loop().create_future()
-            self.solver.send({"do": "keep", "file": str(file)})
+            self._saved_motion = asyncio.get_running_loop().create_future()
+            self.solver.send({"do": "save", "file": str(file)})
             try:
-                await asyncio.wait_for(self._kept, VERDICT)
+                await asyncio.wait_for(self._saved_motion, LOAD_TIMEOUT)
             except TimeoutError:
                 raise UserError("the solver process did not return the motion; try again") from None
             finally:
-                self._kept = None
+                self._saved_motion = None
 
     # ---- messages of the solver process
 
-    def _heard(self, message: Message) -> None:
+    def _receive(self, message: Message) -> None:
         if message["is"] in LISTINGS:
             self._listings[message["is"]] = message
         if message["is"] in (*LISTINGS, "note"):
-            self.tell(message)
-        elif (handle := getattr(self, f"_heard_{message['is']}", None)) is not None:
+            self.broadcast(message)
+        elif (handle := getattr(self, f"_receive_{message['is']}", None)) is not None:
             handle(message)
 
-    def _heard_stage(self, message: Message) -> None:
+    def _receive_stage(self, message: Message) -> None:
         self.stages += 1
         self.scene = message
-        stage = _told_stage(message["stage"])
+        stage = _stage_message(message["stage"])
         self._shows_snapshot = self._shows_snapshot and stage == self._stage
         if self._shows_snapshot:
             return
         self._paths.clear()
         self._stage = stage
-        self.tell(stage)
+        self.broadcast(stage)
 
-    def _heard_loaded(self, message: Message) -> None:
+    def _receive_loaded(self, message: Message) -> None:
         if not self._judge(message):
             self._accept(message)
         self._status("loaded")
 
-    def _heard_refused(self, message: Message) -> None:
-        if self._kept is not None and not self._kept.done() and message.get("revision") is None:
-            self._kept.set_exception(UserError(message["words"]))
+    def _receive_refused(self, message: Message) -> None:
+        if self._saved_motion is not None and not self._saved_motion.done() and message.get("revision") is None:
+            self._saved_motion.set_exception(UserError(message["words"]))
         elif not self._judge(message):
-            self.tell({"is": "refused", "words": message["words"]})
+            self.broadcast({"is": "refused", "words": message["words"]})
             self._status("refused", words=message["words"])
 
     def _judge(self, message: Message) -> bool:
         """Use the answer for the text under trial, but not for the previous text, which a new process loads again."""
         if self._verdict is None or self._verdict.done():
             return False
-        if self._trying is not None and message.get("revision") not in (None, self._trying["revision"]):
+        if self._load_request is not None and message.get("revision") not in (None, self._load_request["revision"]):
             return False
         self._verdict.set_result(message)
         return True
 
-    def _heard_path(self, message: Message) -> None:
+    def _receive_path(self, message: Message) -> None:
         if message["kind"] != "raw":
-            self._timeline, self._pathed = message["timeline"], message["revision"]
+            self._timeline, self._path_revision = message["timeline"], message["revision"]
             for waiting in [future for future in self._waiting if not future.done()]:
                 waiting.set_result(None)
-        if message["kind"] == "carried" and self._shows_snapshot:
-            self._paths["carried"] = message["data"]
+        if message["kind"] == "initial" and self._shows_snapshot:
+            self._paths["initial"] = message["data"]
             return  # pages show the cached result
-        if message["kind"] == "carried":
-            self._paths.pop("found", None)
+        if message["kind"] == "initial":
+            self._paths.pop("best", None)
         self._shows_snapshot = self._shows_snapshot and message["kind"] == "raw"
         self._paths[message["kind"]] = message["data"]
-        self.tell(message["data"])
+        self.broadcast(message["data"])
 
-    def _heard_searching(self, message: Message) -> None:
+    def _receive_searching(self, message: Message) -> None:
         self._status("searching")
 
-    def _heard_settled(self, message: Message) -> None:
+    def _receive_settled(self, message: Message) -> None:
         if self._shows_snapshot:  # there was no search
-            self._paths.pop("found", None)
-            self.tell(self._paths["carried"])
+            self._paths.pop("best", None)
+            self.broadcast(self._paths["initial"])
         self._settled, self._shows_snapshot = message, False
         if self.settled is not None:
             self.settled()
-        self.tell(message)
+        self.broadcast(message)
         self._status("settled", stop=message["stop"])
         self._save_snapshot()
 
     def _save_snapshot(self) -> None:
         """Cache this text's view in the background, once per text, for the next time it is opened."""
-        path = self._paths.get("found", self._paths.get("carried"))
+        path = self._paths.get("best", self._paths.get("initial"))
         if self._stage is None or path is None or self.document.text == self._snapshot_text:
             return
         if self.document.is_dirty and self.document.revision:
@@ -399,32 +401,34 @@ class Session:
         write = partial(startup_snapshot.write, startup_snapshot.file_of(self.document), stage, path)
         asyncio.get_running_loop().run_in_executor(None, write)
 
-    def _heard_curves(self, message: Message) -> None:
+    def _receive_curves(self, message: Message) -> None:
         self._curves = json.dumps(message)
-        for number in self._curved:
+        for number in self._curve_pages:
             if number in self.pages:
                 self.pages[number](self._curves)
 
-    def _heard_kept(self, message: Message) -> None:
-        if self._kept is not None and not self._kept.done():
-            self._kept.set_result(message["file"])
+    def _receive_saved(self, message: Message) -> None:
+        if self._saved_motion is not None and not self._saved_motion.done():
+            self._saved_motion.set_result(message["file"])
 
-    def _heard_gone(self, message: Message) -> None:
+    def _receive_gone(self, message: Message) -> None:
         self._judge({"is": "refused", "words": message["words"]})
-        self.tell({"is": "refused", "words": message["words"]})
+        self.broadcast({"is": "refused", "words": message["words"]})
         self._status("gone", words=message["words"])
 
-    def _lost(self, words: str) -> None:
+    def _resume(self, words: str) -> None:
         """Resume after a crash: the new process gets the present text and the last path."""
-        self.tell({"is": "note", "words": words})
-        if self._curved:
+        self.broadcast({"is": "note", "words": words})
+        if self._curve_pages:
             self.solver.send({"do": "curves", "on": True})
-        trying = self._trying if self._verdict is not None else None
-        self._load(self.document.text, self.document.revision, first=self._timeline is None, found=self._timeline)
+        trying = self._load_request if self._verdict is not None else None
+        self._load(
+            self.document.text, self.document.revision, first=self._timeline is None, initial_path=self._timeline
+        )
         if trying is not None:  # the expected answer is for this text, not for the previous one
-            self._trying = trying
+            self._load_request = trying
             self.solver.send(trying)
 
     def _status(self, state: str, **details: Any) -> None:
         self.status = {"is": "status", "state": state, "go": self.go, **details}
-        self.tell(self.status)
+        self.broadcast(self.status)

@@ -24,12 +24,12 @@ class Solver:
     """The solver process and its connection.
 
     Args:
-        heard: Receives every message, in the server's thread.
-        lost: Called when the process has ended unexpectedly and a new one has been started.
+        receive: Receives every message, in the server's thread.
+        resume: Called when the process has ended unexpectedly and a new one has been started.
     """
 
-    def __init__(self, heard: Callable[[Message], None], lost: Callable[[str], None]) -> None:
-        self.heard, self.lost = heard, lost
+    def __init__(self, receive: Callable[[Message], None], resume: Callable[[str], None]) -> None:
+        self.receive, self.resume = receive, resume
         self._line: Any = None
         self._process: Any = None
         self._losses = 0
@@ -40,11 +40,11 @@ class Solver:
     def is_started(self) -> bool:
         return self._process is not None
 
-    def start(self, *, is_seen: bool = False) -> None:
+    def start(self, *, shows_view: bool = False) -> None:
         """Start the process. It imports in the background, with low priority if the page already shows a view."""
         spawn = multiprocessing.get_context("spawn")
         self._line, theirs = spawn.Pipe()
-        self._process = spawn.Process(target=entry, args=(theirs, is_allowed(), is_seen), daemon=True, name="solver")
+        self._process = spawn.Process(target=entry, args=(theirs, is_allowed(), shows_view), daemon=True, name="solver")
         try:
             with ctrl_c_blocked():
                 self._process.start()
@@ -58,7 +58,7 @@ class Solver:
         threading.Thread(target=self._listen, args=(self._line, self._process), daemon=True).start()
 
     def send(self, message: Message) -> None:
-        """Send a message to the process. If the process has ended, `lost` is called soon afterwards."""
+        """Send a message to the process. If the process has ended, `resume` is called soon afterwards."""
         with suppress(OSError, ValueError):
             self._line.send(message)
 
@@ -73,7 +73,7 @@ class Solver:
             self._process.terminate()
             self._process.join(PATIENCE)
 
-    def begin_anew(self) -> None:
+    def restart(self) -> None:
         """End the process at once. A new one continues from the last path."""
         if self._process is not None:
             self._process.kill()
@@ -84,24 +84,24 @@ class Solver:
             while True:
                 message = line.recv()
                 self._losses = 0
-                self._tell(self.heard, message)
+                self._deliver(self.receive, message)
         if not self._is_closed:
             process.join(PATIENCE)
-            self._tell(self._begin_again, process.exitcode)
+            self._deliver(self._recover, process.exitcode)
 
-    def _tell(self, to: Callable[[Any], None], what: Any) -> None:
+    def _deliver(self, to: Callable[[Any], None], what: Any) -> None:
         with suppress(RuntimeError):  # the server has ended
             assert self._loop is not None
             self._loop.call_soon_threadsafe(to, what)
 
-    def _begin_again(self, code: int | None) -> None:
+    def _recover(self, code: int | None) -> None:
         if self._is_closed:
             return
         self._losses += 1
         how = f"was ended by signal {-code}" if code is not None and code < 0 else f"ended with code {code}"
         if self._losses > MOST_LOSSES:
-            self.heard({"is": "gone", "words": f"the solver process {how} repeatedly; free memory, then reload"})
+            self.receive({"is": "gone", "words": f"the solver process {how} repeatedly; free memory, then reload"})
             return
         self.start()
         self.listen()
-        self.lost(f"the solver process {how}; a new one continues from the last path")
+        self.resume(f"the solver process {how}; a new one continues from the last path")

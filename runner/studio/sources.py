@@ -75,7 +75,7 @@ def _motion(path: Path, figure: str | None) -> Document:
     path = path.resolve()
     if saved.text and not is_recording(saved):
         return Document(saved.name, _text_in(path, saved), path.parent)
-    return following(path, _scene_beside(path, saved.scene))
+    return following(path, _scene_with(path, saved.scene))
 
 
 def _text_in(path: Path, saved: Saved) -> str:
@@ -92,7 +92,7 @@ def _text_in(path: Path, saved: Saved) -> str:
     if _is_there(table.figure, models.figures(), path.parent):
         return saved.text
     entries = {key: value for key, value in tables(table).items() if key != "scene"}
-    return written(entries | {"figure": _scene_beside(path, saved.scene)})
+    return written(entries | {"figure": _scene_with(path, saved.scene)})
 
 
 def _is_there(name: str, shipped: Collection[str], folder: Path) -> bool:
@@ -110,10 +110,10 @@ def _recording(path: Path, figure: str | None) -> Document:
     if target.exists() and target != path.resolve():
         raise UserError(f"'{target.name}' already exists, where {path.name} would be imported to; open that one")
     motion.save(saved, target)
-    return following(target, _scene_beside(target, saved.scene))
+    return following(target, _scene_with(target, saved.scene))
 
 
-def _scene_beside(path: Path, scene: object) -> str:
+def _scene_with(path: Path, scene: object) -> str:
     """Return the name of a recording's shipped figure, or of its MJCF written next to the recording."""
     from ..clip.file import shipped_scene
     from ..scene.assets import Scene

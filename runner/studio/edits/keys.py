@@ -101,11 +101,11 @@ def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: 
         if "others" in table and "others" not in entries:
             del table["others"]
         for key, value in entries.items():
-            _say(table, key, value)
+            _assign(table, key, value)
     return words
 
 
-def _say(table: Any, key: str, value: Any) -> None:
+def _assign(table: Any, key: str, value: Any) -> None:
     """Replace a keyframe's entry if it has changed, except its time."""
     if key in DOTTED and isinstance(value, Mapping):
         for name, entry in value.items():

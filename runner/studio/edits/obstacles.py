@@ -52,7 +52,7 @@ def add_obstacle(tree: Blocks, *, kind: str, at: list[float] | None = None) -> s
 
 def set_obstacle(tree: Blocks, *, kind: str, index: int, entries: Mapping[str, Any]) -> str:
     """Set entries of an obstacle; None removes an entry."""
-    table = _found(tree, kind, index)
+    table = _obstacle_row(tree, kind, index)
     for key, value in entries.items():
         if value is not None:
             put(table, key, value)
@@ -63,7 +63,7 @@ def set_obstacle(tree: Blocks, *, kind: str, index: int, entries: Mapping[str, A
 
 def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
     """Remove an obstacle."""
-    _found(tree, kind, index)
+    _obstacle_row(tree, kind, index)
     block = next(
         (candidate for candidate in tree.blocks if not candidate.is_row and candidate.path == ("scene", "step")), None
     )
@@ -74,7 +74,7 @@ def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
     return f"delete a {kind}"
 
 
-def _found(tree: Blocks, kind: str, index: int) -> Any:
+def _obstacle_row(tree: Blocks, kind: str, index: int) -> Any:
     """Return the table of an obstacle. Raises UserError if there is none."""
     if kind == "step":
         table = tree.table("scene", "step")

@@ -47,23 +47,23 @@ class Curves(TypedDict):
     groups: list[Group]
 
 
-def curves(clip: Clip, found: Solution) -> Curves:
+def curves(clip: Clip, solution: Solution) -> Curves:
     """Return groups of series at times [s]; a group has a name and a unit, a series a name and values after and before.
 
     E is computed per segment between frames, as steps of its value per second.
     """
-    first, last = float(found.timeline.times[0]), float(found.timeline.times[-1])
+    first, last = float(solution.timeline.times[0]), float(solution.timeline.times[-1])
     time = np.linspace(first, last, int(np.clip((last - first) * RATE, 20, MOST)) + 1)
-    sides = {"after": found.timeline}
-    if found.timeline is not found.raw:
-        sides["before"] = found.raw
+    sides = {"after": solution.timeline}
+    if solution.timeline is not solution.raw:
+        sides["before"] = solution.raw
     by_side = {side: _side(clip, timeline, time) for side, timeline in sides.items()}
     groups: list[Group] = []
     for name, unit in (("angle", "°"), ("speed", "°/s"), ("height of feet", "m"), ("torque", "N m")):
         names = list(by_side["after"][name])
         series = [{"name": label, **{side: by_side[side][name].get(label, []) for side in by_side}} for label in names]
         groups.append({"name": name, "unit": unit, "series": series})
-    groups.append({"name": "E by segment", "unit": "1/s", "series": _by_term(clip, found, time)})
+    groups.append({"name": "E by segment", "unit": "1/s", "series": _by_term(clip, solution, time)})
     groups += _deviation(clip, sides, time)
     return {"time": time.round(4).tolist(), "groups": groups}
 
@@ -129,11 +129,11 @@ def _heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
     return {point.name: _rounded(row, 4) for point, row in zip(points, height, strict=True)}
 
 
-def _by_term(clip: Clip, found: Solution, time: Array) -> list[Series]:
+def _by_term(clip: Clip, solution: Solution, time: Array) -> list[Series]:
     """Return the contribution of every term to E per second, between frames."""
-    objective, edges = clip.problem.objective, found.timeline.times
+    objective, edges = clip.problem.objective, solution.timeline.times
     by_term: dict[str, dict[str, list[float]]] = {}
-    for side, timeline in (("after", found.timeline), ("before", found.raw)):
+    for side, timeline in (("after", solution.timeline), ("before", solution.raw)):
         parts = segment_integrals(objective, path_of(timeline), edges) / np.diff(edges)[:, None]
         at = np.clip(np.searchsorted(edges, time, side="right") - 1, 0, edges.size - 2)
         by_term.setdefault("all", {})[side] = _rounded(parts.sum(axis=1)[at])

@@ -18,10 +18,10 @@ HEAVY = (  # slow imports, in parts of a few tenths of a second
 PATIENCE = 2.5  # [s] duration of low priority of imports, while the page draws its first view
 
 
-def entry(line: Any, outside: bool, is_seen: bool) -> None:
+def entry(line: Any, outside: bool, shows_view: bool) -> None:
     """Run the solver process.
 
-    With `outside`, models may refer to files anywhere. `is_seen` is whether pages show a view before this process
+    With `outside`, models may refer to files anywhere. `shows_view` is whether pages show a view before this process
     reports.
     """
     from ...picture.graphics import do_without
@@ -31,7 +31,7 @@ def entry(line: Any, outside: bool, is_seen: bool) -> None:
 
     keep_to_one()
     do_without()
-    yielding([without_tools, *(partial(import_module, name) for name in HEAVY)], PATIENCE if is_seen else 0.0)
+    yielding([without_tools, *(partial(import_module, name) for name in HEAVY)], PATIENCE if shows_view else 0.0)
     from .loop import serve
 
     with mujoco_warnings.reported_to(mujoco_warnings.print_note):

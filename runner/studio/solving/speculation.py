@@ -16,14 +16,14 @@ class Speculation:
 
     Attributes:
         between: The edited interval [s]; None: the whole clip.
-        found: The best path so far; None as long as none is better than `begin`.
+        solution: The best path so far; None as long as none is better than `begin`.
     """
 
     before: Clip
     clip: Clip
     begin: Timeline
     between: tuple[float, float] | None
-    found: Solution | None = None
+    solution: Solution | None = None
 
     def is_of(self, text: str, before: Clip | None) -> bool:
         """Return whether this is the result of a text, edited from the present clip."""

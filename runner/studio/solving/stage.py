@@ -122,7 +122,7 @@ def limbs(figure: Figure) -> list[LimbRow]:
         links = limb(figure, figure.links[i].body)
         body = figure.links[i].body
         joints = [figure.links[j].name for j in reversed(links)]
-        rows.append({"name": _called(figure, links), "joints": joints, "end": int(body)})
+        rows.append({"name": _joint_names(figure, links), "joints": joints, "end": int(body)})
         assigned |= set(links)
     bodies = [i for i in range(1, len(figure.links)) if figure.links[i].kind is JointKind.FREE and i not in carries]
     bodies = [i for i in bodies if i not in assigned and i != _root(figure)]
@@ -140,7 +140,7 @@ def _root(figure: Figure) -> int:
     return figure.root.link if figure.root is not None and figure.root.is_free else 0
 
 
-def _called(figure: Figure, links: list[int]) -> str:
+def _joint_names(figure: Figure, links: list[int]) -> str:
     """Return the name of a limb: its side and kind, or else its first and last joint."""
     first, last = figure.links[links[-1]].name, figure.links[links[0]].name
     words = f"{first} {last}".lower()

@@ -14,7 +14,7 @@ from dynsplines.errors import UserError
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
 from dynsplines.studio.session import Session
-from dynsplines.studio.solving.loop import Work
+from dynsplines.studio.solving.loop import SolverLoop
 from dynsplines.studio.solving.stage import limbs
 
 FIGURE = """
@@ -73,11 +73,11 @@ class Here:
     """A solver in this process: what it says is heard in the same loop."""
 
     def __init__(self, session):
-        self.session, self.work = session, Work(self)
+        self.session, self.work = session, SolverLoop(self)
 
     def send(self, message):
         wait = 0.05 if message["is"] == "path" and message["revision"] else 0.0  # after an edit
-        asyncio.get_running_loop().call_later(wait, self.session._heard, message)
+        asyncio.get_running_loop().call_later(wait, self.session._receive, message)
 
     def asked(self, message):
         self.work.do(message)

@@ -27,7 +27,7 @@ def session(tmp_path, monkeypatch):
     def loaded(message):
         if message["do"] == "load":
             told = {"is": "loaded", "revision": message["revision"], "outline": {}, "keys": []}
-            asyncio.get_running_loop().call_soon(found._heard, told)
+            asyncio.get_running_loop().call_soon(found._receive, told)
 
     monkeypatch.setattr(found.solver, "send", loaded)
     return found
@@ -106,7 +106,7 @@ def test_what_a_new_process_says_of_the_text_before_is_no_answer_to_an_edit(sess
             loop = asyncio.get_running_loop()
             for revision in (message["revision"] - 1, message["revision"]):
                 message = {"is": "loaded", "revision": revision, "outline": {"of": revision}, "keys": []}
-                loop.call_soon(session._heard, message)
+                loop.call_soon(session._receive, message)
 
     monkeypatch.setattr(session.solver, "send", heard)
     asyncio.run(session.edit("add_key", {"entries": {"time": 0.15}}))
@@ -129,11 +129,11 @@ def test_a_process_that_is_lost_during_an_edit_hears_the_text_before_whose_verdi
         heard.append(message.get("revision"))
         loop = asyncio.get_running_loop()
         if len(heard) == 1:
-            loop.call_soon(session._lost, "the process that solves was ended by signal 9")
+            loop.call_soon(session._resume, "the process that solves was ended by signal 9")
         elif message["revision"] == 0:
-            loop.call_soon(session._heard, {"is": "loaded", "revision": 0, "outline": {}, "keys": []})
+            loop.call_soon(session._receive, {"is": "loaded", "revision": 0, "outline": {}, "keys": []})
         else:
-            loop.call_soon(session._heard, {"is": "refused", "revision": message["revision"], "words": "no clip"})
+            loop.call_soon(session._receive, {"is": "refused", "revision": message["revision"], "words": "no clip"})
 
     monkeypatch.setattr(session.solver, "send", lost)
     with pytest.raises(UserError, match="no clip"):
@@ -146,9 +146,9 @@ def test_a_clip_that_takes_too_long_to_load_is_not_the_one_that_is_shown_later(s
     from dynsplines.studio import session as sessions
 
     began = []
-    monkeypatch.setattr(sessions, "VERDICT", 0.05)
+    monkeypatch.setattr(sessions, "LOAD_TIMEOUT", 0.05)
     monkeypatch.setattr(session.solver, "send", lambda message: None)
-    monkeypatch.setattr(session.solver, "begin_anew", lambda: began.append(session.document.name))
+    monkeypatch.setattr(session.solver, "restart", lambda: began.append(session.document.name))
     with pytest.raises(UserError, match="took longer than"):
         asyncio.run(session.reopen(Document("slow", TEXT, tmp_path)))
     assert began

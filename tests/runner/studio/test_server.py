@@ -161,13 +161,13 @@ def test_no_film_and_no_export_is_written_over_somebodys_file_but_over_an_earlie
 ):
     ran = []
 
-    async def kept(self, file):
+    async def save_motion(self, file):
         ran.append(file.name)
 
     async def run(self, words, what):
         ran.append("--overwrite" in words)
 
-    monkeypatch.setattr(Session, "kept", kept)
+    monkeypatch.setattr(Session, "save_motion", save_motion)
     monkeypatch.setattr(files.Files, "_run", run)
     (tmp_path / asked["name"]).write_text("theirs")
     (refused,) = answers(client, asked)
@@ -204,7 +204,7 @@ def began(session, monkeypatch, **options):
         launch, "_serve", lambda session, listening, *door: served.append((listening.getsockname(), *door))
     )
     wished: dict[str, Any] = {"host": "127.0.0.1", "port": 0, "browser": False, "allow_remote": False, **options}
-    launch.run(session.document, say=said.append, **wished)
+    launch.run(session.document, report=said.append, **wished)
     return served[0], said
 
 

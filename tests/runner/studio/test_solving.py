@@ -17,7 +17,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.studio import paths
-from dynsplines.studio.solving.loop import Work
+from dynsplines.studio.solving.loop import SolverLoop
 
 DEVIATION = ("Euler-Lagrange residual", "what a frame promises")
 
@@ -25,7 +25,7 @@ DEVIATION = ("Euler-Lagrange residual", "what a frame promises")
 @pytest.fixture
 def work(tmp_path):
     tiny.written(tmp_path)
-    return Work(Line())
+    return SolverLoop(Line())
 
 
 def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict(work, tmp_path):
@@ -39,7 +39,7 @@ def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict
     assert [all(key["fixed"]) for key in loaded["keys"]] == [True, False, True]
     kinds = [each["kind"] for each in told if each["is"] == "path"]
     assert kinds.count("raw") == 1
-    assert set(kinds) == {"carried", "raw", "found"}
+    assert set(kinds) == {"initial", "raw", "best"}
     values = [each["value"] for each in told if each["is"] == "path" and "value" in each]
     assert values == sorted(values, reverse=True)
 
@@ -50,11 +50,11 @@ def test_an_edited_keyframe_is_solved_on_from_the_present_path(work, tmp_path):
     told = load(work, tmp_path, text, 1)
     assert "stage" not in {each["is"] for each in told}  # the figure is the same
     kinds = [each["kind"] for each in told if each["is"] == "path"]
-    assert kinds[0] == "carried"
+    assert kinds[0] == "initial"
     assert kinds.count("raw") == 1
     again = load(work, tmp_path, tiny.CLIP, 2)  # undone: as it was found before
-    first = next(each for each in again if each["is"] == "path" and each["kind"] == "carried")
-    assert pickle.loads(first["timeline"]).times.size == work.seen[tiny.CLIP].times.size
+    first = next(each for each in again if each["is"] == "path" and each["kind"] == "initial")
+    assert pickle.loads(first["timeline"]).times.size == work.path_cache[tiny.CLIP].times.size
 
 
 @pytest.mark.parametrize(
@@ -68,20 +68,20 @@ def test_an_edited_keyframe_is_solved_on_from_the_present_path(work, tmp_path):
 )
 def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work, tmp_path, old, new, words):
     load(work, tmp_path, tiny.CLIP, first=True)
-    before = work.found
+    before = work.solution
     told = load(work, tmp_path, tiny.CLIP.replace(old, new), 1)
     assert [each["is"] for each in told] == ["refused"]
     assert words in told[0]["words"]
-    assert work.found is before
+    assert work.solution is before
     assert load(work, tmp_path, tiny.CLIP, 2)[-1]["is"] == "settled"
 
 
 def test_nothing_is_searched_while_it_is_stopped(work, tmp_path):
     told = load(work, tmp_path, tiny.CLIP, first=True, go=False)
-    assert [each["kind"] for each in told if each["is"] == "path"] == ["carried", "raw"]
+    assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
     assert told[-1]["stop"] == "paused"
     work.do({"do": "go"})
-    assert "found" in {each.get("kind") for each in work.line.taken()}
+    assert "best" in {each.get("kind") for each in work.line.taken()}
 
 
 def test_a_path_is_sent_as_poses_of_every_body(work, tmp_path):
@@ -113,7 +113,7 @@ def test_curves_are_of_joints_feet_and_terms(work, tmp_path):
     assert groups["E by segment"]["series"][0]["name"] == "all"
 
     # the residual is the solver's own, and where more frames are promised most is where it would insert them
-    objective, timeline = work.clip.problem.objective, work.found.timeline
+    objective, timeline = work.clip.problem.objective, work.solution.timeline
     (size,), (promise,) = (groups[name]["series"] for name in DEVIATION)
     strong = residual(objective, path_of(timeline))
     duration = told["curves"]["time"][-1] - told["curves"]["time"][0]
@@ -127,48 +127,48 @@ def test_curves_are_of_joints_feet_and_terms(work, tmp_path):
 def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
     from dynsplines import motion
 
-    work.do({"do": "keep", "file": str(tmp_path / "none.npz")})
+    work.do({"do": "save", "file": str(tmp_path / "none.npz")})
     assert work.line.taken()[0]["is"] == "refused"
     load(work, tmp_path, tiny.CLIP, first=True)
-    work.do({"do": "keep", "file": str(tmp_path / "now.npz")})
-    assert work.line.taken()[0]["is"] == "kept"
-    assert motion.load(tmp_path / "now.npz").timeline.times.size == work.found.timeline.times.size
+    work.do({"do": "save", "file": str(tmp_path / "now.npz")})
+    assert work.line.taken()[0]["is"] == "saved"
+    assert motion.load(tmp_path / "now.npz").timeline.times.size == work.solution.timeline.times.size
 
 
 def test_a_search_that_may_have_gone_astray_says_so_and_is_begun_elsewhere_when_nothing_else_is_done(work, tmp_path):
     load(work, tmp_path, tiny.CLIP, first=True)
-    good, goal = work.found, work.clip.problem.objective
-    assert not work.may_look
+    good, goal = work.solution, work.clip.problem.objective
+    assert not work.may_retry
     # a bad place: a path that leads far away, in which the search finds no step down
     rows = good.timeline.rows.copy()
     rows[1:-1][~good.timeline.fixed.any(axis=1)] += 0.8
     bad = good.timeline.with_rows(rows)
     value = goal.value(path_of(bad))
     assert value > 3 * good.trace[-1][2]
-    work.found, work._is_near = replace(good, timeline=bad, trace=((1, 0, value, good.trace[-1][3]),)), True
+    work.solution, work._is_near = replace(good, timeline=bad, trace=((1, 0, value, good.trace[-1][3]),)), True
     work._judge(stop="CONVERGED")
     (told,) = [each for each in work.line.taken() if each["is"] == "settled"]
     assert "may have ended in a bad place" in told["astray"]
-    assert work.may_look
-    work.do({"do": "look"})
+    assert work.may_retry
+    work.do({"do": "retry"})
     told = work.line.taken()
-    assert goal.value(path_of(work.found.timeline)) == pytest.approx(good.trace[-1][2], rel=0.05)
-    assert {"found", "note"} <= {each.get("kind", each["is"]) for each in told}
+    assert goal.value(path_of(work.solution.timeline)) == pytest.approx(good.trace[-1][2], rel=0.05)
+    assert {"best", "note"} <= {each.get("kind", each["is"]) for each in told}
     assert told[-1]["is"] == "settled"
     assert told[-1]["astray"] is None
-    assert not work.may_look
+    assert not work.may_retry
 
 
 def test_a_path_that_cannot_be_better_is_searched_again_once(work, tmp_path):
     load(work, tmp_path, tiny.CLIP, first=True)
-    good = work.found
+    good = work.solution
     work._before, work._is_near = (good.trace[-1][2] / 10, 0), True
     work._judge(stop="CONVERGED")
-    assert work.may_look
+    assert work.may_retry
     work.line.taken()
-    work.do({"do": "look"})
-    assert work.found is good
-    assert not work.may_look
+    work.do({"do": "retry"})
+    assert work.solution is good
+    assert not work.may_retry
     assert "note" not in {each["is"] for each in work.line.taken()}
 
 
@@ -177,16 +177,16 @@ def test_where_somebody_has_stopped_the_search_it_looks_nowhere(work, tmp_path):
     work._before, work._is_near = (1e-9, 0), True
     work._judge(stop="CONVERGED")
     work.do({"do": "stop"})
-    assert not work.may_look
+    assert not work.may_retry
 
 
 def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, tmp_path):
     load(work, tmp_path, tiny.CLIP, first=True)
-    work.is_awaited = lambda: True
+    work.has_message = lambda: True
     told = load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]"), 1)
-    assert [each["kind"] for each in told if each["is"] == "path"] == ["carried", "raw"]
+    assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
     assert told[-1]["stop"] == "INTERRUPTED"
-    work.is_awaited = lambda: False
+    work.has_message = lambda: False
     assert load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 45, 0]"), 2)[-1]["stop"] != "INTERRUPTED"
 
 
@@ -194,15 +194,15 @@ def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, t
     "asked",
     [
         {"do": "curves", "on": True},
-        {"do": "keep", "file": "now.npz"},
+        {"do": "save", "file": "now.npz"},
         {"do": "load", "text": "figure = 1", "name": "tiny", "place": "tiny.toml", "folder": ".", "revision": 1,
          "go": True, "first": False},
     ],
 )  # fmt: skip
 def test_a_search_continues_after_a_message_that_does_not_end_it(work, tmp_path, asked):
-    work.is_awaited = lambda: True
+    work.has_message = lambda: True
     assert load(work, tmp_path, tiny.CLIP, first=True)[-1]["stop"] == "INTERRUPTED"
-    work.is_awaited = lambda: False
+    work.has_message = lambda: False
     told = {**asked, "file": str(tmp_path / "now.npz")} if "file" in asked else asked
     work.do(told)
     ends = [each["stop"] for each in work.line.taken() if each["is"] == "settled"]
@@ -213,16 +213,16 @@ def test_a_search_continues_after_a_message_that_does_not_end_it(work, tmp_path,
 
 
 def test_a_message_in_the_last_steps_of_a_search_cuts_it_and_no_more(work, tmp_path, monkeypatch):
-    searching = Work._searching
+    searching = SolverLoop._searching
 
     @contextmanager
     def ended_late(self):
         with searching(self):
             yield
-        monkeypatch.setattr(Work, "_searching", searching)
+        monkeypatch.setattr(SolverLoop, "_searching", searching)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(Work, "_searching", ended_late)
+    monkeypatch.setattr(SolverLoop, "_searching", ended_late)
     told = load(work, tmp_path, tiny.CLIP, first=True)
     assert [each["is"] for each in told].count("searching") == 2
     assert told[-1]["is"] == "settled"
@@ -230,9 +230,9 @@ def test_a_message_in_the_last_steps_of_a_search_cuts_it_and_no_more(work, tmp_p
 
 
 def test_a_search_that_was_stopped_stays_so(work, tmp_path):
-    work.is_awaited = lambda: True
+    work.has_message = lambda: True
     load(work, tmp_path, tiny.CLIP, first=True)
-    work.is_awaited = lambda: False
+    work.has_message = lambda: False
     work.do({"do": "stop"})
     work.do({"do": "curves", "on": True})
     assert {each["is"] for each in work.line.taken()} == {"curves"}

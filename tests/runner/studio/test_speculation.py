@@ -14,7 +14,7 @@ from dynsplines.studio import actions
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
 from dynsplines.studio.session import Session
-from dynsplines.studio.solving.loop import Work
+from dynsplines.studio.solving.loop import SolverLoop
 
 EDITED = tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]")
 
@@ -22,7 +22,7 @@ EDITED = tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]")
 @pytest.fixture
 def work(tmp_path):
     tiny.written(tmp_path)
-    found = Work(Line())
+    found = SolverLoop(Line())
     load(found, tmp_path, tiny.CLIP, first=True)
     return found
 
@@ -34,7 +34,7 @@ def speculate(work, folder, text):
 
 def ended(work):
     """E of the present path, and its states at some moments."""
-    timeline = work.found.timeline
+    timeline = work.solution.timeline
     return work.clip.problem.objective.value(path_of(timeline)), path_of(timeline).at(np.linspace(0, 0.41, 9))
 
 
@@ -42,7 +42,7 @@ def ended(work):
 def without(tmp_path):
     """Where the same edit ends that nobody foresaw."""
     tiny.written(tmp_path)
-    found = Work(Line())
+    found = SolverLoop(Line())
     load(found, tmp_path, tiny.CLIP, first=True)
     load(found, tmp_path, EDITED, 1)
     return ended(found)
@@ -53,12 +53,12 @@ def kinds(told):
 
 
 def test_a_speculative_result_is_used_as_soon_as_its_text_arrives(work, tmp_path, without):
-    before = work.found
+    before = work.solution
     assert speculate(work, tmp_path, EDITED) == []
-    assert work.found is before
+    assert work.solution is before
     told = load(work, tmp_path, EDITED, 1)
     assert [each["is"] for each in told][:2] == ["loaded", "path"]
-    assert kinds(told)[0] == "found"
+    assert kinds(told)[0] == "best"
     assert told[-1]["is"] == "settled"
     assert told[-1]["stop"] == "CONVERGED"
     assert "searching" not in {each["is"] for each in told}
@@ -70,18 +70,18 @@ def test_a_speculative_result_is_used_as_soon_as_its_text_arrives(work, tmp_path
 def test_another_text_ignores_the_speculation(work, tmp_path, without):
     speculate(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 60, 0]"))
     told = load(work, tmp_path, EDITED, 1)
-    assert kinds(told)[0] == "carried"
+    assert kinds(told)[0] == "initial"
     np.testing.assert_array_equal(ended(work)[1], without[1])
 
 
 @pytest.mark.parametrize("seen", [0, 1, 2])
 def test_one_that_lets_go_in_the_middle_of_it_continues_from_there(work, tmp_path, without, seen):
     asked = iter([False] * seen)
-    work.is_awaited = lambda: next(asked, True)
+    work.has_message = lambda: next(asked, True)
     speculate(work, tmp_path, EDITED)
-    work.is_awaited = lambda: False
+    work.has_message = lambda: False
     told = load(work, tmp_path, EDITED, 1)
-    assert kinds(told)[0] == ("found" if seen == 2 else "carried")
+    assert kinds(told)[0] == ("best" if seen == 2 else "initial")
     assert told[-1]["stop"] == "CONVERGED"
     assert ended(work)[0] == pytest.approx(without[0], rel=0.01)  # its frames are split once more
 
@@ -95,17 +95,17 @@ def test_an_invalid_clip_is_rejected_when_it_is_sent_and_not_before(work, tmp_pa
 
 def test_clips_that_load_slowly_are_not_solved_speculatively(work, tmp_path, monkeypatch):
     """Whatever is said meanwhile would wait for it."""
-    monkeypatch.setattr("dynsplines.studio.solving.loop.QUICK", 1e-6)
+    monkeypatch.setattr("dynsplines.studio.solving.loop.SPECULATION_LIMIT", 1e-6)
     load(work, tmp_path, tiny.CLIP + "\n", 1)
     speculate(work, tmp_path, EDITED)
-    assert kinds(load(work, tmp_path, EDITED, 2))[0] == "carried"
+    assert kinds(load(work, tmp_path, EDITED, 2))[0] == "initial"
 
 
 def test_there_is_no_speculation_while_the_search_is_stopped(work, tmp_path):
     load(work, tmp_path, tiny.CLIP, go=False)
     speculate(work, tmp_path, EDITED)
     told = load(work, tmp_path, EDITED, 1, go=False)
-    assert kinds(told)[0] == "carried"
+    assert kinds(told)[0] == "initial"
 
 
 class Beside:
@@ -113,9 +113,9 @@ class Beside:
 
     def __init__(self, session):
         self.is_started, self.asked, self.session = True, [], session
-        self.work = Work(self)
+        self.work = SolverLoop(self)
 
-    def start(self, *, is_seen=False):
+    def start(self, *, shows_view=False):
         """It is there."""
 
     def send(self, message):
@@ -123,7 +123,7 @@ class Beside:
             self.asked.append(message)
             self.work.do(message)
         else:
-            self.session._heard(message)
+            self.session._receive(message)
 
     def last(self, do):
         return next((each for each in reversed(self.asked) if each["do"] == do), None)
@@ -132,7 +132,7 @@ class Beside:
 @pytest.fixture
 def session(tmp_path, monkeypatch):
     tiny.written(tmp_path)
-    monkeypatch.setattr(actions, "RESTS", 0.02)
+    monkeypatch.setattr(actions, "PAUSE", 0.02)
     found = Session(Document("tiny", tiny.CLIP, tmp_path))
     monkeypatch.setattr(found, "solver", Beside(found))
     return found
@@ -206,12 +206,12 @@ def test_a_drag_that_continues_ends_the_search_and_an_immediate_release_starts_n
 def test_a_cancelled_drag_leaves_everything_unchanged(session):
     async def told():
         hand = await dragged(session, rests=0)
-        path = session.solver.work.found
+        path = session.solver.work.solution
         await asyncio.sleep(0.2)
         assert session.solver.asked[-1]["do"] == "speculate"
         await hand.cancel()
         assert session.solver.asked[-1]["do"] == "wait"
-        assert session.solver.work.found is path
+        assert session.solver.work.solution is path
         assert session.document.text == tiny.CLIP
 
     asyncio.run(told())

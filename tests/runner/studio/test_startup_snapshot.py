@@ -15,7 +15,7 @@ from dynsplines.studio.session import Session
 STAGE = json.dumps({"bodies": ["world", "leg"]}).encode()
 
 
-def path_of(kind="found", count=3, bodies=2):
+def path_of(kind="best", count=3, bodies=2):
     head = {"is": "path", "kind": kind, "count": count, "bodies": bodies}
     return paths.framed(head, np.zeros((count, bodies, 3)), np.zeros((count, bodies, 4)), np.zeros((count, 3)))
 
@@ -32,7 +32,7 @@ def session(document, monkeypatch):
     startup_snapshot.write(startup_snapshot.file_of(document), STAGE, path_of())
     found = Session(document)
     begun = []
-    monkeypatch.setattr(found.solver, "start", lambda is_seen: begun.append(is_seen))
+    monkeypatch.setattr(found.solver, "start", lambda shows_view: begun.append(shows_view))
     monkeypatch.setattr(found.solver, "send", lambda message: None)
     found.start()
     assert begun == [True]  # it may take its time
@@ -77,31 +77,31 @@ def test_a_page_gets_it_before_anything_is_loaded_and_keeps_it_until_something_b
     told = entered(session)
     assert STAGE in told[0]
     assert told[1] == path_of()
-    session._heard({"is": "stage", "stage": STAGE})
-    session._heard({"is": "path", "kind": "carried", "revision": 0, "data": path_of("carried"), "timeline": b""})
-    session._heard({"is": "path", "kind": "raw", "revision": 0, "data": path_of("raw")})
+    session._receive({"is": "stage", "stage": STAGE})
+    session._receive({"is": "path", "kind": "initial", "revision": 0, "data": path_of("initial"), "timeline": b""})
+    session._receive({"is": "path", "kind": "raw", "revision": 0, "data": path_of("raw")})
     assert [each for each in told[2:] if isinstance(each, bytes)] == [path_of("raw")]  # the rest is seen already
-    session._heard({"is": "path", "kind": "found", "revision": 0, "data": path_of("found", 4), "timeline": b""})
-    assert told[-1] == path_of("found", 4)
+    session._receive({"is": "path", "kind": "best", "revision": 0, "data": path_of("best", 4), "timeline": b""})
+    assert told[-1] == path_of("best", 4)
 
 
 def test_a_figure_that_has_changed_takes_its_place(session):
     told, other = entered(session), json.dumps({"bodies": ["world", "arm"]}).encode()
-    session._heard({"is": "stage", "stage": other})
+    session._receive({"is": "stage", "stage": other})
     assert other in told[-1]
-    session._heard({"is": "path", "kind": "carried", "revision": 0, "data": path_of("carried"), "timeline": b""})
-    assert told[-1] == path_of("carried")
+    session._receive({"is": "path", "kind": "initial", "revision": 0, "data": path_of("initial"), "timeline": b""})
+    assert told[-1] == path_of("initial")
 
 
 def test_where_nothing_is_searched_the_clip_s_own_path_takes_its_place(session):
     told = entered(session)
 
     async def heard():
-        session._heard({"is": "stage", "stage": STAGE})
-        session._heard({"is": "path", "kind": "carried", "revision": 0, "data": path_of("carried"), "timeline": b""})
-        session._heard({"is": "settled", "stop": "paused", "violations": []})
+        session._receive({"is": "stage", "stage": STAGE})
+        session._receive({"is": "path", "kind": "initial", "revision": 0, "data": path_of("initial"), "timeline": b""})
+        session._receive({"is": "settled", "stop": "paused", "violations": []})
 
     asyncio.run(heard())
-    assert path_of("carried") in told
+    assert path_of("initial") in told
     assert path_of() not in entered(session)
-    assert startup_snapshot.read(startup_snapshot.file_of(session.document)) == (STAGE, path_of("carried"))
+    assert startup_snapshot.read(startup_snapshot.file_of(session.document)) == (STAGE, path_of("initial"))
