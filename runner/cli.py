@@ -85,7 +85,8 @@ class _Panels(TyperGroup):
 app = typer.Typer(
     cls=_Panels,
     help="Compute smooth motion of an articulated figure through sparse keyframes.\n\n"
-    "A clip is a file of keyframes; a motion (.npz) is its solution.\n\n"
+    "A clip is a file of keyframes. A motion (.npz) is a movement over time: a solved clip or an imported recording. "
+    "A recording is a file of motion capture or of another program.\n\n"
     "To start, run `dynsplines render run_and_step`. `dynsplines COMMAND --help` lists the options of a command.",
     add_completion=False,
     rich_markup_mode=None,
@@ -127,7 +128,7 @@ def new_clip(
 ) -> None:
     """Write a commented starter clip for a model.
     It contains the keyframes of the model. If there are none, it contains a pose and a small movement.
-    Comments list joints, sites and options."""
+    Comments in the file list joints, sites and the options of soft constraints."""
     target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
     text = starter.starter(model, target, lambda note: print(f"note: {note}", file=sys.stderr))
     with outputs.Replacement(target) as temporary:
@@ -149,7 +150,7 @@ def solve(
     allow_outside: option.Outside = False,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz).
-    At the end, the constraints that the motion violates are listed, the worst one first.
+    At the end, the violations of the motion are listed, the worst one first.
     Ctrl-C stops solving and saves the best motion so far."""
     target = _target(output, f"{_name(source, model, keys)}.npz", "motion")
     with terminal.Progress() as progress:
@@ -245,7 +246,7 @@ def list_models() -> None:
 @app.command("penalties", rich_help_panel="Create")
 def list_penalties(as_json: option.AsJson = False) -> None:
     """List the soft constraints, their weights and options.
-    A clip configures them in [[penalty]] tables. Weights are the defaults; options are listed with their units."""
+    A clip configures them in [[penalty]] tables. The weights are the default ones; options have their units."""
     if as_json:
         print(json.dumps([kind.described() for kind in kinds.KINDS.values()], indent=2))
         return
@@ -267,7 +268,8 @@ def mirror(
     fresh: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Swap left and right in a motion or a clip."""
+    """Swap left and right in a motion or a clip.
+    The result of a clip (.toml) is a clip, unless -o is a motion (.npz)."""
     _edit(files.mirrored(), output, overwrite, fresh, source)
 
 
@@ -282,7 +284,7 @@ def retime(
     allow_outside: option.Outside = False,
 ) -> None:
     """Change the speed of a motion or a clip.
-    Specify either --speed or --duration."""
+    Specify either --speed or --duration. The result of a clip (.toml) is a clip, unless -o is a motion (.npz)."""
     _edit(files.retimed(speed, duration), output, overwrite, fresh, source)
 
 
@@ -296,7 +298,8 @@ def trim(
     fresh: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Cut a motion to a time interval."""
+    """Cut a motion to a time interval.
+    Specify --from or --to, or both. A clip is solved first."""
     _edit(files.trimmed(first, last), output, overwrite, fresh, source)
 
 
@@ -311,7 +314,7 @@ def join(
     allow_outside: option.Outside = False,
 ) -> None:
     """Append a motion to another one, with a transition.
-    The second motion is moved and rotated, so that it continues from the end of the first one."""
+    Clips are solved first. The second motion is moved and rotated, so that it continues from the end of the first."""
     _edit(files.joined(transition), output, overwrite, fresh, first, second)
 
 
@@ -349,7 +352,7 @@ def report(
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Measure a motion and the raw spline through its keyframes.
+    """Measure a motion and the spline through its keyframes.
     It lists penetration, joint-limit violations, foot skate and torques.
     It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
@@ -373,9 +376,9 @@ def plot(
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Plot a motion and the convergence of its search.
+    """Plot a motion and the convergence of its optimisation.
     The charts show foot height, the length of the interpolated quaternions, the Euler-Lagrange residual,
-    and the penalties over the evaluations of the search.
+    and each soft constraint against the number of evaluations.
     The extension of -o selects .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
@@ -393,7 +396,7 @@ def export(
     output: Annotated[Path | None, option.output("name of the input with the extension of the format")] = None,
     fps: option.Rate = None,
     columns: option.Columns = "",
-    simulate: Annotated[bool, flag("--simulate", "With mjcf: write a model with actuators, to simulate")] = False,
+    simulate: option.Simulate = False,
     repeat: option.Repeat = None,
     overwrite: option.Overwrite = False,
     fresh: option.NoCache = False,
@@ -415,7 +418,7 @@ def export(
 
 @app.command("import", rich_help_panel="Exchange")
 def import_motion(
-    source: Annotated[Path, typer.Argument(metavar="FILE", help="Recording in a format of `dynsplines formats`")],
+    source: option.ImportSource,
     figure: option.Figure = None,
     kind: option.Format = None,
     fps: option.Fps = None,
@@ -427,6 +430,7 @@ def import_motion(
     allow_outside: option.Outside = False,
 ) -> None:
     """Convert a recording to a motion and list its violations.
+    Violations are penetration, joints beyond their ranges, sliding feet and others.
     Every sample becomes a keyframe. The motion is not changed."""
     target = _target(output, f"{formats.stem(source)}.npz", "motion")
     if target.exists() and source.exists() and target.samefile(source):
@@ -493,7 +497,7 @@ def retarget(
     allow_outside: option.Outside = False,
 ) -> None:
     """Transfer the motion of a skeleton to a figure, and clean it.
-    The result respects joint ranges and avoids collisions of limbs."""
+    The result respects joint ranges, and its limbs do not penetrate each other."""
     target = output or Path(f"{formats.stem(source)}.{Path(to).stem}.npz")
     place = maps.map_of(map_file, writes=write_map)
     recording = clean_command.Source(source, to, kind, fps, scale, scene, contacts, place, write_map, True, speed_limit)
@@ -502,10 +506,8 @@ def retarget(
 
 @app.command(rich_help_panel="Batch")
 def batch(
-    clips: Annotated[list[str] | None, typer.Argument(help="Clips, recordings, folders or glob patterns")] = None,
-    output: Annotated[Path, value("DIR", "Folder of the results and the manifest", True, "-o", "--output")] = Path(
-        "batch"
-    ),
+    clips: option.BatchSources = None,
+    output: option.BatchFolder = Path("batch"),
     listed: option.List = None,
     workers: option.BatchWorkers = None,
     scheduler: Annotated[str | None, value("tcp://HOST:PORT", "Address of a Dask cluster to run on", "none")] = None,

@@ -94,7 +94,7 @@ Only = Annotated[
     value(
         "before|after|keys",
         "Render only the spline through the keyframes (before), the solved motion (after), or the keyframes (keys)",
-        "before and after",
+        "before and after, side by side",
     ),
 ]
 Source = Annotated[
@@ -114,11 +114,15 @@ Recording = Annotated[
     Path, typer.Argument(metavar="RECORDING", help="Motion (.npz), or a file in a format that `import` reads")
 ]
 Overwrite = Annotated[bool, flag("--overwrite", "Overwrite an existing output file")]
-Strict = Annotated[bool, flag("--strict", "Exit with code 3 if a motion violates constraints")]
+Strict = Annotated[bool, flag("--strict", "Exit with code 3 if a motion has violations")]
 NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve the clip again, even if its solution is in the cache")]
 Outside = Annotated[bool, flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
 Ghosts = Annotated[
-    bool, flag("--ghosts", "Draw the figure at all keyframes and variable frames in one picture, keyframes darkest")
+    bool,
+    flag(
+        "--ghosts",
+        "Draw one picture with the figure at all keyframes, darkest, and at the frames that the solver inserted",
+    ),
 ]
 AsJson = Annotated[bool, flag("--json", "Print the result as JSON")]
 SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose or rest pose before the motion")]
@@ -126,7 +130,9 @@ Repeat = Annotated[int | None, number("N", "If the clip is a loop, repeat it N t
 Rate = Annotated[float | None, number("HZ", "Samples per second of the output", 0.01, 100_000, "the clip's, or 30")]
 Figure = Annotated[
     str | None,
-    value("MODEL", "Figure that was recorded: name of a shipped figure, or MJCF file", "the one in the recording"),
+    value(
+        "MODEL", "Figure that the recording moves: name of a shipped figure, or MJCF file", "the one in the recording"
+    ),
 ]
 Format = Annotated[
     str | None, value("FORMAT", "Format of the recording, see `dynsplines formats`", "by its extension", "--from")
@@ -142,7 +148,7 @@ Within = Annotated[
     float | None,
     quantity(
         "length",
-        "Keep pelvis, hands and feet within this distance of the recording, e.g. 3cm",
+        "Keep pelvis, hands and feet within this distance of the recording, e.g. 3cm, where stances allow it",
         "--max-displacement",
         "--within",
     ),
@@ -153,16 +159,18 @@ Contacts = Annotated[
     value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
 ]
 WriteMap = Annotated[
-    bool, flag("--write-map", "Infer the bone map and write it to the file of --map, instead of reading that file")
+    bool, flag("--write-map", "Infer the bone map, and also write it to the file of --map instead of reading that file")
 ]
 Model = Annotated[
-    str | None, value("MODEL", "Figure that moves, if --keys is used: name of a shipped figure, or MJCF file", "none")
+    str | None, value("MODEL", "Figure of the keyframes in --keys: name of a shipped figure, or MJCF file", "none")
 ]
 Keys = Annotated[
     str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
 ]
-Edited = Annotated[Path | None, output("name of the first input with a suffix, such as _mirrored")]
-OverSource = Annotated[bool, flag("--overwrite", "Overwrite the input file, if it is also the output file")]
+Edited = Annotated[Path | None, output("name of the input with the suffix _mirrored, _retimed, _trimmed or _joined")]
+OverSource = Annotated[
+    bool, flag("--overwrite", "Allow -o to be the input file; any other existing file is overwritten in any case")
+]
 Map = Annotated[
     Path | None,
     value(
@@ -174,7 +182,7 @@ Map = Annotated[
 ]
 Size = Annotated[Any, value("WIDTHxHEIGHT", "Width and height of the picture in pixels", parser=size)]
 Camera = Annotated[
-    str, value("NAME", "Camera: side (from its right), left, front, three_quarter, back, or a camera of the model")
+    str, value("NAME", "Camera: side (the figure's right), left, front, three_quarter, back, or a camera of the model")
 ]
 SlowMotion = Annotated[float, number("FACTOR", "Slow motion: 2 plays at half speed, 0.5 at double speed", 0.01, 1000)]
 RenderWorkers = Annotated[
@@ -191,16 +199,36 @@ StudioSource = Annotated[
 Host = Annotated[str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")]
 AllowRemote = Annotated[bool, flag("--allow-remote", "Allow other machines to edit the clip and write files")]
 BoundsSolved = Annotated[
-    bool, flag("--solve", "Apply the bounds to the solved motion, not only to the spline through the keyframes")
+    bool, flag("--solve", "Also keep the motion that results from solving the thinned clip within the error bound")
 ]
 Exact = Annotated[
-    bool, flag("--exact", "Disable optimisation in the written clip, so that solving it keeps the spline")
+    bool,
+    flag("--exact", "Disable optimisation in the written clip; its solution is then the spline through its keyframes"),
 ]
 ExportFormat = Annotated[
-    str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "by the extension of -o")
+    str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "that of the extension of -o")
 ]
 Columns = Annotated[
-    str, value("COLUMNS", "Further columns of csv: velocities,torques,wrench,ground or all", "none", "--with")
+    str,
+    value(
+        "COLUMNS",
+        "Further columns of csv: velocities,torques,wrench (at the root),ground (force at each foot) or all",
+        "none",
+        "--with",
+    ),
+]
+Simulate = Annotated[
+    bool, flag("--simulate", "Only for the format mjcf: add actuators, so that the model can be simulated")
+]
+ImportSource = Annotated[
+    Path, typer.Argument(metavar="FILE", help="Recording in a format that `dynsplines formats` lists")
+]
+BatchSources = Annotated[
+    list[str] | None, typer.Argument(help="Clips, or recordings with --clean or --retarget; folders or glob patterns")
+]
+BatchFolder = Annotated[
+    Path,
+    value("DIR", "Folder of the results and of manifest.jsonl, which lists every clip", True, "-o", "--output"),
 ]
 List = Annotated[str | None, value("FILE", "File with more clips, one per line; - reads stdin", "none", "--list")]
 BatchWorkers = Annotated[
