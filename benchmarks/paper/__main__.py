@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from dynsplines import start
+from dynsplines.__main__ import main as run_command
 
 Seeds = Annotated[int | None, typer.Option(help="sets of keyframes [default: 20]", min=1)]
 Folder = Annotated[Path | None, typer.Option(help="draw the paper's figures into this folder instead", metavar="DIR")]
@@ -72,7 +72,7 @@ def main() -> None:
 
         run(lambda: app(prog_name="python -m benchmarks.paper", standalone_mode=False))
 
-    start.main(command)
+    run_command(command)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ MOST_NAME = 120  # maximum number of characters in a file's name
 MOST_LISTED = 200  # maximum number of files in a list
 PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
 OPENED = (".toml", ".xml", ".npz", ".bvh", ".csv", ".pkl", ".npy")
-COMMAND = "import sys; from dynsplines.start import main; sys.argv[0] = 'dynsplines'; main()"
+COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
 
 
 def inside(folder: Path, name: Any) -> Path:

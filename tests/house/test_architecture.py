@@ -152,7 +152,7 @@ STRATA = {
         python studio
         cli_options
         cli
-        start
+        __main__
     """,
 }
 

@@ -59,7 +59,7 @@ def test_the_wheel_contains_its_command_its_licence_and_nothing_of_the_tests(con
     (entries,) = (name for name in contents if name.endswith("entry_points.txt"))
     with zipfile.ZipFile(wheel) as archive:
         assert archive.read(top).decode().split() == ["dynsplines"]
-        assert "dynsplines = dynsplines.start:main" in archive.read(entries).decode()
+        assert "dynsplines = dynsplines.__main__:main" in archive.read(entries).decode()
     assert any("licenses/LICENSE" in name for name in contents)
 
 

@@ -73,7 +73,7 @@ def test_it_refuses_what_does_not_fit():
 
 
 def test_version_prints_the_kernel_in_use():
-    code = "from dynsplines.start import main; import sys; sys.argv = ['dynsplines', '--version']; main()"
+    code = "from dynsplines.__main__ import main; import sys; sys.argv = ['dynsplines', '--version']; main()"
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert ("the compiled kernel" in told) is (compiled.kernel is not None)
     assert ("NumPy alone" in told) is (compiled.kernel is None)

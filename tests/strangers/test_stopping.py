@@ -19,7 +19,7 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another mat
 
 LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
 DEFAULT = "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from dynsplines.start import main; main()"
+COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from dynsplines.__main__ import main; main()"
 INTERRUPTED = (
     DEFAULT
     + """
@@ -32,7 +32,7 @@ class Interrupting(importlib.abc.MetaPathFinder):
             os.kill(os.getpid(), number)
 sys.meta_path.insert(0, Interrupting())
 sys.argv = sys.argv[3:]
-from dynsplines.start import main; main()"""
+from dynsplines.__main__ import main; main()"""
 )
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129} if os.name != "nt" else {}
 Start = Callable[..., "subprocess.Popen[str]"]

@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-COMMAND = "import sys; from dynsplines.start import main; sys.argv[0] = 'dynsplines'; main()"
+COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
 
 
 def chromium() -> str:

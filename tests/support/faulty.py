@@ -73,7 +73,7 @@ def _hear(heard: list[bytes], number: int, pipe: tuple[int, int]) -> None:
 
 def _run(case: dict, calls: Path) -> None:
     """The command, to the process's end."""
-    from dynsplines import start
+    from dynsplines.__main__ import main as command
 
     code = 99
     try:
@@ -82,7 +82,7 @@ def _run(case: dict, calls: Path) -> None:
         signal.signal(signal.SIGINT, signal.default_int_handler)
         exec(case.get("before", ""), {})
         try:
-            start.main()
+            command()
         finally:
             sys.settrace(None)
             if "calls" in case:

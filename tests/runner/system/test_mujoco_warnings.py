@@ -57,7 +57,7 @@ def test_a_command_reports_a_warning_once_and_leaves_no_log(run: Command):
 
 @pytest.mark.slow
 def test_a_process_of_its_own_reports_it_too(run: Command):
-    script = "import sys; sys.argv = ['dynsplines', 'solve', 'clip.toml']; from dynsplines.start import main; main()"
+    script = "import sys; sys.argv = ['dynsplines', 'solve', 'clip.toml']; from dynsplines.__main__ import main; main()"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, env=os.environ)
     assert len(notes(done.stderr)) == 1
     assert not Path("MUJOCO_LOG.TXT").exists()

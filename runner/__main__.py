@@ -39,3 +39,7 @@ def _stopped() -> None:
     signals.ignore()
     print("dynsplines: stopped", file=sys.stderr)
     sys.exit(signals.code(STOPPED))
+
+
+if __name__ == "__main__":
+    main()
