@@ -29,7 +29,7 @@ RESTART_MISS, RESTART_COST = 0.005, 0.9  # [m] that triggers restarts; relative 
 RESTART_BENDS = np.radians([12, 30, 70])  # flexion of knees and elbows: of all, then of the dragged limb
 STIFFNESS = 0.1, 1.0, 1.0, 1.0, 1.0  # factors of the constraints' weights in successive descents, as many as needed
 FIXED_MISS = 3e-4  # [m] largest residual of fixed goals
-STEPS, MAX_STEP = 8, 0.5  # per descent; [rad, m] of any degree of freedom
+STEPS, MAX_STEP = 14, 0.5  # per descent; [rad, m] of any degree of freedom
 MIN_GAIN, MIN_STEP = 1e-4, 1e-5  # limits of convergence [1], [rad, m]
 
 

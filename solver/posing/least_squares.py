@@ -1,14 +1,14 @@
 """Damped least squares, of one pose or of many at once (K. Levenberg 1944; D. W. Marquardt 1963).
 
 Residuals are two-sided, or one-sided with a cost only where they are positive. A step is solved with the one-sided
-residuals that are positive at its end. Where it reduces the cost by less than predicted, a second-order correction
-follows the curvature of stiff residuals, such as those of soles on the ground (R. Fletcher 1982).
+residuals that are positive at its end.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from ..array import Array, Index, Mask
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 0.1, 1e-12, 1e8
 # [1] divisor of damping after a step that reduces the cost; multiplier of damping after any other step
 BOLDER, MORE_CAREFUL = 5, 6
-POOR_GAIN = 0.7  # [1] ratio of actual and predicted reduction of the cost below which a step is corrected
+TINY = 1e-12  # [rad, m] smallest length of a step in a division
 ACTIVE_SETS = 4  # [1] largest number of solves of a step, until the positive one-sided residuals no longer change
 SQUARED = 1e4  # [1] largest weight, relative to that of the unknowns, for which normal equations are accurate enough
 
@@ -50,19 +50,11 @@ class Residuals:
         active[:, : self.two_sided] = True
         return active
 
-    @property
+    @cached_property
     def cost(self) -> Array:
         """The cost of every pose, (T,)."""
-        return self.squared(self.values) + self.constant
-
-    def squared(self, values: Array) -> Array:
-        """Return the sum of the squares of residuals of these values (T, r) that have a cost, (T,)."""
-        active = values * self.active(values)
-        return np.asarray(np.einsum("tr,tr->t", active, active), float)
-
-    def predicted(self, step: Array) -> Array:
-        """Return the predicted reduction of the cost by a step (T, n), (T,)."""
-        return self.squared(self.values) - self.squared(self.values + _product(self.rows, step))
+        values = self.values * self.active(self.values)
+        return np.asarray(np.einsum("tr,tr->t", values, values) + self.constant, float)
 
     def where(self, mask: Mask, other: Residuals) -> Residuals:
         """Return the residuals of other poses where a mask (T,) is true."""
@@ -109,7 +101,9 @@ class LeastSquares:
         here = self.residuals(out, going)
         costs[:] = here.cost
         for _ in range(self.steps):
-            poses, there, step = self._stepped(out[going], here, going, damping)
+            step = self._step(here, damping)
+            poses = self.moved(out[going], step)
+            there = self.residuals(poses, going)
             cost = there.cost
             better = cost < costs[going]
             ends = better & (costs[going] - cost <= self.settled * costs[going]) & (damping <= FIRST_DAMPING)
@@ -123,40 +117,26 @@ class LeastSquares:
                     break
         return out, costs
 
-    def _stepped(self, poses: Array, here: Residuals, going: Index, damping: Array) -> tuple[Array, Residuals, Array]:
-        """Return poses one step further, their residuals, and the step (T, n)."""
-        step, active = self._step(here, damping)
-        new = self.moved(poses, step)
-        there = self.residuals(new, going)
-        poor = here.cost - there.cost < POOR_GAIN * here.predicted(step)
-        if poor.any():
-            curved = np.where(active, there.values - here.values - _product(here.rows, step), 0.0)
-            corrected = self.moved(new, self._limited(self._solved(here, active, curved, damping)))
-            residuals = self.residuals(corrected, going)
-            improved = poor & (residuals.cost < there.cost)
-            if improved.any():
-                new, there = np.where(improved[:, None], corrected, new), there.where(improved, residuals)
-        return new, there, step
-
-    def _step(self, here: Residuals, damping: Array) -> tuple[Array, Mask]:
-        """Return a step (T, n), and the residuals (T, r) that it reduces."""
+    def _step(self, here: Residuals, damping: Array) -> Array:
+        """Return a step (T, n) from poses with these residuals."""
         active = here.active(here.values)
         step = np.zeros((len(active), self.weights.size))
         for _ in range(ACTIVE_SETS):
-            step = self._limited(self._solved(here, active, here.values, damping))
-            predicted = here.active(here.values + _product(here.rows, step))
+            step = self._solved(here, active, damping)
+            longest = np.abs(step).max(axis=1, initial=0.0)
+            step *= np.minimum(1.0, self.longest / np.maximum(longest, TINY))[:, None]
+            predicted = here.active(here.values + (here.rows @ step[:, :, None])[:, :, 0])
             if np.array_equal(predicted, active):
                 break
             active = predicted
-        return step, active
+        return step
 
-    def _limited(self, step: Array) -> Array:
-        longest = np.abs(step).max(axis=1, initial=0.0)
-        return step * (self.longest / np.maximum(longest, self.longest))[:, None] if np.isfinite(self.longest) else step
-
-    def _solved(self, here: Residuals, active: Mask, values: Array, damping: Array) -> Array:
+    def _solved(self, here: Residuals, active: Mask, damping: Array) -> Array:
         """Return the step (T, n) that minimises |values + rows · step|² + damping |weights · step|²."""
-        rows = here.rows * active[:, :, None]
+        if len(active) == 1:
+            rows, values = here.rows[:, active[0]], here.values[:, active[0]]
+        else:
+            rows, values = here.rows * active[:, :, None], here.values
         squares = damping[:, None] * self.weights**2
         if np.abs(rows).max(initial=0.0) <= SQUARED * self.weights.min(initial=np.inf):
             across = np.swapaxes(rows, 1, 2)
@@ -168,8 +148,3 @@ class LeastSquares:
         q, r = np.linalg.qr(system)
         right = np.swapaxes(q[:, : values.shape[1]], 1, 2) @ values[:, :, None]
         return np.asarray(-np.linalg.solve(r, right)[:, :, 0], float)
-
-
-def _product(rows: Array, step: Array) -> Array:
-    """Return rows (T, r, n) times a step (T, n), (T, r)."""
-    return np.asarray((rows @ step[:, :, None])[:, :, 0], float)
