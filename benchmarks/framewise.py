@@ -31,7 +31,7 @@ from rich.console import Console
 from dynsplines import solve_cache
 from dynsplines.clean import command
 from dynsplines.clean.cleaning import Cleaned
-from dynsplines.clean.comparison import Comparison, Look
+from dynsplines.clean.comparison import Comparison, PathMeasurement
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy
@@ -166,7 +166,7 @@ def framewise(mink: Any, goal: Goal) -> Array:
 
 def measured(found: Cleaned, path: Curve, goal: Goal) -> tuple[float, ...]:
     """Depth [mm], slip [mm], off the scaled recording in the median and 95 % [cm], beyond ranges [°], jerk, force."""
-    look = Look(found, path, Comparison(found).times)
+    look = PathMeasurement(found, path, Comparison(found).times)
     median, high = goal.off(found.figure.to_qpos(path.at(goal.t)))
     return look.depth, look.slip, median, high, look.range, look.jerk, look.force
 
@@ -198,7 +198,7 @@ def measure(effort: Effort) -> Section:
         for file in recordings(effort, Path(folder)):
             effort.tell(file.stem)
             begin = time.perf_counter()
-            result, _ = command.made(command.Source(file, robot, apart=True), None, quiet())
+            result, _ = command.clean_recording(command.Source(file, robot, avoids_self_collision=True), None, quiet())
             first, last = result.before.span
             spent = time.perf_counter() - begin
             goal = Goal.of(file, result)

@@ -26,7 +26,7 @@ from rich.console import Console
 
 from dynsplines import solve_cache
 from dynsplines.clean.cleaning import Cleaned, cleaned
-from dynsplines.clean.comparison import Look
+from dynsplines.clean.comparison import PathMeasurement
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
 from dynsplines.clip.posing.feet import sole_points
@@ -225,7 +225,7 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
         skate=skates[0],
         seen_skate=skates[1],
         own_skate=skates[2],
-        depth=Look(result, result.after, fine).depth / 1000,
+        depth=PathMeasurement(result, result.after, fine).depth / 1000,
         hover=hover,
         peak=peaks[0] / peaks[1],
         found=_hits(rests, stand, LEAST),

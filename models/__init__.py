@@ -18,8 +18,8 @@ STAGE = "stage"
 class UnknownName(KeyError):
     """No shipped figure or clip has this name; the message lists them."""
 
-    def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
-        names = sorted(known)
+    def __init__(self, kind: str, name: str, choices: Iterable[str]) -> None:
+        names = sorted(choices)
         close = difflib.get_close_matches(name, names, n=1)
         guess = f"; did you mean {close[0]!r}?" if close else "."
         listing = f"{kind.capitalize()}s: {', '.join(names)}" if names else f"No {kind} ships."

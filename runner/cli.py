@@ -99,8 +99,8 @@ def main() -> None:
     exit_status.run(lambda: app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False))
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
+def _print_version(value: bool) -> None:
+    if value:
         from importlib.metadata import version  # only here: it takes a moment
 
         from .solver import compiled
@@ -144,7 +144,7 @@ def solve(
     repeat: option.Repeat = None,
     strict: option.Strict = False,
     as_json: option.AsJson = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     model: option.Model = None,
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
@@ -159,7 +159,7 @@ def solve(
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
         first, last = inputs.span(clip, repeat)
         motion.sample_count(last - first, clip.fps)
-        saved, violations = inputs.solved(clip, progress, repeat, fresh=fresh)
+        saved, violations = inputs.solved(clip, progress, repeat, no_cache=no_cache)
         motion.save(saved, target)
         _conclude(progress, target, violations, target)
     if as_json:
@@ -181,7 +181,7 @@ def render(
     workers: option.RenderWorkers = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     model: option.Model = None,
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
@@ -203,7 +203,7 @@ def render(
         look.check(clip.figure.model, *inputs.span(clip, repeat), flags="--")
         progress.say(renderer.line)
         is_solved = only not in ("keys", "before")
-        saved, violations = inputs.solved(clip, progress, repeat, solve=is_solved, fresh=fresh)
+        saved, violations = inputs.solved(clip, progress, repeat, solve=is_solved, no_cache=no_cache)
         rendering.draw(saved, look, renderer, target, workers, progress)
         _conclude(progress, target, violations, source)
     _judge(violations, strict)
@@ -265,12 +265,12 @@ def mirror(
     source: option.Source,
     output: option.Edited = None,
     overwrite: option.OverSource = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Swap left and right in a motion or a clip.
     The result of a clip (.toml) is a clip, unless -o is a motion (.npz)."""
-    _edit(files.mirrored(), output, overwrite, fresh, source)
+    _edit(files.mirrored(), output, overwrite, no_cache, source)
 
 
 @app.command(rich_help_panel="Edit")
@@ -280,12 +280,12 @@ def retime(
     speed: Annotated[float | None, number("FACTOR", "Speed factor, e.g. 1.5", default="none")] = None,
     duration: Annotated[float | None, seconds("New duration", "none")] = None,
     overwrite: option.OverSource = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Change the speed of a motion or a clip.
     Specify either --speed or --duration. The result of a clip (.toml) is a clip, unless -o is a motion (.npz)."""
-    _edit(files.retimed(speed, duration), output, overwrite, fresh, source)
+    _edit(files.retimed(speed, duration), output, overwrite, no_cache, source)
 
 
 @app.command(rich_help_panel="Edit")
@@ -295,12 +295,12 @@ def trim(
     first: Annotated[float | None, seconds("Start of the interval", "the start", "--from")] = None,
     last: Annotated[float | None, seconds("End of the interval", "the end", "--to")] = None,
     overwrite: option.OverSource = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Cut a motion to a time interval.
     Specify --from or --to, or both. A clip is solved first."""
-    _edit(files.trimmed(first, last), output, overwrite, fresh, source)
+    _edit(files.trimmed(first, last), output, overwrite, no_cache, source)
 
 
 @app.command(rich_help_panel="Edit")
@@ -310,12 +310,12 @@ def join(
     output: option.Edited = None,
     transition: Annotated[float, seconds("Duration of the transition")] = 0.4,
     overwrite: option.OverSource = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Append a motion to another one, with a transition.
     Clips are solved first. The second motion is moved and rotated, so that it continues from the end of the first."""
-    _edit(files.joined(transition), output, overwrite, fresh, first, second)
+    _edit(files.joined(transition), output, overwrite, no_cache, first, second)
 
 
 @app.command(rich_help_panel="Edit")
@@ -331,12 +331,12 @@ def thin(
     kind: option.Format = None,
     fps: option.Fps = None,
     overwrite: option.Overwrite = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Reduce a motion to a few keyframes within an error bound.
     The extension of -o selects a clip (.toml) or a motion (.npz)."""
-    recording = thin_files.ToThin(source, figure, kind, fps, fresh, skip_rest)
+    recording = thin_files.Recording(source, figure, kind, fps, no_cache, skip_rest)
     bound = thin_files.bound(max_error, max_angle)
     with terminal.Progress() as progress:
         thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, progress=progress)
@@ -347,7 +347,7 @@ def report(
     source: option.Source = "",
     strict: option.Strict = False,
     as_json: option.AsJson = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     model: option.Model = None,
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
@@ -357,7 +357,7 @@ def report(
     It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
 
-    measured = _measured(source, model, keys, fresh).report
+    measured = _measured(source, model, keys, no_cache).report
     if as_json:
         print(json.dumps({key: value for key, value in measured.items() if key != "curves"}, indent=2))
     else:
@@ -371,7 +371,7 @@ def report(
 def plot(
     source: option.Source = "",
     output: Annotated[Path | None, option.output("CLIP.png")] = None,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     model: option.Model = None,
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
@@ -383,7 +383,7 @@ def plot(
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
     outputs.check_target(target)
-    saved = _measured(source, model, keys, fresh)
+    saved = _measured(source, model, keys, no_cache)
     with inputs.complete_report(source):
         chart.draw(saved.name, saved.report, saved.trace, [key.time for key in saved.keys], target)
     print(f"wrote {target}", file=sys.stderr)
@@ -399,7 +399,7 @@ def export(
     simulate: option.Simulate = False,
     repeat: option.Repeat = None,
     overwrite: option.Overwrite = False,
-    fresh: option.NoCache = False,
+    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Write a motion in the format of another program.
@@ -411,8 +411,8 @@ def export(
     with terminal.Progress() as progress:
         clip = inputs.load(source)
         inputs.span(clip, repeat)
-        saved, violations = inputs.solved(clip, progress, repeat, fresh=fresh)
-        formats.export(saved, form.name, target, fps=fps, options=options, overwrite=overwrite, tell=progress.say)
+        saved, violations = inputs.solved(clip, progress, repeat, no_cache=no_cache)
+        formats.export(saved, form.name, target, fps=fps, options=options, overwrite=overwrite, report=progress.say)
         _conclude(progress, target, violations, source)
 
 
@@ -438,7 +438,7 @@ def import_motion(
     outputs.check_target(target, overwrite=overwrite)
     with terminal.Progress() as progress:
         recording = motion_import.import_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-        saved = rest_pose_trim.told(recording, progress, skip=skip_rest)
+        saved = rest_pose_trim.trim(recording, progress, skip=skip_rest)
         motion.save(saved, target)
         violations = violation.of_motion(saved)
         _conclude(progress, target, violation.by_name(violations), target)
@@ -529,8 +529,8 @@ def batch(
 ) -> None:
     """Solve many clips in parallel.
     It uses all cores or a Dask cluster. To resume an interrupted batch, repeat the command."""
-    cleaning = recordings.asked(
-        clean=clean_all, onto=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, within=within
+    cleaning = recordings.cleaning_source(
+        clean=clean_all, robot=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, max_displacement=within
     )
     options = batches.Options(
         listed,
@@ -558,22 +558,24 @@ def _name(source: str, model: str | None, keys: str | None) -> str:
     return Path(source if keys is None else keys).stem or "motion"
 
 
-def _measured(source: str, model: str | None, keys: str | None, fresh: bool) -> "motion.Saved":
+def _measured(source: str, model: str | None, keys: str | None, no_cache: bool) -> "motion.Saved":
     _name(source, model, keys)
     with terminal.Progress() as progress:
-        return inputs.measured(inputs.load(source, model=model, keys=keys), progress, fresh=fresh)
+        return inputs.measured(inputs.load(source, model=model, keys=keys), progress, no_cache=no_cache)
 
 
-def _edit(edit: "files.Edit", output: Path | None, overwrite: bool, fresh: bool, *edited: str) -> None:
+def _edit(edit: "files.Edit", output: Path | None, overwrite: bool, no_cache: bool, *edited: str) -> None:
     """Apply an edit to files, and print the name of the written file."""
     with terminal.Progress() as progress:
-        target, violations = files.run(list(edited), edit, output, overwrite=overwrite, fresh=fresh, progress=progress)
+        target, violations = files.run(
+            list(edited), edit, output, overwrite=overwrite, no_cache=no_cache, progress=progress
+        )
         _conclude(progress, target, violations, target)
 
 
 def _clean(recording: "clean_command.Source", target: Path | None, within: float | None, overwrite: bool) -> None:
     with terminal.Progress() as progress:
-        clean_command.run(recording, target, within=within, overwrite=overwrite, progress=progress)
+        clean_command.run(recording, target, max_displacement=within, overwrite=overwrite, progress=progress)
 
 
 def _target(output: Path | None, name: str, kind: str, overwrite: bool = True) -> Path:

@@ -51,9 +51,9 @@ def one_line(text: object) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in shortened(str(text)))
 
 
-def unknown(kind: str, name: str, known: Iterable[str]) -> str:
+def unknown(kind: str, name: str, choices: Iterable[str]) -> str:
     """ "no joint 'left_kne'; did you mean 'left_knee'? Joints: ..." """
-    names = list(known)
+    names = list(choices)
     close = difflib.get_close_matches(name, names, n=1) if len(name) <= LONGEST_WORD else []
     guess = f"; did you mean '{close[0]}'?" if close else "."
     several = {"penalty": "Penalties", "criterion": "Criteria", "body": "Bodies"}.get(kind, f"{kind.capitalize()}s")

@@ -51,11 +51,11 @@ def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]
 
 
 def solved(
-    source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True, fresh: bool = False
+    source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True, no_cache: bool = False
 ) -> tuple[Saved, Sequence[Violation]]:
     """Return the motion of a source, repeated `repeat` times, and its violations.
 
-    Without `solve` the clip's raw spline is returned, without violations. With `fresh` a clip is solved even if its
+    Without `solve` the clip's raw spline is returned, without violations. With `no_cache` a clip is solved even if its
     solution is cached.
     """
     from . import solve_cache, solving  # imported here because rejected clips do not need it
@@ -65,7 +65,7 @@ def solved(
     if isinstance(source, Saved):
         out = source
     elif solve:
-        result = solve_cache.solved(source, progress, fresh=fresh)
+        result = solve_cache.solved(source, progress, no_cache=no_cache)
         out, violations = result.saved(progress, with_report=False), result.violations if repeat is None else None
     else:
         out = solving.unsolved(source).saved(progress, with_report=False)
@@ -79,13 +79,13 @@ def solved(
     return out, violations
 
 
-def measured(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
-    """Return the motion of a source with its report, measured unless its file contains it; `fresh` as for `solved`."""
+def measured(source: Clip | Saved, progress: Progress, *, no_cache: bool = False) -> Saved:
+    """Return the motion of a source with its report, measured unless stored in its file; `no_cache` as for `solved`."""
     from . import solve_cache  # imported here, as above
     from .measure import violation
 
     if not isinstance(source, Saved):
-        return solve_cache.solved(source, progress, fresh=fresh).saved(progress)
+        return solve_cache.solved(source, progress, no_cache=no_cache).saved(progress)
     if not source.report:
         from .edit import edits  # imported here, as above
 

@@ -51,28 +51,28 @@ SMALLEST = 1e-6  # [1] minimum norm of a quaternion
 APART = ("figure", "fps")  # keys of a clip on which its solution does not depend; the scene contains the figure
 
 
-def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
-    """Return the solution of a clip, from the cache if its inputs have not changed; `fresh` ignores the cache."""
+def solved(clip: Clip, progress: Progress, *, no_cache: bool = False) -> Solved:
+    """Return the solution of a clip, from the cache if its inputs have not changed; `no_cache` ignores the cache."""
     folder = place()
     if folder is None:
         return solving.solve(clip, progress)
     file = folder / f"{key_of(clip)}.npz"
-    solution = None if fresh else read(file, clip)
+    solution = None if no_cache else read(file, clip)
     if solution is None:
         solution = solving.solve(clip, progress)
         if solution.motion.stop is not Stop.INTERRUPTED:
             write(solution, file)
         return solution
-    solving.tell_notes(clip, progress)
+    solving.report_notes(clip, progress)
     progress.say(f"solved before: {solving.course(solution.motion) or 'nothing to search'}; --no-cache solves it again")
     return solution
 
 
-def saved(source: Clip | Saved, progress: Progress, *, fresh: bool = False) -> Saved:
-    """Return a saved motion unchanged, or that of a clip without a report; `fresh` as for `solved`."""
+def saved(source: Clip | Saved, progress: Progress, *, no_cache: bool = False) -> Saved:
+    """Return a saved motion unchanged, or that of a clip without a report; `no_cache` as for `solved`."""
     if isinstance(source, Saved):
         return source
-    return solved(source, progress, fresh=fresh).saved(progress, with_report=False)
+    return solved(source, progress, no_cache=no_cache).saved(progress, with_report=False)
 
 
 def key_of(clip: Clip) -> str:
@@ -122,9 +122,9 @@ def _version(library: str) -> str:
         return "?"
 
 
-def write(found: Solved, file: Path) -> None:
+def write(result: Solved, file: Path) -> None:
     """Write a solved clip atomically, and delete the least recently used ones if there are too many."""
-    motion = found.motion
+    motion = result.motion
     timeline = motion.timeline
     with suppress(OSError, UserError):
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -139,7 +139,7 @@ def write(found: Solved, file: Path) -> None:
                 trace=json.dumps(motion.trace),
                 evaluations=motion.evaluations,
                 stop=motion.stop.name,
-                seconds=found.seconds or 0.0,
+                seconds=result.seconds or 0.0,
             )
         make_room(file.parent, OWN, MOST_BYTES)
 

@@ -78,7 +78,7 @@ class Solved:
             if with_report:
                 progress.step("measuring", 0.0, force=True)
 
-                def told(i: int, count: int) -> None:
+                def report_progress(i: int, count: int) -> None:
                     progress.step("measuring", i / count, f"segment {i} of {count}")
                     if interrupted.is_set():
                         raise KeyboardInterrupt
@@ -87,7 +87,7 @@ class Solved:
                 from .measure.report import report
 
                 drawn = curves(clip, motion)
-                data = report(clip, motion, self.seconds, told)
+                data = report(clip, motion, self.seconds, report_progress)
                 data["curves"] = drawn
                 progress.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
@@ -112,7 +112,7 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
     Args:
         stop_after: The number of evaluations after which to stop; None: no limit.
     """
-    tell_notes(clip, progress)
+    report_notes(clip, progress)
     _check_size(clip)
 
     def improved(improvement: Improvement) -> None:
@@ -129,7 +129,7 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
     return Solved(clip, solution, seconds)
 
 
-def tell_notes(clip: Clip, progress: Progress) -> None:
+def report_notes(clip: Clip, progress: Progress) -> None:
     """Report the clip's notes."""
     for note in clip.notes:
         progress.say(f"note: {note}")

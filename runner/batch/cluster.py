@@ -20,7 +20,7 @@ from distributed import Client, Worker, WorkerPlugin, get_worker
 from ..errors import UserError, one_line
 from ..system.progress import Progress
 from .task import Limits, Outcome
-from .worker import Do, Pool, Workers
+from .worker import Pool, SolveTask, Workers
 
 CONNECT_SECONDS = 10  # [s] time limit of the connection to a cluster
 CLOSE_SECONDS = 10  # [s] time limit of closing a client
@@ -44,10 +44,10 @@ class _Processes(WorkerPlugin):
         self.pool.stop()
 
 
-def _run(batch: str, do: Do, task: object, limits: Limits) -> Outcome:
+def _run(batch: str, solve_task: SolveTask, task: object, limits: Limits) -> Outcome:
     """Run a clip at a Dask worker, in the processes for this batch."""
     worker = get_worker()
-    outcome = cast(_Processes, worker.plugins[batch]).pool.run(do, task, limits)
+    outcome = cast(_Processes, worker.plugins[batch]).pool.run(solve_task, task, limits)
     return replace(outcome, worker=worker.address)
 
 

@@ -16,19 +16,21 @@ from ..system.lock import locked
 from ..system.output import Replacement, clear_below
 from ..system.progress import Progress
 from ..system.workers import cores
-from .inputs import Contents, Source, files_of, named_apart, sources
+from .inputs import Contents, Source, files_of, sources, with_unique_names
 from .manifest import Entry, Manifest, check_below, digest_of
 from .solving import solved
 from .tally import Tally
 from .task import Options, Outcome, Result, Task
-from .worker import Do, Workers, local
+from .worker import SolveTask, Workers, local
 
 TRIES = 3  # attempts per run for a clip whose process or Dask worker ends
 TICK_SECONDS = 0.5  # [s] interval of checks of the folder and the workers
 READING_EVERY = 500  # clips per line of progress
 
 
-def run(words: list[str], folder: Path, options: Options, progress: Progress, *, do: Do = solved) -> Tally:
+def run(
+    words: list[str], folder: Path, options: Options, progress: Progress, *, solve_task: SolveTask = solved
+) -> Tally:
     """Solve every clip that the words name into a folder, or resume a batch there.
 
     A clip that fails is recorded, and the batch continues. Ctrl-C stops the batch and leaves no incomplete file. Raises
@@ -44,7 +46,7 @@ def run(words: list[str], folder: Path, options: Options, progress: Progress, *,
     folder = folder.resolve()
     with locked(folder):
         clear_below(folder)
-        batch = Batch(Manifest.of(folder), options, progress, do)
+        batch = Batch(Manifest.of(folder), options, progress, solve_task)
         try:
             names = batch.plan(clips)
             if batch.waiting and options.scheduler is not None:
@@ -63,8 +65,8 @@ def run(words: list[str], folder: Path, options: Options, progress: Progress, *,
 class Batch:
     """The clips that are waiting and those that are running."""
 
-    def __init__(self, manifest: Manifest, options: Options, progress: Progress, do: Do) -> None:
-        self.manifest, self.options, self.progress, self.do = manifest, options, progress, do
+    def __init__(self, manifest: Manifest, options: Options, progress: Progress, solve_task: SolveTask) -> None:
+        self.manifest, self.options, self.progress, self.solve_task = manifest, options, progress, solve_task
         self.folder = manifest.path.parent
         self.figures: dict[Path, Contents] = {}
         self.waiting: deque[tuple[str, Source]] = deque()
@@ -74,16 +76,16 @@ class Batch:
         self.solved = self.failed = self.total = 0
         self.begin = time.monotonic()
 
-    def plan(self, found: list[Source]) -> list[str]:
+    def plan(self, sources: list[Source]) -> list[str]:
         """Queue every clip that is new, changed, not done, or whose output is missing; return all names."""
         entries, names = self.manifest.entries, []
         clip_of = {entry.source: entry.clip for entry in entries.values()}
-        fresh = [source for source in found if source.place(self.folder) not in clip_of]
-        clip_of |= {source.place(self.folder): str(source.name) for source in named_apart(fresh, entries.keys())}
+        fresh = [source for source in sources if source.place(self.folder) not in clip_of]
+        clip_of |= {source.place(self.folder): str(source.name) for source in with_unique_names(fresh, entries.keys())}
         changed = []
-        for number, source in enumerate(found, 1):
+        for number, source in enumerate(sources, 1):
             if number % READING_EVERY == 0:
-                self.progress.step("reading", number / len(found), f"{number} of {len(found)} clips")
+                self.progress.step("reading", number / len(sources), f"{number} of {len(sources)} clips")
             place = source.place(self.folder)
             name = clip_of[place]
             names.append(name)
@@ -93,7 +95,7 @@ class Batch:
                 digest = ""
             before = entries.get(name) or Entry(clip=name, source=place)
             is_same = before.input == digest and name in entries
-            if is_same and before.state != "failed" and before.holds(self.folder):
+            if is_same and before.state != "failed" and before.is_intact(self.folder):
                 changed += [replace(before, state="done")] * (before.state != "done")  # the last line was not written
             elif not is_same or not self._is_final(before):
                 attempts = before.attempts if is_same else 0
@@ -151,7 +153,7 @@ class Batch:
             return
         task = Task(files, PurePosixPath(output).name, options, is_allowed())
         self.tries[name] += 1
-        self.running[workers.submit(self.do, task, options.limits)] = name, source
+        self.running[workers.submit(self.solve_task, task, options.limits)] = name, source
         digest = options.digest(files)  # the clip may have changed since it was queued
         begun = replace(entry, input=digest, state="running", attempts=entry.attempts + 1)
         self.manifest.record([begun], firmly=False)
@@ -172,7 +174,7 @@ class Batch:
             output=output,
             size=len(files.get(output, b"")),
             sha256=hashes.pop(output, ""),
-            beside=hashes,
+            companions=hashes,
             **{member.name: getattr(outcome, member.name) for member in fields(Result)},
         )
         if not outcome.cause:

@@ -74,21 +74,21 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
     return list(unique.values())
 
 
-def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:
+def with_unique_names(new_sources: list[Source], used_names: Collection[str]) -> list[Source]:
     """Return the sources with unique names, by prefixing folders as far as necessary, or by a number.
 
-    `taken` are names in use; case is ignored, as on some disks.
+    `used_names` are names in use; case is ignored, as on some disks.
     """
-    names, growing = [source.name for source in fresh], True
+    names, growing = [source.name for source in new_sources], True
     while growing:
         count = Counter(str(name).casefold() for name in names)
-        longer = {i: _above(fresh[i], name) for i, name in enumerate(names) if count[str(name).casefold()] > 1}
+        longer = {i: _above(new_sources[i], name) for i, name in enumerate(names) if count[str(name).casefold()] > 1}
         growing = any(longer.values())
         for i, name in longer.items():
             names[i] = name or names[i]
-    used = {name.casefold() for name in taken}
+    used = {name.casefold() for name in used_names}
     out: list[Source] = []
-    for source, name in zip(fresh, names, strict=True):
+    for source, name in zip(new_sources, names, strict=True):
         number, free = 1, name
         while str(free).casefold() in used:
             number += 1

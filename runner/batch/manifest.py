@@ -15,7 +15,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, TypeAdapter, ValidationError
+from pydantic import AfterValidator, AliasChoices, Field, TypeAdapter, ValidationError
 
 from ..errors import UserError
 from ..scene.file_access import lies_in
@@ -50,7 +50,7 @@ class Entry(Result):
         attempts: The number of attempts.
         output: The file in the manifest's folder.
         size: The size of this file [bytes].
-        beside: Further files of the output, with their hashes; several clips may share one.
+        companions: Further files of the output, with their hashes; several clips may share one.
     """
 
     clip: Below
@@ -61,7 +61,10 @@ class Entry(Result):
     output: Below = ""
     size: int = 0
     sha256: str = ""
-    beside: Mapping[Below, str] = field(default_factory=dict)
+    companions: Annotated[
+        Mapping[Below, str],
+        Field(validation_alias=AliasChoices("companions", "beside")),  # its former name, in older manifests
+    ] = field(default_factory=dict)
 
     def line(self) -> str:
         """Return the entry as JSON, without empty fields."""
@@ -70,9 +73,9 @@ class Entry(Result):
 
     @property
     def hashes(self) -> dict[str, str]:
-        return {self.output: self.sha256, **self.beside} if self.output else {}
+        return {self.output: self.sha256, **self.companions} if self.output else {}
 
-    def holds(self, folder: Path) -> bool:
+    def is_intact(self, folder: Path) -> bool:
         try:
             if not self.output or (folder / self.output).stat().st_size != self.size:
                 return False
@@ -102,7 +105,7 @@ class Manifest:
 
     path: Path
     entries: dict[str, Entry] = field(default_factory=dict)
-    _whole: bool = False  # whether the file ends with a complete line
+    _is_complete: bool = False  # whether the file ends with a complete line
 
     @classmethod
     def of(cls, folder: Path) -> Manifest:
@@ -117,7 +120,7 @@ class Manifest:
         With `firmly`, wait until the lines are on the disk. Other lines survive the end of this program, not of the
         machine.
         """
-        if not self._whole:
+        if not self._is_complete:
             self.rewrite()
         entries = list(entries)
         try:
@@ -127,7 +130,7 @@ class Manifest:
                 if firmly:
                     os.fsync(stream.fileno())
         except OSError as error:
-            self._whole = False
+            self._is_complete = False
             raise UserError(f"cannot write '{self.path}': {error.strerror}") from None
         self.entries |= {entry.clip: entry for entry in entries}
 
@@ -136,7 +139,7 @@ class Manifest:
         with Replacement(self.path) as temporary, temporary.open("wb") as stream:
             stream.write(f"{json.dumps({'dynsplines batch': VERSION})}\n".encode())
             stream.write("".join(entry.line() for entry in self.entries.values()).encode())
-        self._whole = True
+        self._is_complete = True
 
     def close(self) -> None:
         """Queue the running clips, and rewrite the file, unless its folder has been removed."""

@@ -64,7 +64,7 @@ def _cleaned(task: Task, cleaning: Source, folder: Path) -> Outcome:
     figure = str(others["figure"]) if "figure" in others else cleaning.figure
     scene, bone_map = others.get("scene"), others.get("map")
     source = replace(cleaning, file=recording, figure=figure, fps=options.fps, scene=scene, map=bone_map)
-    result, saved = command.made(source, options.within, Progress(Console(quiet=True)))
+    result, saved = command.clean_recording(source, options.max_displacement, Progress(Console(quiet=True)))
     comparison = Comparison(result)
     outcome = _written(saved, task, folder, None)
     return replace(outcome, violations=tuple(comparison.violations), figures=comparison.figures)
@@ -82,6 +82,6 @@ def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outco
     if task.options.to == NPZ:
         motion.save(saved, target)
     else:
-        formats.export(saved, task.options.to, target, fps=fps, tell=notes.append)
+        formats.export(saved, task.options.to, target, fps=fps, report=notes.append)
     files = {path.name: path.read_bytes() for path in [target, *sorted(staging.iterdir())]}
     return Outcome(files=files, notes=tuple(note for note in notes if not note.startswith(f"wrote {staging}{os.sep}")))

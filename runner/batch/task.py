@@ -80,7 +80,7 @@ class Options:
         report: Whether to measure every motion in full.
         retry_failed: Whether to solve unchanged clips again that have failed.
         cleaning: A recording to clean, but for its file; None for clips.
-        within: The largest displacement of hands, feet and pelvis [m].
+        max_displacement: The largest displacement of hands, feet and pelvis [m].
     """
 
     listed: str | None = None
@@ -92,7 +92,7 @@ class Options:
     report: bool = False
     retry_failed: bool = False
     cleaning: Recording | None = None
-    within: float | None = None
+    max_displacement: float | None = None
 
     def __post_init__(self) -> None:
         if self.workers is not None and self.scheduler is not None:
@@ -108,7 +108,7 @@ class Options:
 
     def digest(self, files: Files) -> str:
         """Return a hash of everything that the output of a clip depends on."""
-        return files.digest(program(), self.to, self.fps, self.report, self.cleaning, self.within)
+        return files.digest(program(), self.to, self.fps, self.report, self.cleaning, self.max_displacement)
 
 
 @dataclass(frozen=True)

@@ -25,8 +25,8 @@ from ..system.threads import THREADS
 from ..system.workers import Worker, WorkerEnded
 from .task import Limits, Outcome
 
-Do = Callable[[Any, Path], Outcome]
-Process = Worker[None, tuple[Do, object, Path], Outcome]
+SolveTask = Callable[[Any, Path], Outcome]
+Process = Worker[None, tuple[SolveTask, object, Path], Outcome]
 
 READY = Outcome()
 START = Limits(120.0)  # limits of a process while it imports its modules
@@ -47,7 +47,7 @@ class Pool:
         self._idle: list[Process] = []
         self._stopped = threading.Event()
 
-    def run(self, do: Do, task: object, limits: Limits) -> Outcome:
+    def run(self, solve_task: SolveTask, task: object, limits: Limits) -> Outcome:
         """Return the outcome of do(task, empty folder) in a process."""
         if limits.megabytes is None:
             limits = replace(limits, megabytes=self._megabytes)
@@ -59,7 +59,7 @@ class Pool:
                 outcome = self._received(process, START, (_ready, None, Path(place)))
             begin = time.monotonic()
             if outcome == READY:
-                outcome = self._received(process, limits, (do, task, Path(place)))
+                outcome = self._received(process, limits, (solve_task, task, Path(place)))
         if outcome.cause in ("", "error") and not self._stopped.is_set():
             self._idle.append(process)
         else:
@@ -79,7 +79,7 @@ class Pool:
             return process
         return None
 
-    def _received(self, process: Process, limits: Limits, clip: tuple[Do, object, Path]) -> Outcome:
+    def _received(self, process: Process, limits: Limits, clip: tuple[SolveTask, object, Path]) -> Outcome:
         """Return the outcome of a clip, or the limit that it exceeds."""
         process.give(clip)
         end, megabytes = time.monotonic() + limits.seconds, limits.megabytes
@@ -113,7 +113,7 @@ def _ready(task: object, folder: Path) -> Outcome:
     return READY
 
 
-def _outcome(_: None, clip: tuple[Do, Any, Path]) -> Outcome:
+def _outcome(_: None, clip: tuple[SolveTask, Any, Path]) -> Outcome:
     """Return the outcome of do(task, folder), also if it raises an error, and release its memory."""
     do, task, folder = clip
     try:

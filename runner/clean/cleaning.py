@@ -23,7 +23,7 @@ from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
 
 from ..clip.tracking.penalties import Ground, loose, problem
-from .penetration import depth, unseen
+from .penetration import depth, missed_edge_times
 from .repairs import Repaired
 
 OFTEN = 30.0  # [1/s] sampling rate of the first measurement of depths
@@ -70,55 +70,55 @@ class Cleaned:
 class Verdict(NamedTuple):
     """The largest deviation [m] from a recording, and whether nothing slips or penetrates."""
 
-    off: float
+    displacement: float
     is_sound: bool = True
 
 
 def cleaned(
     ground: Ground,
     repaired: Repaired,
-    given: Sequence[Rest] | None = None,
+    specified: Sequence[Rest] | None = None,
     *,
-    within: float | None = None,
+    max_displacement: float | None = None,
     verdict: Callable[[Cleaned], Verdict] = lambda cleaned: Verdict(0.0),
     improved: Callable[[Improvement], None] | None = None,
 ) -> Cleaned:
     """Return the motion near a recording that satisfies its stances.
 
-    given   the stances; None: inferred from the recording
-    within  [m] largest deviation to aim for; the recording's weight increases as long as stances are satisfied
-    verdict returns the deviation from the recording, and whether the motion is sound
+    specified         the stances; None: inferred from the recording
+    max_displacement  [m] largest deviation to aim for; the recording's weight increases while stances are satisfied
+    verdict           returns the deviation from the recording, and whether the motion is sound
     """
     figure = ground.figure
     recorded = RecordedMotion.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
     recorded = move_to_ground(recorded, ground.points, ground.surfaces)
     stances: Sequence[RecordedStance] = [
-        RecordedStance(one.point, one.first, one.last, one.ground) for one in given or ()
+        RecordedStance(one.point, one.first, one.last, one.ground) for one in specified or ()
     ]
-    if given is None:
+    if specified is None:
         stances = infer_stances(recorded, ground.points, ground.surfaces)
     recorded = align_to_ground(recorded, stances, ground.surfaces)
-    if given is None:
+    if specified is None:
         stances = infer_stances(recorded, ground.points, ground.surfaces)
     rests = tuple(Rest(*stance, rolls=True) for stance in stances)
     near = TrackingPenalty(recorded)
     asked = problem(near, ground, rests, near.times())
     is_noisy = unsure(recorded, ground.points) > Thresholds.of(figure).noisy
     if is_noisy:
-        asked = _eased(asked, near, SOFTEST, improved)
-        if given is None:
-            rests = _second_look(ground, recorded, asked)
-            asked = replace(problem(near, ground, rests, near.times()), keys=_with(asked, rests))
+        asked = _with_soft_start(asked, near, SOFTEST, improved)
+        if specified is None:
+            rests = _refined_stances(ground, recorded, asked)
+            asked = replace(problem(near, ground, rests, near.times()), keys=_with_stance_ends(asked, rests))
     if is_noisy or _is_deep(ground, recorded):
-        asked = _eased(asked, near, SOFTER, improved)
+        asked = _with_soft_start(asked, near, SOFTER, improved)
     asked, solution = _out_of_edges(ground, asked, inbetween(asked, improved=improved), improved)
     result = Cleaned(ground, before, recorded, rests, asked, solution)
-    if within is None:
+    if max_displacement is None:
         return result
-    off = verdict(result).off
+    off = verdict(result).displacement
     for _ in range(TRIES):
-        if off <= within:
+        if off <= max_displacement:
             break
         weights = [(p, STRICTER * w if p is near else w) for p, w in asked.penalties]
         asked = replace(asked, penalties=tuple(weights))
@@ -128,28 +128,28 @@ def cleaned(
         report = verdict(closer)
         if not report.is_sound:
             break
-        if report.off < off:
-            result, off = closer, report.off
+        if report.displacement < off:
+            result, off = closer, report.displacement
     return result
 
 
 def _out_of_edges(
-    ground: Ground, asked: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
+    ground: Ground, problem: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
 ) -> tuple[Problem, Solution]:
     """Continue the search with more frames where a point passed through an edge between two samples. A long recording
     is searched only around these frames: another search of all of it would double the time."""
     for _ in range(LOOKS):
         path, times = path_of(solution.timeline), solution.timeline.times
-        more = unseen(ground, path, times)
+        more = missed_edge_times(ground, path, times)
         if not more.size:
             break
         times = np.union1d(times, more)
-        asked = replace(asked, keys=loose(asked.figure, times, path.at(times)))
+        problem = replace(problem, keys=loose(problem.figure, times, path.at(times)))
         if times[-1] - times[0] < LONG:
-            solution = inbetween(asked, improved=improved)
+            solution = inbetween(problem, improved=improved)
         else:
-            solution = continue_from(asked, asked.raw, between=list(_stretches(more)), improved=improved)
-    return asked, solution
+            solution = continue_from(problem, problem.raw, between=list(_stretches(more)), improved=improved)
+    return problem, solution
 
 
 def _stretches(times: Array) -> Iterator[tuple[float, float]]:
@@ -170,23 +170,25 @@ def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
     return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).deep)
 
 
-def _eased(
-    asked: Problem, near: TrackingPenalty, shares: Sequence[float], improved: Callable[[Improvement], None] | None
+def _with_soft_start(
+    problem: Problem, near: TrackingPenalty, shares: Sequence[float], improved: Callable[[Improvement], None] | None
 ) -> Problem:
     """Return the problem with its start at the solution for smaller weights of all penalties but the recording's. Stiff
     penalties, and a noisy recording deep in surfaces, would lead to a poor local minimum."""
     for share in shares:
-        weights = tuple((p, w if p is near or isinstance(p, UnitMagnitude) else share * w) for p, w in asked.penalties)
-        roughly = replace(asked.settings, tolerance=ROUGHLY)
-        solution = inbetween(replace(asked, penalties=weights, settings=roughly), improved=improved)
-        asked = replace(asked, keys=_from(asked.figure, solution))
-    return asked
+        weights = tuple(
+            (p, w if p is near or isinstance(p, UnitMagnitude) else share * w) for p, w in problem.penalties
+        )
+        roughly = replace(problem.settings, tolerance=ROUGHLY)
+        solution = inbetween(replace(problem, penalties=weights, settings=roughly), improved=improved)
+        problem = replace(problem, keys=_from(problem.figure, solution))
+    return problem
 
 
-def _with(asked: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
+def _with_stance_ends(problem: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
     """Return the frames, with additional ones for starts and ends of stances, where the path must be able to bend."""
-    figure, path = asked.figure, _curve(asked)
-    times = [key.time for key in asked.keys]
+    figure, path = problem.figure, _curve(problem)
+    times = [key.time for key in problem.keys]
     ends = sorted({time for rest in rests for time in (rest.first, rest.last)})
     for time in ends:
         if min(abs(time - other) for other in times) > FAR:
@@ -194,14 +196,14 @@ def _with(asked: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
     return loose(figure, np.array(sorted(times)), path.at(np.array(sorted(times))))
 
 
-def _curve(asked: Problem) -> Path:
-    states = asked.figure.to_state(np.array([key.state for key in asked.keys]))
-    return natural_spline(np.array([key.time for key in asked.keys]), states)
+def _curve(problem: Problem) -> Path:
+    states = problem.figure.to_state(np.array([key.state for key in problem.keys]))
+    return natural_spline(np.array([key.time for key in problem.keys]), states)
 
 
-def _second_look(ground: Ground, recorded: RecordedMotion, calmed: Problem) -> tuple[Rest, ...]:
+def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Problem) -> tuple[Rest, ...]:
     """Return the stances of a noisy recording after a search with the surest ones, which reveals more."""
-    calm = ground.figure.to_qpos(_curve(calmed).at(recorded.times))
+    calm = ground.figure.to_qpos(_curve(soft_problem).at(recorded.times))
     smoothed = RecordedMotion.of(ground.figure, recorded.times, calm)
     return tuple(Rest(*stance, rolls=True) for stance in infer_stances(smoothed, ground.points, ground.surfaces))
 

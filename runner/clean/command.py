@@ -48,7 +48,7 @@ class Source:
     scene     a TOML file with [scene], the surroundings, and [[contact]], the stances
     contacts  a TOML file with [[contact]]
     map       a TOML file with the bone map; written if it does not exist and `writes_map` is set
-    apart     whether limbs must not penetrate each other
+    avoids_self_collision  whether limbs must not penetrate each other
     speed     [rad/s] largest speed of joints
     """
 
@@ -61,12 +61,17 @@ class Source:
     contacts: Path | None = None
     map: Path | None = None
     writes_map: bool = False
-    apart: bool = False
+    avoids_self_collision: bool = False
     speed: float | None = None
 
 
 def run(
-    source: Source, target: Path | None, *, within: float | None = None, overwrite: bool = False, progress: Progress
+    source: Source,
+    target: Path | None,
+    *,
+    max_displacement: float | None = None,
+    overwrite: bool = False,
+    progress: Progress,
 ) -> Path:
     """Clean a recording and write it; return its path. Raises UserError, if possible before any long computation."""
     target = target or _target(source)
@@ -77,15 +82,17 @@ def run(
     if target.exists() and source.file.exists() and target.samefile(source.file):
         raise UserError(f"'{target}' is what is read; give another -o")
     check_target(target, overwrite=overwrite)
-    result, saved = made(source, within, progress)
+    result, saved = clean_recording(source, max_displacement, progress)
     comparison = Comparison(result)
     table = comparison.table()
-    notes = tuple(_doubtful(comparison) if within is None else _missed(comparison, within))
+    notes = tuple(
+        _stance_doubts(comparison) if max_displacement is None else _displacement_notes(comparison, max_displacement)
+    )
     del result, comparison  # they need as much memory as writing the files
     if form is None:
         motion.save(saved, target)
     else:
-        formats.export(saved, form.name, target, overwrite=overwrite, tell=progress.say)
+        formats.export(saved, form.name, target, overwrite=overwrite, report=progress.say)
     progress.console.print(table)
     for line in notes:
         progress.say(line)
@@ -112,20 +119,27 @@ def moving(file: Path, figure: str, scene: SceneTable) -> RecordedPath:
 def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> RecordedPath:
     """Cached while the file is unchanged: editing a clip reads it repeatedly."""
     around, silent = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), Progress(Console(quiet=True))
-    saved = _cleaned(_read(Source(file, figure), around, silent), around, None, silent, apart=False)[1]
+    saved = _cleaned(_read(Source(file, figure), around, silent), around, None, silent, avoids_self_collision=False)[1]
     return RecordedPath(saved.figure, saved.timeline, saved.fps)
 
 
-def made(source: Source, within: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
-    """Return a cleaned recording, and its motion; within [m] as in `cleaned`. Raises UserError."""
+def clean_recording(source: Source, max_displacement: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
+    """Return a cleaned recording, and its motion; max_displacement [m] as in `cleaned`. Raises UserError."""
     around = _around(source)
     recording = _read(source, around, progress)
-    return _cleaned(recording, around, within, progress, apart=source.apart, speed=source.speed)
+    return _cleaned(
+        recording,
+        around,
+        max_displacement,
+        progress,
+        avoids_self_collision=source.avoids_self_collision,
+        speed=source.speed,
+    )
 
 
-def motion_cleaned(saved: Saved, within: float | None, progress: Progress) -> Saved:
-    """Return a motion of this program, cleaned; within [m] as in `cleaned`."""
-    return _cleaned(_Read.of(saved), SurroundingsTable(), within, progress, apart=False)[1]
+def clean_motion(saved: Saved, max_displacement: float | None, progress: Progress) -> Saved:
+    """Return a motion of this program, cleaned; max_displacement [m] as in `cleaned`."""
+    return _cleaned(_Read.of(saved), SurroundingsTable(), max_displacement, progress, avoids_self_collision=False)[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,31 +215,35 @@ def _write_map(target: Path, used: maps.AppliedMap, progress: Progress) -> None:
 
 
 def _cleaned(
-    found: _Read,
+    recording: _Read,
     around: SurroundingsTable,
-    within: float | None,
+    max_displacement: float | None,
     progress: Progress,
     *,
-    apart: bool,
+    avoids_self_collision: bool,
     speed: float | None = None,
 ) -> tuple[Cleaned, Saved]:
-    figure = figure_of(found.scene, found.name)
-    mended = repaired(figure, found.time, found.qpos, found.name)
-    for note in mended.notes:
+    figure = figure_of(recording.scene, recording.name)
+    repaired_recording = repaired(figure, recording.time, recording.qpos, recording.name)
+    for note in repaired_recording.notes:
         progress.say(f"note: {note}")
-    ground = replace(ground_of(figure, mended.qpos), apart=apart, speed=speed)
-    span = float(mended.time[0]), float(mended.time[-1])
-    requested = rests_of(ground, around.contact, span, found.name) if around.contact else None
+    ground = replace(
+        ground_of(figure, repaired_recording.qpos), avoids_self_collision=avoids_self_collision, speed=speed
+    )
+    span = float(repaired_recording.time[0]), float(repaired_recording.time[-1])
+    requested = rests_of(ground, around.contact, span, recording.name) if around.contact else None
 
     def improved(improvement: Improvement) -> None:
         progress.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
 
-    result = cleaned(ground, mended, requested, within=within, verdict=verdict, improved=improved)
+    result = cleaned(
+        ground, repaired_recording, requested, max_displacement=max_displacement, verdict=verdict, improved=improved
+    )
     if not result.rests:
         progress.say("note: no stance is found in it: nothing is kept from slipping")
     for line in _stances(result):
         progress.say(line)
-    return result, _saved(result, found)
+    return result, _saved(result, recording)
 
 
 def _stances(result: Cleaned) -> Iterator[str]:
@@ -237,27 +255,27 @@ def _stances(result: Cleaned) -> Iterator[str]:
             yield f"{point.name} stands {', '.join(spans[:NAMED])}{more} s"
 
 
-def _missed(comparison: Comparison, within: float) -> Iterator[str]:
-    """Yield a note on every point that deviates from the recording by more than `within`, with the reason."""
-    for one in comparison.moved:
-        if one.most <= within:
+def _displacement_notes(comparison: Comparison, max_displacement: float) -> Iterator[str]:
+    """Yield a note on every point that deviates from the recording by more than `max_displacement`, with the reason."""
+    for one in comparison.displacements:
+        if one.maximum <= max_displacement:
             continue
         held = {rest.point.name for rest in comparison.cleaned.rests if rest.first <= one.time <= rest.last}
         why = f" while {' and '.join(sorted(held))} stand" + ("s" if len(held) == 1 else "") if held else ""
-        yield f"note: {one.name} is {1000 * one.most:.0f} mm off the recording at {one.time:.2f} s{why}"
+        yield f"note: {one.name} is {1000 * one.maximum:.0f} mm off the recording at {one.time:.2f} s{why}"
 
 
-def _doubtful(comparison: Comparison) -> Iterator[str]:
+def _stance_doubts(comparison: Comparison) -> Iterator[str]:
     """Yield a note if a hand, a foot or the pelvis is moved so far that the detected stances may be wrong."""
-    farthest = max(comparison.moved, key=lambda one: one.high, default=None)
-    if comparison.cleaned.rests and farthest is not None and farthest.high > FAR:
+    farthest = max(comparison.displacements, key=lambda one: one.percentile_95, default=None)
+    if comparison.cleaned.rests and farthest is not None and farthest.percentile_95 > FAR:
         yield (
-            f"note: {farthest.name} is up to {1000 * farthest.most:.0f} mm off the recording; if a stance above is "
+            f"note: {farthest.name} is up to {1000 * farthest.maximum:.0f} mm off the recording; if a stance above is "
             "wrong, give the stances by --contacts"
         )
 
 
-def _saved(result: Cleaned, found: _Read) -> Saved:
+def _saved(result: Cleaned, recording: _Read) -> Saved:
     """Return the motion with every frame as a keyframe; raw is the recording."""
     figure, timeline = result.figure, result.solution.timeline
     everything = np.ones(timeline.states.shape, bool)
@@ -265,4 +283,4 @@ def _saved(result: Cleaned, found: _Read) -> Saved:
     times = np.union1d(result.before.spline.times, timeline.times)
     recorded = figure.to_qpos(result.before.at(times))
     raw = raw_timeline(figure, Frame.many(times, recorded, np.ones(recorded.shape, bool)))
-    return Saved(found.name, "", found.scene, figure, found.fps, tuple(result.frames), exact, raw, [], {})
+    return Saved(recording.name, "", recording.scene, figure, recording.fps, tuple(result.frames), exact, raw, [], {})

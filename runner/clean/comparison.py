@@ -40,13 +40,13 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Farthest:
+class BodyDisplacement:
     """Median, 95th percentile and maximum of a body's deviation from the recording [m], with the latter's time [s]."""
 
     name: str
     median: float
-    high: float
-    most: float
+    percentile_95: float
+    maximum: float
     time: float
 
 
@@ -59,7 +59,9 @@ class Comparison:
     @cached_property
     def lines(self) -> tuple[Line, ...]:
         """The defects before and after."""
-        before, after = (Look(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after))
+        before, after = (
+            PathMeasurement(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after)
+        )
         rows = [
             ("deepest penetration", "mm", "depth", DEPTH),
             ("largest stance slip", "mm", "slip", SLIP),
@@ -94,10 +96,10 @@ class Comparison:
         return np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
 
     @cached_property
-    def moved(self) -> tuple[Farthest, ...]:
+    def displacements(self) -> tuple[BodyDisplacement, ...]:
         """The deviations of pelvis, hands and feet from the recording, largest first."""
-        figure, farthest = self.cleaned.figure, list[Farthest]()
-        links = followed(figure)
+        figure, farthest = self.cleaned.figure, list[BodyDisplacement]()
+        links = compared_links(figure)
         sides = (along(figure, path, self.times) for path in (self.cleaned.recorded.path, self.cleaned.after))
         off = [
             np.linalg.norm(_tips(one, links) - _tips(other, links), axis=0) for one, other in zip(*sides, strict=True)
@@ -105,8 +107,8 @@ class Comparison:
         for link, row in zip(links, np.concatenate(off, axis=1), strict=True):
             high, at = float(np.percentile(row, 95)), int(row.argmax())
             name = figure.model.body(figure.links[link].body).name or figure.links[link].name
-            farthest.append(Farthest(name, float(np.median(row)), high, float(row[at]), float(self.times[at])))
-        return tuple(sorted(farthest, key=lambda one: -one.most))
+            farthest.append(BodyDisplacement(name, float(np.median(row)), high, float(row[at]), float(self.times[at])))
+        return tuple(sorted(farthest, key=lambda one: -one.maximum))
 
     def table(self) -> Table:
         out = Table(box=None, pad_edge=False)
@@ -114,11 +116,11 @@ class Comparison:
             out.add_column(heading, justify="left" if not heading else "right")
         for line in self.lines:
             out.add_row(line.label, *(f"{value:.3g} {line.unit}" for value in (line.before, line.after)))
-        for one in self.moved:
+        for one in self.displacements:
             out.add_row(
                 f"{one.name} moved",
                 f"{100 * one.median:.1f} cm median",
-                f"{100 * one.high:.1f} cm in 95 %, {100 * one.most:.1f} at {one.time:.2f} s",
+                f"{100 * one.percentile_95:.1f} cm in 95 %, {100 * one.maximum:.1f} at {one.time:.2f} s",
             )
         return out
 
@@ -126,11 +128,11 @@ class Comparison:
 def verdict(cleaned: Cleaned) -> Verdict:
     """Return the largest deviation of pelvis, hands and feet, and whether nothing slips or penetrates."""
     comparison = Comparison(cleaned)
-    look = Look(cleaned, cleaned.after, comparison.times)
-    return Verdict(max(one.most for one in comparison.moved), look.slip <= SLIP and look.depth <= DEPTH)
+    look = PathMeasurement(cleaned, cleaned.after, comparison.times)
+    return Verdict(max(one.maximum for one in comparison.displacements), look.slip <= SLIP and look.depth <= DEPTH)
 
 
-def followed(figure: Figure) -> list[int]:
+def compared_links(figure: Figure) -> list[int]:
     """Return the links that are compared: free roots, and the ends of limbs."""
     parents = figure.tables.parents
     ends = [i for i in range(1, len(figure.links)) if not np.any(parents[1:] == i)]
@@ -144,7 +146,7 @@ def _tips(samples: Samples, links: list[int]) -> Array:
     return samples.links.points(np.array(links), centres)[0]
 
 
-class Look:
+class PathMeasurement:
     """Measurements of one path."""
 
     def __init__(self, cleaned: Cleaned, path: Path, times: Array) -> None:

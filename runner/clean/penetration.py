@@ -17,7 +17,7 @@ from ..measure.depths import bunches, depths
 RATE = 240.0  # [1/s] of the samples
 RUN = 1000  # most samples evaluated at once, which bounds the memory
 DEEP = 0.001  # [m] least depth that a search should prevent
-SEEN = LONGEST_PANEL / POINTS  # [s] between samples of a search, which so evaluates longer penetrations
+SHALLOW = LONGEST_PANEL / POINTS  # [s] between samples of a search, which so evaluates longer penetrations
 
 
 def along(figure: Figure, path: Path, times: Array) -> Iterator[Samples]:
@@ -38,7 +38,7 @@ def depth(ground: Ground, path: Path, times: Array) -> Array:
     return np.concatenate(found)
 
 
-def unseen(ground: Ground, path: Path, frames: Array) -> Array:
+def missed_edge_times(ground: Ground, path: Path, frames: Array) -> Array:
     """Return times (k,) [s] for more frames beyond those at `frames` (M,) [s], where a foot passes through an edge
     unseen."""
     first, last = path.span
@@ -48,7 +48,7 @@ def unseen(ground: Ground, path: Path, frames: Array) -> Array:
     runs = np.split(under, np.flatnonzero(np.diff(under) > 1) + 1) if under.size else []
     missed_times = list[float]()
     for run in runs:
-        if run.size / RATE > SEEN:
+        if run.size / RATE > SHALLOW:
             continue
         worst = float(times[run[deep[run].argmax()]])
         after = int(np.clip(np.searchsorted(frames, worst), 1, frames.size - 1))

@@ -15,7 +15,7 @@ from dynsplines.solver.curve.recording import groups, places
 from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError
-from .rest_pose_trim import LeadIn, lead_in
+from .rest_pose_trim import RestPose, find_rest_pose
 
 FEWEST = 5  # least number of samples of a motion
 TWICE = 0.1  # time between duplicate samples, relative to the median step
@@ -50,12 +50,12 @@ def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
     if np.any(np.diff(time) < 0):
         i = int(np.argmax(np.diff(time) < 0))
         raise UserError(f"{where}: times go back: sample {i + 2} is at {time[i + 1]:g} s, after {time[i]:g} s")
-    time, qpos = _once(time, qpos, notes)
+    time, qpos = _without_duplicates(time, qpos, notes)
     known = _numbers(figure, qpos, time, notes)
     time, qpos, known = _without_rest(figure, time, qpos, known, notes)
     if time.size < FEWEST:
         raise UserError(f"{where}: {time.size} samples are left; a motion to clean has {FEWEST} at least")
-    time, qpos, known = _filled(figure, time, qpos, known, notes, where)
+    time, qpos, known = _interpolated(figure, time, qpos, known, notes, where)
     known &= ~_jumps(figure, time, qpos, known, notes)
     lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]
     if lost:
@@ -69,7 +69,7 @@ def _name(figure: Figure, columns: Index) -> str:
     return f"'{link.name}'"
 
 
-def _once(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
+def _without_duplicates(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
     """Remove duplicate samples."""
     step = float(np.median(np.diff(time)))
     twice = np.append(False, np.diff(time) <= TWICE * step)
@@ -99,23 +99,23 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
 def _without_rest(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]) -> tuple[Array, Array, Mask]:
     """Remove the rest poses before and after the motion."""
     first, last = 0, time.size
-    if (found := lead_in(figure.model, time, qpos)) is not None:
+    if (found := find_rest_pose(figure.model, time, qpos)) is not None:
         first = found.count
         notes.append(f"{found.line}: left out")
-    back = lead_in(figure.model, -time[first:][::-1], qpos[first:][::-1])
+    back = find_rest_pose(figure.model, -time[first:][::-1], qpos[first:][::-1])
     if back is not None:
         last -= back.count
         notes.append(f"{_ending(back, time)}: left out")
     return time[first:last], qpos[first:last], known[first:last]
 
 
-def _ending(back: LeadIn, time: Array) -> str:
+def _ending(back: RestPose, time: Array) -> str:
     """Return the note on a lead-in of the motion played backward."""
     span = f"{time[-1]:.3f} s" if back.count == 1 else f"{-back.last:.3f} to {time[-1]:.3f} s"
     return f"the recording ends with {back.what} ({back.count} image{'s' * (back.count > 1)}, {span}), no motion"
 
 
-def _filled(
+def _interpolated(
     figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str], where: str
 ) -> tuple[Array, Array, Mask]:
     step = float(np.median(np.diff(time)))

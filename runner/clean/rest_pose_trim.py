@@ -33,7 +33,7 @@ LEAST = 2  # least number of samples that remain
 
 
 @dataclass(frozen=True)
-class LeadIn:
+class RestPose:
     """The samples before the motion: number, first and last time [s], and what they show, in words."""
 
     count: int
@@ -48,7 +48,7 @@ class LeadIn:
         return f"the recording begins with {self.what} ({self.count} image{'s' * (self.count > 1)}, {span}), no motion"
 
 
-def lead_in(model: mujoco.MjModel, times: Array, qpos: Array) -> LeadIn | None:
+def find_rest_pose(model: mujoco.MjModel, times: Array, qpos: Array) -> RestPose | None:
     """Return the lead-in of qpos (T, nq) at times (T,) [s]; None without one, or if nothing else would remain."""
     for what, still in (("a T-pose", _Spread.of(model)), ("the figure's rest pose", _Rest(model))):
         if still is None:
@@ -57,17 +57,17 @@ def lead_in(model: mujoco.MjModel, times: Array, qpos: Array) -> LeadIn | None:
         if not 0 < count <= len(qpos) - LEAST:
             continue
         is_still = times[count - 1] - times[0] >= HELD and _travel(model, times[:count], qpos[:count]) <= SLOW
-        if _jumps(model, times, qpos, count) or (is_still and still.tells_alone):
-            return LeadIn(count, float(times[0]), float(times[count - 1]), what)
+        if _jumps(model, times, qpos, count) or (is_still and still.is_sufficient):
+            return RestPose(count, float(times[0]), float(times[count - 1]), what)
     return None
 
 
-def of_motion(saved: Saved) -> LeadIn | None:
+def of_motion(saved: Saved) -> RestPose | None:
     """Return the lead-in of a recording; None for any other motion."""
     if not is_recording(saved) or saved.text:
         return None
     times = np.array([key.time for key in saved.keys])
-    return lead_in(saved.figure.model, times, np.array([key.state for key in saved.keys]))
+    return find_rest_pose(saved.figure.model, times, np.array([key.state for key in saved.keys]))
 
 
 def without(saved: Saved) -> Saved:
@@ -80,7 +80,7 @@ def without(saved: Saved) -> Saved:
     return replace(saved, keys=keys, timeline=raw, raw=raw, trace=[], report={})
 
 
-def told(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
+def trim(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
     """Report a recording's lead-in, and remove it with `skip`; return any other motion unchanged."""
     found = of_motion(saved)
     if found is not None:
@@ -95,7 +95,7 @@ class _Rest:
     """The test whether every joint is at zero; a person may stand so, thus it is no sign by itself."""
 
     model: mujoco.MjModel
-    tells_alone: bool = False
+    is_sufficient: bool = False
 
     def shows(self, qpos: Array) -> bool:
         move = _moved(self.model, self.model.qpos0, qpos)
@@ -109,7 +109,7 @@ class _Spread:
     model: mujoco.MjModel
     data: mujoco.MjData
     roles: dict[str, int]
-    tells_alone: bool = True
+    is_sufficient: bool = True
 
     @classmethod
     def of(cls, model: mujoco.MjModel) -> _Spread | None:

@@ -159,7 +159,7 @@ def build(
     context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.grasp)
     resting: tuple[str, ...] = ()
     stationary = context.is_stationary_at_ends
-    if "ends" not in solve.given and any(stationary):
+    if "ends" not in solve.specified and any(stationary):
         ends, note = AT_REST[stationary]
         problem = replace(problem, ends=ends, end_slope=np.zeros((2, figure.width)))
         context, resting = context.scheduled(keys=problem.raw), (note + FREE_NOTE,)
@@ -176,13 +176,13 @@ def build_following(
     recording: TrackedRecording,
     edits: Sequence[Frame],
     fps: float,
-    known: object = None,
+    stances: object = None,
 ) -> Clip:
     """Return a clip whose keyframes edit a recording.
 
     Args:
         fps: Samples per second [1/s] of outputs.
-        known: The stances that a file contains, see `Clip.stances`; None: they are inferred.
+        stances: The stances that a file contains, see `Clip.stances`; None: they are inferred.
 
     Raises:
         UserError: For tables that do not fit the figure or the recording.
@@ -190,7 +190,7 @@ def build_following(
     figure, where = recording.recorded.figure, source.where
     ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
     given_rests = rests_of(ground, source.table.contact, recording.recorded.path.span, where)
-    rests = recording.stances(ground, edits, given_rests) if known is None else stances_in(known, ground, where)
+    rests = recording.stances(ground, edits, given_rests) if stances is None else stances_in(stances, ground, where)
     problem, factors = recording.problem(ground, edits, rests), weight_factors(source.options)
     problem = replace(problem, penalties=tuple((p, w * factors.get(p.name, 1.0)) for p, w in problem.penalties))
     _check_timeline(problem, where)
@@ -224,7 +224,7 @@ def edits_of(keys: Sequence[Frame], table: ClipTable) -> tuple[Frame, ...]:
 
 def solve_of(saved: Saved, solve: SolveTable) -> SolveTable:
     """Return a [solve] table with the ends of a saved motion."""
-    return solve.without(*AROUND).model_copy(update={"ends": saved.timeline.ends, **around(saved).given})
+    return solve.without(*AROUND).model_copy(update={"ends": saved.timeline.ends, **around(saved).specified})
 
 
 def around(saved: Saved) -> SolveTable:

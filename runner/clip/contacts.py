@@ -109,10 +109,10 @@ def _spots(
     wanted = None if table.position is None else np.array(table.position, float)
     exact = placed(figure, keys.fixed, [point])[0]
 
-    def contradicts(k: int, apart: float, first: int | None) -> str:
+    def contradicts(k: int, distance: float, first: int | None) -> str:
         where = "the contact's position" if first is None else f"where keyframe {first + 1} does"
         return (
-            f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from {where}; "
+            f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {distance:.3f} m from {where}; "
             f"a contact may drift by {drift:.3g} m"
         )
 
@@ -126,14 +126,14 @@ def _spots(
     return [*first, *spots, *last]
 
 
-def _risen(spot: tuple[float, Array], end: float, sunk: Allowance, up: Array) -> list[tuple[float, Array]]:
+def _risen(spot: tuple[float, Array], end: float, penetration: Allowance, up: Array) -> list[tuple[float, Array]]:
     """Return the position of a point at an end [s] of its contact, if the nearest keyframe has it inside a surface.
 
     It is higher by the decrease of the allowed depth.
 
     spot  time [s] and position (3,) [m] in the keyframe;  sunk  depths of keyframes;  up  (3,) direction
     """
-    deep = sunk.at(np.array([spot[0], end]))
+    deep = penetration.at(np.array([spot[0], end]))
     return [(end, spot[1] + (deep[0] - deep[1]) * up)] if abs(end - spot[0]) > ROUNDING and deep[0] > deep[1] else []
 
 
@@ -141,7 +141,7 @@ def agreeing(
     places: Array,
     specified: Index,
     exact: Mask,
-    wanted: Array | None,
+    target: Array | None,
     drift: float,
     contradicts: Callable[[int, float, int | None], str],
 ) -> list[int]:
@@ -156,12 +156,12 @@ def agreeing(
     kept: list[int] = []
     specified = specified[np.argsort(~exact[specified], kind="stable")]
     for k in specified.tolist():
-        reference = places[:, specified[0]] if wanted is None else wanted
+        reference = places[:, specified[0]] if target is None else target
         apart = float(np.linalg.norm(places[:, k] - reference))
         if apart <= drift:
             kept.append(k)
         elif exact[k]:
-            raise UserError(contradicts(k, apart, int(specified[0]) if wanted is None else None))
+            raise UserError(contradicts(k, apart, int(specified[0]) if target is None else None))
     return sorted(kept)
 
 
@@ -258,10 +258,10 @@ def _grasp_spots(figure: Figure, keys: Timeline, row: _GraspRow) -> list[Spot]:
     if table.position is not None:
         wanted = figure.point_on_link(moving_bodies(figure)[table.body], np.array(table.position, float))[1]
 
-    def contradicts(k: int, apart: float, first: int | None) -> str:
+    def contradicts(k: int, distance: float, first: int | None) -> str:
         where = "the grasp's position" if first is None else f"where keyframe {first + 1} has it"
         return (
-            f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {apart:.3f} m from {where} on "
+            f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {distance:.3f} m from {where} on "
             f"the body; a grasp may drift by {limits.same_spot:.3g} m"
         )
 
@@ -287,9 +287,9 @@ def _grasp_spots(figure: Figure, keys: Timeline, row: _GraspRow) -> list[Spot]:
     ]
 
 
-def _grasp_stretches(found: dict[float, Array], grasp: Grasp) -> Iterator[tuple[float, float, Array, Array]]:
+def _grasp_stretches(places: dict[float, Array], grasp: Grasp) -> Iterator[tuple[float, float, Array, Array]]:
     """Yield (first, last, from, to) from position to position of a grasp, by time."""
-    return stretches(sorted(found.items(), key=lambda pair: pair[0]), grasp.first, grasp.last)
+    return stretches(sorted(places.items(), key=lambda pair: pair[0]), grasp.first, grasp.last)
 
 
 def _grasp_places(figure: Figure, keys: Timeline, grasp: Grasp) -> tuple[Index, Array, Mask]:

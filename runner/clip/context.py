@@ -58,13 +58,13 @@ class Context:
         where: str,
         placed: tuple[Placed, ...] = (),
         tables: Sequence[ContactTable] = (),
-        held: Sequence[GraspTable] = (),
+        grasp_tables: Sequence[GraspTable] = (),
     ) -> Context:
         """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
         whole = [frame.state for frame in keys.frames if frame.fixed.all()]
         points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
         specified = contacts(figure, keys, tables, where, points, surfaces)
-        grasps = grasps_of(figure, keys, held, where, points)
+        grasps = grasps_of(figure, keys, grasp_tables, where, points)
         schedule = ContactSchedule(figure, keys, points, surfaces, specified, grasps)
         return cls(schedule, where, tuple(knees_and_elbows(figure)), placed)
 
@@ -117,12 +117,12 @@ class Context:
             {stance.point.link for stance in inferred if stance.last >= keys.times[-1]},
         )
 
-        def is_stationary(end: int, beside: int, links: set[int]) -> bool:
-            moves = keys.states[beside] - keys.states[end]
+        def is_stationary(end: int, neighbour: int, links: set[int]) -> bool:
+            moves = keys.states[neighbour] - keys.states[end]
             if not keys.fixed[end].all():
                 return False
             travel = np.linalg.norm(moves[self.figure.tables.position_columns[:2]], axis=0).max(initial=0.0)
-            is_slow = travel < limits.travels * abs(keys.times[beside] - keys.times[end])
+            is_slow = travel < limits.travels * abs(keys.times[neighbour] - keys.times[end])
             return bool(np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
 
         return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
@@ -140,7 +140,7 @@ class Context:
         return lines
 
     @property
-    def lost_steps(self) -> list[str]:
+    def missing_steps(self) -> list[str]:
         """A note on pairs of neighbouring keyframes that imply steps which the motion will lack.
 
         In such a pair, both keyframes are complete and touch the ground, every foot has moved by more than a step, and

@@ -33,7 +33,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     """
     check(target)
     if exact or not _follows_shipped(saved):
-        saved = standing_alone(saved)
+        saved = standalone(saved)
     if saved.text:
         table = table_of(saved.text, saved.name)
     else:
@@ -43,7 +43,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     if exact:
         table = table.changed(solve=table.solve.model_copy(update={**AS_SPLINE, **_ends(saved)}))
     files: list[tuple[Path, bytes]] = []
-    if table.figure not in models.figures() or (saved.text and not _tells_scene(saved)):
+    if table.figure not in models.figures() or (saved.text and not _defines_scene(saved)):
         scene = target.with_suffix(".xml")
         if scene.exists() and scene.read_text(encoding="utf-8") != saved.mjcf and not overwrite:
             raise UserError(
@@ -65,7 +65,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     return [path for path, _ in files]
 
 
-def standing_alone(saved: Saved) -> Saved:
+def standalone(saved: Saved) -> Saved:
     """Return a motion that follows a recording as an independent clip, without a reference to the recording.
 
     Every frame becomes a complete keyframe. Other motions are returned unchanged.
@@ -77,7 +77,7 @@ def standing_alone(saved: Saved) -> Saved:
     everything = [[True] * timeline.width] * timeline.times.size
     keys = tuple(Frame.many(timeline.times, figure.to_qpos(timeline.states), everything))
     frames = tuple(Frame.many(timeline.times, timeline.states, everything))
-    entries = {key: value for key, value in table.given.items() if key in OF_MOTIONS}
+    entries = {key: value for key, value in table.specified.items() if key in OF_MOTIONS}
     text = written(ClipTable.unchecked(**entries, solve=_solve_table(saved), keyframe=keyframe_tables(figure, keys)))
     return replace(saved, text=text, keys=keys, timeline=Timeline(frames, timeline.end_slope, timeline.ends))
 
@@ -106,7 +106,7 @@ def shipped_scene(scene: Scene) -> str:
     return next((name for name in models.figures() if compose(figure_spec(name)).mjcf == scene.mjcf), "")
 
 
-def _tells_scene(saved: Saved) -> bool:
+def _defines_scene(saved: Saved) -> bool:
     """Return whether the tables alone define the motion's scene. Files to which they refer may be missing."""
     try:
         return scene_of(Parsed.of(saved.text, saved.name, saved.name)).mjcf == saved.mjcf
@@ -116,7 +116,7 @@ def _tells_scene(saved: Saved) -> bool:
 
 def _solve_table(saved: Saved) -> SolveTable:
     """Return the [solve] table of a motion's ends and coordinates."""
-    return SolveTable.unchecked(coordinates=saved.figure.coordinates, **_ends(saved), **around(saved).given)
+    return SolveTable.unchecked(coordinates=saved.figure.coordinates, **_ends(saved), **around(saved).specified)
 
 
 def _ends(saved: Saved) -> dict[str, str]:

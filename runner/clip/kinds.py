@@ -235,10 +235,10 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
     if not others and not context.schedule.grasped:
         return corners[0] if len(corners) == 1 else Sum(corners, called=BODY)
     skin = _contacts(context, covering_points(figure), others, margin) if others else ()
-    return Sum((*corners, *skin, *_from_held(context, margin)), called=BODY)
+    return Sum((*corners, *skin, *_grasped_object_contacts(context, margin)), called=BODY)
 
 
-def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
+def _grasped_object_contacts(context: Context, margin: float) -> tuple[Contact, ...]:
     """Return the contacts of the figure's corners with the objects that it grasps. Spheres that fill the figure would
     take ten times as long, because these objects are always near its hands."""
     points = context.schedule.exclude_grasped(body_points(context.figure))

@@ -29,7 +29,7 @@ from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
 from .contacts import requested_grasps, requested_rests
 from .obstacles import obstacles
-from .parse import Parsed, called, check_times, parse, read, renewed, table_of
+from .parse import Parsed, check_times, keyframe_label, parse, read, renewed, table_of
 from .pose import pose, soles_of, stander_of
 from .posing.full_turns import lost_turns
 from .posing.placement import wanted
@@ -124,10 +124,10 @@ def from_parsed(
         scene, figure = _ground(source, figure_file, spec)
     follows = None if table.recording is None else followed(table.recording, figure, recording, where)
     posed = pose(source, figure, None if follows is None else follows.pose)
-    if posed.missed and unmet is None:
-        raise UserError(f"{where}: {'; '.join(posed.missed)}")
+    if posed.unreached and unmet is None:
+        raise UserError(f"{where}: {'; '.join(posed.unreached)}")
     if unmet is not None:
-        unmet += posed.missed
+        unmet += posed.unreached
     if follows is not None:
         return build_following(source, scene, follows, posed.keys, fps or table.fps)
     clip = build(source, scene, figure, posed.keys, posed.placed, fps or table.fps)
@@ -189,7 +189,7 @@ def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str
     for number, row in enumerate(rows, start=1):
         for name in row.joints:
             if name not in names:
-                raise UserError(f"{where}: {called(number, row.time)}: {unknown('joint', name, names)}")
+                raise UserError(f"{where}: {keyframe_label(number, row.time)}: {unknown('joint', name, names)}")
 
 
 def _model_keys(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) -> list[str]:
@@ -198,7 +198,9 @@ def _model_keys(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) 
     for number, row in enumerate(rows, start=1):
         name = row.model_key
         if name is not None and name not in names:
-            raise UserError(f"{where}: {called(number, row.time)}: others: {unknown('key', name, filter(None, names))}")
+            raise UserError(
+                f"{where}: {keyframe_label(number, row.time)}: others: {unknown('key', name, filter(None, names))}"
+            )
         if name is not None:
             references[name] = None
     return list(references)
@@ -230,7 +232,7 @@ def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> 
     time, qpos = np.array(model.key_time)[: len(configurations)], np.array(model.key_qpos)[: len(configurations)]
     for i, values in enumerate(configurations):
         if values.size not in (0, model.nq):
-            at = called(i + 1, time[i])
+            at = keyframe_label(i + 1, time[i])
             raise UserError(f"{where}: {at}: qpos has {values.size} numbers, not the figure's {model.nq}")
         if values.size:
             qpos[i] = values  # the values in the file: MuJoCo replaces a zero quaternion by the identity
@@ -281,7 +283,7 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
             f"they should be (K,) and (K, {figure.width})"
         )
     if wrong := first_wrong(figure.model, time, qpos):
-        raise UserError(f"{where}: {called(wrong[0] + 1, time[wrong[0]])}: {wrong[1]}")
+        raise UserError(f"{where}: {keyframe_label(wrong[0] + 1, time[wrong[0]])}: {wrong[1]}")
     check_times(time.tolist(), where)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
     return build(

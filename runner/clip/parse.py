@@ -197,7 +197,7 @@ def _misplaced(table: ClipTable) -> Iterator[str]:
             yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(usable)}"
 
 
-def called(number: int, time: float) -> str:
+def keyframe_label(number: int, time: float) -> str:
     """Return the label of a keyframe in errors, for its number from 1 on and its time [s]."""
     return f"keyframe {number} (t = {time:g} s)"
 
@@ -212,9 +212,9 @@ def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
         raise UserError(f"{where}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
     for i, (a, b) in enumerate(pairwise(times), 1):
         if not b > a:
-            raise UserError(f"{where}: {called(i + 1, b)} is not after {called(i, a)}; times must rise")
+            raise UserError(f"{where}: {keyframe_label(i + 1, b)} is not after {keyframe_label(i, a)}; times must rise")
         if b - a < SHORTEST:
-            raise UserError(f"{where}: {called(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
+            raise UserError(f"{where}: {keyframe_label(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
     for i, (a, b, c) in enumerate(zip(times, times[1:], times[2:], strict=False), 1):
         short, long = sorted((b - a, c - b))
         if long > UNEVEN * short * (1 + 1e-9):

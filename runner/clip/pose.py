@@ -18,7 +18,7 @@ from dynsplines.solver.surface.points import Point
 from ..errors import UserError, unknown
 from .constraints import listed_flights, posing_bends
 from .obstacles import lying
-from .parse import Parsed, called
+from .parse import Parsed, keyframe_label
 from .posing.couplings import follow
 from .posing.feet import sole_points
 from .posing.placement import Wanted, check_search, wanted, with_pose
@@ -35,12 +35,12 @@ class Posed:
 
     Attributes:
         placed: Points whose positions the search determines.
-        missed: A line for each unreachable position; the keyframe is then as near as possible.
+        unreached: A line for each unreachable position; the keyframe is then as near as possible.
     """
 
     keys: list[Frame]
     placed: tuple[Placed, ...]
-    missed: list[str]
+    unreached: list[str]
 
 
 def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None) -> Posed:
@@ -53,8 +53,8 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
         UserError: For tables that do not fit the figure.
     """
     where, rows = source.where, lying(source.table)
-    places = [f"{where}: {called(number, row.time)}" for number, row in enumerate(rows, start=1)]
-    wants = _wanted(figure, rows, places)
+    places = [f"{where}: {keyframe_label(number, row.time)}" for number, row in enumerate(rows, start=1)]
+    wants = _targets(figure, rows, places)
     loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
     keys: list[Frame] = []
     for row, here, free in zip(rows, places, loose, strict=True):
@@ -69,7 +69,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
             if want.goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
                 keys[k], lines = with_pose(figure, among, index, want.goals, stander, here)
-                missed += [f"{called(k + 1, row.time)}: {line}" for line in lines]
+                missed += [f"{keyframe_label(k + 1, row.time)}: {line}" for line in lines]
                 keys[k] = _based(keys[k], base)
     for key, want, here in zip(keys, wants, places, strict=True):
         if want.placed:
@@ -105,7 +105,7 @@ def _later(key: Frame, base: Callable[[float], Array], by: int) -> Frame:
     return key if not by else Frame.key(key.time + by, base(key.time))
 
 
-def _wanted(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]) -> list[Wanted]:
+def _targets(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]) -> list[Wanted]:
     """Return the target positions in each keyframe. Feet are inferred from complete keyframes."""
     places = Places(figure)
     if any(row.sites or row.bodies for row in rows):

@@ -36,7 +36,7 @@ from .text import keyframe_tables, rotation, tables, written
 
 APART = 0.5  # [s] distance of keyframes if the model's times do not rise
 STRAIGHT = 0.99  # [1] component of a slide's direction from which a comment names the axis
-TOLD = 5e-4  # [m] displacement above which a raised pose is reported
+REPORTED = 5e-4  # [m] displacement above which a raised pose is reported
 MOVED = np.radians(40)  # [rad] rotation of the one joint that moves
 ROOM = 0.6  # [1] maximum motion of a joint, relative to the distance to its bound
 FLEXED = 0.35  # [1] maximum motion of a slide, relative to the figure's size
@@ -67,13 +67,13 @@ PENALTIES = """\
 """
 
 
-def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: None) -> str:
+def starter(source: str, target: Path, report: Callable[[str], None] = lambda _: None) -> str:
     """Return the TOML text of a clip for a shipped figure or an MJCF file.
 
     Args:
         source: The name or path of the figure.
         target: The path to which the text will be written.
-        tell: Receives a note for each violation of the keyframes, and for each change. The text contains them too.
+        report: Receives a note for each violation of the keyframes, and for each change. The text contains them too.
 
     Raises:
         UserError: The figure cannot be loaded.
@@ -98,7 +98,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
         poses[k], lines = _closed(figure, qpos, equalities)
         notes += [f"keyframe {k + 1}: {line}" for line in lines]
     settled = poses
-    lifted = [_raised(figure, qpos) if has_keys else _stood(figure, qpos, bool(soles)) for qpos in poses]
+    lifted = [_raised(figure, qpos) if has_keys else _placed_on_floor(figure, qpos, bool(soles)) for qpos in poses]
     poses = np.array(
         [  # bodies attached to the world or a mocap body are not lifted off it
             qpos if equalities.open(up) and not equalities.open(qpos) else up
@@ -108,7 +108,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
     for k, qpos in enumerate(poses):
         notes += [f"keyframe {k + 1}: {line}" for line in violations(figure, qpos, equalities)]
     for note in notes:
-        tell(note)
+        report(note)
     frames = [Frame.key(t, q) for t, q in zip(times, poses, strict=True)]
     rows = [_without_followers(figure, row) for row in keyframe_tables(figure, frames)]
     for k in range(len(model_poses)):
@@ -126,7 +126,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
             float(np.abs(settled - given_poses).max()),
         ),
         written(head).rstrip("\n"),
-        *([_noted(notes)] if notes else []),
+        *([_comment(notes)] if notes else []),
         _named(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
         "\n\n".join(written({"keyframe": [_rounded(tables(row))]}).strip("\n") for row in rows),
@@ -175,7 +175,7 @@ def _within(figure: Figure) -> Array:
     return qpos
 
 
-def _stood(figure: Figure, pose: Array, on_feet: bool) -> Array:
+def _placed_on_floor(figure: Figure, pose: Array, on_feet: bool) -> Array:
     """Return a pose (nq,) with a free figure's lowest point on the highest floor, and on top of its pedestal."""
     qpos, floor = np.array(pose), floor_height(figure.model)
     for root, column, up in lifts(figure):
@@ -272,7 +272,7 @@ def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
 
 def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:
     """Return two more keyframes: one joint moved, and moved back."""
-    link, value = _telling(figure, qpos)
+    link, value = _example_joint(figure, qpos)
     back = _joint(link, qpos)
     if isinstance(back, RotationTable):
         there: RotationTable | float = RotationTable(rotvec=(0.0, float(_short(float(np.degrees(value)))), 0.0))
@@ -304,7 +304,7 @@ def _loops(figure: Figure) -> set[int]:
     return {i for i in links if figure.links[i].kind is not JointKind.FREE}
 
 
-def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
+def _example_joint(figure: Figure, qpos: Array) -> tuple[Link, float]:
     """Return the joint whose motion is most visible, except those that carry half the figure, and its target value."""
     model, data = figure.model, mujoco.MjData(figure.model)
     after = {coupling.follower for coupling in couplings(figure)}
@@ -386,25 +386,25 @@ def _short(value: float) -> float | int:
     return int(number) if number == int(number) else number
 
 
-def _head(source: str, own: bool, count: int, raised: float, settled: float) -> str:
+def _head(source: str, has_keyframes: bool, count: int, raised: float, settled: float) -> str:
     name = Path(source).name
-    content = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
+    content = f"its {count} keyframe{'s' * (count > 1)}" if has_keyframes else "its rest pose"
     more = "" if count > 1 else ", and one joint moved"
     up = "\n"
-    if abs(raised) >= TOLD:
-        way = "Raised" if raised > 0 else "Lowered"
+    if abs(raised) >= REPORTED:
+        verb = "Raised" if raised > 0 else "Lowered"
         where = "out of" if raised > 0 else "onto"
-        up = f" {way} by up to {1000 * abs(raised):.1f} mm, {where} the floor or an obstacle.\n"
+        up = f" {verb} by up to {1000 * abs(raised):.1f} mm, {where} the floor or an obstacle.\n"
     off = "# Joints that follow others have the values that these determine, not those of the model's keyframes.\n"
     return (
-        f"# A clip for {name}: {content}{more}.{up}{off if own and settled >= TOLD else ''}"
+        f"# A clip for {name}: {content}{more}.{up}{off if has_keyframes and settled >= REPORTED else ''}"
         "# Units are degrees, metres and seconds. The solver chooses joints that a keyframe does not name. To specify\n"
         '# them, add others = "previous" (as in the previous keyframe), "rest" or "key:NAME" (a <key> of the model).\n'
         "# To see the motion: dynsplines render THIS_FILE"
     )
 
 
-def _noted(notes: Sequence[str]) -> str:
+def _comment(notes: Sequence[str]) -> str:
     return "\n".join(f"# {line}" for note in notes for line in textwrap.wrap(f"NOTE: {note}", WIDE))
 
 

@@ -37,7 +37,7 @@ class Table(BaseModel):
         return cls.model_construct(set(values), **values)
 
     @property
-    def given(self) -> Mapping[str, object]:
+    def specified(self) -> Mapping[str, object]:
         """The values of the keys that are set."""
         return {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
 

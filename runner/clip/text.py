@@ -119,5 +119,5 @@ def _keyframe(figure: Figure, key: Frame) -> KeyframeTable:
             joints[link.name] = rotation(value)
         elif fixed:
             joints[link.name] = _angle(value) if link.kind is JointKind.HINGE else value
-    named = {"root": root if root is not None and root.given else None, "roots": roots, "joints": joints}
+    named = {"root": root if root is not None and root.specified else None, "roots": roots, "joints": joints}
     return KeyframeTable.unchecked(time=float(key.time), **{name: value for name, value in named.items() if value})

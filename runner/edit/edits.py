@@ -23,7 +23,7 @@ from dynsplines.solver.search.descent import optimised
 from dynsplines.solver.solution import Solution
 
 from ..clip.build import AROUND, Clip, around
-from ..clip.file import standing_alone
+from ..clip.file import standalone
 from ..clip.load import clip_from_motion, of_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
@@ -45,7 +45,7 @@ TOLERANCE = 1e-5  # [1] tolerance of a transition's search, relative to E
 
 
 @contextmanager
-def _told(name: str) -> Iterator[None]:
+def _with_name(name: str) -> Iterator[None]:
     """Raise errors of impossible edits as UserError in one line with the motion's name."""
     try:
         yield
@@ -53,15 +53,15 @@ def _told(name: str) -> Iterator[None]:
         raise UserError(f"{name}: {error}") from None
 
 
-def mirror_of(found: Clip | Saved) -> Mirror:
+def mirror_of(source: Clip | Saved) -> Mirror:
     """Return the mirror symmetry of a figure. Raises UserError for a figure without left and right sides."""
-    with _told(found.name):
-        return Mirror.of(found.figure)
+    with _with_name(source.name):
+        return Mirror.of(source.figure)
 
 
 def mirrored(saved: Saved) -> Saved:
     """Return the motion mirrored in the x-z plane, in the same scene."""
-    mirror, saved = mirror_of(saved), standing_alone(saved)
+    mirror, saved = mirror_of(saved), standalone(saved)
     return replace(
         saved,
         text=_text(saved, lambda clip: mirrored_tables(clip, saved.figure, mirror)),
@@ -73,8 +73,8 @@ def mirrored(saved: Saved) -> Saved:
 
 def retimed(saved: Saved, speed: float) -> Saved:
     """Return the motion at `speed` times the speed."""
-    saved = standing_alone(saved)
-    with _told(saved.name):
+    saved = standalone(saved)
+    with _with_name(saved.name):
         timeline, raw = retime.retimed(saved.timeline, speed), retime.retimed(saved.raw, speed)
     start = saved.keys[0].time
     keys = tuple(replace(key, time=start + (key.time - start) / speed) for key in saved.keys)
@@ -111,7 +111,7 @@ def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float)
 
 
 @dataclass(frozen=True)
-class Lasting:
+class TimedTables:
     """Contacts, holds and flights that a motion gets from another one; flights None: their times are unknown."""
 
     contacts: Sequence[ContactTable] = ()
@@ -119,17 +119,17 @@ class Lasting:
     flights: Sequence[Span] | None = ()
 
 
-def check_interval(found: Clip | Saved, first: float, last: float) -> None:
+def check_interval(source: Clip | Saved, first: float, last: float) -> None:
     """Raise UserError unless the motion covers the interval from `first` to `last` [s]."""
-    with _told(found.name):
-        retime.check_interval((found.keys[0].time, found.keys[-1].time), first, last)
-    check_times([first, last], found.name)
+    with _with_name(source.name):
+        retime.check_interval((source.keys[0].time, source.keys[-1].time), first, last)
+    check_times([first, last], source.name)
 
 
 def trimmed(saved: Saved, first: float, last: float) -> Saved:
     """Return the part from `first` to `last` [s], with the raw spline through its keyframes as `raw`."""
     check_interval(saved, first, last)
-    saved = standing_alone(saved)
+    saved = standalone(saved)
     timeline = retime.trimmed(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
     inside = [key for key in saved.keys if begin + SHORTEST <= key.time <= end - SHORTEST]
@@ -141,11 +141,11 @@ def repeated(saved: Saved, count: int) -> Saved:
     """Return a loop repeated several times."""
     if count == 1:
         return saved
-    saved = standing_alone(saved)
+    saved = standalone(saved)
     period = saved.keys[-1].time - saved.keys[0].time
     if count * period > LONGEST:
         raise UserError(f"{saved.name}: {count} periods of {period:g} s are over {LONGEST:g} s")
-    with _told(saved.name):
+    with _with_name(saved.name):
         timeline, raw = (retime.repeated(saved.figure, path, count) for path in (saved.timeline, saved.raw))
     times = [key.time + period * i for i in range(count) for key in saved.keys[1 if i else 0 :]]
     masks = [(key.fixed, key.posed) for i in range(count) for key in saved.keys[1 if i else 0 :]]
@@ -154,7 +154,7 @@ def repeated(saved: Saved, count: int) -> Saved:
     seam = Seam.of(saved.figure, saved.timeline)
     table, flown = _table(saved), _flights(saved) or ()
     rounds = [(i, period * i) for i in range(1, count)]
-    more = Lasting(
+    more = TimedTables(
         [row for i, shift in rounds for row in _carried(_later(table.contact, shift), saved.figure, seam, i)],
         [row for _, shift in rounds for row in _later(table.grasp, shift)],
         [(first + shift, last + shift) for _, shift in rounds for first, last in flown],
@@ -170,7 +170,7 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     """Return two motions in sequence, with a transition [s] that is solved as an in-between."""
     check_transition(transition)
     check_alike(before, after)
-    before, after = standing_alone(before), standing_alone(after)
+    before, after = standalone(before), standalone(after)
     figure = before.figure
     one, two = (retime.trimmed(part.timeline, *part.timeline.times[[0, -1]].tolist()) for part in (before, after))
     place = join.following(figure, one, two, transition)
@@ -181,10 +181,10 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     ends = _key_on(figure, one, -1), _key_on(figure, two, 0)
     between = _transition(before, one, two, ends, progress)
     keys = (*before.keys[:-1], *ends, *moved[1:])
-    with _told("join"):
+    with _with_name("join"):
         check_times([key.time for key in keys], "join")
     table, flown = _table(after), _flights(after)
-    more = Lasting(
+    more = TimedTables(
         [row for row in _later(table.contact, shift) if row.position is None],  # specified positions no longer apply
         _later(table.grasp, shift),
         None if flown is None else [(first + shift, last + shift) for first, last in flown],
@@ -259,7 +259,7 @@ def _key_on(figure: Figure, timeline: Timeline, number: int) -> Frame:
     return Frame.key(frame.time, figure.to_qpos(frame.state))
 
 
-def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: Lasting = Lasting()) -> Saved:
+def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: TimedTables = TimedTables()) -> Saved:
     """Return a motion with free ends and other keyframes, with the raw spline through these as `raw`."""
     raw = raw_timeline(saved.figure, list(keys))
     return replace(
@@ -274,7 +274,9 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
     )
 
 
-def _keyed(saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None, more: Lasting = Lasting()) -> str:
+def _keyed(
+    saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None, more: TimedTables = TimedTables()
+) -> str:
     """Return the clip's text with other keyframes, and its and `more`'s contacts, grasps and flights, cut to its time.
     There are no flights if the times of those of `more` are unknown. With `solve` None the clip has free ends."""
     span = keys[0].time, keys[-1].time
@@ -297,17 +299,17 @@ def _flying(penalty: PenaltyTable, more: Sequence[Span] | None, span: Span) -> P
     if intervals is None:
         return penalty
     if more is None:
-        return _left_to_keyframes(penalty)
+        return _without_intervals(penalty)
     inside = [(max(first, span[0]), min(last, span[1])) for first, last in [*intervals, *more]]
     flights = [[first, last] for first, last in inside if last - first >= SHORTEST]
     return PenaltyTable.of(penalty.kind, **{**penalty.options, "intervals": flights})
 
 
 def _without_flights(clip: ClipTable) -> ClipTable:
-    return clip.changed(penalty=[_left_to_keyframes(row) for row in clip.penalty])
+    return clip.changed(penalty=[_without_intervals(row) for row in clip.penalty])
 
 
-def _left_to_keyframes(penalty: PenaltyTable) -> PenaltyTable:
+def _without_intervals(penalty: PenaltyTable) -> PenaltyTable:
     return PenaltyTable.of(penalty.kind, **{key: value for key, value in penalty.options.items() if key != "intervals"})
 
 

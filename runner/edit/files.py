@@ -47,11 +47,11 @@ class Edit:
 
 
 def run(
-    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, fresh: bool = False, progress: Progress
+    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, no_cache: bool = False, progress: Progress
 ) -> tuple[Path, Violations]:
     """Apply an edit; return the written motion or clip (.toml), and the violations of a motion.
 
-    With `fresh`, clips are solved even if their solution is cached.
+    With `no_cache`, clips are solved even if their solution is cached.
     """
     direct = edit.clip is not None and not motion.is_motion(sources[0])
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
@@ -63,7 +63,7 @@ def run(
     if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
         _write_clip(edit.clip(table_of(one.text, sources[0]), one), sources[0], target)
         return target, ()
-    saved = edit.motions([solve_cache.saved(item, progress, fresh=fresh) for item in inputs], progress)
+    saved = edit.motions([solve_cache.saved(item, progress, no_cache=no_cache) for item in inputs], progress)
     if is_clip:
         if not saved.text:
             raise UserError(f"{target}: '{sources[0]}' has no clip file to edit; write an .npz")
@@ -79,12 +79,12 @@ def run(
     return target, tuple(f for f in violations if f.keyframe is None) if any(map(_is_sampled, inputs)) else violations
 
 
-def _is_sampled(found: Clip | Saved) -> bool:
+def _is_sampled(source: Clip | Saved) -> bool:
     """Return whether keyframes are samples of a recording, to which messages should not refer."""
-    if isinstance(found, Clip):
-        return found.has_recording
-    follows = bool(found.text) and table_of(found.text, found.name).recording is not None
-    return follows or violation.is_recording(found)
+    if isinstance(source, Clip):
+        return source.has_recording
+    follows = bool(source.text) and table_of(source.text, source.name).recording is not None
+    return follows or violation.is_recording(source)
 
 
 def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
@@ -140,8 +140,8 @@ def trimmed(first: float | None, last: float | None) -> Edit:
     if first is None and last is None:
         raise UserError("give --from, --to, or both, in seconds")
 
-    def interval(found: Sequence[Clip | Saved]) -> tuple[float, float]:
-        begin, end = found[0].keys[0].time, found[0].keys[-1].time
+    def interval(sources: Sequence[Clip | Saved]) -> tuple[float, float]:
+        begin, end = sources[0].keys[0].time, sources[0].keys[-1].time
         return begin if first is None else first, end if last is None else last
 
     return Edit(

@@ -26,13 +26,13 @@ ROUNDING = 1e-6  # [1] tolerance of the bound for the rounding of numbers in a f
 
 
 @dataclass(frozen=True)
-class ToThin:
+class Recording:
     """A motion's file, and options that a file of another program may need.
 
     Attributes:
         source: The file, or a shipped clip.
         fps: Samples per second [1/s].
-        fresh: Whether to solve a clip even if its solution is cached.
+        no_cache: Whether to solve a clip even if its solution is cached.
         skip_rest: Whether to remove a T-pose or rest pose before the motion.
     """
 
@@ -40,12 +40,12 @@ class ToThin:
     figure: str | None = None
     kind: str | None = None
     fps: float | None = None
-    fresh: bool = False
+    no_cache: bool = False
     skip_rest: bool = False
 
     def read(self, progress: Progress) -> Saved:
         """Return a saved motion, the solution of a clip, or an imported file."""
-        return rest_pose_trim.told(self._read(progress), progress, skip=self.skip_rest)
+        return rest_pose_trim.trim(self._read(progress), progress, skip=self.skip_rest)
 
     def _read(self, progress: Progress) -> Saved:
         is_foreign_file = self.figure is not None or self.kind is not None
@@ -53,7 +53,7 @@ class ToThin:
         if not is_foreign_file and motion.is_motion(self.source) and not is_foreign(path):
             return load_motion(path)
         if not is_foreign_file and (self.source in models.clips() or path.suffix.lower() == ".toml"):
-            return solve_cache.saved(recordings.load(self.source), progress, fresh=self.fresh)
+            return solve_cache.saved(recordings.load(self.source), progress, no_cache=self.no_cache)
         return import_recording(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
 
 
@@ -65,7 +65,7 @@ def bound(error: str, angle: float) -> tuple[float, float]:
 
 
 def run(
-    recording: ToThin,
+    recording: Recording,
     bound: tuple[float, float],
     target: Path | None,
     *,
@@ -95,7 +95,7 @@ def run(
     written = thinning.write(result, target, exact=exact, overwrite=overwrite)
     lines = [result.line]
     if target.suffix == ".toml":
-        solved = solve_cache.solved(recordings.load(str(target)), progress, fresh=recording.fresh).motion.timeline
+        solved = solve_cache.solved(recordings.load(str(target)), progress, no_cache=recording.no_cache).motion.timeline
         after = thinning.measured(thinning.recorded_of(saved, *bound), replace(result.motion, timeline=solved))
         lines = [after.line] if solve or exact else [f"{result.line}: the spline", _as_solved(after)]
         thinning.write(result, target, exact=exact, note="; ".join(lines), overwrite=True)
@@ -105,7 +105,7 @@ def run(
     return target
 
 
-def _as_solved(found: ThinnedMotion) -> str:
+def _as_solved(result: ThinnedMotion) -> str:
     """Return a line on the deviation of the motion that the clip's settings produce."""
     beyond = "; more than requested: use --solve to stay within it, or --exact to keep the spline"
-    return f"solved with the clip's settings: {found.misses}{beyond if found.excess > 1 + ROUNDING else ''}"
+    return f"solved with the clip's settings: {result.misses}{beyond if result.excess > 1 + ROUNDING else ''}"

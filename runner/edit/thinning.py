@@ -77,11 +77,11 @@ def thinned(
 
     With `solve` the bounds apply to the solved motion, not only to the raw spline.
     """
-    progress, saved = progress or Progress(), clip_file.standing_alone(saved)
+    progress, saved = progress or Progress(), clip_file.standalone(saved)
     recorded = recorded_of(saved, distance, angle)
     text = _Text(saved)
 
-    def told(note: str) -> None:
+    def report(note: str) -> None:
         progress.step("thinning", None, note)
 
     def problem(keys: Sequence[Frame]) -> Clip:
@@ -91,7 +91,7 @@ def thinned(
         return solving.solve(problem(keys), progress).motion.timeline
 
     loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
-    reduced = refined(recorded, thin(loosely, told).kept, solved, told) if solve else thin(recorded, told)
+    reduced = refined(recorded, thin(loosely, report).kept, solved, report) if solve else thin(recorded, report)
     keys = tuple(recorded.frames(reduced.kept))
     raw = recorded.spline(keys)
     compact = replace(saved, text=text.of(keys), keys=keys, timeline=reduced.timeline, raw=raw, trace=[], report={})
@@ -148,23 +148,23 @@ def _with_keys(table: ClipTable, saved: Saved, keys: Sequence[Frame]) -> ClipTab
     """Return a clip's tables with other keyframes, and the contacts within their time."""
     first, last = keys[0].time, keys[-1].time
     return table.changed(
-        solve=clip_file.searching(table.solve).changed(**around(saved).given),
+        solve=clip_file.searching(table.solve).changed(**around(saved).specified),
         contact=[row for row in table.contact if first <= row.start and row.end <= last],
         keyframe=keyframe_tables(saved.figure, keys),
     )
 
 
 def write(
-    found: ThinnedMotion, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False
+    result: ThinnedMotion, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False
 ) -> list[Path]:
     """Write a thinned motion as a clip (.toml) or as a motion (.npz); return the files written.
 
     With `exact` the clip's [solve] returns the spline unchanged. `note` replaces the comment at a clip's head.
     """
     check(target)
-    saved = replace(found.motion, name=target.stem)
+    saved = replace(result.motion, name=target.stem)
     if target.suffix == ".toml":
-        return clip_file.write(saved, target, note=note or found.line, exact=exact, overwrite=overwrite)
+        return clip_file.write(saved, target, note=note or result.line, exact=exact, overwrite=overwrite)
     save(saved, target)
     return [target]
 

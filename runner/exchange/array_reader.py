@@ -95,7 +95,7 @@ class ArrayReader:
             raise UserError(f"{self.where}: '{name}' is not a number of samples a second from 0.01 to 100000")
         return float(array.reshape(()))
 
-    def whole(self, name: str) -> int:
+    def integer(self, name: str) -> int:
         """Return a whole number, stored as a number or an array of one."""
         array = self._array(name, 1)
         if array.dtype.kind not in "iub" or array.size != 1:
@@ -117,31 +117,31 @@ class ArrayReader:
         except ValueError:
             raise UserError(f"{self.where}: '{name}' has rows of different lengths") from None
 
-    def _items(self, name: str, found: object, axes: int) -> int:
+    def _items(self, name: str, value: object, axes: int) -> int:
         """Count the items of expanded lists: a short pickle may repeat one list a million times."""
-        if not isinstance(found, list | tuple):
-            return found.size if isinstance(found, np.ndarray) else 1
+        if not isinstance(value, list | tuple):
+            return value.size if isinstance(value, np.ndarray) else 1
         if axes == 0:
             raise UserError(f"{self.where}: '{name}' has lists in lists, deeper than it should")
-        if axes == 1 and not any(isinstance(item, list | tuple | np.ndarray) for item in found):
-            return len(found)
+        if axes == 1 and not any(isinstance(item, list | tuple | np.ndarray) for item in value):
+            return len(value)
         total, most = 0, size_limit.bound() // NUMBER
-        for item in found:
+        for item in value:
             total += 1 + self._items(name, item, axes - 1)
             if total > most:
                 break
         return total
 
 
-def body_poses(found: ArrayReader) -> BodyPoses | None:
+def body_poses(reader: ArrayReader) -> BodyPoses | None:
     """Return the body poses that a file stores with qpos, under the names of MuJoCo and mjlab; None without any."""
-    place = next((name for name in ("xpos", "body_pos_w", "body_pos") if name in found), None)
-    if place is None or np.ndim(found.of(place)) != 3:
+    place = next((name for name in ("xpos", "body_pos_w", "body_pos") if name in reader), None)
+    if place is None or np.ndim(reader.of(place)) != 3:
         return None
-    position = found.numbers(place, "samples", "bodies", 3)
-    turn = next((name for name in ("xquat", "body_quat_w", "body_quat", "body_rot") if name in found), None)
-    rotation = None if turn is None else found.quaternions(turn, "samples", "bodies", 4)
-    names = tuple(found.texts("body_names")) if "body_names" in found else None
+    position = reader.numbers(place, "samples", "bodies", 3)
+    turn = next((name for name in ("xquat", "body_quat_w", "body_quat", "body_rot") if name in reader), None)
+    rotation = None if turn is None else reader.quaternions(turn, "samples", "bodies", 4)
+    names = tuple(reader.texts("body_names")) if "body_names" in reader else None
     return BodyPoses(position, rotation, turn == "xquat", names)
 
 

@@ -49,32 +49,32 @@ class Disagreement:
         return f"{100 * self.distance:.1f} cm and {np.degrees(self.angle):.1f}°"
 
 
-def disagreement(model: mujoco.MjModel, found: Recording) -> Disagreement:
+def disagreement(model: mujoco.MjModel, recording: Recording) -> Disagreement:
     """Return how far the body poses of a recording are from those of the figure at the recorded qpos.
 
     Each recorded body is compared with the figure's body that is nearest to it over all samples. So the order of the
     bodies does not matter, nor whether the world is among them. If the figure has fewer bodies, each of them is
     compared with its nearest recorded body instead.
     """
-    assert found.bodies is not None, "a recording with body poses"
-    rows = spread(len(found.qpos))
-    position, rotation = _poses(model, found.qpos[rows])
+    assert recording.bodies is not None, "a recording with body poses"
+    rows = spread(len(recording.qpos))
+    position, rotation = _poses(model, recording.qpos[rows])
     root = root_of(model)
-    if found.bodies.is_local and root is not None:
+    if recording.bodies.is_local and root is not None:
         back = quat.inverse(rotation[:, root.body])[:, None]
         position = quat.rotated(back, position - position[:, [root.body]])
         rotation = quat.product(back, rotation)
-    columns = _known(model, found.bodies)
-    away = np.linalg.norm(found.bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)
+    columns = _matching_bodies(model, recording.bodies)
+    away = np.linalg.norm(recording.bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)
     angles = [np.zeros_like(away)]
-    if found.bodies.rotation is not None:
-        shifts = (0,) if found.bodies.is_wxyz else (0, 1)
-        recorded = found.bodies.rotation[rows][:, columns, None]
+    if recording.bodies.rotation is not None:
+        shifts = (0,) if recording.bodies.is_wxyz else (0, 1)
+        recorded = recording.bodies.rotation[rows][:, columns, None]
         angles = [_angle(np.roll(recorded, shift, -1), rotation[:, None]).max(axis=0) for shift in shifts]
     return min((_nearest(away, angle) for angle in angles), key=lambda each: each.share)
 
 
-def _known(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
+def _matching_bodies(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
     """Return the recorded bodies whose names the figure has, or all of them if these are less than half."""
     everything = np.arange(bodies.position.shape[1])
     if bodies.names is None or len(bodies.names) != everything.size:
@@ -84,13 +84,13 @@ def _known(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
     return matching if 2 * matching.size > everything.size else everything
 
 
-def _nearest(away: Array, angle: Array) -> Disagreement:
+def _nearest(distance: Array, angle: Array) -> Disagreement:
     """Return the largest distance and angle (b, nbody) after assigning each body of the smaller set to its nearest."""
-    if away.shape[0] > away.shape[1]:
-        away, angle = away.T, angle.T
-    partner = np.argmin(np.maximum(away / CLOSE, angle / ALIGNED), axis=1)
+    if distance.shape[0] > distance.shape[1]:
+        distance, angle = distance.T, angle.T
+    partner = np.argmin(np.maximum(distance / CLOSE, angle / ALIGNED), axis=1)
     rows = np.arange(len(partner))
-    return Disagreement(float(away[rows, partner].max()), float(angle[rows, partner].max()))
+    return Disagreement(float(distance[rows, partner].max()), float(angle[rows, partner].max()))
 
 
 def _angle(one: Array, other: Array) -> Array:
@@ -135,10 +135,10 @@ class Plausibility:
     samples: int
 
     @classmethod
-    def of(cls, model: mujoco.MjModel, found: Recording) -> Plausibility:
+    def of(cls, model: mujoco.MjModel, recording: Recording) -> Plausibility:
         """Return the plausibility of a recording; samples with entries that are not finite are ignored."""
-        finite = np.isfinite(found.qpos).all(axis=1)
-        qpos, time = found.qpos[finite], found.time[finite]
+        finite = np.isfinite(recording.qpos).all(axis=1)
+        qpos, time = recording.qpos[finite], recording.time[finite]
         outside, jumps = _mostly_outside(model, qpos), _fast(model, qpos, time)
         root = root_of(model)
         if root is None or not len(qpos):
@@ -148,7 +148,7 @@ class Plausibility:
             rotation = quat.normalised(qpos[:, start + 3 : start + 7])
             turned = quat.angle_between(rotation[1:], rotation[:-1])
             jumps += float(np.mean(turned > JUMP)) if turned.size else 0.0
-        tilts, heights, speeds, size = _stands(model, root.body, qpos, time)
+        tilts, heights, speeds, size = _posture(model, root.body, qpos, time)
         is_off = (heights < -SUNK * size) | (heights > FLYING)
         at_floor = np.abs(heights) < AT_FLOOR * size
         return cls(
@@ -208,7 +208,7 @@ class Plausibility:
     def _exceeds(self, other: Plausibility, share: float) -> bool:
         return self.outside > share and other.outside < NONE_OUTSIDE
 
-    def rests_beside(self, other: Plausibility) -> bool:
+    def slides_less_than(self, other: Plausibility) -> bool:
         """Whether the feet slide evidently less than in another reading, over enough samples."""
         is_less = self.sliding < other.sliding / 2 and other.sliding - self.sliding > 0.3 * SLIDING
         return is_less and self.samples >= ENOUGH and self.standing > 0.5
@@ -278,7 +278,7 @@ def _fast(model: mujoco.MjModel, qpos: Array, time: Array) -> float:
     return float(np.median(is_fast.mean(axis=0)))  # the median ignores single rotors, which may be as fast
 
 
-def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple[Array, Array, Array, float]:
+def _posture(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple[Array, Array, Array, float]:
     """Return the figure's posture in n samples.
 
     tilt (n,) [rad] of its body from rest, height (n,) [m] and speed (n,) [m/s] of its lowest point, and its size [m]

@@ -68,7 +68,7 @@ class Forces:
         return cls(trajectory, samples, stiff, trajectory.model if model is None else model)
 
     @cached_property
-    def known(self) -> Mask:
+    def has_known_support(self) -> Mask:
         """(T,) whether the forces that carry the figure are known; always, for a figure without stances and flights."""
         if self.support is None or not self.support.tells:
             return np.ones(self.samples.count, bool)
@@ -103,7 +103,7 @@ class Forces:
         if support is None:
             return np.zeros((6, self.samples.count))
         units = np.repeat([support.unit, support.unit * support.length], 3)[:, None]
-        return np.where(self.known, support.rest(self.samples, self.wrench) * units, np.nan)
+        return np.where(self.has_known_support, support.rest(self.samples, self.wrench) * units, np.nan)
 
     @cached_property
     def feet(self) -> tuple[Foot, ...]:
@@ -135,9 +135,9 @@ class Forces:
         name = figure.model.body(figure.links[link].body).name or figure.links[link].name
         return Foot(
             name,
-            np.where(self.known, whole, np.nan),
-            np.where(self.known & loaded, centre, np.nan),
-            np.where(self.known & loaded, moment, np.nan),
+            np.where(self.has_known_support, whole, np.nan),
+            np.where(self.has_known_support & loaded, centre, np.nan),
+            np.where(self.has_known_support & loaded, moment, np.nan),
         )
 
     @cached_property
@@ -160,4 +160,4 @@ class Forces:
                 posed = t
             mujoco.mj_jac(model, data, jacobian, None, reactions.place[:, i], bodies[reactions.footing[i]])
             out[t] -= reactions.force[:, i] @ jacobian
-        return np.where(self.known[:, None], out, np.nan)
+        return np.where(self.has_known_support[:, None], out, np.nan)

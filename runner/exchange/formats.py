@@ -65,7 +65,7 @@ class Format:
 
     The module has `write(trajectory, path)` if the format can be written, and `read(path, model, fps)`, which returns a
     Recording, if it can be read; `model` is None without a figure from the user. Both raise UserError. Two more
-    functions are optional. `beside(trajectory)` returns further files, such as a hinge model, by extension or by name
+    functions are optional. `companions(trajectory)` returns more files, such as a hinge model, by extension or by name
     without a leading dot. `recognises(path)` decides between formats that share an extension.
 
     also        further extensions of the format, only read
@@ -229,13 +229,13 @@ def export(
     fps: float | None = None,
     options: ExportOptions | None = None,
     overwrite: bool = True,
-    tell: Callable[[str], None] | None = None,
+    report: Callable[[str], None] | None = None,
 ) -> Path:
     """Write a motion in another format, atomically; the default path is its name with the format's extension.
 
     options    optional content
     overwrite  replace existing files, the main one and its companions, unless their content is identical
-    tell       receives lines for the user: further files written, and data that the format cannot represent
+    report     receives lines for the user: further files written, and data that the format cannot represent
 
     Raises UserError for an unknown format, the extension of another one, a missing package, and a motion that the
     format cannot represent.
@@ -246,7 +246,7 @@ def export(
     check_target(target, overwrite=overwrite)
     module = _module(form)
     trajectory = SampledTrajectory.of(saved, fps, options)
-    others = _beside(module, trajectory, target)
+    others = _companions(module, trajectory, target)
     for other, content in others.items():
         if other == target:
             raise UserError(f"'{target}' is the name of a file of the figure, too; give another -o")
@@ -259,23 +259,23 @@ def export(
         with Replacement(other) as temporary:
             temporary.write_bytes(content)
         trajectory.notes.append(f"wrote {other}")
-    if tell is not None:
+    if report is not None:
         for note in trajectory.notes:
-            tell(note)
+            report(note)
     return target
 
 
-def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = None) -> Path:
+def written_by(custom: Writer, saved: Saved, target: Path, *, fps: float | None = None) -> Path:
     """Write a motion by a custom writer."""
     check_target(target)
     with Replacement(target) as temporary:
-        own.write(SampledTrajectory.of(saved, fps), temporary)
+        custom.write(SampledTrajectory.of(saved, fps), temporary)
     return target
 
 
-def _beside(module: Module, trajectory: SampledTrajectory, target: Path) -> dict[Path, bytes]:
+def _companions(module: Module, trajectory: SampledTrajectory, target: Path) -> dict[Path, bytes]:
     """Return the companion files of a motion's file."""
-    companions = {} if module.beside is None else module.beside(trajectory)
+    companions = {} if module.companions is None else module.companions(trajectory)
     return {
         target.with_suffix(name) if name.startswith(".") else target.parent / name: (
             content if isinstance(content, bytes) else content.encode()
@@ -326,10 +326,10 @@ def _read(
     return gaps.as_far_as_it_goes(lambda: read(source, model, fps))
 
 
-def read_by(own: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+def read_by(custom: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read a file by a custom reader; raises UserError if its result is invalid or requires a figure."""
     _check_file(source)
-    result = own.read(source, model, fps)
+    result = custom.read(source, model, fps)
     if not isinstance(result, Recording):
         raise UserError(f"{source}: a reader's read gives a Recording, not {type(result).__name__}")
     if result.mjcf is None and model is None:
@@ -375,7 +375,7 @@ class Module:
 
     write: Callable[[SampledTrajectory, Path], None] | None
     read: Callable[..., Recording] | None
-    beside: Callable[[SampledTrajectory], Mapping[str, str | bytes]] | None
+    companions: Callable[[SampledTrajectory], Mapping[str, str | bytes]] | None
     recognises: Callable[[Path], bool] | None
 
 
@@ -387,5 +387,7 @@ def _module(form: Format) -> Module:
         if form.extra is None:
             raise
         raise missing_package(f"the format '{form.name}'", error.name, form.extra) from None
-    write, read, beside, recognises = (getattr(code, name, None) for name in ("write", "read", "beside", "recognises"))
-    return Module(write, read, beside, recognises)
+    write, read, companions, recognises = (
+        getattr(code, name, None) for name in ("write", "read", "companions", "recognises")
+    )
+    return Module(write, read, companions, recognises)

@@ -16,7 +16,7 @@ import numpy as np
 from dynsplines.solver.array import Array, Mask
 
 from ..errors import UserError
-from .layouts import noted
+from .layouts import with_notes
 from .trajectory import Recording
 
 FEWEST = 2  # least number of samples of a motion
@@ -59,17 +59,19 @@ class Gaps:
         good = np.flatnonzero(~bad)
         return array[good[np.maximum(np.searchsorted(good, np.arange(bad.size), side="right") - 1, 0)]]
 
-    def left_out(self, found: Recording, where: object) -> Recording:
+    def without_missing(self, recording: Recording, where: object) -> Recording:
         """Return a recording without the noted samples."""
         if self.missing is None or not self.missing.any():
-            return found
-        if self.missing.size != found.time.size:
+            return recording
+        if self.missing.size != recording.time.size:
             raise UserError(f"{where}: some of its numbers are not finite, and no single samples can be removed")
-        count, first = int(self.missing.sum()), float(found.time[self.missing][0])
+        count, first = int(self.missing.sum()), float(recording.time[self.missing][0])
         many = "samples hold" if count > 1 else "sample holds"
         note = f"{count} {many} no numbers, first at {first:.3f} s: left out"
         is_present = ~self.missing
-        return replace(found, time=found.time[is_present], qpos=found.qpos[is_present], notes=(*found.notes, note))
+        return replace(
+            recording, time=recording.time[is_present], qpos=recording.qpos[is_present], notes=(*recording.notes, note)
+        )
 
 
 _now: ContextVar[Gaps | None] = ContextVar("gaps", default=None)
@@ -96,10 +98,10 @@ def bridged(array: Array) -> Array | None:
     return None if gaps is None or array.ndim == 0 or not len(array) else gaps.bridged(array)
 
 
-def left_out(found: Recording, where: object) -> Recording:
+def without_missing(recording: Recording, where: object) -> Recording:
     """Return `Gaps.left_out` where gaps are allowed."""
     gaps = _now.get()
-    return found if gaps is None else gaps.left_out(found, where)
+    return recording if gaps is None else gaps.without_missing(recording, where)
 
 
 def samples_used(count: int) -> int:
@@ -128,4 +130,4 @@ def as_far_as_it_goes(read: Callable[[], Recording]) -> Recording:
     if unequal is None:
         return result
     note = f"the file is cut short, samples of its arrays: {unequal.counts}; the first {unequal.count} are used"
-    return noted(result, (note,))
+    return with_notes(result, (note,))

@@ -78,10 +78,10 @@ def recording(
     return replace(bases[0], others=(*bases[1:], *variants))
 
 
-def noted(found: Recording, notes: Sequence[str]) -> Recording:
+def with_notes(recorded: Recording, notes: Sequence[str]) -> Recording:
     """Return a recording with further notes, in all of its layouts."""
-    others = tuple(replace(other, notes=(*other.notes, *notes)) for other in found.others)
-    return replace(found, notes=(*found.notes, *notes), others=others)
+    others = tuple(replace(other, notes=(*other.notes, *notes)) for other in recorded.others)
+    return replace(recorded, notes=(*recorded.notes, *notes), others=others)
 
 
 def chosen(
@@ -108,9 +108,9 @@ def chosen(
     return replace(best, bodies=None, others=(), notes=(*best.notes, *notes, *note))
 
 
-def _figure(found: Recording) -> mujoco.MjModel:
-    assert found.mjcf is not None, "a file without a figure is for one that is named"
-    return Scene(found.mjcf, found.assets).model()
+def _figure(recorded: Recording) -> mujoco.MjModel:
+    assert recorded.mjcf is not None, "a file without a figure is for one that is named"
+    return Scene(recorded.mjcf, recorded.assets).model()
 
 
 def _agreeing(
@@ -123,7 +123,7 @@ def _agreeing(
     off = [disagreement(model, variant) for _, variant in verified]
     best, first = min(off, key=lambda each: each.share), off[0]
     if best.share > 1:
-        others = f", at best {best} with {_words(verified[off.index(best)][1])}" if best is not first else ""
+        others = f", at best {best} with {_layout_text(verified[off.index(best)][1])}" if best is not first else ""
         raise UserError(
             f"{where}: its body poses differ from the figure's at its joint angles, by up to {first}{others}; "
             "name the model that it was recorded with"
@@ -133,7 +133,7 @@ def _agreeing(
     if not simplest[1].layout:
         return out, ()
     before = "" if verified[0][1].layout else f"; as documented {first}"
-    return out, (f"read as {_called(*simplest)}: its body poses differ from the figure's by up to {best}{before}",)
+    return out, (f"read as {_layout_name(*simplest)}: its body poses differ from the figure's by up to {best}{before}",)
 
 
 def _most_plausible(
@@ -176,12 +176,12 @@ def _best(ranked: Sequence[Judged]) -> list[Judged]:
     near = [ranked[0], *(judged for judged in ranked[1:] if not judged[0].is_doubted_by(ranked[0][0]))]
     fewest = min(len(variant.layout) for _, (_, variant) in near)
     near = [judged for judged in near if len(judged[1][1].layout) == fewest]
-    at_rest = [one for one in near if all(one is other or one[0].rests_beside(other[0]) for other in near)]
+    at_rest = [one for one in near if all(one is other or one[0].slides_less_than(other[0]) for other in near)]
     return at_rest or near
 
 
 def _decided(used: Judged, other: Judged) -> str:
-    return f"read as {_called(*used[1])}: {used[0]}; as {_called(*other[1])} it would be: {other[0]}"
+    return f"read as {_layout_name(*used[1])}: {used[0]}; as {_layout_name(*other[1])} it would be: {other[0]}"
 
 
 def _doubted(first: Judged, best: Sequence[Judged]) -> str:
@@ -189,13 +189,13 @@ def _doubted(first: Judged, best: Sequence[Judged]) -> str:
     form = first[1][0]
     do = f"convert the file, or {missing_input.FORMAT}: {form} reads it as documented"
     if len(best) > 1:
-        names = " and ".join(_called(*candidate) for _, candidate in best)
+        names = " and ".join(_layout_name(*candidate) for _, candidate in best)
         return f"as {form} it is implausible ({first[0]}); {names} are equally plausible ({best[0][0]}); {do}"
-    return f"as {form} it is doubtful ({first[0]}); as {_called(*best[0][1])} it would be: {best[0][0]}; {do}"
+    return f"as {form} it is doubtful ({first[0]}); as {_layout_name(*best[0][1])} it would be: {best[0][0]}; {do}"
 
 
 def _equally(rivals: Sequence[Judged]) -> str:
-    names = " and ".join(_called(*candidate) for _, candidate in rivals)
+    names = " and ".join(_layout_name(*candidate) for _, candidate in rivals)
     forms = list(dict.fromkeys(form for _, (form, _) in rivals))
     do = f"{missing_input.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
     return f"{names} are equally plausible ({rivals[0][0]}), and differ; {do}"
@@ -221,12 +221,12 @@ def _is_same(model: mujoco.MjModel, one: Recording, other: Recording) -> bool:
     return not np.any(np.abs(apart) > SAME)
 
 
-def _called(form: str, found: Recording) -> str:
-    return f"{form} with {_words(found)}" if found.layout else form
+def _layout_name(form: str, recorded: Recording) -> str:
+    return f"{form} with {_layout_text(recorded)}" if recorded.layout else form
 
 
-def _words(found: Recording) -> str:
-    return " and ".join(found.layout)
+def _layout_text(recorded: Recording) -> str:
+    return " and ".join(recorded.layout)
 
 
 def _variants(
@@ -270,15 +270,15 @@ def _moved(qpos: Array, source: Index, target: Index) -> Array:
     return out
 
 
-def _in_radians(model: mujoco.MjModel, found: Recording) -> Recording:
+def _in_radians(model: mujoco.MjModel, recorded: Recording) -> Recording:
     """Convert a recording whose hinges are evidently in degrees, with a note; return others unchanged."""
-    if not in_degrees(model, found.qpos, found.time):
-        return found
+    if not in_degrees(model, recorded.qpos, recorded.time):
+        return recorded
     hinges = model.jnt_qposadr[model.jnt_type == HINGE]
-    most = np.nanmax(np.abs(found.qpos[:, hinges]))
-    qpos = found.qpos.copy()
+    most = np.nanmax(np.abs(recorded.qpos[:, hinges]))
+    qpos = recorded.qpos.copy()
     qpos[:, hinges] = np.radians(qpos[:, hinges])
-    return replace(found, qpos=qpos, notes=(*found.notes, f"angles go to {most:.0f}: read as degrees"))
+    return replace(recorded, qpos=qpos, notes=(*recorded.notes, f"angles go to {most:.0f}: read as degrees"))
 
 
 def breadth_first(model: mujoco.MjModel) -> Index | None:

@@ -65,7 +65,7 @@ def read_recording(
         record = recording(source, kind, model=model, fps=fps, scale=scale)
     else:
         record = read_by(kind, source, model, fps)
-    record = gaps.left_out(record, source)
+    record = gaps.without_missing(record, source)
     if record.mjcf is not None:
         spec = mujoco.MjSpec.from_string(record.mjcf, assets=dict(record.assets))
         model = _compiled(spec, str(source))

@@ -99,8 +99,8 @@ def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
     for group in GROUPS:
         if group in groups:
             out |= GROUPS[group](trajectory, forces)
-    if {"torques", "ground"} & set(groups) and not forces.known.all():
-        trajectory.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.known.mean())))
+    if {"torques", "ground"} & set(groups) and not forces.has_known_support.all():
+        trajectory.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.has_known_support.mean())))
     if "torques" in groups:
         trajectory.notes.extend(constraint_notes(trajectory, forces))
     return out

@@ -118,17 +118,17 @@ def robot_joints(model: mujoco.MjModel) -> list[int]:
     return [joint for joint in np.flatnonzero(is_part).tolist() if joint not in root.joints]
 
 
-def _order(names: list[str], wanted: list[str], where: object) -> list[int]:
+def _order(names: list[str], joints: list[str], where: object) -> list[int]:
     """Return the indices of the figure's joints in the file; raises UserError unless both have the same joints."""
-    missing = [name for name in wanted if name not in names]
+    missing = [name for name in joints if name not in names]
     if missing:
         raise UserError(
-            f"{where}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(wanted)}"
+            f"{where}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(joints)}"
         )
-    foreign = [name for name in names if name not in wanted]
+    foreign = [name for name in names if name not in joints]
     if foreign:
-        raise UserError(f"{where}: the figure has no joint '{foreign[0]}'; it has: {', '.join(wanted)}")
-    return [names.index(name) for name in wanted]
+        raise UserError(f"{where}: the figure has no joint '{foreign[0]}'; it has: {', '.join(joints)}")
+    return [names.index(name) for name in joints]
 
 
 def needs_figure(model: mujoco.MjModel | None, where: object) -> mujoco.MjModel:

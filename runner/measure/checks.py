@@ -91,7 +91,7 @@ class Check:
     is_fixed  returns whether keyframes (m,) determine the amounts of rows (m,), so that they cause the violation
     named     (n,) rows named instead of others of their group that are hardly worse
     stride    samples of the grid from one evaluation to the next
-    is_once   whether keyframes that cause it count as one violation per group, instead of one each
+    is_once_per_group  whether keyframes that cause it count as one violation per group, instead of one each
     """
 
     name: str
@@ -102,7 +102,7 @@ class Check:
     is_fixed: Callable[[Index, Index], Mask]
     named: Mask | None = None
     stride: int = 1
-    is_once: bool = False
+    is_once_per_group: bool = False
 
     @classmethod
     def each(
@@ -220,7 +220,7 @@ def coupled(fixed: Fixed) -> Check | None:
     return Check.each("coupled", rows, hits, np.array(both))
 
 
-def torn(fixed: Fixed) -> Check | None:
+def loop_gaps(fixed: Fixed) -> Check | None:
     """Return the check of gaps in closed loops."""
     pairs = closures(fixed.figure)
     if not pairs:
@@ -282,7 +282,7 @@ def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, 
 
 
 @dataclass(frozen=True, eq=False)
-class Stay:
+class ContactTarget:
     """A point that must stay in its place.
 
     kind     "contact" or "stance"
@@ -295,7 +295,7 @@ class Stay:
     text: str
     rolling: Rolling | None = None
 
-    def away(self, samples: Samples, at: Index) -> Array:
+    def distance(self, samples: Samples, at: Index) -> Array:
         """Return the distance (k,) [m] of the point from its place at samples `at` (k,)."""
         point = self.stance.point
         x, rotation = samples.links.poses(point.link * samples.count + at)
@@ -305,19 +305,19 @@ class Stay:
         return np.linalg.norm(off, axis=0)
 
 
-def moved(stays: Sequence[Stay], groups: Index, fixed: Fixed) -> Check:
+def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> Check:
     """Return the check of points that leave their places."""
 
     def hits(samples: Samples) -> Hits:
         parts = []
-        for i, stay in enumerate(stays):
-            at = np.flatnonzero((samples.t >= stay.stance.first) & (samples.t <= stay.stance.last))
+        for i, target in enumerate(targets):
+            at = np.flatnonzero((samples.t >= target.stance.first) & (samples.t <= target.stance.last))
             if at.size:
-                parts.append(Hits(np.full(at.size, i), at, stay.away(samples, at)))
+                parts.append(Hits(np.full(at.size, i), at, target.distance(samples, at)))
         return Hits.joined(parts)
 
-    rows = [row_of(stay.kind, stay.stance.point.name, stay.text) for stay in stays]
-    return Check.each("moved", rows, hits, fixed.places[[stay.stance.point.link for stay in stays]], groups)
+    rows = [row_of(stay.kind, stay.stance.point.name, stay.text) for stay in targets]
+    return Check.each("moved", rows, hits, fixed.places[[stay.stance.point.link for stay in targets]], groups)
 
 
 def slips(grasps: Sequence[Grasp], starts: Sequence[Array], fixed: Fixed) -> Check:
@@ -349,7 +349,7 @@ def misses(points: Sequence[Placed]) -> Check:
     return Check.each("placement", rows, hits)
 
 
-def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
+def penetrations(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
     """Return the check of points in surfaces: a row for each pair, a group for each pair of a foot or limb and a
     surface.
 
@@ -385,7 +385,7 @@ def sunk(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fi
     return Check("penetration", hits, row, bounds, np.array(groups, np.intp), is_fixed, named)
 
 
-def tangled(carried: Sequence[int], fixed: Fixed) -> Check:
+def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
     """Return the check of overlapping bodies: a row per pair of links, a group per pair of limbs; grasped ones are
     solid."""
     figure, count = fixed.figure, len(fixed.figure.links)
@@ -410,7 +410,7 @@ def tangled(carried: Sequence[int], fixed: Fixed) -> Check:
     def is_fixed(row: Index, key: Index) -> Mask:
         return fixed.places[row // count, key] & fixed.places[row % count, key]
 
-    return Check("self", hits, row, bounds, groups, is_fixed, stride=SELF_STRIDE, is_once=True)
+    return Check("self", hits, row, bounds, groups, is_fixed, stride=SELF_STRIDE, is_once_per_group=True)
 
 
 def _quoted(name: str) -> str:

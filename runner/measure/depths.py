@@ -48,14 +48,14 @@ def _bunches(points: Sequence[Point]) -> Iterator[Bunch]:
         yield Bunch(link, which, places, radii, middle, reach)
 
 
-def depths(found: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterator[tuple[Bunch, Index, Array]]:
+def depths(nearby: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterator[tuple[Bunch, Index, Array]]:
     """Yield the bunches near a surface with their samples (k,), and the depths of their points (p, k) [m]."""
-    if not found:
+    if not nearby:
         return
-    links = np.array([bunch.link for bunch in found], np.intp)
-    around, _ = samples.links.points(links, np.array([bunch.middle for bunch in found]).T)
-    near = surface.near(around, np.array([[bunch.reach] for bunch in found]))
-    for bunch, close in zip(found, near, strict=True):
+    links = np.array([bunch.link for bunch in nearby], np.intp)
+    around, _ = samples.links.points(links, np.array([bunch.middle for bunch in nearby]).T)
+    near = surface.near(around, np.array([[bunch.reach] for bunch in nearby]))
+    for bunch, close in zip(nearby, near, strict=True):
         at = np.flatnonzero(close)
         if at.size:
             x, rotation = samples.links.poses(bunch.link * samples.count + at)

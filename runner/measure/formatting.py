@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from .swings import words as swing_words
+from .swings import swing_text as swing_words
 
 Line = tuple[str, str, str]  # label, before, after
 HIDDEN = ("geoms", "unit")  # entries without lines: too many, or shown with their quantity

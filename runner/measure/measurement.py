@@ -33,7 +33,7 @@ from ..clip.build import Clip
 from ..clip.kinds import BODY, bolted_links
 from ..motion import samples_at
 from . import checks
-from .checks import Check, Fixed, Hits, Row, Stay
+from .checks import Check, ContactTarget, Fixed, Hits, Row
 
 RATE = 240.0  # [1/s] of the grid: a foot at 4 m/s moves 17 mm between samples
 RUN = 1000  # most samples evaluated at once, which bounds the memory
@@ -47,7 +47,7 @@ class Measurement:
     clip    with the specified keyframes, for a recording also the first and the last
     time    (T,) [s] of the grid;  key_at  (K,) indices of the keyframes in it
     checks  each with its amounts
-    stays   points that must stay in their places, each with the number of its foot and interval
+    contact_targets  points that must stay in their places, each with the number of its foot and interval
     """
 
     clip: Clip
@@ -55,14 +55,14 @@ class Measurement:
     time: Array
     key_at: Index
     checks: tuple[tuple[Check, Hits], ...]
-    stays: tuple[tuple[Stay, int], ...]
+    contact_targets: tuple[tuple[ContactTarget, int], ...]
 
     @classmethod
     def of(cls, clip: Clip, timeline: Timeline, raw: Timeline) -> Measurement:
         """Measure a timeline; `raw` is the spline through the clip's keyframes, the reference for whips."""
         clip, path = _as_keyed(clip), path_of(timeline)
         key_times = np.clip([key.time for key in clip.keys], *path.span)
-        stays = tuple(_stays(clip, timeline))
+        stays = tuple(_contact_targets(clip, timeline))
         instants = [t for stay, _ in stays for t in (stay.stance.first, stay.stance.last)]
         instants += [t for grasp in clip.context.schedule.grasps for t in (grasp.first, grasp.last)]
         instants += [place.time for place in clip.context.placed]
@@ -129,20 +129,22 @@ def _peak(figure: Figure, raw: Timeline, time: Array) -> float:
     return max(float(checks.turns(samples_at(figure, path, run))[links].max(initial=0.0)) for run in runs)
 
 
-def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], raw_peak: float) -> Iterator[Check]:
+def _checks(
+    clip: Clip, timeline: Timeline, contact_targets: Sequence[tuple[ContactTarget, int]], raw_peak: float
+) -> Iterator[Check]:
     figure, context = clip.figure, clip.context
     fixed = Fixed.of(figure, np.array([key.fixed for key in clip.keys]))
     feet, parts = feet_of(figure, context.points), list(_parts(clip))
     for kind in ("contact", "stance"):
-        rows = [(stay, group) for stay, group in stays if stay.kind == kind]
+        rows = [(stay, group) for stay, group in contact_targets if stay.kind == kind]
         if rows:
-            yield checks.moved([stay for stay, _ in rows], np.array([group for _, group in rows]), fixed)
+            yield checks.displaced([stay for stay, _ in rows], np.array([group for _, group in rows]), fixed)
     if context.schedule.grasps:
         yield checks.slips(
-            context.schedule.grasps, [begun(figure, timeline, grasp) for grasp in context.schedule.grasps], fixed
+            context.schedule.grasps, [grasp_start(figure, timeline, grasp) for grasp in context.schedule.grasps], fixed
         )
     soles = frozenset(point.name for point in context.points)
-    yield checks.sunk(_kept_out(clip, parts), soles, feet, fixed)
+    yield checks.penetrations(_obstacle_contacts(clip, parts), soles, feet, fixed)
     rests = [rest for part in parts if isinstance(part, RestPenalty) for rest in part.rests]
     if rests and context.surfaces:
         yield checks.hovering(rests, context.surfaces, _groups(rests, feet), fixed)
@@ -158,10 +160,10 @@ def _checks(clip: Clip, timeline: Timeline, stays: Sequence[tuple[Stay, int]], r
         yield checks.misses(context.placed)
     optional = (
         checks.coupled(fixed),
-        checks.torn(fixed),
+        checks.loop_gaps(fixed),
         checks.lengths(figure),
         checks.whips(figure, raw_peak),
-        checks.tangled(context.schedule.grasped, fixed),
+        checks.self_overlaps(context.schedule.grasped, fixed),
     )
     yield from (check for check in optional if check is not None)
     if context.bends:
@@ -181,7 +183,7 @@ def _parts(clip: Clip) -> Iterator[Penalty]:
         yield from penalty.parts if isinstance(penalty, Sum) else (penalty,)
 
 
-def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
+def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
     """Return soles and body with the surfaces that they must avoid, whether or not the clip penalises it."""
     contacts = [part for part in parts if isinstance(part, Contact)]
     names = {part.name for part in contacts}
@@ -215,12 +217,12 @@ def _groups(rests: Sequence[Rest | Stance], feet: Index) -> Index:
     return groups
 
 
-def begun(figure: Figure, timeline: Timeline, grasp: Grasp) -> Array:
+def grasp_start(figure: Figure, timeline: Timeline, grasp: Grasp) -> Array:
     """Return the position (3,) [m] of a grasp's point on the link when the grasp begins."""
     return slipped(samples_at(figure, path_of(timeline), np.array([grasp.first])), grasp)[:, 0]
 
 
-def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
+def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTarget, int]]:
     """Yield the clip's contacts, and the stances inferred from keyframes, each with the number of its group."""
     figure, feet = clip.figure, feet_of(clip.figure, clip.context.points)
     specified = [stance for part in _parts(clip) if isinstance(part, StancePenalty) for stance in part.stances]
@@ -232,11 +234,11 @@ def _stays(clip: Clip, timeline: Timeline) -> Iterator[tuple[Stay, int]]:
             rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
             for stance in _pieces(rest, specified, spots[:, k]):
                 text = f"contact {stance.point.name} moves {{}} while it should rest"
-                yield Stay("contact", stance, text, rolling), group
+                yield ContactTarget("contact", stance, text, rolling), group
     free = [stance for stance in inferred(clip, timeline) if not any(_same(stance, rest) for rest in rests)]
     for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
         yield (
-            Stay("stance", stance, f"{stance.point.name} moves {{}} between keyframes with the same position"),
+            ContactTarget("stance", stance, f"{stance.point.name} moves {{}} between keyframes with the same position"),
             group,
         )
 

@@ -37,7 +37,7 @@ DRIFT = "centre of mass off before, m"
 
 
 def report(
-    clip: Clip, motion: Solution, seconds: float | None, told: Callable[[int, int], None] | None = None
+    clip: Clip, motion: Solution, seconds: float | None, report_progress: Callable[[int, int], None] | None = None
 ) -> dict[str, Any]:
     """Return the full report of a solved clip.
 
@@ -61,7 +61,7 @@ def report(
         "violations": plain(violations_of(after.measurement, motion.stop)),
         "clip": clip.name,
         "duration, s": float(np.ptp(before.samples.t)),
-        "left to gain": _left_to_gain(motion) if searched else {},
+        "left to gain": _remaining_decrease(motion) if searched else {},
         "keyframes": len(clip.authored_keys),
         "partial keyframes": sum(not key.is_key for key in clip.authored_keys),
         "variable frames": motion.timeline.variable_count,
@@ -69,7 +69,7 @@ def report(
         **({} if seconds is None else {"seconds": seconds}),
         "stopped because": motion.stop.value,
         "cycle": _cycle_report(clip),
-        "segments": _segments(clip, motion, told) if searched and not clip.has_recording else [],
+        "segments": _segments(clip, motion, report_progress) if searched and not clip.has_recording else [],
         **sides,
     }
 
@@ -111,14 +111,16 @@ def _far_from_trouble(clip: Clip, before: Samples, margin: float = 0.25) -> Mask
     return gaps.min(axis=0) > margin
 
 
-def _left_to_gain(motion: Solution) -> dict[str, float]:
+def _remaining_decrease(motion: Solution) -> dict[str, float]:
     """Return the estimated remaining decrease of E: the sum for frames in the middle of all segments (weak form)."""
     promised = float(by_weak_form(motion.objective, motion.timeline).sum())
     value = motion.objective.value(motion.path)
     return {"objective": promised, "share": promised / value if value > 0 else 0.0}
 
 
-def _segments(clip: Clip, motion: Solution, told: Callable[[int, int], None] | None) -> list[dict[str, float]]:
+def _segments(
+    clip: Clip, motion: Solution, report_progress: Callable[[int, int], None] | None
+) -> list[dict[str, float]]:
     """Return per segment between keyframes EL deviation before and after, δ and decrease by a local solve (app. C)."""
     try:
         remaining = displacement(
@@ -126,7 +128,7 @@ def _segments(clip: Clip, motion: Solution, told: Callable[[int, int], None] | N
             motion.timeline,
             max_evaluations=LOCAL_EVALUATIONS,
             tolerance=LOCAL_TOLERANCE,
-            told=told,
+            told=report_progress,
         )
     except KeyboardInterrupt:
         return []
@@ -181,11 +183,11 @@ def tables(data: dict[str, Any]) -> Group:
     return Group(*wrong, head, main, *([segments] if data["segments"] else []))
 
 
-def _worst_of_each(told: list[ViolationTable]) -> list[str]:
+def _worst_of_each(violations: list[ViolationTable]) -> list[str]:
     """Return the violations of a recording, worst first, only one of each kind and name, as samples repeat them."""
-    count = Counter((violation["kind"], violation["name"]) for violation in told)
+    count = Counter((violation["kind"], violation["name"]) for violation in violations)
     first: dict[tuple[str, str], str] = {}
-    for violation in told:
+    for violation in violations:
         first.setdefault((violation["kind"], violation["name"]), violation["text"])
     return [text + (f"; {count[key] - 1} times more" if count[key] > 1 else "") for key, text in first.items()]
 

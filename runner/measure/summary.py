@@ -8,7 +8,7 @@ from ..motion import Saved
 from .violation import Violation, plain
 
 
-def summary(saved: Saved, found: Sequence[Violation]) -> dict[str, object]:
+def summary(saved: Saved, violations: Sequence[Violation]) -> dict[str, object]:
     """Return plain numbers for JSON, with the objective and the data on the search that the file stores."""
     times, trace = saved.timeline.times, saved.trace
     values = {"objective before": trace[0][2], "objective": trace[-1][2]} if trace else {}
@@ -20,5 +20,5 @@ def summary(saved: Saved, found: Sequence[Violation]) -> dict[str, object]:
         "variable frames": saved.timeline.variable_count,
         **values,
         **saved.search,
-        "violations": plain(found),
+        "violations": plain(violations),
     }

@@ -40,9 +40,9 @@ def runs(mask: np.ndarray) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
-def words(found: list[dict[str, float]]) -> str:
+def swing_text(foot_swings: list[dict[str, float]]) -> str:
     """Return a foot's swings for a table, by their heights."""
-    high = [1000 * swing["height, m"] for swing in found]
+    high = [1000 * swing["height, m"] for swing in foot_swings]
     if not high:
         return "never"
     if len(high) > MOST_SHOWN:

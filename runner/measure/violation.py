@@ -28,7 +28,7 @@ from .bounds import BOUNDS
 from .checks import SAME_DEPTH, Check, Hits, Row, row_of
 from .measurement import Measurement
 
-MOST_TOLD = 10  # most violations that are printed
+MAX_LINES = 10  # most violations that are printed
 
 
 @dataclass(frozen=True)
@@ -117,11 +117,11 @@ def is_recording(saved: Saved) -> bool:
     return not saved.search and saved.timeline.variable_count == 0
 
 
-def lines(found: Sequence[Violation], file: object = None) -> list[str]:
+def lines(violations: Sequence[Violation], file: object = None) -> list[str]:
     """Return the worst violations for the terminal, one per line, and the number of the others."""
     counts: dict[tuple[str, int], int] = {}
     first: list[Violation] = []
-    for violation in found:
+    for violation in violations:
         if violation.keyframe is not None:
             place = violation.kind, violation.keyframe
             counts[place] = counts.get(place, 0) + 1
@@ -129,20 +129,20 @@ def lines(found: Sequence[Violation], file: object = None) -> list[str]:
                 continue
         first.append(violation)
     out = []
-    for violation in first[:MOST_TOLD]:
+    for violation in first[:MAX_LINES]:
         others = counts.get((violation.kind, violation.keyframe or 0), 1) - 1
         out.append(f"violation: {violation.text}" + (f"; {others} more like it there" if others else ""))
-    more = len(first) - MOST_TOLD
+    more = len(first) - MAX_LINES
     return [*out, f"... and {more} more" + (f": dynsplines report {file}" if file else "")] if more > 0 else out
 
 
-def by_name(found: Sequence[Violation]) -> tuple[Violation, ...]:
+def by_name(violations: Sequence[Violation]) -> tuple[Violation, ...]:
     """Return the worst violation of each point, joint or contact of a recording, worst first, with their count.
 
     Every sample of a recording is a keyframe; listed one by one, a single joint would fill the terminal.
     """
     groups: dict[tuple[str, str], list[Violation]] = {}
-    for violation in found:
+    for violation in violations:
         groups.setdefault((violation.kind, violation.name), []).append(violation)
     out = []
     for first, *others in groups.values():
@@ -170,10 +170,10 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]
     caps: dict[int, Array] = {}
     for i in _largest(hits, np.where(caused, group * keys.size + key, -1)):
         caps.setdefault(int(group[i]), np.zeros(motion.key_at.size))[key[i]] = hits.amount[i]
-    for i in _largest(hits, np.where(caused, group if check.is_once else group * keys.size + key, -1)):
+    for i in _largest(hits, np.where(caused, group if check.is_once_per_group else group * keys.size + key, -1)):
         row, time = _named(check, hits, group, i), float(motion.time[hits.at[i]])
         violation = _as_violation(check.row(row), float(hits.amount[i]), time, int(motion.numbers[key[i]]))
-        others = np.count_nonzero(caps[int(group[i])]) - 1 if check.is_once else 0
+        others = np.count_nonzero(caps[int(group[i])]) - 1 if check.is_once_per_group else 0
         also = f", and in {others} other keyframe{'s' if others > 1 else ''}" if others else ""
         yield replace(violation, text=violation.text + also)
     before = np.clip(np.searchsorted(motion.key_at, hits.at, side="right") - 1, 0, motion.key_at.size - 2)
@@ -207,7 +207,7 @@ def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
 def _drifts(motion: Measurement) -> Iterator[Violation]:
     """Yield keyframes that move a resting point from where the previous keyframe has it."""
     worst: dict[tuple[str, int, int], tuple[float, Row, float]] = {}
-    for stay, group in motion.stays:
+    for stay, group in motion.contact_targets:
         stance = stay.stance
         drift = float(np.linalg.norm(stance.landed - stance.spot))
         place = stay.kind, group, int(np.argmin(np.abs(motion.time[motion.key_at] - stance.last)))

@@ -494,10 +494,10 @@ class Motion(Renames):
         Raises:
             UserError: For a motion that cannot be cleaned, or an invalid length.
         """
-        from ..clean.command import motion_cleaned
+        from ..clean.command import clean_motion
 
         bound = None if max_displacement is None else length(max_displacement, "max_displacement")
-        return Motion(motion_cleaned(self.saved, bound, _silent()))
+        return Motion(clean_motion(self.saved, bound, _silent()))
 
     @as_python_warnings()
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:

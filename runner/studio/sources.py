@@ -80,14 +80,14 @@ def _motion(path: Path, figure: str | None) -> Document:
 
 def _text_in(path: Path, saved: Saved) -> str:
     """Return the text of a solved clip at its motion's location, with missing files taken from the motion."""
-    from ..clip.file import standing_alone
+    from ..clip.file import standalone
     from ..clip.parse import table_of
     from ..clip.text import tables, written
 
     table = table_of(saved.text, saved.name)
     recording = table.recording
     if recording is not None and not _is_there(recording.file, models.clips(), path.parent):
-        saved = standing_alone(saved)
+        saved = standalone(saved)
         table = table_of(saved.text, saved.name)
     if _is_there(table.figure, models.figures(), path.parent):
         return saved.text

@@ -102,7 +102,7 @@ def test_its_report_is_the_same(tmp_path, cache):
 
 def test_fresh_solves_it_all_the_same(tmp_path, cache, counted):
     for _ in range(2):
-        solve_cache.solved(tiny(tmp_path / "a"), progress(), fresh=True)
+        solve_cache.solved(tiny(tmp_path / "a"), progress(), no_cache=True)
     assert counted == ["tiny", "tiny"]
 
 

@@ -349,10 +349,10 @@ def test_bytes_that_changed_inside_an_output_are_noticed(tmp_path: Path, saved: 
     entry = Entry(
         clip="walk", source="walk.toml", state="done", output=path.name, size=len(data), sha256=digest_of(data)
     )
-    assert entry.holds(tmp_path)
+    assert entry.is_intact(tmp_path)
     middle = len(data) // 2
     path.write_bytes(data[: middle - 100] + bytes(200) + data[middle + 100 :])
-    assert not entry.holds(tmp_path)
+    assert not entry.is_intact(tmp_path)
     path.write_bytes(data)
-    assert entry.holds(tmp_path)
-    assert not replace(entry, sha256="").holds(tmp_path)
+    assert entry.is_intact(tmp_path)
+    assert not replace(entry, sha256="").is_intact(tmp_path)

@@ -72,7 +72,7 @@ class Ground:
     """The soles of a figure, and the surfaces on which it stands.
 
     Attributes:
-        apart: Whether self-collision is penalised, which takes twice as long.
+        avoids_self_collision: Whether self-collision is penalised, which takes twice as long.
         speed: The maximum speed of its joints [rad/s], if any.
         bends: The limits of its knees and elbows on ball joints.
     """
@@ -80,7 +80,7 @@ class Ground:
     figure: Figure
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
-    apart: bool = False
+    avoids_self_collision: bool = False
     speed: float | None = None
     bends: BendLimits | None = None
 
@@ -206,11 +206,11 @@ def loose(figure: Figure, times: Array, states: Array) -> tuple[Frame, ...]:
     return tuple(Frame(time, qpos, ~everything, everything) for time, qpos in poses)
 
 
-def _clear(times: Array, given: Array) -> Array:
+def _clear(times: Array, key_times: Array) -> Array:
     """Return the times (M,) of frames that are not next to keyframes, where the spline would oscillate."""
-    if not given.size:
+    if not key_times.size:
         return times
-    away = np.abs(times[:, None] - given).min(axis=1)
+    away = np.abs(times[:, None] - key_times).min(axis=1)
     ends = np.isin(times, (times[0], times[-1]))
     return times[(away > NEXT_TO) | (ends & (away > ROUNDING))]
 
@@ -235,7 +235,7 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
         penalties.append(ground.bends)
     if ground.speed is not None:
         penalties.append(Speed.of(figure, SLOWER * ground.speed))
-    self_contact = SelfContact.of(figure, 0.0) if ground.apart else None
+    self_contact = SelfContact.of(figure, 0.0) if ground.avoids_self_collision else None
     return [*penalties, self_contact] if self_contact is not None and self_contact.pairs.size else penalties
 
 
@@ -244,8 +244,10 @@ def footings_of(rests: Sequence[Rest]) -> tuple[Footing, ...]:
     return tuple(Footing(rest.point, rest.first, rest.last, np.array([0.0, 0, 1])) for rest in rests)
 
 
-def _inside(whole: Range) -> Range:
-    margin = min(INSIDE, 0.1 * (whole.high - whole.low))
+def _inside(joint_range: Range) -> Range:
+    margin = min(INSIDE, 0.1 * (joint_range.high - joint_range.low))
     return replace(
-        whole, low=whole.low + margin * (whole.low != 0 or whole.kind is not JointKind.BALL), high=whole.high - margin
+        joint_range,
+        low=joint_range.low + margin * (joint_range.low != 0 or joint_range.kind is not JointKind.BALL),
+        high=joint_range.high - margin,
     )

@@ -89,18 +89,18 @@ class TrackedRecording:
             )
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
-    def stances(self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]) -> tuple[Rest, ...]:
-        """Return the recording's stances without points that contacts cover or keyframes move, and those of `given`."""
+    def stances(self, ground: Ground, edits: Sequence[Frame], specified: Sequence[Rest]) -> tuple[Rest, ...]:
+        """Return the recording's stances without points in contacts or moved by keyframes, and those of `specified`."""
         recorded_rests = (
             Rest(*one, rolls=True) for one in infer_stances(self.recorded, ground.points, ground.surfaces)
         )
-        return (*(rest for rest in recorded_rests if not self._is_void(rest, edits, given)), *given)
+        return (*(rest for rest in recorded_rests if not self._is_void(rest, edits, specified)), *specified)
 
     def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Rest]) -> Problem:
         near = TrackingPenalty(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
         unweighted = problem(near, ground, rests, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
-        keys = [self._kept(frame, edits) for frame in unweighted.keys]
+        keys = [self._fixed_outside_blends(frame, edits) for frame in unweighted.keys]
         settings = replace(unweighted.settings, tolerance=TOLERANCE)
         return replace(unweighted, keys=tuple(keys), penalties=tuple(weights), settings=settings)
 
@@ -147,21 +147,21 @@ class TrackedRecording:
         errors = figure.to_qpos(spline.at(middles)) - figure.to_qpos(path.at(middles))
         return np.append(knots, middles[np.abs(errors).max(axis=1) > EXACT])
 
-    def _kept(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
+    def _fixed_outside_blends(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
         """Return a frame, fixed if it is outside all blends."""
         if self.table.blend is None or frame.fixed.any():
             return frame
         far = all(abs(frame.time - edit.time) >= INNER * self.table.blend for edit in edits)
         return Frame.key(frame.time, frame.state) if far else frame
 
-    def _is_void(self, rest: Rest, edits: Sequence[Frame], given: Sequence[Rest]) -> bool:
+    def _is_void(self, rest: Rest, edits: Sequence[Frame], specified: Sequence[Rest]) -> bool:
         """Return whether a stance of the recording is invalid in the clip, or outside all blends."""
         point, width = rest.point, self.width
         if self.table.blend is not None and not any(
             rest.first < edit.time + width and edit.time - width < rest.last for edit in edits
         ):
             return True
-        if any(_same(point, o.point) and rest.first < o.last and o.first < rest.last for o in given):
+        if any(_same(point, o.point) and rest.first < o.last and o.first < rest.last for o in specified):
             return True
         near = [edit for edit in edits if rest.first - width < edit.time < rest.last + width]
         return any(self._moves(point, edit) for edit in near)
@@ -229,14 +229,14 @@ def _clip_time(time: Array, table: RecordingTable, begin: float | None = None) -
     return _warp(*np.array(table.times, float).T)(time)
 
 
-def _warp(own: Array, clip: Array) -> Callable[[Array], Array]:
+def _warp(recorded_times: Array, clip_times: Array) -> Callable[[Array], Array]:
     """Return a rising, smooth function through pairs of times, linear beyond them."""
-    curve = _smooth(own, clip)
-    slopes = curve(own[[0, -1]], 1)
+    curve = _smooth(recorded_times, clip_times)
+    slopes = curve(recorded_times[[0, -1]], 1)
 
     def mapped(t: Array) -> Array:
-        inside = curve(np.clip(t, own[0], own[-1]))
-        before, after = np.minimum(t - own[0], 0), np.maximum(t - own[-1], 0)
+        inside = curve(np.clip(t, recorded_times[0], recorded_times[-1]))
+        before, after = np.minimum(t - recorded_times[0], 0), np.maximum(t - recorded_times[-1], 0)
         return np.asarray(inside + slopes[0] * before + slopes[1] * after)
 
     return mapped

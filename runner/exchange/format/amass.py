@@ -106,55 +106,55 @@ def _arrays(path: Path) -> ArrayReader:
     return read_npz(path) if path.suffix.lower() == ".npz" else plain_pickle.one_motion(plain_pickle.load(path))
 
 
-def _first(found: ArrayReader, names: tuple[str, ...]) -> str | None:
-    return next((name for name in names if name in found), None)
+def _first(reader: ArrayReader, names: tuple[str, ...]) -> str | None:
+    return next((name for name in names if name in reader), None)
 
 
-def _motion(found: ArrayReader) -> tuple[Array, Array]:
+def _motion(reader: ArrayReader) -> tuple[Array, Array]:
     """Return positions (T, 3) and rotation vectors (T, 22, 3); raises UserError for other shapes."""
-    place, poses = _first(found, PLACES) or PLACES[0], _first(found, POSES)
-    root, body = _first(found, ROOTS), _first(found, BODIES)
+    place, poses = _first(reader, PLACES) or PLACES[0], _first(reader, POSES)
+    root, body = _first(reader, ROOTS), _first(reader, BODIES)
     if poses is None and root is not None and body is not None:
-        arrays = {root: _rows(found, root, 3)[:, :3], body: _rows(found, body, BODY - 3)}
+        arrays = {root: _rows(reader, root, 3)[:, :3], body: _rows(reader, body, BODY - 3)}
     else:
         poses = poses or POSES[0]
-        arrays = {poses: _rows(found, poses, BODY)}
-    arrays[place] = found.numbers(place, SAMPLES, 3)
+        arrays = {poses: _rows(reader, poses, BODY)}
+    arrays[place] = reader.numbers(place, SAMPLES, 3)
     count = len(arrays[place])
     if not count:
-        raise UserError(f"{found.where}: it has no samples")
+        raise UserError(f"{reader.where}: it has no samples")
     position = arrays.pop(place)
-    if SCALE in found:
-        position = position / _scale(found)
+    if SCALE in reader:
+        position = position / _scale(reader)
     turns = np.concatenate(list(arrays.values()), axis=1)
     return position, turns[:, :BODY].reshape(count, -1, 3)
 
 
-def _rows(found: ArrayReader, name: str, least: int) -> Array:
+def _rows(reader: ArrayReader, name: str, least: int) -> Array:
     """Return (T, least or more) of an array (T, n) or (T, joints, 3)."""
-    nested = isinstance(found.of(name), np.ndarray) and found.of(name).ndim == 3
+    nested = isinstance(reader.of(name), np.ndarray) and reader.of(name).ndim == 3
     shape = (SAMPLES, f"joints of {name}", 3) if nested else (SAMPLES, f"numbers of {name}")
-    array = found.numbers(name, *shape)
+    array = reader.numbers(name, *shape)
     array = array.reshape(len(array), int(np.prod(array.shape[1:])))
     if array.shape[1] < least:
         raise UserError(
-            f"{found.where}: '{name}' has {array.shape[1]} numbers a sample; "
+            f"{reader.where}: '{name}' has {array.shape[1]} numbers a sample; "
             f"the {len(smpl.NAMES)} joints of SMPL's body need {least}"
         )
     return array
 
 
-def _scale(found: ArrayReader) -> float:
+def _scale(reader: ArrayReader) -> float:
     """Return the factor by which positions are larger than SMPL's."""
-    array = np.asarray(found.of(SCALE))
+    array = np.asarray(reader.of(SCALE))
     if array.size != 1 or array.dtype.kind not in "fiu" or not 0 < float(array.reshape(())) < np.inf:
-        raise UserError(f"{found.where}: '{SCALE}' is not a positive number")
+        raise UserError(f"{reader.where}: '{SCALE}' is not a positive number")
     return float(array.reshape(()))
 
 
-def _on_shape(found: ArrayReader) -> tuple[str, ...]:
+def _on_shape(reader: ArrayReader) -> tuple[str, ...]:
     """Return a note if a file has the shape of the person."""
-    betas = found.of("betas") if "betas" in found else None
+    betas = reader.of("betas") if "betas" in reader else None
     has_shape = isinstance(betas, np.ndarray) and betas.dtype.kind in "fiu" and bool(np.any(betas))
     return ("bones are those of SMPL's mean shape: the file's 'betas' are not used",) if has_shape else ()
 

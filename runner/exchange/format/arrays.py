@@ -81,11 +81,11 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     return result if mjcf is None else replace(result, mjcf=mjcf, assets=assets, others=())
 
 
-def _time(found: ArrayReader, count: int, fps: float | None) -> Array:
-    if "time" in found:
-        return found.numbers("time", "samples")
+def _time(reader: ArrayReader, count: int, fps: float | None) -> Array:
+    if "time" in reader:
+        return reader.numbers("time", "samples")
     if fps is None:
-        raise UserError(f"{found.where}: it has neither 'time' nor 'fps'; {missing_input.RATE}")
+        raise UserError(f"{reader.where}: it has neither 'time' nor 'fps'; {missing_input.RATE}")
     return times(count, fps)
 
 

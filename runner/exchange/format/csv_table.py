@@ -73,7 +73,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
             time = times(len(qpos), rate_of(path, fps or source.fps))
     order = None if is_certain else False
     result = layouts.recording(model, time, {(): lambda: qpos}, scalar_last=order, has_names=is_certain)
-    return layouts.noted(result, notes)
+    return layouts.with_notes(result, notes)
 
 
 def without_heading(path: Path, numbers: Array, width: int, fps: float | None) -> tuple[Array, Array]:

@@ -33,7 +33,7 @@ from ..array_reader import ArrayReader, times
 from ..pickles import plain_pickle
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Bodies, BodyPoses, Recording, SampledTrajectory
-from .mjlab import beside as beside
+from .mjlab import companions as companions
 
 NAME = "gmr"
 ASAP = {"root_trans_offset": "root_pos", "dof": "dof_pos"}  # GMR's names by those of ASAP and PHC
@@ -82,31 +82,33 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     )
 
 
-def _motion(found: ArrayReader) -> ArrayReader:
+def _motion(reader: ArrayReader) -> ArrayReader:
     """Return the one motion of a file under GMR's keys; raises UserError for several, and for one without joints."""
-    entries = dict(plain_pickle.one_motion(found).entries)
+    entries = dict(plain_pickle.one_motion(reader).entries)
     for theirs, ours in ASAP.items():
         if theirs in entries and ours not in entries:
             entries[ours] = entries.pop(theirs)
     if "dof_pos" not in entries and "pose_aa" in entries:
-        raise UserError(f"{found.where}: a motion of SMPL's body, 'pose_aa' without a robot's 'dof'; give --from amass")
+        raise UserError(
+            f"{reader.where}: a motion of SMPL's body, 'pose_aa' without a robot's 'dof'; give --from amass"
+        )
     joints = entries.get("dof_pos")
     if isinstance(joints, np.ndarray) and joints.ndim == 3 and joints.shape[2] == 1:
         entries["dof_pos"] = joints[:, :, 0]
-    return ArrayReader(found.where, entries)
+    return ArrayReader(reader.where, entries)
 
 
-def _root_turned(found: ArrayReader) -> Array:
+def _root_turned(reader: ArrayReader) -> Array:
     """Return the root's rotation (T, 4) in ASAP's redundant form: the first of the bodies' rotation vectors."""
-    return quat.aligned(quat.from_rotation_vector(found.numbers("pose_aa", "samples", "bodies and axes", 3)[:, 0]))
+    return quat.aligned(quat.from_rotation_vector(reader.numbers("pose_aa", "samples", "bodies and axes", 3)[:, 0]))
 
 
-def _bodies(found: ArrayReader) -> BodyPoses | None:
+def _bodies(reader: ArrayReader) -> BodyPoses | None:
     """Return body positions relative to the root, or the root's pose from its rotation vector, if the file has them."""
-    if "local_body_pos" in found:
-        names = tuple(found.texts("link_body_list")) if "link_body_list" in found else None
-        return BodyPoses(found.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)
-    if "pose_aa" in found and np.ndim(found.of("pose_aa")) == 3:
-        root = found.numbers("root_pos", "samples", 3)
-        return BodyPoses(root[:, None], _root_turned(found)[:, None], is_wxyz=True)
+    if "local_body_pos" in reader:
+        names = tuple(reader.texts("link_body_list")) if "link_body_list" in reader else None
+        return BodyPoses(reader.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)
+    if "pose_aa" in reader and np.ndim(reader.of("pose_aa")) == 3:
+        root = reader.numbers("root_pos", "samples", 3)
+        return BodyPoses(root[:, None], _root_turned(reader)[:, None], is_wxyz=True)
     return None

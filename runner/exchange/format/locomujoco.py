@@ -32,7 +32,7 @@ from .. import layouts, missing_input
 from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times
 from ..robot import configurations, needs_figure
 from ..trajectory import Recording, SampledTrajectory
-from .mjlab import beside as beside
+from .mjlab import companions as companions
 
 NAME = "locomujoco"
 BEFORE = "q_"  # prefix of joint names in files before version 1.0
@@ -118,29 +118,29 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     )
 
 
-def _declared(found: ArrayReader, path: Path) -> int:
+def _declared(reader: ArrayReader, path: Path) -> int:
     """Return the number of samples that the file declares; raises UserError for several motions."""
-    splits = found.numbers("split_points", "splits")
+    splits = reader.numbers("split_points", "splits")
     if len(splits) > 2:
         raise UserError(f"{path}: it holds {len(splits) - 1} motions one after another; cut them apart first")
     return int(splits[-1] - splits[0]) if splits.size == 2 else 0
 
 
-def _before_1_0(found: ArrayReader, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
+def _before_1_0(reader: ArrayReader, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
     """Read one array per joint, for models of that version, whose roots are slides and hinges."""
     joints = [model.joint(joint).name for joint in range(model.njnt)]
-    missing = [name for name in joints if BEFORE + name not in found]
+    missing = [name for name in joints if BEFORE + name not in reader]
     if missing or not set(model.jnt_type.tolist()) <= {2, 3}:
-        there = ", ".join(name.removeprefix(BEFORE) for name in found.entries if name.startswith(BEFORE))
+        there = ", ".join(name.removeprefix(BEFORE) for name in reader.entries if name.startswith(BEFORE))
         lacking = f"no '{BEFORE}{missing[0]}'" if missing else "a root of slides and hinges"
         raise UserError(
             f"{path}: a file of LocoMuJoCo before 1.0, with {lacking}; it is for that version's model, of the joints "
             f"{there}; name that model, or load the data set with LocoMuJoCo 1.0 and save its trajectory"
         )
-    if "split_points" in found:
-        _declared(found, path)
-    if "frequency" not in found and fps is None:
+    if "split_points" in reader:
+        _declared(reader, path)
+    if "frequency" not in reader and fps is None:
         raise UserError(f"{path}: a file of LocoMuJoCo before 1.0 has no rate; {missing_input.RATE}")
-    rate = found.rate("frequency", fps)
-    qpos = np.stack([found.numbers(BEFORE + name, "samples") for name in joints], axis=1)
+    rate = reader.rate("frequency", fps)
+    qpos = np.stack([reader.numbers(BEFORE + name, "samples") for name in joints], axis=1)
     return Recording(times(len(qpos), rate), qpos, fps=rate)

@@ -113,7 +113,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
         trajectory.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
 
 
-def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
+def companions(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
     """Return the character file and the files that it refers to, if the figure has ball joints."""
     layout = HingeLayout(trajectory.model, CHARACTER)
     return (
@@ -146,6 +146,6 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     for part in joints:
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
         start += part.width
-    loops = "loop_mode" in content and content.whole("loop_mode") == WRAP
+    loops = "loop_mode" in content and content.integer("loop_mode") == WRAP
     time = times(len(frames), rate)
     return layouts.recording(figure, time, {(): lambda: qpos}, has_names=False, fps=rate, loops=loops)

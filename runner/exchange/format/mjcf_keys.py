@@ -52,7 +52,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
     ElementTree.ElementTree(root).write(path, encoding="unicode")
 
 
-def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
+def companions(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
     """Return the files that the model refers to."""
     return dict(trajectory.saved.scene.assets)
 

@@ -52,7 +52,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
     write_arrays(path, arrays)
 
 
-def beside(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
+def companions(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
     """Return the model of hinges, if it differs from the figure, and the files that it refers to."""
     return (
         {".hinges.xml": trajectory.hinged.mjcf, **trajectory.saved.scene.assets} if trajectory.hinged.is_other else {}
@@ -81,7 +81,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         if names is not None:
             ordered = partial(_in_order, model, path, *root, joints, names)
             readings[*words, "joints in the figure's order, not that of joint_names"] = ordered
-    readings["qpos in joint_pos",] = partial(_whole, model, path, joints, names)
+    readings["qpos in joint_pos",] = partial(_complete_qpos, model, path, joints, names)
     poses = BodyPoses(position, rotation, names=None if body_names is None else tuple(body_names))
     return layouts.recording(
         model, times(len(joints), rate), readings, scalar_last=False, has_names=False, bodies=poses, fps=rate
@@ -108,7 +108,7 @@ def _in_order(
     return configurations(model, NAME, path, position, rotation, joints)
 
 
-def _whole(model: mujoco.MjModel, path: Path, numbers: Array, names: list[str] | None) -> Array:
+def _complete_qpos(model: mujoco.MjModel, path: Path, numbers: Array, names: list[str] | None) -> Array:
     """Return complete qpos, with the root's seven numbers before the joints."""
     if numbers.shape[1] < 7:
         raise UserError(f"{path}: 'joint_pos' has {numbers.shape[1]} columns, too few for a root")

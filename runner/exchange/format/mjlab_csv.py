@@ -23,7 +23,7 @@ from ..skeleton.hinge_joints import HingeLayout
 from ..tables import table_text
 from ..trajectory import Recording, SampledTrajectory
 from .csv_table import without_heading
-from .mjlab import beside as beside
+from .mjlab import companions as companions
 
 NAME = "mjlab-csv"
 
@@ -71,4 +71,4 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     }
     rate = fps if source.numbers.shape[1] == width else None
     result = layouts.recording(model, time, readings, scalar_last=True, has_names=False, fps=rate)
-    return layouts.noted(result, source.notes)
+    return layouts.with_notes(result, source.notes)

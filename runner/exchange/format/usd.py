@@ -156,7 +156,7 @@ def _bind(
     prim: UsdGeom.Gprim,
     model: mujoco.MjModel,
     piece: Piece,
-    looks: dict[tuple[object, ...], UsdShade.Material],
+    materials: dict[tuple[object, ...], UsdShade.Material],
     scope: Usd.Prim,
 ) -> None:
     """Bind a linear colour as a material shared by bodies of equal colour; a texture is replaced by its mean colour."""
@@ -166,14 +166,14 @@ def _bind(
     if opacity < 1:
         prim.CreateDisplayOpacityAttr(Vt.FloatArray([opacity]))
     look = (*piece.colour.tolist(), piece.gloss, piece.picture)
-    if look not in looks:
+    if look not in materials:
         stage = scope.GetStage()
-        material = UsdShade.Material.Define(stage, scope.GetPath().AppendChild(f"look_{len(looks) + 1}"))
+        material = UsdShade.Material.Define(stage, scope.GetPath().AppendChild(f"look_{len(materials) + 1}"))
         shader = UsdShade.Shader.Define(stage, material.GetPath().AppendChild("surface"))
         shader.CreateIdAttr("UsdPreviewSurface")
         shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f).Set(colour)
         shader.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(max(0.05, 1 - piece.gloss))
         shader.CreateInput("opacity", Sdf.ValueTypeNames.Float).Set(opacity)
         material.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
-        looks[look] = material
-    UsdShade.MaterialBindingAPI.Apply(prim.GetPrim()).Bind(looks[look])
+        materials[look] = material
+    UsdShade.MaterialBindingAPI.Apply(prim.GetPrim()).Bind(materials[look])

@@ -117,8 +117,8 @@ def _of_skeleton(query: Any, times: list[float], rate: float) -> Nodes:
     return Nodes(names, parents, np.swapaxes(rest, -1, -2), np.swapaxes(np.array(moving), -1, -2), rate)
 
 
-def _of_prims(prims: list[Usd.Prim], parents: list[int], kept: list[int], times: list[float], rate: float) -> Nodes:
-    place = {row: k for k, row in enumerate(kept)}
+def _of_prims(prims: list[Usd.Prim], parents: list[int], rows: list[int], times: list[float], rate: float) -> Nodes:
+    place = {row: k for k, row in enumerate(rows)}
     above = [place.get(parent, -1) for parent in parents]
     moving = np.empty((len(times), len(prims), 4, 4))
     for row, code in enumerate(times):
@@ -155,6 +155,6 @@ def _matrix(matrix: Any) -> Array:
     return np.array(matrix, float).T
 
 
-def _matrices(found: Any) -> Array:
+def _matrices(values: Any) -> Array:
     """Return matrices (J, 4, 4) for row vectors, as in the library."""
-    return np.array(found, float).reshape(-1, 4, 4)
+    return np.array(values, float).reshape(-1, 4, 4)

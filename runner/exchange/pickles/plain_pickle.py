@@ -148,15 +148,15 @@ def load(source: Path) -> ArrayReader:
     return ArrayReader(source, entries)
 
 
-def one_motion(found: ArrayReader) -> ArrayReader:
+def one_motion(reader: ArrayReader) -> ArrayReader:
     """Return the one motion of a file that stores motions by name, as PHC and ASAP do; raises UserError for several."""
-    entries = found.entries
+    entries = reader.entries
     if not entries or not all(isinstance(entry, dict) for entry in entries.values()):
-        return found
+        return reader
     if len(entries) > 1:
         names = ", ".join(list(entries)[:5]) + (", ..." if len(entries) > 5 else "")
-        raise UserError(f"{found.where}: it holds {len(entries)} motions: {names}; save one of them alone")
-    return ArrayReader(found.where, {str(key): value for key, value in next(iter(entries.values())).items()})
+        raise UserError(f"{reader.where}: it holds {len(entries)} motions: {names}; save one of them alone")
+    return ArrayReader(reader.where, {str(key): value for key, value in next(iter(entries.values())).items()})
 
 
 def dump(entries: Mapping[str, object], target: Path) -> None:

@@ -23,7 +23,7 @@ from ..forces import Forces
 from ..trajectory import SampledTrajectory
 from .scene import FREE, SLIDE, TIMESTEPS, Simulation
 
-LASTS = 1.0  # [s] simulated
+DURATION = 1.0  # [s] simulated
 ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] largest deviations of a scene that follows its motion
 DEEP = 0.01  # [m] least penetration in the motion that is reported as pushing the figure away
 APART = 0.01  # [m] or [rad] least violation of equality constraints that is reported
@@ -70,12 +70,12 @@ class Tracking:
 
 
 def tracked(
-    simulation: Simulation, trajectory: SampledTrajectory, control: Array | None = None, lasts: float = LASTS
+    simulation: Simulation, trajectory: SampledTrajectory, control: Array | None = None, duration: float = DURATION
 ) -> Tracking:
     """Simulate a scene from its first key; control: (T, nu) `ctrl` at the keys, by default the simulation's."""
     model, aims = simulation.model, simulation.control if control is None else control
     first = float(trajectory.time[0])
-    last = min(first + lasts, float(trajectory.time[-1]))
+    last = min(first + duration, float(trajectory.time[-1]))
     data = started(model, trajectory, aims)
     is_length = np.zeros(model.nv, bool)
     for kind, dof in zip(model.jnt_type.tolist(), model.jnt_dofadr.tolist(), strict=True):
@@ -163,7 +163,7 @@ def _depths(simulation: Simulation, trajectory: SampledTrajectory, deepest: floa
     model, data = simulation.model, mujoco.MjData(simulation.model)
     out = list[str]()
     for time, qpos in zip(
-        trajectory.time[trajectory.time <= trajectory.time[0] + LASTS], trajectory.qpos, strict=False
+        trajectory.time[trajectory.time <= trajectory.time[0] + DURATION], trajectory.qpos, strict=False
     ):
         data.qpos = qpos
         mujoco.mj_fwdPosition(model, data)
@@ -203,12 +203,12 @@ def _reasons(tracking: Tracking, simulation: Simulation, trajectory: SampledTraj
     if equality.size and equality.max() > APART:
         out.append(f"equality constraints are violated by {equality.max():.2g} at the first key")
     forces = Forces.of(trajectory, model)
-    early = trajectory.time <= trajectory.time[0] + LASTS
-    unknown = float(np.mean(~forces.known[early]))
+    early = trajectory.time <= trajectory.time[0] + DURATION
+    unknown = float(np.mean(~forces.has_known_support[early]))
     if unknown > 0:
         out.append(f"at {unknown:.0%} of the instants no contact is known that carries the figure")
-    if forces.support is not None and forces.known[early].any():
-        deficit = np.linalg.norm(forces.rest[:3, early & forces.known], axis=0).max() / forces.support.unit
+    if forces.support is not None and forces.has_known_support[early].any():
+        deficit = np.linalg.norm(forces.rest[:3, early & forces.has_known_support], axis=0).max() / forces.support.unit
         if deficit > UNSUPPLIED:
             out.append(
                 f"the motion needs a force at the root that no contact supplies, up to {deficit:.0%} of its weight"

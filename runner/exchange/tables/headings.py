@@ -55,11 +55,11 @@ class Columns:
         return None if self.clock is None else numbers[:, self.clock[0]] * self.clock[1]
 
 
-def resolve(model: mujoco.MjModel, wanted: Sequence[str], names: Sequence[str], where: object) -> Columns:
+def resolve(model: mujoco.MjModel, components: Sequence[str], names: Sequence[str], where: object) -> Columns:
     """Return the columns of qpos in a table with named columns.
 
     Args:
-        wanted: (nq,) names of the components of qpos in this program.
+        components: (nq,) names of the components of qpos in this program.
         names: (n,) of the table's columns.
         where: Label of the file in errors.
 
@@ -67,33 +67,33 @@ def resolve(model: mujoco.MjModel, wanted: Sequence[str], names: Sequence[str], 
         UserError: A component has no column, or several.
     """
     units = [(match[1].lower() if (match := UNIT.search(name)) else "") for name in names]
-    bare = [name if name in wanted else UNIT.sub("", name).strip() for name in names]
-    exact = {name: bare.index(name) for name in wanted if name in bare}
+    bare = [name if name in components else UNIT.sub("", name).strip() for name in names]
+    exact = {name: bare.index(name) for name in components if name in bare}
     matched = set(exact.values())
-    aliases = _aliases(model, wanted, [(i, name) for i, name in enumerate(bare) if i not in matched], where)
+    aliases = _aliases(model, components, [(i, name) for i, name in enumerate(bare) if i not in matched], where)
     places = {**{name: place for name, place in aliases.items() if name not in exact}, **exact}
     is_numbered = False
-    if len(places) < len(wanted):
-        numbered = _numbered(wanted, places, [(i, name) for i, name in enumerate(bare) if i not in places.values()])
+    if len(places) < len(components):
+        numbered = _numbered(components, places, [(i, name) for i, name in enumerate(bare) if i not in places.values()])
         is_numbered, places = bool(numbered), places | numbered
-    missing = [name for name in wanted if name not in places]
+    missing = [name for name in components if name not in places]
     if missing:
         more = f" and {len(missing) - 1} more" if len(missing) > 1 else ""
         raise UserError(
-            f"{where}: no column '{missing[0]}'{more}; the figure's columns: {', '.join(wanted)}; "
+            f"{where}: no column '{missing[0]}'{more}; the figure's columns: {', '.join(components)}; "
             f"the file's: {', '.join(names)}"
         )
     others = [f"{names[place]} for {name}" for name, place in places.items() if name not in exact]
     notes = []
     if others:
         notes.append(f"columns by other names: {', '.join(others[:4])}" + (" and so on" if len(others) > 4 else ""))
-    hinges = {wanted[int(model.jnt_qposadr[j])] for j in range(model.njnt) if model.jnt_type[j] == HINGE}
-    factors = [_factor(units[places[name]], bare[places[name]], is_hinge=name in hinges) for name in wanted]
-    if any(name in hinges and factor != 1 for name, factor in zip(wanted, factors, strict=True)):
+    hinges = {components[int(model.jnt_qposadr[j])] for j in range(model.njnt) if model.jnt_type[j] == HINGE}
+    factors = [_factor(units[places[name]], bare[places[name]], is_hinge=name in hinges) for name in components]
+    if any(name in hinges and factor != 1 for name, factor in zip(components, factors, strict=True)):
         notes.append("angles in degrees, by their columns' names")
     clock = _clock(bare, units, set(places.values()))
     return Columns(
-        tuple((places[name], factor) for name, factor in zip(wanted, factors, strict=True)),
+        tuple((places[name], factor) for name, factor in zip(components, factors, strict=True)),
         clock,
         is_numbered,
         tuple(notes),
@@ -124,7 +124,7 @@ def _words(name: str) -> list[str]:
 
 
 def _aliases(
-    model: mujoco.MjModel, wanted: Sequence[str], columns: Sequence[tuple[int, str]], where: object
+    model: mujoco.MjModel, components: Sequence[str], columns: Sequence[tuple[int, str]], where: object
 ) -> dict[str, int]:
     """Return the columns that have other programs' names; raises UserError for ambiguous ones."""
     root = root_of(model)
@@ -141,25 +141,27 @@ def _aliases(
         root_words = {*_words(model.joint(joint).name), *_words(model.body(root.body).name), *ROOT}
         start = int(model.jnt_qposadr[joint])
         for part, axis in enumerate(("x", "y", "z", "w", "x", "y", "z")):
-            name = wanted[start + part]
+            name = components[start + part]
             fitting = [
                 (i, text) for i, text in columns if _is_component(_words(text), axis, root_words, is_turn=part > 2)
             ]
             for place, text in fitting:
                 claim(name, place, text)
     stems = {
-        j: _stem(wanted[int(model.jnt_qposadr[j])]) for j in range(model.njnt) if model.jnt_type[j] in (HINGE, SLIDE)
+        j: _stem(components[int(model.jnt_qposadr[j])])
+        for j in range(model.njnt)
+        if model.jnt_type[j] in (HINGE, SLIDE)
     }
     claimed = set(out.values())
     for joint, stem in stems.items():
         if stem:
             for i, text in columns:
                 if i not in claimed and _stem(text) == stem:
-                    claim(wanted[int(model.jnt_qposadr[joint])], i, text)
+                    claim(components[int(model.jnt_qposadr[joint])], i, text)
     return out
 
 
-def _is_component(words: list[str], axis: str, own: set[str], *, is_turn: bool) -> bool:
+def _is_component(words: list[str], axis: str, root_words: set[str], *, is_turn: bool) -> bool:
     """Return whether a column's words name a component of the root's position or quaternion."""
     if not words:
         return False
@@ -168,7 +170,7 @@ def _is_component(words: list[str], axis: str, own: set[str], *, is_turn: bool) 
     kinds = TURN if is_turn else PLACE
     if last not in {axis, *letters} or (is_turn and last == axis and not set(before) & kinds):
         return False
-    return set(before) <= own | kinds
+    return set(before) <= root_words | kinds
 
 
 def _stem(name: str) -> str:
@@ -181,13 +183,13 @@ def _stem(name: str) -> str:
     return "_".join(words)
 
 
-def _numbered(wanted: Sequence[str], places: dict[str, int], columns: Sequence[tuple[int, str]]) -> dict[str, int]:
+def _numbered(components: Sequence[str], places: dict[str, int], columns: Sequence[tuple[int, str]]) -> dict[str, int]:
     """Return columns for the missing components: the group of equally many columns with one name and a number each."""
     groups: dict[str, list[tuple[int, int]]] = {}
     for i, text in columns:
         if (match := NUMBERED.match(text)) is not None:
             groups.setdefault(match[1].lower(), []).append((int(match[2]), i))
-    missing = [name for name in wanted if name not in places]
+    missing = [name for name in components if name not in places]
     fitting = [sorted(group) for group in groups.values() if len(group) == len(missing)]
     if len(fitting) != 1:
         return {}

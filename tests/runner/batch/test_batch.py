@@ -28,7 +28,8 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and 
 
 COMMAND = "from dynsplines.cli import main; main()"
 INJECTED = (
-    "import deeds; from dynsplines.batch import dispatch; dispatch.run.__kwdefaults__['do'] = deeds.told; " + COMMAND
+    "import deeds; from dynsplines.batch import dispatch; dispatch.run.__kwdefaults__['solve_task'] = deeds.told; "
+    + COMMAND
 )
 CLUSTER = """
 from distributed import LocalCluster
@@ -133,7 +134,7 @@ def assert_complete(folder: Path, count: int) -> None:
         path.relative_to(folder).as_posix() for path in folder.rglob("*.npz")
     )
     for entry in written_down:
-        assert entry.holds(folder)
+        assert entry.is_intact(folder)
         assert motion.load(folder / entry.output).name == Path(entry.clip).name
     assert [path.name for path in folder.iterdir() if path.is_file()] == ["manifest.jsonl"]
 
@@ -161,7 +162,7 @@ def test_each_clip_is_done_once_though_a_process_and_the_program_are_killed(
     finished = Counter(entry.clip for entry in before if entry.state == "done")
     assert 6 <= len(finished) < count
     assert set(finished.values()) == {1}
-    there = {entry.clip for entry in before if entry.holds(out)}  # whether it could still say so or not
+    there = {entry.clip for entry in before if entry.is_intact(out)}  # whether it could still say so or not
     assert there >= set(finished)
     stamps = {name: (out / f"{name}.npz").stat().st_mtime_ns for name in there}
     assert list(scratch.iterdir())

@@ -52,7 +52,7 @@ def test_a_mesh_comes_with_the_model_and_another_figures_is_not_written_over_it(
     assert "'part.obj' already exists, where a file of this motion's figure would be written" in failed.error
     good = "1" if failed.clip == "0" else "0"
     assert mujoco.MjModel.from_xml_path(str(out / f"{good}.keys.xml")).nkey > 0
-    ((name, _),) = Manifest.of(out).entries[good].beside.items()
+    ((name, _),) = Manifest.of(out).entries[good].companions.items()
     assert name == "part.obj"
 
     same = (clips / ("one" if good == "0" else "two") / "part.obj").read_bytes()
@@ -67,8 +67,8 @@ def test_a_mesh_comes_with_the_model_and_another_figures_is_not_written_over_it(
 
 def test_a_manifest_that_names_files_outside_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="not a path in this folder"):
-        ENTRY.validate_python({"clip": "a", "source": "a.toml", "beside": {"../b": "0"}})
-    for wrong in ({"beside": ["b"]}, {"beside": {"b": 1}}, {"notes": [1]}, {"notes": "words"}):
+        ENTRY.validate_python({"clip": "a", "source": "a.toml", "companions": {"../b": "0"}})
+    for wrong in ({"companions": ["b"]}, {"companions": {"b": 1}}, {"notes": [1]}, {"notes": "words"}):
         with pytest.raises(ValueError):
             ENTRY.validate_python({"clip": "a", "source": "a.toml", **wrong})
 
@@ -96,4 +96,4 @@ def test_what_was_written_before_the_disk_was_full_is_not_solved_again(
     assert tally.line == "0 solved, 1 already there, 0 failed"
     assert stamps == {name: (out / name).stat().st_mtime_ns for name in stamps}
     (entry,) = Manifest.of(out).entries.values()
-    assert (entry.state, set(entry.beside)) == ("done", {"part.obj"})
+    assert (entry.state, set(entry.companions)) == ("done", {"part.obj"})

@@ -11,7 +11,7 @@ import pytest
 from tiny import CLIP, changed, written
 
 from dynsplines.batch import solving
-from dynsplines.batch.inputs import Source, files_of, named_apart, sources
+from dynsplines.batch.inputs import Source, files_of, sources, with_unique_names
 from dynsplines.batch.task import Options, Task
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
@@ -82,18 +82,18 @@ def test_no_clips_and_a_list_that_is_none_are_reported(tree: Path):
 
 
 def test_like_named_clips_are_distinguished_by_their_folders(tree: Path):
-    found = named_apart(sources(["clips/a/walk.toml", "clips/b/walk.toml", "clips/run.toml"]), [])
+    found = with_unique_names(sources(["clips/a/walk.toml", "clips/b/walk.toml", "clips/run.toml"]), [])
     assert names(found) == ["a/walk", "b/walk", "run"]
 
 
 def test_a_name_that_is_taken_gets_a_number_whatever_its_case(tree: Path):
-    found = named_apart(sources(["clips/run.toml", "clips/a/walk.toml"]), ["Run", "run-2", "else"])
+    found = with_unique_names(sources(["clips/run.toml", "clips/a/walk.toml"]), ["Run", "run-2", "else"])
     assert names(found) == ["run-3", "walk"]
 
 
 def test_clips_that_differ_in_their_ending_alone_are_numbered():
     both = [Source(Path(f"/x/walk.{ending}"), PurePosixPath("walk")) for ending in ("toml", "xml")]
-    assert names(named_apart(both, [])) == ["x/walk", "x/walk-2"]
+    assert names(with_unique_names(both, [])) == ["x/walk", "x/walk-2"]
 
 
 def test_a_clip_takes_its_figure_along(tmp_path: Path):

@@ -82,20 +82,27 @@ def test_former_names_of_measurements_are_read_as_the_present_ones(tmp_path: Pat
     assert Manifest.of(tmp_path).entries["walk"].figures == dict.fromkeys(FORMER_QUANTITIES.values(), (2.0, 1.0))
 
 
+def test_companion_files_are_read_by_their_former_name(tmp_path: Path):
+    line = replace(DONE, companions={"mesh.stl": "0"}).line().replace('"companions"', '"beside"')
+    assert '"beside"' in line
+    (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}', encoding="utf-8")
+    assert Manifest.of(tmp_path).entries["walk"].companions == {"mesh.stl": "0"}
+
+
 def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):
     path = tmp_path / "walk.npz"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("time.npy", bytes(1000))
     entry = replace(DONE, size=path.stat().st_size, sha256=digest_of(path.read_bytes()))
-    assert entry.holds(tmp_path)
+    assert entry.is_intact(tmp_path)
     data = path.read_bytes()
     path.write_bytes(data[:-5])
-    assert not entry.holds(tmp_path)
+    assert not entry.is_intact(tmp_path)
     path.write_bytes(data[:-40] + bytes(40))
-    assert not entry.holds(tmp_path)
+    assert not entry.is_intact(tmp_path)
     path.unlink()
-    assert not entry.holds(tmp_path)
-    assert not replace(entry, output="").holds(tmp_path)
+    assert not entry.is_intact(tmp_path)
+    assert not replace(entry, output="").is_intact(tmp_path)
 
 
 def test_a_second_program_is_refused_and_the_other_process_is_named(tmp_path: Path):

@@ -63,7 +63,7 @@ def test_all_that_is_requested_goes_along_and_counts(folder: Path, tmp_path: Pat
     assert files.files[files.clip] == (folder / "walk.bvh").read_bytes()
     before = Options(cleaning=asked).digest(files)
     assert before == Options(cleaning=asked).digest(files_of(source, {}, asked))
-    assert before != Options(cleaning=asked, within=0.02).digest(files)
+    assert before != Options(cleaning=asked, max_displacement=0.02).digest(files)
     scene.write_text("[scene]\n# another\n", encoding="utf-8")
     assert before != Options(cleaning=asked).digest(files_of(source, {}, asked))
 

@@ -92,11 +92,11 @@ def test_a_foot_that_goes_through_an_edge_between_two_frames_is_seen():
     places = np.stack([way - 0.006 / np.sqrt(2), 0 * way, 1 + way + 0.006 / np.sqrt(2)], axis=1)
     path = natural_spline(frames, np.hstack([places, np.tile([1.0, 0, 0, 0], (11, 1))]))
     deep = sinking.depth(ground, path, np.linspace(0, 1, 2000))
-    more = sinking.unseen(ground, path, frames)
+    more = sinking.missed_edge_times(ground, path, frames)
     assert deep.max() > sinking.DEEP
     assert more.size
     assert np.abs(more - np.linspace(0, 1, 2000)[deep.argmax()]).min() < 0.06
-    assert not sinking.unseen(Ground(figure, ground.points, ()), path, frames).size
+    assert not sinking.missed_edge_times(Ground(figure, ground.points, ()), path, frames).size
 
 
 def test_hands_and_feet_are_nearer_to_the_true_motion(part):
@@ -123,11 +123,11 @@ def test_a_long_recording_is_searched_again_about_what_was_unseen_alone(part, ba
     take, bad = part, bad[:80]
     ground, whole = ground_of(take.figure, bad), repaired(take.figure, take.time, bad, "bad")
     monkeypatch.setattr(cleaning, "LONG", 0.0)
-    monkeypatch.setattr(cleaning, "unseen", lambda *_: np.zeros(0))
+    monkeypatch.setattr(cleaning, "missed_edge_times", lambda *_: np.zeros(0))
     before = cleaned(ground, whole).solution.timeline
     at = 0.5 * (before.times[3] + before.times[4])
     found = [np.array([at]), np.zeros(0)]
-    monkeypatch.setattr(cleaning, "unseen", lambda *_: found.pop(0))
+    monkeypatch.setattr(cleaning, "missed_edge_times", lambda *_: found.pop(0))
     after = cleaned(ground, whole).solution.timeline
     assert not found
     assert at in after.times
@@ -167,11 +167,11 @@ def test_what_is_asked_to_stay_near_does_as_far_as_its_stances_let_it(part, bad)
     clean = cleaned(ground_of(part.figure, bad[:80]), repair)
     one = max(clean.rests, key=lambda rest: rest.last - rest.first)
     free = cleaned(clean.ground, repair, [one])
-    near = cleaned(clean.ground, repair, [one], within=0.9 * verdict(free).off, verdict=verdict)
-    assert verdict(near).off < 0.99 * verdict(free).off
+    near = cleaned(clean.ground, repair, [one], max_displacement=0.9 * verdict(free).displacement, verdict=verdict)
+    assert verdict(near).displacement < 0.99 * verdict(free).displacement
     assert verdict(near).is_sound
-    held = cleaned(clean.ground, repair, within=0.9 * verdict(clean).off, verdict=verdict)
-    assert verdict(held).off <= verdict(clean).off
+    held = cleaned(clean.ground, repair, max_displacement=0.9 * verdict(clean).displacement, verdict=verdict)
+    assert verdict(held).displacement <= verdict(clean).displacement
     assert verdict(held).is_sound
 
 
@@ -192,7 +192,7 @@ def test_what_is_deep_in_the_ground_when_soles_are_on_it_is_searched_softly_firs
     asked = []
     monkeypatch.setattr(cleaning, "move_to_ground", lambda recorded, *told: recorded)  # it would be lifted: as it is
     monkeypatch.setattr(cleaning, "align_to_ground", lambda recorded, *told: recorded)
-    monkeypatch.setattr(cleaning, "_eased", lambda asks, near, shares, tell: asked.append(shares) or asks)
+    monkeypatch.setattr(cleaning, "_with_soft_start", lambda asks, near, shares, tell: asked.append(shares) or asks)
     monkeypatch.setattr(cleaning, "inbetween", lambda problem, **told: asked.append("whole") or None)
     monkeypatch.setattr(cleaning, "_out_of_edges", lambda ground, problem, solution, tell: (problem, solution))
     cleaned(ground_of(take.figure, take.qpos), repaired(take.figure, take.time, qpos, "deep"))

@@ -52,7 +52,7 @@ def raised(angle: float, at: np.ndarray = HUMAN.qpos0) -> np.ndarray:
 
 def seen(*parts):
     qpos = np.concatenate([np.atleast_2d(part) for part in parts])
-    return rest_pose_trim.lead_in(HUMAN, np.arange(len(qpos)) / RATE, qpos)
+    return rest_pose_trim.find_rest_pose(HUMAN, np.arange(len(qpos)) / RATE, qpos)
 
 
 @pytest.mark.slow
@@ -100,7 +100,7 @@ def test_figures_without_arms_begin_at_once():
     model = mujoco.MjModel.from_xml_string(
         '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
     )
-    assert rest_pose_trim.lead_in(model, np.arange(9) / RATE, np.tile(model.qpos0, (9, 1))) is None
+    assert rest_pose_trim.find_rest_pose(model, np.arange(9) / RATE, np.tile(model.qpos0, (9, 1))) is None
 
 
 def spline(qpos):
@@ -116,7 +116,7 @@ def recording(walk, tmp_path):
 
 def read(path, *, skip_rest):
     ear = Ear()
-    return thin_files.ToThin(str(path), skip_rest=skip_rest).read(ear), ear.heard
+    return thin_files.Recording(str(path), skip_rest=skip_rest).read(ear), ear.heard
 
 
 @pytest.mark.slow
@@ -139,7 +139,7 @@ def test_it_is_told_and_stays_unless_it_is_to_be_left_out(recording, walk):
 def test_leaving_out_what_is_not_there_is_told(recording):
     cut, _ = read(recording, skip_rest=True)
     ear = Ear()
-    assert rest_pose_trim.told(cut, ear, skip=True) is cut
+    assert rest_pose_trim.trim(cut, ear, skip=True) is cut
     assert ear.heard == ["note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out"]
 
 
@@ -147,5 +147,5 @@ def test_leaving_out_what_is_not_there_is_told(recording):
 def test_a_clip_is_no_recording():
     saved = solving.unsolved(clip.load("sit_down")).saved(Progress(), with_report=False)
     ear = Ear()
-    assert rest_pose_trim.told(saved, ear, skip=True) is saved
+    assert rest_pose_trim.trim(saved, ear, skip=True) is saved
     assert "nothing is left out" in ear.heard[0]

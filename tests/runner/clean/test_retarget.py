@@ -46,7 +46,7 @@ def walked(files: Path) -> Saved:
         patch.chdir(files)
         from dynsplines.clean import command
 
-        source = command.Source(Path("walk.bvh"), "android.xml", apart=True)
+        source = command.Source(Path("walk.bvh"), "android.xml", avoids_self_collision=True)
         command.run(source, Path("out.npz"), overwrite=True, progress=Progress())
         return motion.load(Path("out.npz"))
 

@@ -45,7 +45,7 @@ def run(
     overwrite: bool = False,
     **told,
 ) -> Path:
-    recording = thin_files.ToThin(str(source), **told)
+    recording = thin_files.Recording(str(source), **told)
     return thin_files.run(recording, BOUND, target, solve=solve, exact=exact, overwrite=overwrite, progress=Progress())
 
 

@@ -32,7 +32,7 @@ def hinged_knees():
 
 def exported(saved, kind, folder):
     notes = []
-    target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", tell=notes.append)
+    target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", report=notes.append)
     return target, notes
 
 

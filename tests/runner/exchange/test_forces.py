@@ -122,5 +122,5 @@ def test_large_forces_of_a_joint_limit_are_reported(tmp_path):
     path.write_text(ARM.format(option="", joint="", body="", tendon=""))
     qpos = np.radians([[0, 0], [60, 10], [0, 0]])
     saved = wild.through(str(path), 0.3 * np.arange(3), qpos)
-    formats.export(saved, "csv", tmp_path / "a.csv", options=ExportOptions(columns=("torques",)), tell=lines.append)
+    formats.export(saved, "csv", tmp_path / "a.csv", options=ExportOptions(columns=("torques",)), report=lines.append)
     assert any("forces of joint limits" in line and "N m at shoulder" in line for line in lines)

@@ -31,7 +31,7 @@ def test_models_next_to_or_in_the_file_find_their_meshes(kind, saved, tmp_path):
     folder = tmp_path / "elsewhere"
     folder.mkdir()
     notes = []
-    formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", tell=notes.append)
+    formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", report=notes.append)
     assert f"wrote {folder / 'trunk.obj'}" in notes
     text = next(path for path in folder.iterdir() if path.suffix == ".xml")
     model = mujoco.MjModel.from_xml_path(str(text))

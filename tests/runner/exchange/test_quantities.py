@@ -116,15 +116,15 @@ def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
         text += f'[[keyframe]]\ntime = {time}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
     saved, said = solving.unsolved(clip.from_text(text, name="away")).saved(Progress(), with_report=False), []
     path = formats.export(
-        saved, "csv", tmp_path / "a.csv", options=ExportOptions(columns=("ground",)), tell=said.append
+        saved, "csv", tmp_path / "a.csv", options=ExportOptions(columns=("ground",)), report=said.append
     )
     forces = Forces.of(SampledTrajectory.of(saved))
-    assert 0.1 < forces.known.mean() < 0.5
+    assert 0.1 < forces.has_known_support.mean() < 0.5
     assert any("the support of the figure is unknown" in line for line in said)
     with path.open(newline="") as stream:
         heading, *rows = csv.reader(stream)
     column = np.array(rows, float)[:, heading.index("left_foot.fz [N]")]
-    np.testing.assert_array_equal(np.isnan(column), ~forces.known)
+    np.testing.assert_array_equal(np.isnan(column), ~forces.has_known_support)
 
 
 def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):

@@ -43,7 +43,7 @@ def borne(forces: Forces) -> Mask:
 def check_forces(saved: Saved, expected: Array) -> None:
     """Torques, and the root's wrench about the centre of mass, are those of mj_inverse."""
     forces, at, model = Forces.of(SampledTrajectory.of(saved)), wild.samples(saved), saved.figure.model
-    rows = forces.known & ~borne(forces)
+    rows = forces.has_known_support & ~borne(forces)
     np.testing.assert_allclose(forces.torques[rows], expected[rows], rtol=0, atol=EXACT * np.abs(expected).max())
     root = saved.figure.root
     if root is None or not root.is_free:
@@ -93,7 +93,7 @@ def check_simulation(saved: Saved, folder: Path, expected: Array) -> None:
     """The scene follows the motion, or a note says that it does not, and why."""
     model, notes = exported(saved, folder)
     forces = Forces.of(SampledTrajectory.of(saved))
-    check_feed_forward(model, expected, forces.known & ~borne(forces))
+    check_feed_forward(model, expected, forces.has_known_support & ~borne(forces))
     angle, length = largest_errors(model)
     line = next(note for note in notes if note.startswith("mj_step of the scene"))
     assert ("stays within" in line) == (angle < WITHIN and length < WITHIN), (line, angle, length)

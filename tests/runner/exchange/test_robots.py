@@ -35,7 +35,7 @@ def robot(robot_file):
 
 def exported(saved, kind, folder, **more):
     notes = []
-    target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", tell=notes.append, **more)
+    target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", report=notes.append, **more)
     return target, notes
 
 

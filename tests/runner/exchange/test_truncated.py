@@ -224,6 +224,6 @@ def test_a_sample_without_numbers_is_left_out_of_a_file_that_is_cut_short(tmp_pa
     qpos[4, 8] = np.nan
     path = written(tmp_path / "a.qpos.npz", {"qpos": qpos, "time": TIME[:9]})
     with gaps.allowed():
-        found = gaps.left_out(recording(path, model=biped.model()), path)
+        found = gaps.without_missing(recording(path, model=biped.model()), path)
     np.testing.assert_allclose(found.time, np.delete(TIME[:9], 4))
     np.testing.assert_allclose(found.qpos, np.delete(QPOS[:9], 4, 0), atol=1e-9)

@@ -8,7 +8,7 @@ import pytest
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
-from dynsplines.measure.swings import runs, swings, words
+from dynsplines.measure.swings import runs, swing_text, swings
 from dynsplines.motion import samples_at
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
@@ -59,9 +59,9 @@ def test_a_foot_that_is_never_up_has_no_swings(tmp_path):
 
 
 def test_swings_are_reported_in_words():
-    assert words([]) == "never"
-    assert words([{"height, m": 0.0812}, {"height, m": 0.3}]) == "81, 300 mm"
-    assert words([{"height, m": 0.01 * k} for k in range(2, 12)]) == "10 times, 20 to 110 mm"
+    assert swing_text([]) == "never"
+    assert swing_text([{"height, m": 0.0812}, {"height, m": 0.3}]) == "81, 300 mm"
+    assert swing_text([{"height, m": 0.01 * k} for k in range(2, 12)]) == "10 times, 20 to 110 mm"
 
 
 @pytest.mark.parametrize(
