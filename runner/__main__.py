@@ -18,7 +18,7 @@ def _dynsplines() -> None:
 
 def main(command: Callable[[], None] = _dynsplines) -> None:
     """Run a command, by default `dynsplines`, which begins with its imports."""
-    signals.heed()
+    signals.install_handlers()
     try:
         command()
     except KeyboardInterrupt:
@@ -30,7 +30,7 @@ def main(command: Callable[[], None] = _dynsplines) -> None:
         print("dynsplines: not enough memory for this", file=sys.stderr)
         sys.exit(2)
     except Exception:
-        if not signals.was_asked():
+        if not signals.was_received():
             raise
         _stopped()  # an interrupted import may raise any exception
 

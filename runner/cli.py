@@ -198,10 +198,10 @@ def render(
         unmet: list[str] | None = [] if only == "keys" else None
         clip = inputs.load(source, model=model, keys=keys, unmet=unmet)
         for line in unmet or ():
-            progress.say(f"note: {line}; drawn as near as it comes")
+            progress.report(f"note: {line}; drawn as near as it comes")
         look = show.Look(width, height, fps or clip.fps, only or "", ghosts, camera, slow, at)
         look.check(clip.figure.model, *inputs.span(clip, repeat), flags="--")
-        progress.say(renderer.line)
+        progress.report(renderer.line)
         is_solved = only not in ("keys", "before")
         saved, violations = inputs.solved(clip, progress, repeat, solve=is_solved, no_cache=no_cache)
         rendering.draw(saved, look, renderer, target, workers, progress)
@@ -324,7 +324,7 @@ def thin(
     output: Annotated[Path | None, option.output("MOTION_thin.toml")] = None,
     max_error: Annotated[str, value("LENGTH", "Largest position error of any body, site or limb tip")] = "2cm",
     max_angle: Annotated[float, number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
-    solve: option.BoundsSolved = False,
+    solve: option.ThinSolve = False,
     exact: option.Exact = False,
     skip_rest: option.SkipRest = False,
     figure: option.Figure = None,
@@ -412,7 +412,7 @@ def export(
         clip = inputs.load(source)
         inputs.span(clip, repeat)
         saved, violations = inputs.solved(clip, progress, repeat, no_cache=no_cache)
-        formats.export(saved, form.name, target, fps=fps, options=options, overwrite=overwrite, report=progress.say)
+        formats.export(saved, form.name, target, fps=fps, options=options, overwrite=overwrite, report=progress.report)
         _conclude(progress, target, violations, source)
 
 
@@ -590,7 +590,7 @@ def _target(output: Path | None, name: str, kind: str, overwrite: bool = True) -
 def _conclude(progress: Any, target: Path, violations: "Sequence[violation.Violation]", file: object) -> None:
     """Print the name of the written file and its violations; `file` is the argument of the suggested `report`."""
     for line in (f"wrote {target}", *violation.lines(violations, file)):
-        progress.say(line)
+        progress.report(line)
 
 
 def _judge(violations: Sequence[object], strict: bool) -> None:

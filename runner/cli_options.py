@@ -198,7 +198,7 @@ StudioSource = Annotated[
 ]
 Host = Annotated[str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")]
 AllowRemote = Annotated[bool, flag("--allow-remote", "Allow other machines to edit the clip and write files")]
-BoundsSolved = Annotated[
+ThinSolve = Annotated[
     bool, flag("--solve", "Also keep the motion that results from solving the thinned clip within the error bound")
 ]
 Exact = Annotated[

@@ -37,7 +37,7 @@ from .errors import UserError
 from .measure.exactness import keyframe_error
 from .motion import Saved, read_arrays
 from .solving import Solved
-from .system.cache_folder import make_room, place
+from .system.cache_folder import limit_size, place
 from .system.output import Replacement
 from .system.progress import Progress
 
@@ -64,7 +64,9 @@ def solved(clip: Clip, progress: Progress, *, no_cache: bool = False) -> Solved:
             write(solution, file)
         return solution
     solving.report_notes(clip, progress)
-    progress.say(f"solved before: {solving.course(solution.motion) or 'nothing to search'}; --no-cache solves it again")
+    progress.report(
+        f"solved before: {solving.course(solution.motion) or 'nothing to search'}; --no-cache solves it again"
+    )
     return solution
 
 
@@ -141,7 +143,7 @@ def write(result: Solved, file: Path) -> None:
                 stop=motion.stop.name,
                 seconds=result.seconds or 0.0,
             )
-        make_room(file.parent, OWN, MOST_BYTES)
+        limit_size(file.parent, OWN, MOST_BYTES)
 
 
 def read(file: Path, clip: Clip) -> Solved | None:

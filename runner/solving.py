@@ -74,7 +74,7 @@ class Solved:
         data = {}
         with _unhurried() as interrupted:
             if motion.stop is Stop.INTERRUPTED:
-                progress.say("stopped; the best path so far is kept")
+                progress.report("stopped; the best path so far is kept")
             if with_report:
                 progress.step("measuring", 0.0, force=True)
 
@@ -132,7 +132,7 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
 def report_notes(clip: Clip, progress: Progress) -> None:
     """Report the clip's notes."""
     for note in clip.notes:
-        progress.say(f"note: {note}")
+        progress.report(f"note: {note}")
 
 
 def course(motion: Solution) -> str:

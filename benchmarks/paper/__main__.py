@@ -56,10 +56,10 @@ def _draw_figures(folder: Path, seeds: int | None, *, as_json: bool) -> None:
 
     drawing.check_folder(folder)
     with Progress() as progress:
-        progress.say(graphics.line)
+        progress.report(graphics.line)
         drawn = drawing.draw(folder, graphics, progress)
         for figure in drawn:
-            progress.say(f"wrote {figure.file}")
+            progress.report(f"wrote {figure.file}")
     if as_json:
         print(json.dumps([figure.as_json for figure in drawn], indent=2))
 

@@ -64,7 +64,7 @@ def moderate(rng: np.random.Generator, count: int) -> Array:
 def to_its_end(problem: Problem, improved: Callable[[Improvement], None] | None = None) -> Solution:
     """A search that no signal has cut short: its best path would be no answer. Raises KeyboardInterrupt for one."""
     solution = inbetween(problem, improved=improved)
-    if signals.was_asked():
+    if signals.was_received():
         raise KeyboardInterrupt
     return solution
 

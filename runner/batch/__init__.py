@@ -40,5 +40,5 @@ def run(words: list[str], folder: Path, progress: Progress, options: Options) ->
         raise missing_package("dynsplines batch", error.name, "batch") from None
     tally = dispatch.run(words, folder, options, progress)
     tally.report(progress, are_recordings=options.cleaning is not None)
-    progress.say(f"{folder}: {tally.line}")
+    progress.report(f"{folder}: {tally.line}")
     return tally

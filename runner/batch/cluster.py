@@ -63,7 +63,7 @@ def connected(address: str, progress: Progress) -> Iterator[Workers]:
         try:
             services = client.scheduler_info(n_workers=0).get("services", {})
             dashboard = f", dashboard {client.dashboard_link}" if "dashboard" in services else ""
-            progress.say(f"Dask: {address}, {len(client.nthreads())} workers{dashboard}")
+            progress.report(f"Dask: {address}, {len(client.nthreads())} workers{dashboard}")
             try:
                 client.register_plugin(_Processes(batch))
             except Exception as error:

@@ -58,7 +58,7 @@ class Tally:
             lines = [f"{share}; worst: {entry.clip}: {entry.violations[0]['text']}" for entry in wrong[:1]]
         lines += _first([f"failed: {entry.clip}: {entry.error}" for entry in self.failed], MOST_FAILURES, "")
         for line in lines:
-            progress.say(line)
+            progress.report(line)
 
 
 def _first(lines: list[str], most: int, of: str) -> list[str]:

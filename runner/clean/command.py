@@ -92,11 +92,11 @@ def run(
     if form is None:
         motion.save(saved, target)
     else:
-        formats.export(saved, form.name, target, overwrite=overwrite, report=progress.say)
+        formats.export(saved, form.name, target, overwrite=overwrite, report=progress.report)
     progress.console.print(table)
     for line in notes:
-        progress.say(line)
-    progress.say(f"wrote {target}")
+        progress.report(line)
+    progress.report(f"wrote {target}")
     return target
 
 
@@ -211,7 +211,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
 def _write_map(target: Path, used: maps.AppliedMap, progress: Progress) -> None:
     with Replacement(target) as temporary:
         temporary.write_text(maps.text_of(used), encoding="utf-8")
-    progress.say(f"wrote {target}")
+    progress.report(f"wrote {target}")
 
 
 def _cleaned(
@@ -226,7 +226,7 @@ def _cleaned(
     figure = figure_of(recording.scene, recording.name)
     repaired_recording = repaired(figure, recording.time, recording.qpos, recording.name)
     for note in repaired_recording.notes:
-        progress.say(f"note: {note}")
+        progress.report(f"note: {note}")
     ground = replace(
         ground_of(figure, repaired_recording.qpos), avoids_self_collision=avoids_self_collision, speed=speed
     )
@@ -240,9 +240,9 @@ def _cleaned(
         ground, repaired_recording, requested, max_displacement=max_displacement, verdict=verdict, improved=improved
     )
     if not result.rests:
-        progress.say("note: no stance is found in it: nothing is kept from slipping")
+        progress.report("note: no stance is found in it: nothing is kept from slipping")
     for line in _stances(result):
-        progress.say(line)
+        progress.report(line)
     return result, _saved(result, recording)
 
 

@@ -84,9 +84,9 @@ def trim(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
     """Report a recording's lead-in, and remove it with `skip`; return any other motion unchanged."""
     found = of_motion(saved)
     if found is not None:
-        progress.say(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
+        progress.report(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
     elif skip:
-        progress.say("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")
+        progress.report("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")
     return without(saved) if skip else saved
 
 

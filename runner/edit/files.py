@@ -158,7 +158,7 @@ def joined(transition: float) -> Edit:
     def both(saved: Sequence[Saved], progress: Progress) -> Saved:
         before, after = saved
         if before.scene != after.scene:
-            progress.say(f"note: the scene is that of '{before.name}'")
+            progress.report(f"note: the scene is that of '{before.name}'")
         return edits.joined(before, after, transition, progress)
 
     return Edit("joined", both, check=lambda found: edits.check_alike(*found))

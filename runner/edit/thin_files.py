@@ -100,8 +100,8 @@ def run(
         lines = [after.line] if solve or exact else [f"{result.line}: the spline", _as_solved(after)]
         thinning.write(result, target, exact=exact, note="; ".join(lines), overwrite=True)
     for line in lines:
-        progress.say(line)
-    progress.say(f"wrote {' and '.join(map(str, written))}")
+        progress.report(line)
+    progress.report(f"wrote {' and '.join(map(str, written))}")
     return target
 
 

@@ -72,7 +72,7 @@ def read_recording(
     assert spec is not None and model is not None, "a reader returns a figure or requires one"
     qpos, notes = winding.unwrapped(model, record.time, record.qpos)
     for note in (*record.notes, *notes):
-        progress.say(f"note: {note}")
+        progress.report(f"note: {note}")
     rate = record.fps or (float(np.round(1 / np.median(np.diff(record.time)), 6)) if record.time.size > 1 else 30.0)
     return ImportedMotion(stem(source), spec, model, record.time, qpos, rate, record.loops)
 
@@ -109,5 +109,5 @@ def import_recording(
         try:
             return unsolved(clip.with_problem(ends="periodic")).saved(progress, with_report=False)
         except TimelineError:
-            progress.say("note: marked as a loop, but its last pose differs from its first: read without a loop")
+            progress.report("note: marked as a loop, but its last pose differs from its first: read without a loop")
     return unsolved(clip).saved(progress, with_report=False)

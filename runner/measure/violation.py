@@ -152,9 +152,9 @@ def by_name(violations: Sequence[Violation]) -> tuple[Violation, ...]:
     return tuple(out)
 
 
-def plain(found: Sequence[Violation]) -> list[ViolationTable]:
+def plain(violations: Sequence[Violation]) -> list[ViolationTable]:
     """Return the violations for JSON."""
-    return [cast(ViolationTable, asdict(violation)) for violation in found]
+    return [cast(ViolationTable, asdict(violation)) for violation in violations]
 
 
 def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]:
@@ -230,13 +230,13 @@ def _beyond_hard(clip: Clip, timeline: Timeline) -> Iterator[Violation]:
 
 def _as_violation(row: Row, amount: float, time: float | None, keyframe: int | None = None) -> Violation:
     unit = BOUNDS[row.kind].unit
-    text = row.text.format(_spoken(amount, unit)) + ("" if time is None else f" at {time:.2f} s")
+    text = row.text.format(_with_unit(amount, unit)) + ("" if time is None else f" at {time:.2f} s")
     if keyframe is not None:
         text = f"keyframe {keyframe} itself: {text}"
     return Violation(row.kind, row.name, time, amount, unit, row.bound, keyframe, text)
 
 
-def _spoken(amount: float, unit: str) -> str:
+def _with_unit(amount: float, unit: str) -> str:
     if unit == "m" and amount < 0.001:
         return f"{1000 * amount:.2g} mm"
     if unit == "degrees" and amount < 1:

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from ..errors import UserError
-from ..system.output import Replacement, beside, real_target
+from ..system.output import Replacement, real_target, sibling
 
 if TYPE_CHECKING:  # stills need no video library
     import av.filter
@@ -182,7 +182,7 @@ def _write_gif(path: Path, images: Iterator[Picture], fps: float) -> None:
     palette is known only at the end, so the frames are stored in a lossless file, not in memory."""
     step = math.ceil(fps / GIF_FPS - 1e-9)
     rate = Fraction(fps).limit_denominator(65535) / step
-    waiting = beside(path, ".mkv")
+    waiting = sibling(path, ".mkv")
     palette = _store(waiting, (image for index, image in enumerate(images) if index % step == 0), rate)
     _paint(path, waiting, palette, rate)
 

@@ -14,10 +14,12 @@ from .graphics import Graphics
 from .show import Look
 
 
-def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, progress: Progress) -> None:
-    """Write .mp4, .webm, .gif or .png with at most `asked` processes; None: one, or without OpenGL one per core."""
+def draw(
+    saved: Saved, look: Look, graphics: Graphics, target: Path, max_workers: int | None, progress: Progress
+) -> None:
+    """Write .mp4, .webm, .gif or .png by up to `max_workers` processes; None: one, or without OpenGL one per core."""
     still = target.suffix.lower() == ".png"
-    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "software" else 1)
+    workers = max_workers or (min(cores(), MOST_WORKERS) if graphics.kind == "software" else 1)
     try:
         if look.ghosts and still:
             film.write(target, [show.figure_six(saved, look, graphics)], look.fps)

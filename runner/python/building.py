@@ -117,12 +117,12 @@ def build(
         )
 
 
-def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
+def _figure(spec: mujoco.MjSpec, name: str) -> Figure:
     try:
         with quietly():
             return Figure(spec.copy().compile())
     except (FigureError, ValueError) as error:
-        raise UserError(f"{called}: {first_line(error)}") from None
+        raise UserError(f"{name}: {first_line(error)}") from None
 
 
 def _table(key: Keyframe, figure: Figure | None) -> TomlTable:
@@ -147,9 +147,9 @@ def _table(key: Keyframe, figure: Figure | None) -> TomlTable:
     )
 
 
-def _roots(whole: TomlTable, table: TomlTable) -> TomlTable:
+def _roots(entries: TomlTable, table: TomlTable) -> TomlTable:
     """Return the configuration's entries for further free bodies, overridden by those of the table."""
-    mine, theirs = whole.get("roots", {}), table.get("roots", {})
+    mine, theirs = entries.get("roots", {}), table.get("roots", {})
     names = list(dict.fromkeys([*mine, *theirs]))
     return {"roots": {name: mine.get(name, {}) | theirs.get(name, {}) for name in names}} if names else {}
 

@@ -242,7 +242,7 @@ class Motion(Renames):
         return Report(data)
 
     @property
-    def _kept(self) -> Saved:
+    def _saved_with_report(self) -> Saved:
         """The content of its file, including the report if it has been computed."""
         return replace(self.saved, report=dict(self._report)) if "_report" in self.__dict__ else self.saved
 
@@ -389,7 +389,7 @@ class Motion(Renames):
             clip_file.write(replace(self.saved, name=target.stem), target, exact=exact, overwrite=overwrite)
         elif target.suffix == ".npz":
             check_target(target)
-            files.save(self._kept, target)
+            files.save(self._saved_with_report, target)
         else:
             raise UserError(
                 f"'{target}': a motion is saved as .npz, or as a clip, .toml; `export` writes other formats"

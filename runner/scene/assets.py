@@ -89,7 +89,7 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
     for reference in list(_references(spec)):
         where, data = _read(reference, base, embedded)
         if where not in names:
-            names[where] = _fresh(_plain(Path(reference.file.replace("\\", "/")).name), assets)
+            names[where] = _unused_name(_plain(Path(reference.file.replace("\\", "/")).name), assets)
             assets[names[where]] = data
         reference.rename(names[where])
     size_limit.check("the model", sum(map(len, assets.values())), "what the files it refers to hold")
@@ -149,12 +149,12 @@ def _renaming_side(texture: Any, side: int) -> Callable[[str], None]:
     return rename
 
 
-def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
+def _read(reference: _Reference, base: Path, assets: Assets) -> tuple[str, bytes]:
     """Return the path and content of a file, from the model's assets or from the disk in MuJoCo's order."""
     folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
     for name in (reference.file, file, str(Path(folder) / file), Path(file).name):
-        if name in own:
-            return name, own[name]
+        if name in assets:
+            return name, assets[name]
     places = _places(reference, base)
     for place in places:
         if is_there(place):
@@ -183,7 +183,7 @@ def _plain(name: str) -> str:
     return name if is_plain(name) else f"file{Path(name).suffix[:16]}"
 
 
-def _fresh(name: str, taken: Assets) -> str:
+def _unused_name(name: str, taken: Assets) -> str:
     """Return a file's name, with a number if it is already used."""
     path, number = Path(name), 1
     lower = {other.lower() for other in taken}

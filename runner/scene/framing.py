@@ -59,10 +59,10 @@ def is_of_people_size(model: mujoco.MjModel) -> bool:
 def size_of(model: mujoco.MjModel) -> float:
     """Return the camera's `height` for the figure at rest [m]."""
     low, high = rest_box(model)
-    return STANDING if is_of_people_size(model) else _told((high - low) / 2)
+    return STANDING if is_of_people_size(model) else _camera_height((high - low) / 2)
 
 
-def _told(reach: Array) -> float:
+def _camera_height(reach: Array) -> float:
     """Return the camera's `height` [m] that shows the extent (3,) [m] to either side of its target."""
     return float(max(*(2 * reach[:2] / WIDTH), 2 * reach[2] / HEIGHT, 1e-3))
 
@@ -96,7 +96,7 @@ def height(figure: Figure, qpos: Array) -> float:
         return STANDING
     low, high = _boxes(figure, qpos)
     middle = middles(figure, qpos)[_chosen(len(qpos))]
-    return _told(np.maximum(high - middle, middle - low).max(axis=0))
+    return _camera_height(np.maximum(high - middle, middle - low).max(axis=0))
 
 
 def _chosen(count: int) -> Index:

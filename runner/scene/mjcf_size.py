@@ -55,7 +55,7 @@ class _Count:
     folder: Path | None
     assets: Mapping[str, bytes]
     keys: float = 0.0
-    known: dict[str, float] = field(default_factory=dict)
+    sizes: dict[str, float] = field(default_factory=dict)
     open: set[str] = field(default_factory=set)
 
     def model(self, text: str, name: str) -> float:
@@ -69,7 +69,7 @@ class _Count:
             factor, copies = factors[-1], 1.0
             if tag == "replicate":
                 copies = max(_number(attributes.get("count", "")), 1.0)
-            total += factor * ((COPIED if factor > 1 else ELEMENT) + self._own(tag, attributes))
+            total += factor * ((COPIED if factor > 1 else ELEMENT) + self._extra_bytes(tag, attributes))
             if tag == "include":
                 total += factor * self._file(attributes.get("file", ""))
             elif tag == "model":
@@ -82,10 +82,10 @@ class _Count:
         return total + attached * attachable
 
     def _file(self, name: str) -> float:
-        if name not in self.known and name not in self.open:
+        if name not in self.sizes and name not in self.open:
             data = self._read(name)
-            self.known[name] = 0.0 if data is None else self.model(data.decode("utf-8", errors="replace"), name)
-        return self.known.get(name, 0.0)
+            self.sizes[name] = 0.0 if data is None else self.model(data.decode("utf-8", errors="replace"), name)
+        return self.sizes.get(name, 0.0)
 
     def _read(self, name: str, most: int = -1) -> bytes | None:
         if name in self.assets:
@@ -98,7 +98,7 @@ class _Count:
         except (OSError, ValueError):
             return None
 
-    def _own(self, tag: str, attributes: Mapping[str, str]) -> float:
+    def _extra_bytes(self, tag: str, attributes: Mapping[str, str]) -> float:
         """Return the bytes of an element in addition to ELEMENT."""
         number = {name: _number(value) for name, value in attributes.items()}
         match tag:

@@ -62,32 +62,32 @@ def paths_read(path: Path) -> list[Path]:
     return sorted({Path(os.path.normpath(place)) for place in paths})
 
 
-def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path]) -> None:
-    """Collect the files of a model's text and of all included text in `own`, and the attached models in `found`."""
-    own.texts.add(path)
+def _walk(path: Path, model: Model, attached: list[Model], home: Path, visited: set[Path]) -> None:
+    """Collect the files of a text and of all included text in `model`, and the attached models in `attached`."""
+    model.texts.add(path)
     for tag, attrs in list(elements(path.read_bytes().decode("utf-8-sig", errors="replace"))):
-        own.folders |= {attrs[name].replace("\\", "/") for name in FOLDERS if tag == "compiler" and name in attrs}
+        model.folders |= {attrs[name].replace("\\", "/") for name in FOLDERS if tag == "compiler" and name in attrs}
         named = [value.replace("\\", "/") for key, value in attrs.items() if key.startswith("file") and value]
         if tag not in ("include", "model", "flexcomp"):
-            own.files |= set(named)
+            model.files |= set(named)
             continue
         for file in named:
             places = [
                 path.parent / file,
-                own.folder / file,
-                *(own.folder / sub / file for sub in own.folders),
+                model.folder / file,
+                *(model.folder / sub / file for sub in model.folders),
             ]
             there = [place for place in places if is_there(place)] or places[:1]
             for place in there:
                 file_access.check(place, home, file)
             if tag == "flexcomp" and is_there(there[0]):
-                own.texts.add(there[0])
-            if tag == "flexcomp" or there[0] in seen or not is_there(there[0]):
+                model.texts.add(there[0])
+            if tag == "flexcomp" or there[0] in visited or not is_there(there[0]):
                 continue
-            seen.add(there[0])
+            visited.add(there[0])
             if tag == "model":
-                found.append(Model(there[0].parent))
-            _walk(there[0], found[-1] if tag == "model" else own, found, home, seen)
+                attached.append(Model(there[0].parent))
+            _walk(there[0], attached[-1] if tag == "model" else model, attached, home, visited)
 
 
 def elements(text: str) -> Iterator[tuple[str, Mapping[str, str]]]:

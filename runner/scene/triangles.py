@@ -207,10 +207,10 @@ def _lathe(radius: Array, height: Array, normal: Array, count: int) -> Triangles
     return _used(Triangles(points.reshape(-1, 3), normals.reshape(-1, 3), faces.astype(np.uint32)))
 
 
-def _used(found: Triangles) -> Triangles:
+def _used(mesh: Triangles) -> Triangles:
     """Return the triangles without points that no face uses."""
-    used, faces = np.unique(found.faces, return_inverse=True)
-    return Triangles(found.points[used], found.normals[used], faces.reshape(-1, 3).astype(np.uint32))
+    used, faces = np.unique(mesh.faces, return_inverse=True)
+    return Triangles(mesh.points[used], mesh.normals[used], faces.reshape(-1, 3).astype(np.uint32))
 
 
 def _arc(count: int, *, top: bool) -> Array:

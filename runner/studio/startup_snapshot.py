@@ -15,7 +15,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from ..errors import UserError
-from ..system.cache_folder import make_room, place
+from ..system.cache_folder import limit_size, place
 from ..system.output import Replacement
 from .document import Document
 
@@ -69,4 +69,4 @@ def write(file: Path | None, stage: bytes, path: bytes) -> None:
         file.parent.mkdir(parents=True, exist_ok=True)
         with Replacement(file) as temporary:
             temporary.write_bytes(HEAD.pack(MAGIC, len(stage), len(path)) + stage + path)
-        make_room(file.parent, OWN, MOST_BYTES)
+        limit_size(file.parent, OWN, MOST_BYTES)

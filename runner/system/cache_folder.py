@@ -23,11 +23,11 @@ def place() -> Path | None:
     return user_cache_path("dynsplines", appauthor=False)
 
 
-def make_room(folder: Path, own: re.Pattern[str], most: int) -> None:
+def limit_size(folder: Path, pattern: re.Pattern[str], most: int) -> None:
     """Delete the least recently used files with names of a pattern, until the rest is at most `most` bytes."""
     files: list[tuple[float, int, Path]] = []
     for path in folder.iterdir():
-        if own.fullmatch(path.name):
+        if pattern.fullmatch(path.name):
             with suppress(OSError):  # another command may have deleted it
                 about = path.stat()
                 files.append((about.st_mtime, about.st_size, path))

@@ -31,9 +31,9 @@ def run(command: Callable[[], int | None]) -> NoReturn:
     try:
         from . import mujoco_warnings  # imported here so that a lack of memory during the import is reported too
         from .terminal import fit
-        from .threads import keep_to_one
+        from .threads import use_one_thread
 
-        keep_to_one()
+        use_one_thread()
         fit()
         with mujoco_warnings.reported_to(mujoco_warnings.print_note):
             code = command()

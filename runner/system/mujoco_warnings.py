@@ -31,7 +31,7 @@ def print_note(text: str) -> None:
 def reported_to(sink: Sink) -> Iterator[None]:
     """Pass every MuJoCo warning of the block to `sink`, each kind once."""
     before = _mujoco().get_mju_user_warning() if "mujoco" in sys.modules else None
-    _sinks.append(_once(sink))
+    _sinks.append(_first_of_each(sink))
     install()
     try:
         yield
@@ -81,7 +81,7 @@ def _receive(text: str) -> None:
     pass_on(f"MuJoCo: {one_line(TIME.sub('', text.strip()))}")
 
 
-def _once(sink: Sink) -> Sink:
+def _first_of_each(sink: Sink) -> Sink:
     """Return a sink that passes on only the first of texts that differ in numbers."""
     kinds: set[str] = set()
 

@@ -51,7 +51,7 @@ class Replacement:
         self._real = real_target(self.target)
         clear(self._real)
         older = _older(self._real)
-        while not self._begun(ALL if older is None else OWNER):
+        while not self._create(ALL if older is None else OWNER):
             pass
         self._mode = stat.S_IMODE((older or os.fstat(self._handle)).st_mode) & MODE
         if os.name == "nt":  # open files cannot be renamed on Windows
@@ -70,7 +70,7 @@ class Replacement:
             if os.name != "nt":
                 os.close(self._handle)
 
-    def _begun(self, mode: int) -> bool:
+    def _create(self, mode: int) -> bool:
         """Create and lock a temporary file; return False if another writer removed it before it was locked."""
         name = f".{self._real.name[:MOST_OF_A_NAME]}.{secrets.token_hex(8)}.partial{self.target.suffix}"
         self.temporary = self._real.with_name(name)
@@ -121,23 +121,23 @@ def clear(target: Path) -> None:
     with suppress(OSError):
         for name in os.listdir(target.parent):  # noqa: PTH208, of a hundred thousand names
             if name.startswith(start) and TEMPORARY.fullmatch(name):
-                _remove_if_left(target.with_name(name))
+                _remove_leftover(target.with_name(name))
 
 
 def clear_below(folder: Path) -> None:
     """Remove temporary files of killed programs anywhere in a folder."""
     for path in list(folder.rglob(".*")):
         if TEMPORARY.fullmatch(path.name):
-            _remove_if_left(path)
+            _remove_leftover(path)
 
 
-def beside(temporary: Path, ending: str) -> Path:
+def sibling(temporary: Path, ending: str) -> Path:
     """Return the name of a further temporary file, which is removed together with a first one."""
     return temporary.with_name(f"{temporary.name}.{secrets.token_hex(8)}{ending}")
 
 
 def _parts(temporary: Path) -> Iterator[Path]:
-    """Yield the files `beside` a temporary one, then that file itself."""
+    """Yield the files from `sibling` of a temporary one, then that file itself."""
     with suppress(OSError):
         for name in os.listdir(temporary.parent):  # noqa: PTH208
             if name.startswith(f"{temporary.name}."):
@@ -145,7 +145,7 @@ def _parts(temporary: Path) -> Iterator[Path]:
     yield temporary
 
 
-def _remove_if_left(path: Path) -> None:
+def _remove_leftover(path: Path) -> None:
     """Remove leftovers, unless their writer is still running; files next to a temporary one are checked with it."""
     if fcntl is None:
         return

@@ -20,7 +20,7 @@ class Progress:
     """Reports the progress of work.
 
     with Progress() as progress:
-        progress.say("renderer: EGL")
+        progress.report("renderer: EGL")
         progress.step("solving", 0.3, "E 2.41")
         for frame in progress.over(frames, "rendering", 80): ...
     """
@@ -47,7 +47,7 @@ class Progress:
         if self._bars is not None:
             self._bars.stop()
 
-    def say(self, line: str) -> None:
+    def report(self, line: str) -> None:
         self.console.print(line, markup=False, soft_wrap=True)
 
     def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:
@@ -59,7 +59,7 @@ class Progress:
         elif force or time.monotonic() - self._last > QUIET_SECONDS:
             self._last = time.monotonic()
             done = "" if share is None else f" {share:4.0%}"
-            self.say(f"{work}{done} {note}".rstrip())
+            self.report(f"{work}{done} {note}".rstrip())
 
     def over(self, items: Iterable[Item], work: str, count: int) -> Iterator[Item]:
         for i, item in enumerate(items):

@@ -14,26 +14,26 @@ METRES = {"cm": 0.01, "mm": 0.001, "m": 1.0}
 RADIANS_A_SECOND = {"rad/s": 1.0, "deg/s": math.pi / 180}
 
 
-def length(given: str | float, what: str) -> float:
+def length(value: str | float, what: str) -> float:
     """Return a length in metres. Raises UserError unless it is above 0 with a unit; `what` is the label in errors."""
-    return _quantity(given, what, METRES, "a length above 0, such as 2cm, 20mm or 0.02m")
+    return _quantity(value, what, METRES, "a length above 0, such as 2cm, 20mm or 0.02m")
 
 
-def speed(given: str | float, what: str) -> float:
+def speed(value: str | float, what: str) -> float:
     """Return a speed in radians per second. Raises UserError as for `length`."""
-    return _quantity(given, what, RADIANS_A_SECOND, "a speed above 0, such as 20rad/s or 1200deg/s")
+    return _quantity(value, what, RADIANS_A_SECOND, "a speed above 0, such as 20rad/s or 1200deg/s")
 
 
-def _quantity(given: str | float, what: str, units: Mapping[str, float], such: str) -> float:
-    match = re.fullmatch(rf"\s*([0-9.eE+-]+?)\s*({'|'.join(units)}|)\s*", str(given))
+def _quantity(value: str | float, what: str, units: Mapping[str, float], example: str) -> float:
+    match = re.fullmatch(rf"\s*([0-9.eE+-]+?)\s*({'|'.join(units)}|)\s*", str(value))
     try:
         number = float(match[1]) if match else math.nan
     except ValueError:
         number = math.nan
     if not (math.isfinite(number) and number > 0):
-        raise UserError(f"{what} {given}: give {such}")
+        raise UserError(f"{what} {value}: give {example}")
     unit = match[2] if match else ""
-    if isinstance(given, str) and not unit:
+    if isinstance(value, str) and not unit:
         *examples, last = (f"{number:g}{unit_name}" for unit_name in units)
-        raise UserError(f"{what} {given}: the unit is missing; give {', '.join(examples)} or {last}")
+        raise UserError(f"{what} {value}: the unit is missing; give {', '.join(examples)} or {last}")
     return number * (units[unit] if unit else 1.0)

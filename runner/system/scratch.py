@@ -26,10 +26,10 @@ PREFIX = "dynsplines-scratch-"
 def scratch() -> Iterator[Path]:
     """Yield a new private folder, which is removed with its content when the block ends."""
     _clear(Path(tempfile.gettempdir()))
-    folder, handle = _begun()
+    folder, handle = _create()
     while handle is not None and not folder.exists():  # another program removed it before it was locked
         os.close(handle)
-        folder, handle = _begun()
+        folder, handle = _create()
     try:
         yield folder
     finally:
@@ -38,7 +38,7 @@ def scratch() -> Iterator[Path]:
             os.close(handle)
 
 
-def _begun() -> tuple[Path, int | None]:
+def _create() -> tuple[Path, int | None]:
     """Return a new folder and the handle that locks it; None without locks, in which case leftovers are not removed."""
     folder = Path(tempfile.mkdtemp(prefix=PREFIX))
     if fcntl is None:
@@ -48,7 +48,7 @@ def _begun() -> tuple[Path, int | None]:
         with suppress(OSError):  # some network disks do not support locks
             fcntl.flock(handle, fcntl.LOCK_EX)
         return folder, handle
-    return _begun()
+    return _create()
 
 
 def _clear(place: Path) -> None:
@@ -57,10 +57,10 @@ def _clear(place: Path) -> None:
     with suppress(OSError):
         for name in os.listdir(place):  # noqa: PTH208, of a hundred thousand names
             if name.startswith(PREFIX):
-                _remove_if_left(place / name)
+                _remove_leftover(place / name)
 
 
-def _remove_if_left(folder: Path) -> None:
+def _remove_leftover(folder: Path) -> None:
     """Remove a folder, unless its creator is still running or is another user."""
     assert fcntl is not None
     with suppress(OSError):

@@ -17,7 +17,7 @@ _received: int | None = None
 _terminals: list[int] = []
 
 
-def heed() -> None:
+def install_handlers() -> None:
     """Set the handlers, except for signals that this process was started to ignore."""
     global _received
     _received = None
@@ -35,7 +35,7 @@ def ignore() -> None:
             signal.signal(getattr(signal, name), signal.SIG_IGN)
 
 
-def was_asked() -> bool:
+def was_received() -> bool:
     """Return whether a signal was received."""
     return _received is not None
 

@@ -10,7 +10,7 @@ import os
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
-def keep_to_one() -> None:
+def use_one_thread() -> None:
     """Set one thread for this process before it imports NumPy, so that results are reproducible."""
     for name in THREADS:
         os.environ[name] = "1"

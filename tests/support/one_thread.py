@@ -2,4 +2,4 @@
 
 from dynsplines.system import threads
 
-threads.keep_to_one()
+threads.use_one_thread()

@@ -101,7 +101,7 @@ class Results:
 
     def _solved(self, name: str) -> Saved:
         solution = solving.solve(clip.load(name), self.progress)
-        if signals.was_asked():  # a search that is cut short is no result
+        if signals.was_received():  # a search that is cut short is no result
             raise KeyboardInterrupt
         return solution.saved(self.progress, with_report=False)
 

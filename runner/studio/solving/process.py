@@ -27,9 +27,9 @@ def entry(line: Any, outside: bool, shows_view: bool) -> None:
     from ...picture.graphics import do_without
     from ...system import mujoco_warnings
     from ...system.low_priority import yielding
-    from ...system.threads import keep_to_one, without_tools
+    from ...system.threads import use_one_thread, without_tools
 
-    keep_to_one()
+    use_one_thread()
     do_without()
     yielding([without_tools, *(partial(import_module, name) for name in HEAVY)], PATIENCE if shows_view else 0.0)
     from .loop import serve

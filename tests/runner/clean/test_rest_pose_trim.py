@@ -25,7 +25,7 @@ class Ear(Progress):
         super().__init__()
         self.heard = []
 
-    def say(self, line):
+    def report(self, line):
         self.heard.append(line)
 
 

@@ -547,7 +547,7 @@ def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
     said = []
 
     class Ear(Progress):
-        def say(self, line):
+        def report(self, line):
             said.append(line)
 
     import_recording(path, progress=Ear())

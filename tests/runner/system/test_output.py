@@ -148,9 +148,9 @@ def test_the_disk_has_file_and_folder_before_the_writer_continues(tmp_path, monk
 @POSIX
 def test_what_a_killed_program_left_goes_with_the_next_writer_of_that_file_and_nothing_else(tmp_path):
     script = (
-        "import os, signal, sys; from pathlib import Path; from dynsplines.system.output import Replacement, beside\n"
+        "import os, signal, sys; from pathlib import Path; from dynsplines.system.output import Replacement, sibling\n"
         "with Replacement(Path(sys.argv[1])) as path:\n"
-        "    path.write_bytes(b'half'); beside(path, '.mkv').write_bytes(b'images')\n"
+        "    path.write_bytes(b'half'); sibling(path, '.mkv').write_bytes(b'images')\n"
         "    os.kill(os.getpid(), signal.SIGKILL)"
     )
     for name in ("film.gif", "other.gif"):

@@ -58,7 +58,7 @@ def test_an_item_is_reported_only_once_it_has_been_used(out, clock):
 
 def test_long_lines_are_not_broken_and_brackets_are_no_markup(out):
     line = "note: [red]" + "words " * 40 + "[/red] end"
-    Progress(Console(file=out, width=40)).say(line)
+    Progress(Console(file=out, width=40)).report(line)
     assert out.getvalue() == line + "\n"
 
 
@@ -67,7 +67,7 @@ def test_on_a_terminal_there_is_a_bar(out):
         teller.step("solving", 0.5, "E 2.4")
         teller.step("solving", 1.0, "E 2.0")
         teller.step("counting", None, "x")
-        teller.say("a line that stays")
+        teller.report("a line that stays")
     shown = out.getvalue()
     assert "solving" in shown
     assert "E 2.0" in shown
@@ -76,5 +76,5 @@ def test_on_a_terminal_there_is_a_bar(out):
 
 
 def test_progress_goes_to_stderr(capsys):
-    Progress().say("hello")
+    Progress().report("hello")
     assert capsys.readouterr() == ("", "hello\n")

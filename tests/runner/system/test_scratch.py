@@ -114,14 +114,14 @@ def test_a_folder_that_is_taken_for_a_leftover_before_it_is_locked_is_made_anew(
     def before_it_is_opened(path, *args, **kwargs):
         if not looks[0] and PREFIX in os.fspath(path):
             looks[0] = 1
-            module._remove_if_left(Path(path))
+            module._remove_leftover(Path(path))
         return opened(path, *args, **kwargs)
 
     def before_it_is_locked(handle, how):
         if looks[0] and not looks[1] and how == module.fcntl.LOCK_EX:
             looks[1] = 1
             for name in names(place):
-                module._remove_if_left(place / name)
+                module._remove_leftover(place / name)
         return flock(handle, how)
 
     monkeypatch.setattr(module.os, "open", before_it_is_opened)

@@ -34,7 +34,7 @@ def test_numpys_linear_algebra_has_one_thread_in_the_tests() -> None:
 def test_every_library_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in threads.THREADS:
         monkeypatch.setenv(name, "7")
-    threads.keep_to_one()
+    threads.use_one_thread()
     assert {os.environ[name] for name in threads.THREADS} == {"1"}
 
 
