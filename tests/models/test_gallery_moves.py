@@ -59,18 +59,6 @@ def test_the_jump_falls_freely_as_high_as_its_take_off_is_fast():
     assert np.abs(along - np.polyval(np.polyfit(time, along, 1), time)).max() <= 0.003
 
 
-def test_both_feet_go_over_the_top_of_the_box_together():
-    move = of("jump_over_box")
-    front, back, top = 0.535, 0.785, 0.30
-    for part in ("heel", "toe"):
-        left, right = move.site(f"left_{part}"), move.site(f"right_{part}")
-        np.testing.assert_allclose(left[:, [0, 2]], right[:, [0, 2]], atol=0.005)
-        over = (left[:, 0] >= front) & (left[:, 0] <= back)
-        assert over.sum() > 10
-        assert left[over, 2].min() > top + 0.03
-        assert np.abs(left[over, 1]).max() < 0.4
-
-
 def test_the_hand_comes_from_above_and_is_closed_about_the_rail():
     move = of("hand_on_rail")
     hand = ("left_palm", "left_knuckles", "left_index", "left_middle", "left_ring", "left_little", "left_thumb")
@@ -104,21 +92,6 @@ def test_the_crate_lies_on_the_floor_is_carried_level_and_stands_on_the_table():
     assert in_carried(move.clip, move.time[::10], move.qpos[::10])["deepest"] <= 0.005
 
 
-def test_three_steps_and_a_quarter_turn_lead_to_the_crate_and_the_legs_lift_it():
-    move = of("carry_box")
-    heading = np.degrees(np.unwrap(2 * np.arctan2(move.qpos[:, 6], move.qpos[:, 3])))
-    assert heading[0] == pytest.approx(-90, abs=0.1) and np.abs(heading[move.time >= 3.2]).max() <= 6
-    landings = [move.site(f"{side}_heel")[move.at(t), 1] for side, t in (("right", 0.8), ("left", 1.5), ("right", 2.1))]
-    assert np.all(np.diff([1.39, *landings]) < -0.3)
-    squat, upright = move.at(4.45), move.at(5.7)
-    assert move.qpos[squat, 2] < 0.5 and move.qpos[upright, 2] > 0.9
-    assert move.up("chest")[squat, 2] > np.cos(np.radians(60)) and move.up("chest")[upright, 2] > 0.99
-    flexion = move.bends(move.motion.objective.samples(move.motion.path, move.time))
-    knees = move.knees
-    assert flexion[0][knees, squat].min() > 90
-    assert np.ptp(flexion[0][knees, squat]) <= 3
-
-
 def test_the_cartwheel_goes_over_left_hand_right_hand_right_foot():
     move = of("cartwheel")
     upside_down = move.at(0.95)
@@ -134,11 +107,3 @@ def test_the_cartwheel_goes_over_left_hand_right_hand_right_foot():
     legs = [move.site(f"{side}_heel")[upside_down] - move.qpos[upside_down, :3] for side in ("left", "right")]
     straddle = np.degrees(np.arccos(legs[0] @ legs[1] / np.prod(np.linalg.norm(legs, axis=1))))
     assert straddle >= 90
-
-
-def test_the_cartwheels_second_half_is_the_first_one_backwards_and_mirrored():
-    move = of("cartwheel")
-    swapped = {"left_hand": "right_hand", "left_toe": "right_toe", "right_heel": "left_heel"}
-    for one, other in swapped.items():
-        there = move.site(other)[::-1] * [-1, 1, 1] + [2 * 1.49, 0, 0]
-        np.testing.assert_allclose(move.site(one), there, atol=0.04)

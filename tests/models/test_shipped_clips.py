@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
@@ -16,9 +16,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam, heading_between
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.objective import SMALL_SHARE
 from dynsplines.solver.penalty import SelfContact
 from dynsplines.solver.search.restart_criteria import is_poor_minimum
 from dynsplines.solver.surface.points import places_of
@@ -187,26 +185,14 @@ def problems_of(move: Move, *, raw: bool):
 
 @pytest.mark.parametrize("name", models.clips())
 def test_nothing_is_wrong_with_a_clip_that_ships(name):
+    motion = of(name).motion
+    assert not is_poor_minimum(motion.objective, motion.timeline, motion.trace[-1][3])
     assert [each.text for each in problems_of(of(name), raw=False)] == []
     raw = problems_of(of(name), raw=True)
     if name in UNHINDERED:
         assert not raw
         return
     assert raw[0].severity > 2
-
-
-@pytest.mark.parametrize("name", models.clips())
-def test_no_clip_that_ships_ends_in_a_heap_or_begins_with_a_jerk(name):
-    motion = of(name).motion
-    assert not is_poor_minimum(motion.objective, motion.timeline, motion.trace[-1][3])
-    raw = path_of(motion.raw)
-    length, spacing = np.ptp(raw.span), np.ptp(raw.span) / (raw.spline.times.size - 1)
-    plain = replace(motion.objective, key_times=None)  # without tension, as in eq. 7
-    for term, whole in zip(plain.terms, plain.integrals(raw), strict=True):
-        if term.penalty.name in ("acceleration.angular", "acceleration.linear"):
-            scale = term.penalty.normalization
-            small = SMALL_SHARE * scale.reference * length / spacing**scale.time_power
-            assert term.factor == pytest.approx(term.weight / max(whole, small), rel=1e-12)
 
 
 def test_the_stairs_are_climbed_foot_over_foot():

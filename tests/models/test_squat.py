@@ -20,7 +20,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.penalty import StancePenalty
 from dynsplines.solver.posing import entries
 
-HEIGHTS = [(0.8, False), (0.7, True), (0.45, False)]
+HEIGHTS = [(0.7, True), (0.45, False)]
 KNEES = ("left_knee", "right_knee")
 ROUNDING = 0.1  # degrees beyond a range that a soft constraint leaves
 REST = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n'
@@ -114,23 +114,10 @@ def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_be
 
 
 @pytest.mark.slow
-def test_several_depths_in_a_row_are_all_posed():
-    problem = between(*(f"root.position = [0, 0, {height}]" for height in (0.75, 0.55, 0.8)))
-    assert posed_feet(problem) == ["", "lr", "lr", "lr", ""]
-    for k in (1, 2, 3):
-        np.testing.assert_allclose(soles(problem, k), soles(problem, 0), atol=1e-6)
-
-
-@pytest.mark.slow
 def test_what_is_held_is_posed_again_where_the_pelvis_has_gone():
     problem = between("root.position = [0, 0, 0.7]", 'root.position = [0.05, 0, 0.6]\nothers = "previous"')
     assert posed_feet(problem) == ["", "lr", "lr", ""]
     np.testing.assert_allclose(soles(problem, 2), soles(problem, 0), atol=1e-6)
-
-
-@pytest.mark.slow
-def test_a_pelvis_out_of_reach_of_the_feet_leaves_them_alone():
-    assert posed_feet(between("root.position = [0, 0, 0.7]", "root.position = [0, 0, 1.2]")) == ["", "lr", "", ""]
 
 
 def test_a_leg_that_a_keyframe_sets_does_not_stand():
@@ -174,7 +161,6 @@ def test_a_loop_may_begin_in_a_squat():
     assert posed_feet(problem)[0] == "lr"
     for k in (0, 2):
         np.testing.assert_allclose(soles(problem, k), soles(problem, 1), atol=1e-6)
-    assert_squat(measured(problem, solved(problem).motion.timeline))
 
 
 @pytest.mark.slow

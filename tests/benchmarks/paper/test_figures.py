@@ -16,15 +16,14 @@ from matplotlib.figure import Figure
 from paper.figures import charts, drawing, scenes
 from paper.figures.captioned import captioned
 from paper.figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
-from paper.figures.drawing import FIGURES, Results, check_folder
-from paper.figures.scenes import Dip, inset, keyframes_and_sample, looked_at
-from paper.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, strong_tenths, weak_tenths
+from paper.figures.drawing import FIGURES, Results
+from paper.figures.scenes import Dip, inset, looked_at
+from paper.orientations import PAPER, TENTHS, Case, figure_ten, promised, strong_tenths, weak_tenths
 from rich.console import Console
 from tiny import names
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
-from dynsplines.errors import UserError
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.refine.euler_lagrange import covariant_residual
@@ -106,14 +105,6 @@ def test_a_caption_stands_on_white_under_a_picture_that_stays_as_it_is(rng):
         assert edge.min() == 255
 
 
-def test_longer_captions_take_more_lines_and_letters_grow_with_the_picture():
-    def height(width: int, count: int) -> int:
-        return captioned(np.zeros((1, width, 3), np.uint8), "Figure 1", "word " * count).shape[0]
-
-    assert height(700, 10) < height(700, 40) < height(700, 80)
-    assert height(1400, 10) > height(700, 10)
-
-
 # figure 9
 
 
@@ -128,22 +119,11 @@ def test_the_solid_line_is_the_optimum_and_dashed_ones_what_came_before(case, le
     assert away[0] > away[1] > lengths.worst
 
 
-def test_even_paths_that_are_not_optimised_have_unit_length_at_keyframes(case, lengths):
-    at = [int(np.argmin(np.abs(lengths.time - key.time))) for key in case.keys]
-    for line in (lengths.raw, *lengths.steps, lengths.best):
-        np.testing.assert_allclose(line[at], 1, atol=1e-9)
-
-
 def test_figure_nine_has_the_papers_strokes(case, lengths, kept):
     draw_lengths(lengths, case.keys)
     strokes = {line.get_label(): line.get_linestyle() for line in kept[0].axes[0].get_lines()}
     assert strokes["optimised"] == "-"
     assert {strokes[name] for name in ("raw spline", "after 1 step", "after 2 steps")} == {"--"}
-
-
-def test_the_caption_of_figure_nine_says_what_was_measured(lengths):
-    assert f"within {100 * lengths.worst:.2g} % of unit length" in lengths.caption
-    assert "after 1 and 2 steps" in lengths.caption
 
 
 # figure 10
@@ -215,15 +195,6 @@ def test_the_dip_is_where_mujoco_finds_the_raw_motion_deepest_in_the_step(climbe
     assert looked_at(climber, climber.timeline).deepest < 0.1 * dip.depth
 
 
-@pytest.mark.slow
-def test_before_and_after_differ_where_the_sample_is_and_not_in_the_keyframes(climber, small):
-    dip = Dip.of(climber, climber.raw)
-    before, after = (keyframes_and_sample(climber, side, dip, SOFTWARE) for side in (climber.raw, climber.timeline))
-    assert before.shape == after.shape == (64, 160, 3)
-    assert (before != after).any()
-    np.testing.assert_array_equal(before[:, -10:], after[:, -10:])
-
-
 def test_an_inset_stands_framed_in_the_upper_left_corner():
     out = inset(np.zeros((100, 100, 3), np.uint8), np.full((10, 20, 3), 7, np.uint8))
     first = scenes.MARGIN + scenes.BORDER
@@ -254,22 +225,6 @@ def test_all_figures_are_drawn_into_a_folder_that_is_made_for_them(results, smal
     assert "7 orientations" in told[1]["caption"]
     assert f"{len(results.runner.keys)} keyframes" in told[0]["caption"].replace("Its ", "")
     assert f"{1000 * results.dip.depth:.0f} mm deep" in told[4]["caption"]
-
-
-@pytest.mark.slow
-def test_figures_nine_and_ten_are_of_the_keyframes_of_figure_seven(results, tumbler):
-    assert [key.time for key in results.orientations] == [key.time for key in tumbler.keys]
-    for ours, whole in zip(results.orientations, tumbler.keys, strict=True):
-        np.testing.assert_array_equal(ours.state, whole.state[3:7])
-    assert Run(results.orientations).solved(PAPER, 1).path.rows.shape[1] == 4
-
-
-def test_a_file_is_no_folder_for_figures(tmp_path):
-    (tmp_path / "taken").write_text("here")
-    with pytest.raises(UserError, match="it is a file; name a folder"):
-        check_folder(tmp_path / "taken")
-    check_folder(tmp_path / "new" / "folder")
-    assert names(tmp_path) == ["taken"]
 
 
 def test_the_page_of_the_docs_shows_every_figure_that_is_drawn():

@@ -51,25 +51,10 @@ def test_a_ball_sunk_in_a_step_is_as_deep_as_its_nearest_way_out(model):
     assert found.into[0] == "step"
 
 
-def test_touching_nothing_is_reported_as_zero(model):
-    found = penetration(model, np.zeros(1), poses((0, 0, 1)))
-    assert found.deepest == 0
-    assert found.worst() == "nothing"
-
-
 def test_a_geom_without_a_name_is_reported_by_its_bodys(model):
     found = penetration(model, np.zeros(1), poses((0, 0, -0.6)))
     assert found.names[1] == "b"
     assert found.depth[1] == pytest.approx(0.15, abs=1e-6)
-
-
-def test_a_figure_in_empty_space_penetrates_nothing():
-    empty = mujoco.MjModel.from_xml_string(
-        '<mujoco><worldbody><body><freejoint/><geom size="1"/></body></worldbody></mujoco>'
-    )
-    found = penetration(empty, np.zeros(2), poses((0, 0, 0), (0, 0, -5))[:, :7])
-    assert found.deepest == 0
-    assert found.over_time.tolist() == [0, 0]
 
 
 SHAPES = {
