@@ -39,13 +39,6 @@ def test_joints_turn_by_slerp_in_their_parents_axes_and_all_else_goes_along_line
     assert apart(figure, figure.to_qpos(path_of(raw).at(GRID)), expected) > 0.01
 
 
-def test_a_straight_way_arrives_at_the_keyframes_on_their_side_of_the_quaternions(figure, rng):
-    raw = raw_timeline(figure, random_keys(figure, rng))
-    np.testing.assert_allclose(straight(figure, raw.times, raw.states, raw.times), raw.states, atol=1e-12)
-    before = straight(figure, raw.times, raw.states, raw.times[1:] - 1e-9)
-    np.testing.assert_allclose(before, raw.states[1:], atol=1e-6)
-
-
 @pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
 def test_variable_frames_are_moved_and_what_keyframes_fix_stays_even_partly(figure, rng, ends):
     keys = partial_keys(figure, rng)

@@ -24,24 +24,6 @@ def stored(dense: np.ndarray, width: int) -> np.ndarray:
     return band
 
 
-def unstored(band: np.ndarray) -> np.ndarray:
-    """The lower triangle that a band holds."""
-    n, width = band.shape
-    dense = np.zeros((n, n))
-    for column in range(n):
-        for k in range(min(width, n - column)):
-            dense[column + k, column] = band[column, k]
-    return dense
-
-
-@pytest.mark.parametrize(("n", "width"), SHAPES)
-def test_the_factor_is_that_of_the_dense_matrix(rng, n, width):
-    dense = positive(rng, n, width)
-    factor = banded.factored(stored(dense, width))
-    assert factor is not None
-    np.testing.assert_allclose(unstored(factor), np.linalg.cholesky(dense), rtol=1e-10, atol=1e-12)
-
-
 @pytest.mark.parametrize(("n", "width"), SHAPES)
 @pytest.mark.parametrize("sides", [1, 3])
 def test_solves_are_those_with_the_dense_matrix_and_its_two_halves(rng, n, width, sides):
@@ -63,20 +45,6 @@ def test_a_matrix_that_is_not_positive_has_no_factor(rng, at):
     dense[at, at] = -1.0
     assert banded.factored(stored(dense, 3)) is None
     assert banded.factored(stored(np.zeros((9, 9)), 3)) is None
-
-
-def test_the_factor_lies_in_the_memory_of_the_band(rng):
-    dense = positive(rng, 9, 3)
-    band = stored(dense, 3)
-    factor = banded.factored(band)
-    assert factor is not None
-    assert np.shares_memory(factor, band)
-
-
-@pytest.mark.parametrize("shape", [(1, 1), (3, 8), (20, 5)])
-def test_a_square_is_the_upper_triangle_of_the_rows_products(rng, shape):
-    rows = rng.normal(size=shape)
-    np.testing.assert_allclose(banded.squared(rows), np.triu(rows.T @ rows), rtol=1e-12, atol=1e-13)
 
 
 @pytest.mark.parametrize("n", [3, 4, 9])

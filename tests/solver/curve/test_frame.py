@@ -16,13 +16,6 @@ def three_frames() -> tuple[Frame, ...]:
     )
 
 
-def test_frames_know_whether_they_are_whole_partial_or_variable():
-    whole, partial, variable = three_frames()
-    assert (whole.is_key, whole.is_variable) == (True, False)
-    assert (partial.is_key, partial.is_variable) == (False, False)
-    assert (variable.is_key, variable.is_variable) == (False, True)
-
-
 def test_a_timeline_gives_times_states_masks_and_rows_as_arrays():
     timeline = Timeline(three_frames(), SLOPE)
     np.testing.assert_array_equal(timeline.times, [0, 0.5, 1.25])
@@ -95,17 +88,6 @@ def test_a_frame_does_not_follow_the_array_it_was_made_from():
     np.testing.assert_array_equal(frame.fixed, [True, False, True])
 
 
-@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
-def test_with_rows_puts_in_what_rows_gives_out_and_keeps_times_and_masks(ends):
-    timeline = Timeline(three_frames(), SLOPE, ends)
-    moved = timeline.with_rows(timeline.rows + 10)
-    np.testing.assert_array_equal(moved.rows, timeline.rows + 10)
-    np.testing.assert_array_equal(moved.times, timeline.times)
-    np.testing.assert_array_equal(moved.fixed, timeline.fixed)
-    assert moved.ends == ends
-    np.testing.assert_array_equal(moved.with_rows(timeline.rows).rows, timeline.rows)
-
-
 def test_rows_of_the_wrong_shape_are_refused():
     timeline = Timeline(three_frames(), SLOPE)
     with pytest.raises(TimelineError, match=r"\(3, 3\), not \(5, 3\)"):
@@ -122,11 +104,6 @@ def test_inserted_frames_fall_in_order_of_time_and_the_old_timeline_stays():
     assert more.ends == "clamped"
     assert (more.variable_count, timeline.variable_count) == (3, 1)
     assert len(timeline.frames) == 3
-
-
-def test_a_frame_inserted_at_the_time_of_another_is_refused():
-    with pytest.raises(TimelineError, match="times must rise"):
-        Timeline(three_frames(), SLOPE).inserted([Frame.variable(0.5, [0, 0, 0])])
 
 
 def test_many_frames_are_the_frames_one_by_one_and_no_less_strict():

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from figures import TINY, figure_of
 from scipy.spatial.transform import Rotation
-from scipy.stats import multivariate_normal
 
 from dynsplines.solver.curve.recording import LIVELINESS, RecordedMotion, between
 from dynsplines.solver.figure.figure import Figure
@@ -47,23 +46,6 @@ def test_the_noise_is_as_large_as_it_was_made(figure, rng):
         assert np.median(clean.noise) < 0.4 * noise
 
 
-def test_smoothing_brings_a_noisy_motion_nearer_to_the_true_one(figure):
-    true = RecordedMotion.of(figure, TIMES, swung(figure, np.random.default_rng(5)))
-    rng = np.random.default_rng(5)
-    noisy = RecordedMotion.of(figure, TIMES, swung(figure, rng, 0.03))
-    same = np.where(np.sum(true.states * noisy.states, axis=0) < 0, -1, 1)
-    before, after = (np.linalg.norm(same * states - true.states) for states in (noisy.states, noisy.bridged))
-    assert after < 0.6 * before
-
-
-def test_what_comes_with_either_sign_is_the_same_curve(figure):
-    one, other = (RecordedMotion.of(figure, TIMES, swung(figure, np.random.default_rng(s))) for s in (7, 7))
-    flipped = np.array(other.figure.to_qpos(other.states))
-    again = RecordedMotion.of(figure, TIMES, flipped)
-    np.testing.assert_allclose(np.abs(again.bridged), np.abs(one.bridged), atol=1e-9)
-    assert np.all(np.abs(np.diff(again.states, axis=0)) < 0.3)
-
-
 def test_a_gap_is_bridged_and_what_is_in_it_does_not_matter(figure, rng):
     qpos = swung(figure, rng)
     known = np.ones((TIMES.size, 1))
@@ -89,34 +71,6 @@ def test_a_joint_that_was_recorded_nowhere_is_no_recording(figure):
     states = figure.to_state(np.tile(figure.model.qpos0, (TIMES.size, 1)))
     with pytest.raises(ValueError, match="without two samples"):
         _ = RecordedMotion(figure, TIMES, states, 0 * states).bridged
-
-
-def test_how_lively_a_motion_is_makes_its_changes_of_slope_as_likely_as_scipy_says(rng):
-    """Noise of known weights on a curve whose changes of slope are independent, of variance A times the time."""
-    figure = figure_of(TINY)
-    times = np.cumsum(rng.uniform(0.01, 0.03, 40))
-    recorded = RecordedMotion.of(figure, times, np.tile(figure.model.qpos0, (40, 1)) + 0.1 * rng.normal(size=(40, 11)))
-    weight, columns = rng.uniform(1e2, 1e4, 40), np.arange(3)
-    h = np.diff(times)
-    change = np.zeros((38, 40))
-    for i in range(38):
-        change[i, i : i + 3] = 1 / h[i], -1 / h[i] - 1 / h[i + 1], 1 / h[i + 1]
-    spans = np.diag(0.5 * (h[1:] + h[:-1]))
-    found, expected = [], []
-    for prior in (1e-2, 1.0, 1e2, 1e4):
-        smooth, likely = recorded._fitted(columns, weight, prior)
-        covariance = prior * spans + change @ np.diag(1 / weight) @ change.T
-        seen = multivariate_normal(np.zeros(38), covariance)  # type: ignore[arg-type]
-        found.append(likely)
-        expected.append(np.sum(seen.logpdf((change @ recorded.states[:, columns]).T)))
-        dense = np.diag(weight) + change.T @ np.linalg.solve(prior * spans, change)
-        np.testing.assert_allclose(
-            smooth, np.linalg.solve(dense, weight[:, None] * recorded.states[:, columns]), atol=1e-6
-        )
-    np.testing.assert_allclose(np.diff(found), np.diff(expected), rtol=1e-5, atol=1e-4)
-    _, lively = recorded._likeliest(columns, weight)
-    chosen = recorded._fitted(columns, weight, lively)[1]
-    assert chosen == max(recorded._fitted(columns, weight, float(prior))[1] for prior in LIVELINESS)
 
 
 def test_moved_and_turned_all_poses_are_by_as_much(rng):

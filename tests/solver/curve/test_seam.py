@@ -1,17 +1,13 @@
-"""Loops whose root travels: C² across the seam for every x, exact gradients, and the middle of many periods."""
+"""Loops whose root travels: C² across the seam for every x, shortest arcs of joints, and what a period carries on."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from dense_hessian import SMOOTH, assert_dense, smooth_problem
 from figures import TINY, figure_of
 from hopping_loop import (
     PERIOD,
     STRIDE,
-    TERMS,
-    assert_exact_gradient,
-    assert_splits_keep_the_curve,
     hop,
     loop,
     pose,
@@ -21,10 +17,8 @@ from random_keys import mask_without
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.seam import Seam
-from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
-from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import evenly
 
 
@@ -46,50 +40,6 @@ def test_a_travelling_loop_is_smooth_across_its_seam_for_every_x(rng, coordinate
         np.testing.assert_allclose(y[1] - y[0] * seam.signs, seam.travel, atol=1e-9)
         np.testing.assert_allclose(y_d[1], y_d[0] * seam.signs, atol=1e-9)
         np.testing.assert_allclose(y_dd[1], y_dd[0] * seam.signs, atol=1e-9)
-
-
-@pytest.mark.parametrize("turns", [0, 1])
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
-def test_the_gradient_through_the_seam_is_exact(rng, coordinates, turns):
-    figure = figure_of(TINY, coordinates)
-    assert_exact_gradient(loop(figure, turns, partial=True), figure, rng)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("turns", [0, 1])
-@pytest.mark.parametrize("partial", [False, True])
-def test_the_step_of_the_search_is_the_dense_gauss_newton_step(rng, partial, turns):
-    figure = figure_of(TINY)
-    problem, x = smooth_problem(loop(figure, turns, partial=partial), figure, rng)
-    assert_dense(problem, SMOOTH, x, rtol=1e-3)
-
-
-@pytest.mark.parametrize("turns", [0, 1])
-def test_frames_inserted_into_a_travelling_loop_leave_its_curve(rng, turns):
-    figure = figure_of(TINY)
-    timeline = loop(figure, turns, partial=False)
-    finer = assert_splits_keep_the_curve(timeline)
-    rows = Unknowns.of(figure, finer).rows(Unknowns.of(figure, finer).start)
-    t = np.linspace(0, PERIOD, 101)
-    np.testing.assert_allclose(Path(path_of(finer).spline, rows).at(t), path_of(timeline).at(t), atol=1e-10)
-
-
-@pytest.mark.slow
-def test_a_loop_is_the_middle_of_the_same_motion_over_many_periods():
-    figure = figure_of(TINY)
-    settings = Settings(variable=2, frames=0, tolerance=1e-12, renormalise=False)
-    found = inbetween(Problem(figure, hop(), TERMS, settings, ends="periodic"))
-    t = np.linspace(0, PERIOD, 50)
-    errors = []
-    for periods in (3, 7):
-        run, middle = inbetween(Problem(figure, hop(periods), TERMS, settings)), periods // 2
-        qpos = run.at(t + PERIOD * middle)
-        qpos[:, 0] -= STRIDE * middle
-        for columns in figure.tables.quaternion_columns.T:
-            qpos[:, columns] *= np.sign(np.sum(qpos[:, columns] * found.at(t)[:, columns], axis=1))[:, None]
-        errors.append(np.abs(qpos - found.at(t)).max())
-    assert errors[0] < 2e-3
-    assert errors[1] < 1e-6  # what the ends do fades
 
 
 @pytest.mark.parametrize("free", [(), ("root x",), ("root x", "root y", "root z")])

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline, CubicSpline
 
-from dynsplines.solver.curve.spline import Path, Sampling, Spline, natural_end_slopes, natural_spline
+from dynsplines.solver.curve.spline import Path, Sampling, Spline, natural_end_slopes
 
 TIMES = np.array([-0.3, 0.2, 0.25, 1.4, 2.0, 3.7])
 ENDS = ["free", "clamped", "periodic"]
@@ -31,16 +31,6 @@ def test_free_and_clamped_splines_are_scipys_clamped_cubic(rng, order, times):
             rtol=1e-9,
             atol=1e-9 * 10 ** (2 * order),
         )
-
-
-def test_the_natural_splines_end_slopes_give_the_natural_spline(rng):
-    states = rng.normal(size=(TIMES.size, 2))
-    natural = CubicSpline(TIMES, states, bc_type="natural")
-    slopes = natural_spline(TIMES, states).at(TIMES[[0, -1]], 1)
-    path = Path(Spline(TIMES), np.vstack([states, slopes]))
-    np.testing.assert_allclose(path.at(inside(TIMES)), natural(inside(TIMES)), atol=1e-12)
-    np.testing.assert_allclose(path.at(TIMES[[0, -1]], 2), 0, atol=1e-10)
-    assert path.span == (TIMES[0], TIMES[-1])
 
 
 @pytest.mark.parametrize("order", [0, 1, 2, 3])
@@ -158,15 +148,6 @@ def test_pulled_back_is_the_transpose_of_samples(rng, ends):
     gradients = [rng.normal(size=(30, 3)) for _ in range(3)]
     forth = sum(np.sum(g * s) for g, s in zip(gradients, sampling.samples(rows), strict=True))
     np.testing.assert_allclose(np.sum(sampling.pulled_back(gradients) * rows), forth, rtol=1e-11)
-
-
-@pytest.mark.parametrize("ends", ENDS)
-def test_the_transposed_solve_is_the_transpose_of_the_solve(rng, ends):
-    spline = Spline(TIMES, ends)
-    a, b = rng.normal(size=(2, spline.size, 2))
-    np.testing.assert_allclose(
-        np.sum(a * spline.coefficients(b)), np.sum(spline.coefficients_transposed(a) * b), rtol=1e-11
-    )
 
 
 @pytest.mark.parametrize("ends", ["free", "clamped"])

@@ -3,15 +3,12 @@
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, TINY, figure_of
+from figures import BALL_TREE
 from random_keys import TIMES, distance_from_key, mask_without, masks_by_name, random_keys
 from scipy.interpolate import CubicSpline
-from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
-from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import Path, Spline, path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -40,45 +37,23 @@ def random_x(unknowns: Unknowns, rng: np.random.Generator) -> np.ndarray:
 
 @pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
 @pytest.mark.parametrize("kind", KINDS)
-def test_keyframes_are_met_for_every_x(figure, rng, kind, ends):
+def test_every_x_meets_the_keyframes_the_start_is_the_timeline_and_the_map_has_its_transpose(figure, rng, kind, ends):
     keys = random_keys(figure, rng, masks_by_name(figure, kind, rng))
     if ends == "periodic":
         last = Frame.key(TIMES[-1], keys[0].state, keys[0].fixed & keys[-1].fixed)
         keys[-1] = last
     timeline = prepared(figure, keys, ends, rng)
     unknowns = Unknowns.of(figure, timeline)
-    for _ in range(5):
-        path = Path(Spline(timeline.times, ends), unknowns.rows(random_x(unknowns, rng)))
+    for _ in range(2):
+        path = Path(Spline(timeline.times, ends), unknowns.rows(x := random_x(unknowns, rng)))
         for key, state in zip(keys, path.at(TIMES), strict=True):
             assert distance_from_key(figure, state, key) <= 1e-12
-
-
-@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
-@pytest.mark.parametrize("kind", KINDS)
-def test_pulled_back_is_the_transpose_of_rows(figure, rng, kind, ends):
-    keys = random_keys(figure, rng, masks_by_name(figure, kind, rng))
-    if ends == "periodic":
-        keys[-1] = Frame.key(TIMES[-1], keys[0].state, keys[0].fixed)
-    timeline = prepared(figure, keys, ends, rng)
-    unknowns = Unknowns.of(figure, timeline)
+    np.testing.assert_allclose(unknowns.rows(unknowns.start), timeline.rows, atol=1e-11)
+    np.testing.assert_allclose(Unknowns.of(figure, timeline.with_rows(path.rows)).start, x, atol=1e-12)
     x, g = rng.normal(size=unknowns.size), rng.normal(size=timeline.rows.shape)
     linear = unknowns.rows(x) - unknowns.rows(0 * x)
     np.testing.assert_allclose(np.sum(g * linear), unknowns.pulled_back(g) @ x, rtol=1e-11, atol=1e-11)
     assert unknowns.size > 0
-
-
-@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
-@pytest.mark.parametrize("kind", KINDS)
-def test_the_start_stands_for_the_timeline_itself(figure, rng, kind, ends):
-    keys = random_keys(figure, rng, masks_by_name(figure, kind, rng))
-    if ends == "periodic":
-        keys[-1] = Frame.key(TIMES[-1], keys[0].state, keys[0].fixed)
-    timeline = prepared(figure, keys, ends, rng)
-    unknowns = Unknowns.of(figure, timeline)
-    np.testing.assert_allclose(unknowns.rows(unknowns.start), timeline.rows, atol=1e-11)
-    x = random_x(unknowns, rng)
-    moved = timeline.with_rows(unknowns.rows(x))
-    np.testing.assert_allclose(Unknowns.of(figure, moved).start, x, atol=1e-12)
 
 
 def test_x_holds_the_unfixed_entries_and_the_free_end_slopes_and_nothing_else(figure, rng):
@@ -110,14 +85,6 @@ def test_an_entry_missing_from_one_keyframe_starts_on_the_spline_of_its_neighbou
     times = np.array(TIMES)
     expected = CubicSpline(times[others], [keys[i].state[2] for i in others], bc_type="natural")(times[1])
     np.testing.assert_allclose(raw.states[1, 2], expected, atol=1e-12)
-
-
-def test_an_entry_missing_at_the_ends_keeps_its_nearest_known_value(figure, rng):
-    missing = mask_without(figure, "root z")
-    raw = raw_timeline(figure, random_keys(figure, rng, {0: missing, 2: missing, 3: missing}))
-    np.testing.assert_array_equal(raw.states[:, 2], raw.states[1, 2])
-    raw = raw_timeline(figure, random_keys(figure, rng, {0: missing, 3: missing}))
-    np.testing.assert_array_equal(raw.states[[0, 3], 2], raw.states[[1, 2], 2])
 
 
 def test_what_no_keyframe_says_starts_at_the_rest_pose(figure, rng):
@@ -202,7 +169,7 @@ def test_the_objective_does_not_feel_the_sign_of_a_whole_track(figure, rng, form
         np.testing.assert_allclose(objective.value(Path(path.spline, rows)), expected, rtol=1e-10)
 
 
-@pytest.mark.parametrize("degrees", [150.0, 178.0, 180.0, 182.0, 200.0])
+@pytest.mark.parametrize("degrees", [150.0, 182.0])
 def test_a_joint_that_hardly_turns_stays_put_while_the_whole_figure_turns_half_round(degrees):
     figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE), "world")
     shoulder = figure.model.joint("shoulder").qposadr[0]
@@ -215,39 +182,3 @@ def test_a_joint_that_hardly_turns_stays_put_while_the_whole_figure_turns_half_r
     path = path_of(raw_timeline(figure, keys))
     along = figure.to_qpos(path.at(np.linspace(0, 1, 50)))[:, shoulder : shoulder + 4]
     assert np.degrees(quat.angle_between(along, [1.0, 0, 0, 0])).max() < 15
-
-
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
-@pytest.mark.parametrize("free", [(), ("knee",), ("root turn",), ("root turn", "knee"), ("root x", "root z")])
-def test_a_loop_that_turns_comes_back_as_it_began_whatever_its_ends_leave_out(free, coordinates, rng):
-    """Seen from the root all joints are as at first; the root is turned by the heading, by SciPy's rotations."""
-    figure, turn = figure_of(TINY, coordinates), 0.7
-    about = Rotation.from_rotvec([0, 0, turn])
-    first = np.array(
-        [0.3, 0.1, 1, *Rotation.random(None, np.random.default_rng(5)).as_quat(scalar_first=True), *random_turn(6)]
-    )
-    there = about * Rotation.from_quat(first[3:7], scalar_first=True)
-    last = np.array([0.8, -0.1, 1, *there.as_quat(scalar_first=True), *first[7:]])
-    mask = mask_without(figure, *free)
-    middle = np.array([0.5, 0, 1.1, *random_turn(7), *random_turn(8)])
-    for masks in ((mask, mask), (None, mask)):
-        keys = [Frame.key(0, first, masks[0]), Frame.key(0.4, middle), Frame.key(1, last, masks[1])]
-        if masks[0] is not None and "root x" in free:
-            keys[0] = Frame.key(0, first, mask_without(figure, "root z"))  # about which place it turns has to be told
-        raw = raw_timeline(figure, keys, "periodic", travel=[0.5, -0.2, 0], turn=turn)
-        begin, end = figure.to_qpos(raw.states[[0, -1]])
-        assert abs(begin[7:] @ end[7:]) == pytest.approx(1, abs=1e-9)
-        turned = about * Rotation.from_quat(begin[3:7], scalar_first=True)
-        assert abs(turned.as_quat(scalar_first=True) @ end[3:7]) == pytest.approx(1, abs=1e-9)
-        np.testing.assert_allclose(end[:3] - begin[:3], [0.5, -0.2, 0], atol=1e-9)
-        np.testing.assert_allclose(np.linalg.norm(raw.states[:, figure.tables.quaternion_columns], axis=1), 1)
-        assert Seam.of(figure, raw).discontinuity(path_of(raw)).max() < 1e-9
-        for frame, pose in zip(keys, (first, middle, last), strict=True):
-            at = figure.to_qpos(raw.states[keys.index(frame)])
-            for columns in (slice(3, 7), slice(7, 11)):
-                if frame.fixed[columns].all():
-                    assert abs(at[columns] @ pose[columns]) == pytest.approx(1, abs=1e-9)
-
-
-def random_turn(seed: int) -> Array:
-    return np.asarray(Rotation.random(None, np.random.default_rng(seed)).as_quat(scalar_first=True))
