@@ -106,16 +106,6 @@ def test_standing_and_walking_never_fly():
     assert tell(*walk) == ()
 
 
-def test_steps_keyed_in_mid_stance_only_are_no_flights():
-    """The foot that leaves is flat on the ground: it stands on, nobody says for how long."""
-    assert tell(key(0, 0, LEFT), key(0.4, 0.5, RIGHT), key(0.8, 1.0, LEFT)) == ()
-
-
-def test_a_foot_that_touches_for_one_keyframe_between_two_segments_without_a_stance_tells_of_no_flight():
-    left, right = (False, True), (True, False)
-    assert tell(toes(0, 0, left), toes(0.35, 1.0, right), toes(0.7, 2.0, left)) == ()
-
-
 def on_toe(time: float, x: float, crouched: float) -> Frame:
     """A keyframe on the left toe, tilted forward, its leg drawn in by so much [m] and the other out of the way."""
     turn = np.array([np.cos(0.15), 0, np.sin(0.15), 0])

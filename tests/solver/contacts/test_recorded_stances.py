@@ -124,7 +124,7 @@ def test_the_shorter_it_rests_the_nearer_to_the_ground_it_has_to():
     times, most = np.arange(60) / FPS, []
     for count in (2, 3, 4, 12):
         x = 1.5 / FPS * (np.arange(60) - np.clip(np.arange(60) - 20, 0, count))
-        found = [h for h in np.linspace(0, 0.14, 29) if stances_of(times, x, np.full(60, h))]
+        found = [h for h in np.linspace(0, 0.14, 8) if stances_of(times, x, np.full(60, h))]
         most.append(max(found, default=-1.0))
     assert most == sorted(most)
     assert most[0] < most[-1] == pytest.approx(0.14)
@@ -208,6 +208,7 @@ def test_the_noise_of_places_is_that_of_their_samples_whatever_smooth_way_they_g
     wild = np.where(known > 0, noise, 100 * rng.normal(size=noise.shape))
     np.testing.assert_allclose(white(wild, known), sizes, rtol=0.06)
     np.testing.assert_array_equal(white(noise[..., :ORDER], known[:ORDER]), np.zeros(3))
+    np.testing.assert_array_equal(white(noise[..., :60], np.tile([1.0, 1, 0], 20)), np.zeros(3))  # no few in a row
     assert np.all(white(noise[:, :2, : ORDER + 1], known[: ORDER + 1])[:2] > 0)
 
 
@@ -224,19 +225,3 @@ def test_how_unsure_a_recording_is_of_its_points_is_the_noise_of_the_one_that_is
     short = RecordedMotion(SLED, times[: ORDER - 1], qpos[: ORDER - 1], np.ones((ORDER - 1, 2)))
     assert unsure(short, [RUNNER]) == 0
     assert infer_stances(short, [RUNNER], [FLOOR]) == ()
-
-
-@pytest.mark.parametrize("times_as_many", [1, 2, 4])
-def test_more_samples_a_second_than_tell_anything_make_the_same_stances(times_as_many):
-    k = np.arange(100 * times_as_many)
-    fine = FPS * times_as_many
-    found = stances_of(k / fine, 1.5 / FPS * (k / times_as_many - np.clip(k / times_as_many - 30, 0, 40)), 0 * k)
-    (one,) = found
-    assert one.first == pytest.approx(30 / FPS, abs=1.01 / FPS)
-    assert one.last == pytest.approx(70 / FPS, abs=1.01 / FPS)
-
-
-def test_places_of_which_no_few_in_a_row_are_seen_have_no_noise_that_is_told():
-    known = np.tile([1.0, 1.0, 0.0], 20)
-    places = np.random.default_rng(1).normal(size=(3, 2, 60))
-    np.testing.assert_array_equal(white(places, known), [0, 0])

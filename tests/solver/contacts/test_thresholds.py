@@ -63,9 +63,7 @@ def summed(clip: Clip, slower: float) -> Problem:
     return replace(problem, settings=replace(problem.settings, quadrature=panels))
 
 
-@pytest.mark.parametrize("gravity", [True, False])
-@pytest.mark.parametrize("factor", [0.3, 3.0])
-@pytest.mark.parametrize("figure", ["human", "biped"])
+@pytest.mark.parametrize(("figure", "factor", "gravity"), [("human", 3.0, False), ("biped", 0.3, True)])
 def test_a_doll_and_a_giant_stand_and_fly_when_an_adult_does(figure, factor, gravity):
     slower = 1.0 if gravity else float(np.sqrt(factor))
     adult, other = (clip_of(figure, each, gravity=gravity) for each in (1.0, factor))
@@ -76,9 +74,7 @@ def test_a_doll_and_a_giant_stand_and_fly_when_an_adult_does(figure, factor, gra
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("gravity", [True, False])
-@pytest.mark.parametrize("factor", [0.3, 3.0])
-@pytest.mark.parametrize("figure", ["human", "biped"])
+@pytest.mark.parametrize(("figure", "factor", "gravity"), [("human", 0.3, True), ("biped", 3.0, False)])
 def test_a_doll_and_a_giant_move_as_an_adult_does(figure, factor, gravity):
     adult, other = (clip_of(figure, each, gravity=gravity) for each in (1.0, factor))
     slower = 1.0 if gravity else float(np.sqrt(factor))
