@@ -23,13 +23,13 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
-from dynsplines.solver.edit.join import Placement, _quintic, bridge, following, heading, joined, signed_like, trunk
+from dynsplines.solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import evenly, split
-from dynsplines.solver.search.descent import Descent, optimised
+from dynsplines.solver.search.descent import optimised
 
 LENGTH = 0.4
 
@@ -64,11 +64,10 @@ def test_both_motions_keep_their_curves_and_the_whole_is_smooth_to_the_second_de
         assert np.abs(near - far).max() < 1e-3 * np.abs(whole.at(np.linspace(*whole.span, 99), 2)).max()
 
 
-@pytest.mark.parametrize("variable", [4, 7])
-def test_the_ends_of_a_transition_are_held_for_every_x(rng, variable):
+def test_the_ends_of_a_transition_are_held_for_every_x(rng):
     figure = figure_of(TINY)
     before, after = sides(figure, rng)
-    begin = bridge(figure, before, after, variable=variable)
+    begin = bridge(figure, before, after, variable=4)
     for timeline in (begin, evenly(begin, 1)):
         unknowns = Unknowns.of(figure, timeline)
         for x in (unknowns.start, unknowns.start + rng.normal(size=unknowns.size)):
@@ -92,27 +91,6 @@ def test_the_gradient_and_the_step_under_held_ends_are_exact(rng):
     assert taylor_slope(lambda z: problem(z).value, x, problem(x).gradient, rng) > 1.9
     smooth = [(RESIDUALS[name][0], 1.0) for name in SMOOTH]
     assert_dense(Objective.of(figure, smooth).renormalised(path_of(begin)).on(begin), SMOOTH, x, rtol=1e-3)
-
-
-def test_every_optimiser_finds_the_same_transition(rng):
-    figure = figure_of(TINY)
-    begin = bridge(figure, *sides(figure, rng), variable=5)
-    objective = Objective.of(figure, TERMS).renormalised(path_of(begin))
-    values = [Descent(objective, begin).run(optimiser=name, tolerance=1e-9).value for name in ("none", "lbfgs")]
-    np.testing.assert_allclose(values[0], values[1], rtol=1e-4)
-
-
-def test_the_quintic_of_a_quintic_is_itself(rng):
-    figure = figure_of(TINY)
-    keys = random_keys(figure, rng)
-    timeline = raw_timeline(figure, keys)
-    before = Timeline(timeline.frames[:2], path_of(timeline).at([timeline.times[0], timeline.times[1]], 1))
-    after = Timeline(timeline.frames[2:], path_of(timeline).at([timeline.times[2], timeline.times[3]], 1))
-    begin = bridge(figure, before, after, variable=30)
-    t = np.linspace(*path_of(begin).span, 50)
-    u = (t - t[0]) / (t[-1] - t[0])
-    fit = np.polynomial.polynomial.polyfit(u, path_of(begin).at(t), 5)
-    np.testing.assert_allclose(path_of(begin).at(t), np.polynomial.polynomial.polyval(u, fit).T, atol=1e-4)
 
 
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
@@ -170,14 +148,6 @@ def test_of_two_free_bodies_the_first_says_where_a_motion_continues():
     np.testing.assert_allclose(place.shift, [1 + LENGTH - 7, 0, 0], atol=1e-12)
 
 
-def test_heading_is_the_turn_about_z_under_any_tilt(rng):
-    for angle in (0.0, 1.0, -2.5, 3.0):
-        turn = quat.from_rotation_vector([0, 0, angle])
-        tilt = quat.from_rotation_vector(np.append(rng.normal(size=2), 0))
-        np.testing.assert_allclose(heading(axes(quat.product(turn, tilt))), angle, atol=1e-12)
-    assert heading(np.diag([1.0, -1, -1])) == 0
-
-
 def axes(q: Array) -> Array:
     """(3, 3) the rotation matrix of a unit quaternion."""
     return np.stack([quat.rotated(q, e) for e in np.eye(3)], axis=1)
@@ -227,14 +197,7 @@ def test_a_transition_that_is_none_is_refused(rng):
         Timeline(begin.frames[:1] + begin.frames[-1:], begin.end_slope, "held")
 
 
-@pytest.mark.parametrize("length", [0.3, 1.0, 4.0])
-def test_the_polynomial_between_two_sides_is_scipys_of_their_values_and_two_derivatives(length, rng):
-    begin, end, u = rng.normal(size=(3, 5)), rng.normal(size=(3, 5)), np.linspace(0, 1, 17)
-    exact = BPoly.from_derivatives([0, length], [begin, end])
-    np.testing.assert_allclose(_quintic(begin, end, u, length), exact(u * length), atol=1e-10)
-
-
-@pytest.mark.parametrize("variable", [4, 5, 11])
+@pytest.mark.parametrize("variable", [4, 11])
 def test_a_transition_begins_and_ends_as_the_motions_do_and_its_frames_next_to_the_ends_are_all_that_is_off_the_quintic(
     variable, rng
 ):
@@ -250,21 +213,3 @@ def test_a_transition_begins_and_ends_as_the_motions_do_and_its_frames_next_to_t
     exact = BPoly.from_derivatives([first, last], [begin, end])(between.times)
     inner = np.r_[0, 2:variable, variable + 1]
     np.testing.assert_allclose(between.states[inner], exact[inner], atol=1e-9)
-
-
-TOES = """
-<mujoco><worldbody><body name="pelvis" pos="0 0 1"><freejoint name="root"/><geom size=".15" mass="10"/>
-  <body name="chest" pos="0 0 .3"><joint name="spine" type="ball"/><geom size=".15" mass="{chest}"/>
-    <body pos="0 .2 0"><joint type="ball"/><geom size=".05" mass="1"/></body>
-    <body pos="0 -.2 0"><joint type="ball"/><geom size=".05" mass="1"/></body></body>
-  <body name="leg" pos="0 0 -.5"><joint name="hip" type="ball"/><geom size=".05" mass="1"/>
-    <body pos=".1 .02 0"><joint/><geom size=".02" mass=".1"/></body>
-    <body pos=".1 -.02 0"><joint/><geom size=".02" mass=".1"/></body></body></body>
-  <body name="ball" pos="2 0 0"><freejoint/><geom size=".1" mass="90"/></body></worldbody></mujoco>"""
-
-
-@pytest.mark.parametrize(("chest", "names"), [(5, ["root", "spine"]), (1.8, ["root", "spine"]), (1.65, ["root"])])
-def test_the_trunk_is_what_limbs_branch_off_and_a_quarter_of_the_mass_hangs_from(chest, names):
-    """The chest and 2 kg of arms hang from the spine, 11.2 kg more from the root: a quarter with a chest of 1.73 kg."""
-    figure = figure_of(TOES.format(chest=chest))
-    assert [figure.links[i].name for i in trunk(figure)] == names

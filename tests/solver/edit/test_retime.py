@@ -57,14 +57,6 @@ def test_a_retimed_motion_is_the_motion_at_other_times(seed, ends, speed):
     assert_close(retimed(fast, 1 / speed).rows, timeline.rows)
 
 
-@pytest.mark.parametrize("turns", [0, 1])
-def test_a_retimed_loop_stays_one(turns, rng):
-    figure = FIGURE_OF_A_HOP
-    fast = retimed(evenly(loop(figure, turns, partial=False), 1), 1.7)
-    assert Seam.of(figure, fast).discontinuity(path_of(fast)).max() < 1e-9
-    np.testing.assert_allclose(Unknowns.of(figure, fast).rows(Unknowns.of(figure, fast).start), fast.rows, atol=1e-10)
-
-
 @pytest.mark.parametrize("speed", [0.0, -1.0, np.nan, np.inf])
 def test_a_speed_that_is_none_is_refused(speed):
     with pytest.raises(TimelineError, match="speed must be a number above 0"):
@@ -119,7 +111,7 @@ def test_an_interval_that_is_not_in_the_motion_is_refused(first, last, words):
 
 
 @pytest.mark.parametrize("turns", [0, 1])
-@pytest.mark.parametrize("count", [1, 2, 3, 4])
+@pytest.mark.parametrize("count", [1, 3])
 def test_a_repeated_loop_continues_period_by_period(rng, turns, count):
     figure = FIGURE_OF_A_HOP
     timeline = evenly(loop(figure, turns, partial=False), 1)

@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Bound, Recorded, _lasting, _moved, _without, natural_splines, refined, thin
+from dynsplines.solver.edit.thin import Bound, Recorded, refined, thin
 from dynsplines.solver.figure.figure import Figure
 
 WIDE = Bound(0.08, np.radians(10))
@@ -69,8 +69,7 @@ def fewest(recorded: Recorded, below: int) -> int:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("name", ["ball tree, world", "every joint"])
+@pytest.mark.parametrize(("name", "seed"), [("ball tree, world", 0), ("every joint", 1)])
 def test_no_choice_of_keyframes_has_more_than_one_fewer(name, seed):
     figure = of(name)
     recorded = Recorded(figure, *recording(figure, seed, 11, bends=4 + seed % 3), WIDE)
@@ -79,15 +78,7 @@ def test_no_choice_of_keyframes_has_more_than_one_fewer(name, seed):
 
 
 @pytest.mark.slow
-def test_longer_motions_come_as_near_to_the_fewest():
-    figure = of("ball tree, joint")
-    recorded = Recorded(figure, *recording(figure, 3, count=26, bends=4), Bound(0.1, np.radians(15)))
-    found = thin(recorded)
-    assert 4 <= len(found.kept) <= fewest(recorded, len(found.kept)) + 1
-
-
-@pytest.mark.slow
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=12, deadline=None)
 @given(
     name=st.sampled_from(sorted(FIGURES)),
     seed=st.integers(0, 10_000),
@@ -114,15 +105,6 @@ def test_a_straight_motion_thins_to_two_keyframes():
     assert thin(Recorded(figure, times, qpos, Bound(1e-6, 1e-6))).kept == (0, 49)
 
 
-@pytest.mark.parametrize("kept", [[0, 1, 33], [0, 10, 33], [0, 5, 10, 20, 33]])
-def test_what_a_straight_motion_does_not_miss_goes(kept):
-    figure = of("every joint")
-    times = np.linspace(0, 2, 34)
-    qpos = np.tile(figure.model.qpos0, (34, 1))
-    qpos[:, 0] += 1.5 * times
-    assert _without(Recorded(figure, times, qpos, Bound(1e-6, 1e-6)), kept, lambda _: None) == [0, 33]
-
-
 def test_a_bound_of_next_to_nothing_keeps_every_instant():
     figure = of("ball tree, world")
     times, qpos = recording(figure, 1, count=12, bends=12)
@@ -136,28 +118,6 @@ def test_a_bound_of_next_to_nothing_keeps_every_instant():
 def test_a_bound_of_nothing_is_refused(distance, angle):
     with pytest.raises(ValueError, match="above 0"):
         Bound(distance, angle)
-
-
-def test_a_turn_of_the_last_body_counts_though_no_origin_moves():
-    figure = Figure(mujoco.MjModel.from_xml_string('<mujoco><worldbody><body name="ball"><joint type="ball"/>'
-                                                   '<geom size=".1"/></body></worldbody></mujoco>'))  # fmt: skip
-    times = np.linspace(0, 1, 41)
-    turned = 0.6 * np.sin(2 * np.pi * times)
-    qpos = np.stack([np.cos(turned / 2), np.sin(turned / 2), 0 * times, 0 * times], axis=1)
-    recorded = Recorded(figure, times, qpos, Bound(0.01, np.radians(2)))
-    found = thin(recorded)
-    assert 4 <= len(found.kept) < 12
-    distance, angle = recorded.worst(found.timeline)
-    assert distance.value < 1e-12
-    assert 0.1 * np.radians(2) < angle.value <= np.radians(2) * (1 + 1e-6)
-
-
-@pytest.mark.slow
-def test_half_the_bound_takes_more_keyframes_not_fewer():
-    figure = of("ball tree, world")
-    times, qpos = recording(figure, 5, count=60, bends=25)
-    counts = [len(thin(Recorded(figure, times, qpos, Bound(d, np.radians(45)))).kept) for d in (0.8, 0.2, 0.05)]
-    assert counts[0] < counts[1] < counts[2] <= 60
 
 
 def test_the_worst_is_reported_with_its_name_and_instant():
@@ -189,23 +149,11 @@ def test_refining_any_in_between_ends_within_the_bound():
     assert calls[-1] == len(found.kept)
 
 
-def test_many_splines_at_once_are_scipys_natural_ones():
-    rng = np.random.default_rng(0)
-    times = np.cumsum(rng.uniform(0.1, 1, (3, 6)), axis=1)
-    values = rng.normal(size=(3, 6, 4))
-    for some in (slice(0, 6), slice(0, 2)):
-        t = [np.linspace(row[some][0], row[some][-1], 9) for row in times]
-        owner = np.repeat([0, 1, 2], 9)
-        many = natural_splines(times[:, some], values[:, some], owner, np.concatenate(t))
-        one = [CubicSpline(times[k, some], values[k, some], bc_type="natural")(t[k]) for k in range(3)]
-        np.testing.assert_allclose(many, np.concatenate(one), atol=1e-12)
-
-
 @pytest.mark.slow
 def test_a_loop_stays_a_loop():
     figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
-    times = np.linspace(0, 1, 17)
-    qpos = np.tile(figure.model.qpos0, (17, 1))
+    times = np.linspace(0, 1, 13)
+    qpos = np.tile(figure.model.qpos0, (13, 1))
     qpos[:, 0] += 2 * times
     qpos[:, 2] += 0.1 * np.cos(2 * np.pi * times)
     swing = 0.5 * np.sin(2 * np.pi * times)
@@ -213,48 +161,11 @@ def test_a_loop_stays_a_loop():
     recorded = Recorded(figure, times, qpos, Bound(0.02, np.radians(5)), "periodic", (2.0, 0.0, 0.0))
     found = thin(recorded)
     assert found.timeline.ends == "periodic"
-    assert {0, 16} < set(found.kept)
+    assert {0, 12} < set(found.kept)
     assert len(found.kept) <= fewest(recorded, len(found.kept)) + 1
     assert recorded.excess(found.timeline).max() <= 1
     start, end = (path_of(found.timeline).at([t], 1)[0] for t in (0.0, 1.0))
     np.testing.assert_allclose(start, end, atol=1e-9)
-
-
-def swinging(ends: str) -> Recorded:
-    """A loop that swings every joint in two harmonics, to be kept closely."""
-    figure, rng = of("ball tree, world"), np.random.default_rng(0)
-    times = np.linspace(0, 1, 33)
-    qpos = np.tile(figure.model.qpos0, (33, 1))
-    sizes = 0.2 * rng.normal(size=(4, figure.model.nv))
-    waves = np.array([wave(2 * np.pi * k * times) for k in (1, 2) for wave in (np.sin, np.cos)]).T
-    for row, move in zip(qpos, waves @ sizes, strict=True):
-        mujoco.mj_integratePos(figure.model, row, move, 1.0)
-    return Recorded(figure, times, qpos, Bound(0.02, np.radians(3)), ends)
-
-
-@pytest.mark.parametrize(("ends", "near"), [("free", 1e-6), ("clamped", 1e-6), ("periodic", 0.02)])
-def test_a_trial_of_few_keyframes_sees_all_that_breaks_the_bound(ends, near):
-    """Of a loop nearly: a trial's spline has ends, three keyframes beyond the one turn that it looks at."""
-    recorded = swinging(ends)
-    sets = [(0, 8, 16, 24, 32), (0, 7, 16, 24, 32)]
-    over = [recorded.excess(recorded.spline(recorded.frames(kept))) - 1 for kept in sets]
-    expected = [np.sum(np.maximum(each, 0) ** 2) for each in over]
-    assert min(expected) > 1
-    for at in (1, 2, 3):
-        np.testing.assert_allclose(recorded.breaches(sets, at), expected, rtol=near)
-
-
-SLIDE = '<mujoco><worldbody><body><joint type="slide"/><geom size=".1"/></body></worldbody></mujoco>'
-
-
-@pytest.mark.parametrize("at", [1, 2, 3])
-def test_a_trial_of_a_loop_sees_best_what_is_next_to_its_keyframe(at):
-    """What a trial looks at ends on the far side of the loop, where its spline is a little off."""
-    figure, times, kept = Figure(mujoco.MjModel.from_xml_string(SLIDE)), np.linspace(0, 1, 33), (0, 8, 16, 24, 32)
-    zigzag = CubicSpline(times[list(kept)], [1.0, -1, 1, -1, 1], bc_type="periodic")(times)[:, None]
-    zigzag[[8 * at - 2, 8 * at + 2]] += [[0.1], [-0.1]]  # two instants off by twice the bound
-    recorded = Recorded(figure, times, zigzag, Bound(0.05, 1.0), "periodic")
-    np.testing.assert_allclose(recorded.breaches([kept], at), 2.0, rtol=2e-3)
 
 
 def test_figures_without_names_are_reported_by_number():
@@ -354,15 +265,6 @@ def test_a_turn_counts_as_a_share_of_the_bounds_angle_whatever_the_signs_of_quat
             assert recorded.worst(off)[1].value == pytest.approx(angle)
 
 
-def test_runs_that_last_are_reported_by_their_own_times():
-    times = np.array([0.0, 0.1, 0.2, 0.3, 0.35, 0.36, 0.37, 0.5, 0.6, 0.7])
-    wanted = np.array([1, 1, 0, 0, 1, 1, 1, 0, 1, 1], bool)
-    for least, kept in ((0.0, [1, 1, 0, 0, 1, 1, 1, 0, 1, 1]), (0.05, [1, 1, 0, 0, 0, 0, 0, 0, 1, 1]), (0.2, [0] * 10)):
-        np.testing.assert_array_equal(_lasting(wanted, times, least), np.array(kept, bool))
-    np.testing.assert_array_equal(_lasting(~wanted & False, times, 0.0), False)
-    np.testing.assert_array_equal(_lasting(wanted | True, times, 0.7), True)
-
-
 def test_a_loops_splines_travel_and_turn_as_it_does_and_others_need_no_travel():
     figure, times = figure_of(BALL), np.linspace(0, 1, 9)
     about = Rotation.from_rotvec(np.outer(0.7 * times, [0, 0, 1]))
@@ -402,19 +304,3 @@ def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(se
     assert len(kept) <= fewest(recorded, len(kept)) + 1
     assert not any(holds(recorded, tuple(k for k in kept if k != gone)) for gone in kept[1:-1])
     assert told
-
-
-@pytest.mark.parametrize("at", [1, 2, 3])
-@pytest.mark.parametrize("wrong", [1, 2, 3])
-def test_a_keyframe_that_stands_wrong_is_moved_whichever_side_of_the_one_that_went_it_is_on(wrong, at):
-    figure, times, knots = Figure(mujoco.MjModel.from_xml_string(SWAY)), np.linspace(0, 1, 41), [0, 10, 20, 30, 40]
-    motion = CubicSpline(times[knots], [0, 1, -1, 1, 0], bc_type="natural")(times)
-    recorded = Recorded(figure, times, motion[:, None], Bound(0.02, 1.0), "free")
-    assert holds(recorded, tuple(knots))
-    displaced = [*knots]
-    displaced[wrong] += 2
-    assert not holds(recorded, tuple(displaced))
-    moved = _moved(recorded, displaced, at)
-    assert moved is not None
-    assert holds(recorded, tuple(moved))
-    assert len(moved) == len(knots)

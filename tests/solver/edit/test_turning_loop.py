@@ -16,7 +16,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
-from dynsplines.solver.curve.spline import Spline, path_of
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.edit.retime import repeated, retimed
 from dynsplines.solver.figure.figure import Figure
@@ -137,15 +137,6 @@ def timeline_qpos(figure: Figure) -> Array:
     return figure.to_qpos(loop(figure).states[1])
 
 
-def test_a_point_is_carried_with_the_root_over_many_periods_at_once():
-    figure = figure_of(TINY)
-    seam = Seam.of(figure, loop(figure))
-    points = np.array([[1.0, 0.2, 0.3], [0.4, -1.0, 0.0]])
-    turn = quat.from_rotation_vector(np.array([[0.0], [3 * TURN]]) * UP)
-    wanted = CENTRE + quat.rotated(turn, points - CENTRE)
-    np.testing.assert_allclose(seam.moved_points(figure, points, np.array([0, 3])), wanted, atol=1e-12)
-
-
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_a_turning_loop_played_three_times_is_its_own_curve_turned_on(coordinates):
     figure = figure_of(TINY, coordinates)
@@ -170,18 +161,6 @@ def test_the_mirror_image_of_a_turning_loop_turns_the_other_way():
     assert seam.discontinuity(path_of(mirrored)).max() < 1e-9
 
 
-def test_jumps_of_a_turned_pair_make_it_smooth_across_the_seam(rng):
-    times = np.array([0.0, 0.1, 0.35, 0.9])
-    spline, factor = Spline(times, "periodic"), np.exp(1j * TURN)
-    z = rng.normal(size=(4, 1)) + 1j * rng.normal(size=(4, 1))
-    z[-1] = factor * z[0]
-    jumps = spline.jumps_of(factor) @ z
-    for order in range(3):
-        parts = [spline.evaluate(np.vstack([of(z), of(jumps)]), times[[0, -1]], order) for of in (np.real, np.imag)]
-        first, last = parts[0] + 1j * parts[1]
-        np.testing.assert_allclose(last, factor * first, atol=1e-9)
-
-
 def test_a_turn_given_is_met_where_the_last_keyframe_leaves_the_rotation_free(rng):
     figure = figure_of(TINY)
     keys = circle()
@@ -194,17 +173,6 @@ def test_a_turn_given_is_met_where_the_last_keyframe_leaves_the_rotation_free(rn
     np.testing.assert_allclose(seam.headings, TURN, atol=1e-12)
     np.testing.assert_allclose(seam.travel[:3], way, atol=1e-12)
     np.testing.assert_allclose(figure.to_qpos(rows[-3])[:3], pose(PERIOD)[:3], atol=1e-12)
-
-
-def test_a_turn_given_in_the_first_keyframe_alone_is_met_without_travel():
-    """Round on the spot: nothing is said of the last keyframe at all."""
-    figure = figure_of(TINY)
-    keys = circle()
-    keys[-1] = Frame.key(PERIOD, keys[0].state, np.zeros(11, bool))
-    timeline = raw_timeline(figure, keys, "periodic", turn=-TURN)
-    seam = Seam.of(figure, timeline)
-    np.testing.assert_allclose(seam.headings, -TURN, atol=1e-12)
-    np.testing.assert_allclose(seam.travel, 0, atol=1e-12)
 
 
 def test_turns_that_make_no_sense_are_refused():
