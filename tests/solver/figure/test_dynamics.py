@@ -1,22 +1,13 @@
-"""Inverse dynamics against mj_inverse, and its adjoint against Taylor expansions."""
+"""Inverse dynamics against mj_inverse; figures of all joints and adjoints are in test_any_model."""
 
 import mujoco
 import numpy as np
 from figures import BALL_TREE
 from oracles import mujoco_forces
 from random_samples import random_samples
-from taylor import taylor_slope
 
-from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.dynamics import InverseDynamics, body_forces, generalised_forces
+from dynsplines.solver.figure.dynamics import body_forces, generalised_forces
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
-
-
-def test_generalised_forces_are_those_of_mj_inverse(figure, rng):
-    samples = random_samples(figure, rng)
-    expected = mujoco_forces(samples)
-    np.testing.assert_allclose(generalised_forces(samples), expected, atol=1e-10 * np.abs(expected).max())
 
 
 def test_net_forces_on_the_bodies_add_up_to_the_root_wrench_of_mj_inverse(figure, rng):
@@ -34,21 +25,6 @@ def test_net_forces_on_the_bodies_add_up_to_the_root_wrench_of_mj_inverse(figure
     np.testing.assert_allclose(forces.force[:, inside].sum(axis=1).T, expected[:, :3], atol=1e-11 * scale)
     local = np.einsum("ijs,is->sj", samples.links.rotation[:, :, root], moment.sum(axis=1))
     np.testing.assert_allclose(local, expected[:, 3:], atol=1e-11 * scale)
-
-
-def test_the_adjoint_of_joint_moments_and_forces_has_taylor_slope_two(figure, rng):
-    samples = random_samples(figure, rng)
-    shape = (3, len(figure.links), samples.count)
-    for_moment, for_force = rng.normal(size=shape), rng.normal(size=shape)
-    cotangent = Cotangent(samples)
-    samples.once(InverseDynamics).pull_back(cotangent, for_moment, for_force)
-    gradients = cotangent.gradients()
-
-    def value(point: np.ndarray) -> float:
-        inverse = Samples(figure, *point).once(InverseDynamics)
-        return float(np.sum(for_moment * inverse.moment) + np.sum(for_force * inverse.force))
-
-    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
 
 
 def test_without_gravity_nothing_has_weight(rng):

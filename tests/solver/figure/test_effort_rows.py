@@ -1,19 +1,17 @@
-"""Jacobian rows of joints' efforts and of the root's wrench, on figures of any joints, against adjoint sweeps and
-differences."""
+"""Jacobian rows of joints' efforts and of the root's wrench, on figures of any joints, against adjoint sweeps."""
 
 from __future__ import annotations
 
 import mujoco
 import numpy as np
 import pytest
-from closed_forms import CLOSED, WOOD, assert_near
+from closed_forms import WOOD, assert_near
 from figures import with_armature
 from random_model import random_figure
 from random_samples import random_samples
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.dynamics import InverseDynamics
 from dynsplines.solver.figure.effort_rows import Pushes, joint_rows, wrench_rows
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -99,42 +97,3 @@ def test_so_they_are_where_quaternions_in_the_world_follow_each_other(rng):
     assert not np.array_equal(turning(figure), figure.tables.beyond)
     assert check_wrench(figure, rng) == 2
     assert check_efforts(figure, rng) == 3 * figure.tables.ball_links.size
-
-
-@pytest.fixture(params=CLOSED)
-def closed(request: pytest.FixtureRequest) -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(CLOSED[request.param]), "world")
-
-
-def test_rows_of_ball_joints_are_the_differences_of_their_moments(closed, rng):
-    samples, h = random_samples(closed, rng, 3), 1e-5
-    balls, state = closed.tables.ball_links, np.stack([samples.y, samples.y_d, samples.y_dd])
-
-    def moments(point: Array) -> Array:
-        return Samples(closed, *point).once(InverseDynamics).moment[:, balls].transpose(2, 0, 1).reshape(3, -1)
-
-    found = joint_rows(samples)
-    for order in range(3):
-        for column in range(closed.width):
-            by = np.zeros_like(state)
-            by[order, :, column] = h
-            expected = (moments(state + by) - moments(state - by)) / (2 * h)
-            np.testing.assert_allclose(
-                found[:, :, order, column], expected, rtol=0, atol=1e-7 * np.abs(found[:, :, order]).max()
-            )
-
-
-def test_the_jacobian_of_many_rows_is_that_of_each(closed, rng, monkeypatch):
-    samples = random_samples(closed, rng)
-    at = np.array([4, 0, 0, 2, 1, 3, 3])
-    weight = rng.normal(size=(at.size, closed.width))
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        np.testing.assert_array_equal(copies.y, samples.y[at[rows]])
-        cotangent.buffer("y_d")[:] += weight[rows]
-
-    whole = jacobian(samples, at, seeded)
-    monkeypatch.setattr("dynsplines.solver.penalty.curvature.ROWS_AT_ONCE", 3)
-    np.testing.assert_array_equal(jacobian(samples, at, seeded), whole)
-    np.testing.assert_array_equal(whole[:, 1], weight)
-    assert not whole[:, [0, 2]].any()

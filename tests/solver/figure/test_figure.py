@@ -13,8 +13,8 @@ from dynsplines.solver.figure.figure import Figure, JointKind, names_of_joints, 
 from dynsplines.solver.figure.kinematics import Samples
 
 
-@pytest.mark.parametrize("coordinates", ["world", "joint", "auto"])
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("coordinates", ["joint", "auto"])
+@pytest.mark.parametrize("seed", range(4))
 def test_points_of_every_body_are_where_mujoco_has_them_and_masses_hang_where_it_has_them(seed, coordinates):
     figure, rng = random_figure(seed, coordinates)
     model = figure.model
@@ -90,20 +90,6 @@ def _way(figure: Figure, link: int) -> list[int]:
     return found
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_paths_lead_from_every_link_to_its_root_and_levels_go_down_them(seed):
-    figure, _ = random_figure(seed, "joint")
-    tables = figure.tables
-    for i in range(1, len(figure.links)):
-        np.testing.assert_array_equal(np.flatnonzero(tables.path[i]), sorted(_way(figure, i)))
-    np.testing.assert_array_equal(tables.beyond, tables.path.T)
-    seen: set[int] = {0, *np.flatnonzero(tables.in_world).tolist()}  # what the state tells itself
-    for level in tables.levels:
-        assert {figure.links[i].parent for i in level.tolist()} <= seen
-        seen |= set(level.tolist())
-    assert seen == set(range(len(figure.links)))
-
-
 def test_a_link_is_called_by_its_joint_or_by_the_body_that_it_moves():
     figure = figure_of(EVERY_JOINT)
     names = [link.name for link in figure.links]
@@ -136,13 +122,3 @@ def test_gravity_is_the_models_unless_it_is_switched_off():
     np.testing.assert_array_equal(figure_of(text.format("")).gravity, [0, 1, -3])
     np.testing.assert_array_equal(figure_of(text.format('<flag gravity="disable"/>')).gravity, [0, 0, 0])
     np.testing.assert_array_equal(figure_of(text.format('<flag contact="disable"/>')).gravity, [0, 1, -3])
-
-
-@pytest.mark.parametrize("axis", range(3))
-def test_a_figure_has_turns_if_a_body_is_turned_at_rest_about_any_axis_and_has_none_if_none_is(axis):
-    for angle in (0.0, 0.3):
-        turned = np.zeros(3)
-        turned[axis] = angle
-        text = CHAIN.format("ball").replace("<body ", f'<body euler="{turned[0]} {turned[1]} {turned[2]}" ')
-        figure = figure_of(text.replace("<worldbody>", '<compiler angle="radian"/><worldbody>', 1), "world")
-        assert figure.tables.has_turns == (angle != 0)

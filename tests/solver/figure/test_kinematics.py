@@ -28,11 +28,6 @@ def test_link_positions_and_orientations_are_those_of_mj_kinematics(figure, rng)
                 np.testing.assert_allclose(samples.links.anchor[:, link_index, i], data.xanchor[link.joint], atol=1e-12)
 
 
-def test_state_and_qpos_are_inverse_to_each_other(figure, rng):
-    qpos = figure.to_qpos(figure.to_state(rng.normal(size=(4, figure.width))))
-    np.testing.assert_allclose(figure.to_qpos(figure.to_state(qpos)), qpos, atol=1e-14)
-
-
 def test_qvel_and_qacc_are_the_derivatives_of_the_motion_that_mujoco_integrates(figure, rng):
     samples = random_samples(figure, rng)
     qvel, qacc = velocities(samples)
@@ -83,31 +78,6 @@ def test_a_gradient_with_respect_to_nothing_that_there_is_is_refused(figure, rng
     cotangent = Cotangent(random_samples(figure, rng))
     with pytest.raises(ValueError, match=r"'spin'; there are: y, y_d, .*omega"):
         getattr(cotangent, direction)("spin", *([] if direction == "buffer" else [np.zeros(3)]))
-
-
-def test_what_is_deferred_is_pulled_back_once_from_each_source_for_all_that_was_added(figure, rng):
-    samples = random_samples(figure, rng)
-
-    class Shifted:
-        """Links' origins, moved by something that nobody differentiates."""
-
-        def __init__(self) -> None:
-            self.settled = 0
-
-        def flush(self, into: Cotangent, buffer: np.ndarray) -> None:
-            self.settled += 1
-            into.accumulate("x", buffer[0], donate=True)
-
-    first, second = Shifted(), Shifted()
-    deferred, at_once = Cotangent(samples), Cotangent(samples)
-    for source, gradient in zip((first, second, first), rng.normal(size=(3, *samples.links.x.shape)), strict=True):
-        buffer = deferred.defer(source, 1)
-        assert buffer.shape == (1, *gradient.shape)
-        buffer[0] += gradient
-        at_once.accumulate("x", gradient)
-    for one, other in zip(deferred.gradients(), at_once.gradients(), strict=True):
-        np.testing.assert_allclose(one, other, atol=1e-12)
-    assert (first.settled, second.settled) == (1, 1)
 
 
 @pytest.mark.parametrize("name", QUANTITIES)

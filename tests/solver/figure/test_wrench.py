@@ -1,16 +1,14 @@
-"""The wrench at a free root against mj_inverse, its adjoint, and its rows in closed form."""
+"""The wrench at a free root against mj_inverse, and its adjoint."""
 
 import mujoco
 import numpy as np
 import pytest
-from closed_forms import CLOSED
 from figures import BALL_TREE
 from oracles import mujoco_forces
 from random_samples import random_samples
 from taylor import taylor_slope
 
 from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.effort_rows import Pushes, wrench_rows
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
@@ -57,35 +55,6 @@ def test_the_adjoint_has_taylor_slope_two(figure, rng):
 
     gradients = np.stack(cotangent.gradients())
     assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), gradients, rng) > 1.95
-
-
-@pytest.mark.parametrize("kind", CLOSED)
-@pytest.mark.parametrize("pushed", [False, True])
-def test_its_rows_are_its_differences_pushes_taken_off(rng, kind, pushed):
-    figure = Figure(mujoco.MjModel.from_xml_string(CLOSED[kind]))
-    for root in figure.tables.free_links:
-        samples = random_samples(figure, rng)
-        inside = np.flatnonzero(figure.tables.path[:, root])
-        link, at = rng.choice(inside, 9), rng.integers(0, samples.count, 9)
-        position, force = rng.normal(size=(2, 3, 9)) * pushed
-
-        def total(point: np.ndarray, root=int(root), link=link, at=at, position=position, force=force) -> np.ndarray:
-            seen = Samples(figure, *point)
-            wrench = RootWrench(seen, root)
-            x, rotation = seen.links.poses(link * seen.count + at)
-            lever = x + np.einsum("ijp,jp->ip", rotation, position) - wrench.centre[:, at]
-            turning = np.cross(lever, force, axis=0)
-            moment = wrench.moment - np.array([np.bincount(at, part, seen.count) for part in turning], float)
-            return np.concatenate([wrench.force, moment])
-
-        offset = np.einsum("ijp,jp->ip", samples.links.rotation[:, :, link, at], position)
-        pushes = Pushes(at, link, offset, force) if pushed else None
-        rows = wrench_rows(RootWrench(samples, int(root)), pushes)
-        point, h = np.stack([samples.y, samples.y_d, samples.y_dd]), 1e-6
-        direction = rng.normal(size=point.shape)
-        slope = (total(point + h * direction) - total(point - h * direction)) / (2 * h)
-        found = np.einsum("scon,osn->cs", rows, direction)
-        np.testing.assert_allclose(found, slope, atol=1e-7 * np.abs(slope).max())
 
 
 def test_without_gravity_the_weight_is_still_a_unit():

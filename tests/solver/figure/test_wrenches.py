@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from closed_forms import CLOSED, assert_near
+from closed_forms import assert_near
 from random_model import random_figure
 from random_samples import random_samples
 
@@ -59,13 +59,8 @@ def test_rows_are_those_of_the_adjoint_sweep(figure, rng):
     check(figure, rng)
 
 
-@pytest.mark.parametrize("name", CLOSED)
-def test_so_they_are_with_several_trees(name, rng):
-    check(Figure(mujoco.MjModel.from_xml_string(CLOSED[name])), rng)
-
-
 @pytest.mark.parametrize("coordinates", ["auto", "joint"])
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(6))
 def test_so_they_are_on_random_models(seed, coordinates):
     check(*random_figure(seed, coordinates))
 
