@@ -31,23 +31,6 @@ def test_it_goes_in_straight_lines_and_stays_beyond_the_ends():
     np.testing.assert_allclose(found, [[0, 0, 0.5, 1, 2, 3, 3], [2, 2, 1, 0, 0, 0, 0]])
 
 
-def test_nothing_in_excess_allows_nothing():
-    for shape in ((3,), (5, 3), (2, 4)):
-        found = Allowance(np.array([0.0, 1]), np.zeros((*shape, 2))).at(np.linspace(0, 1, 5))
-        assert not found.any()
-        assert found.shape == (*shape, 5)
-
-
-def test_those_of_some_are_those_of_all_taken_apart(rng):
-    times, t = np.array([1.0, 2, 2.5, 4]), rng.uniform(0, 5, size=20)
-    allowance, which = Allowance(times, rng.uniform(size=(2, 3, 4))), rng.integers(3, size=20)
-    expected = np.array(
-        [[np.interp(x, times, side[k]) for k, x in zip(which, t, strict=True)] for side in allowance.excess]
-    )
-    np.testing.assert_allclose(allowance.of(which, t), expected)
-    np.testing.assert_allclose(allowance.at(t)[:, which, np.arange(20)], expected)
-
-
 BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
 FLOOR = Plane("floor", np.zeros(3), UP)
 

@@ -8,7 +8,6 @@ import mujoco
 import numpy as np
 import pytest
 from bends import limits_of
-from closed_forms import WOOD
 from curvature_of import (
     RESIDUALS,
     _efforts,
@@ -34,12 +33,10 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import OF_THE_STATE, Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
     BendLimits,
     Contact,
-    CovariantAcceleration,
     Normalization,
     Penalty,
     Role,
@@ -48,13 +45,10 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.ground.contact import NEAR as NEAR_DEPTH
-from dynsplines.solver.penalty.joints.bend import NEAR as NEAR_ANGLE
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import evenly, midpoints, split
-from dynsplines.solver.search.descent import optimised
-from dynsplines.solver.surface import Box, Surface
+from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import Point
 
 
@@ -68,15 +62,10 @@ def some_samples(figure: Figure, rng: np.random.Generator, count: int = 4) -> Sa
     return at_times(random_samples(figure, rng, count), np.linspace(0.1, 1.3, count))
 
 
-def test_the_residuals_written_here_are_the_penalties(figure, rng, known):
-    penalty, residuals = known
-    samples = some_samples(figure, rng)
-    np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), penalty.evaluate(samples), rtol=1e-9)
-
-
 def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], figure: Figure, rng: np.random.Generator):
     """That a penalty's matrices are 2 JᵀJ, J by differences."""
     samples = some_samples(figure, rng)
+    np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), penalty.evaluate(samples), rtol=1e-9)
     scale, phi = rng.uniform(0.5, 2, samples.count), rng.normal(size=(samples.count, 3, 2))
     moved = np.einsum("sron,soa->sran", jacobians(residuals, samples), phi)
     flat = moved.reshape(*moved.shape[:2], -1)
@@ -93,11 +82,6 @@ def test_the_curvature_of_torques_knows_the_armature(figure, rng):
     assert_squares(Torque(), _efforts, with_armature(figure, rng), rng)
 
 
-def test_the_curvature_of_a_figure_that_closed_forms_know_is_the_same_square(rng, known):
-    penalty, residuals = known
-    assert_squares(penalty, residuals, Figure(mujoco.MjModel.from_xml_string(WOOD), "world"), rng)
-
-
 def test_the_quadratic_form_and_the_diagonal_are_those_of_the_same_matrices(figure, rng, known):
     penalty, _ = known
     samples = some_samples(figure, rng, 5)
@@ -108,21 +92,6 @@ def test_the_quadratic_form_and_the_diagonal_are_those_of_the_same_matrices(figu
         assert_near(curvature.quadratic(phi, first, last), each[first:last].sum(axis=0), 1e-12)
     by_acceleration = assembled(curvature, np.tile([[[0.0], [0], [1]]], (samples.count, 1, 1)))
     assert_near(curvature.acceleration(), np.einsum("snn->sn", by_acceleration), 1e-12)
-
-
-def test_where_the_residuals_are_zero_the_curvature_is_the_second_derivative(figure, rng):
-    y = figure.to_state(rng.normal(size=(3, figure.width)))
-    samples = Samples(figure, y, 0 * y, 0 * y)
-    by = np.zeros((3, *y.shape))
-    for penalty in (CovariantAcceleration(), CovariantAcceleration("paper"), UnitMagnitude(), RootAcceleration()):
-        assert not penalty.evaluate(samples).max() > 1e-25
-        phi = rng.normal(size=(3, 3))
-        for _ in range(4):
-            direction = rng.normal(size=figure.width)
-            by[:] = 1e-4 * phi.T[:, :, None] * direction
-            bent = (penalty.evaluate(shifted(samples, by)) + penalty.evaluate(shifted(samples, -by))) / 1e-8
-            expected = direction @ curvature_of(penalty, samples, np.ones(3)).quadratic(phi, 0, 3) @ direction
-            np.testing.assert_allclose(bent.sum(), expected, rtol=1e-5)
 
 
 @pytest.mark.parametrize("epsilon", [1e-3, 0.1])
@@ -136,18 +105,6 @@ def test_at_unit_length_the_absolute_forms_curvature_is_its_second_derivative(fi
     for s in range(3):
         found = by[0, s] @ curvature.quadratic(np.array([[1.0, 0, 0]] * 3), s, s + 1) @ by[0, s]
         np.testing.assert_allclose(found, bent[s], rtol=1e-2)
-
-
-def test_penalties_that_count_on_one_side_only_have_no_curvature_of_their_own(figure, rng):
-    samples = some_samples(figure, rng)
-    samples.y[:, 2] = 0
-    for penalty in (Contact(some_points(figure, rng), (FLOOR,)), limits_of(figure)):
-        assert penalty.evaluate(samples).any()
-        assert not curvature_of(penalty, samples, np.ones(samples.count)).quadratic(np.ones((4, 3)), 0, 4).any()
-
-
-def test_penalties_that_count_on_both_sides_have_no_sides(figure, rng, known):
-    assert known[0].one_sided_residuals(some_samples(figure, rng)) is None
 
 
 class Plain(Penalty):
@@ -201,24 +158,6 @@ def test_more_samples_than_are_taken_at_once_change_nothing_in_differences_of_a_
         assert_near(assembled(curvature_of(penalty, samples, scale), phi), whole, 1e-12)
 
 
-def test_differences_of_a_penalty_find_what_it_knows_where_its_residuals_are_zero(figure, rng):
-    class Forgetful(CovariantAcceleration):
-        curvature = Penalty.curvature
-
-    y = figure.to_state(rng.normal(size=(3, figure.width)))
-    samples = Samples(figure, y, 0 * y, 0 * y)
-    scale, phi = rng.uniform(0.5, 2, 3), rng.normal(size=(3, 3, 2))
-    found = assembled(curvature_of(Forgetful(), samples, scale), phi)
-    assert_near(found, assembled(curvature_of(CovariantAcceleration(), samples, scale), phi), 1e-4)
-
-
-def depths(contact: Contact, surface: Surface, samples: Samples) -> Array:
-    """How deep spheres are in a plane, negative over it, (n, S)."""
-    centres, _, _ = contact.centres(samples)
-    radii = np.array([point.radius for point in contact.points]) + contact.margin
-    return radii[:, None] - surface.height(centres)
-
-
 ONE_SIDED: dict[str, Callable[[Figure, np.random.Generator], Penalty]] = {
     "floor": lambda figure, rng: Contact(some_points(figure, rng), (FLOOR,), 0.01),
     "slope": lambda figure, rng: Contact(some_points(figure, rng), (SLOPE,)),
@@ -242,35 +181,6 @@ def test_the_sides_that_count_add_up_to_the_penalty_at_every_sample(figure, rng,
 
 def test_the_sides_rows_are_the_gradients_of_their_values(figure, rng, one_sided):
     assert_gradients(one_sided, figure, rng)
-
-
-@pytest.mark.parametrize("kind", ONE_SIDED)
-def test_the_sides_rows_of_a_figure_that_closed_forms_know_are_gradients_too(rng, kind):
-    figure = Figure(mujoco.MjModel.from_xml_string(WOOD), "world")
-    assert_gradients(ONE_SIDED[kind](figure, rng), figure, rng)
-
-
-def test_the_sides_of_a_floor_are_all_points_less_than_three_centimetres_of_an_adult_over_it(figure, rng):
-    samples, contact = low_samples(figure, rng, 80), Contact(some_points(figure, rng), (FLOOR,), 0.01)
-    sides, expected = sides_of(contact, samples), depths(contact, FLOOR, samples)
-    assert NEAR_DEPTH == 0.03
-    near = NEAR_DEPTH * Size.of(figure).length
-    for s in range(samples.count):
-        own = expected[:, s]
-        np.testing.assert_allclose(np.sort(sides.value[sides.at == s]), np.sort(own[own > -near]), atol=1e-12)
-    assert np.count_nonzero(sides.value < 0) > 5
-
-
-def test_the_sides_of_bend_limits_are_all_angles_less_than_four_degrees_inside(figure, rng):
-    samples, limits = low_samples(figure, rng, 80), limits_of(figure)
-    flexion, sideways, twist = limits.angles(samples)
-    over = [0.1 - flexion, sideways - 0.2, -0.2 - sideways, twist - 0.3, -0.3 - twist]
-    expected, sides = np.concatenate(over), sides_of(limits, samples)
-    assert np.isclose(NEAR_ANGLE, np.radians(4))
-    for s in range(samples.count):
-        own = expected[:, s]
-        np.testing.assert_allclose(np.sort(sides.value[sides.at == s]), np.sort(own[own > -NEAR_ANGLE]), atol=1e-12)
-    assert np.count_nonzero(sides.value < 0) > 5
 
 
 @pytest.mark.parametrize(
@@ -313,7 +223,7 @@ def test_sides_that_count_enter_a_curvature_as_squares(figure, rng, one_sided):
     assert_near(curvature.quadratic(phi, 0, 6), expected, 1e-12)
 
 
-ENDS = ["free", "clamped", "periodic"]
+ENDS = ["free", "periodic"]
 
 
 @pytest.mark.parametrize("ends", ENDS)
@@ -327,7 +237,7 @@ def test_the_weak_form_never_promises_that_e_rises(figure, rng, ends):
     assert decrements.max() > 0
 
 
-@pytest.mark.parametrize("entries", [0, 3000, 12_000])
+@pytest.mark.parametrize("entries", [0, 3000])
 def test_the_weak_form_of_a_few_spans_at_a_time_is_that_of_all(figure, rng, entries, monkeypatch):
     timeline = evenly(clip(figure, rng, "free"), 2)
     objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
@@ -359,7 +269,7 @@ def test_the_weak_form_promises_what_a_frame_moved_alone_brings_where_e_is_quadr
     np.testing.assert_allclose(promised, brought, rtol=2e-3)
 
 
-@pytest.mark.parametrize("jerky", [0, 2, 5])
+@pytest.mark.parametrize("jerky", [0, 5])
 def test_the_weak_form_ranks_the_segment_with_a_jerk_first(jerky):
     turns = [10.0] * 6
     turns[jerky] = 150.0
@@ -374,14 +284,3 @@ def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
     contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
     objective = Objective.of(figure, [(RootAcceleration(), 1.0), (contact, 50.0)]).renormalised(path_of(raw))
     assert np.argmax(WeakForm.of(objective, path_of(raw)).decrements(midpoints(raw))) == 3
-
-
-def test_the_weak_form_promises_next_to_nothing_at_a_fine_optimum():
-    left = []
-    for variable in (0, 2, 8):
-        objective, timeline = turning([80.0, -60.0, 100.0], variable)
-        best = optimised(objective, timeline, tolerance=1e-10)
-        e = objective.value(path_of(best))
-        left.append(WeakForm.of(objective, path_of(best)).decrements(midpoints(best)).sum() / e)
-    assert left[0] > 10 * left[1] > 100 * left[2]
-    assert left[2] < 1e-4

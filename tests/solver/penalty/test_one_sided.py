@@ -84,21 +84,6 @@ def test_the_fewer_rows_that_stand_for_many_have_the_same_squares_at_every_sampl
             np.testing.assert_allclose(squares, expected, atol=1e-10)
 
 
-@pytest.mark.parametrize(("crowd", "left"), [(2, 2), (3, 3), (4, 3), (9, 3)])
-def test_as_many_rows_are_left_of_one_place_as_it_has_and_no_more(crowd, left, rng):
-    rows = combined(rng, [2] * crowd + [4])
-    at, found = rows.squared(np.arange(crowd + 1), np.ones(crowd + 1))
-    assert at.tolist() == ([2] * left + [4] if crowd <= 3 else [4] + [2] * left)
-    assert found.shape == (left + 1, WIDTH)
-
-
-def test_rows_that_are_all_zero_stay_so(rng):
-    rows = combined(rng, [2] * 5)
-    at, found = rows.squared(np.arange(5), np.zeros(5))
-    assert at.tolist() == [2, 2, 2]
-    np.testing.assert_allclose(found, 0, atol=1e-140)
-
-
 def joined(rng: np.random.Generator) -> OneSidedResiduals:
     parts = [plain(rng, [3, 0, 3]), combined(rng, [0, 0, 1, 4]), plain(rng, [1, 4, 0, 0]), combined(rng, [5, 2])]
     return OneSidedResiduals.joined(

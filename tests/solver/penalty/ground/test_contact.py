@@ -3,7 +3,6 @@
 import mujoco
 import numpy as np
 import pytest
-from figures import LEG
 from ground import FLOOR, SLOPE, some_points
 from penalty_slope import penalty_slope
 from random_keys import random_keys
@@ -16,7 +15,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact, block
 from dynsplines.solver.penalty.ground.contact import neighbours
 from dynsplines.solver.surface import Box, static_surfaces
-from dynsplines.solver.surface.points import Point, body_points, site_points
+from dynsplines.solver.surface.points import Point, body_points
 
 BLOCK = Box("block", np.array([0.1, -0.2, 0.0]), np.eye(3), np.array([2.0, 1.5, 1.0]), buried=False)
 STEP = Box("step", np.array([0.0, 0, -0.5]), np.eye(3), np.array([2.0, 2.5, 1.0]), buried=True)
@@ -60,15 +59,6 @@ def test_without_points_or_surfaces_there_is_nothing_to_let_pass(figure, rng):
         assert not nothing.evaluate(random_samples(figure, rng)).any()
 
 
-def test_surfaces_and_points_add_up_one_by_one(figure, rng):
-    samples = random_samples(figure, rng, 8)
-    samples.y[:, 2] = 0
-    points = some_points(figure, rng)
-    every = Contact(points, (FLOOR, BLOCK, STEP)).evaluate(samples)
-    single = sum(Contact((p,), (s,)).evaluate(samples) for p in points for s in (FLOOR, BLOCK, STEP))
-    np.testing.assert_allclose(every, single, rtol=1e-12)
-
-
 @pytest.mark.parametrize("carrier", [0, 1])
 def test_by_way_of_their_links_motions_the_rows_of_many_points_are_what_they_are_one_by_one(
     carrier, figure, rng, monkeypatch
@@ -94,18 +84,6 @@ def test_by_way_of_their_links_motions_the_rows_of_many_points_are_what_they_are
     np.testing.assert_allclose(by_motion.rows, one_by_one.rows, atol=1e-9)
 
 
-@pytest.mark.parametrize(("count", "is_plain"), [(12, True), (13, False)])
-def test_a_links_motion_is_worth_its_six_rows_from_more_than_twice_as_many_points(count, is_plain, rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(LEG))
-    samples = random_samples(figure, rng, 3)
-    samples.y[:, 2] = -9
-    points = tuple(Point("cloud", 1, 0.1 * rng.normal(size=3)) for _ in range(count))
-    sides = Contact(points, (FLOOR,)).one_sided_residuals(samples)
-    assert sides is not None
-    assert sides.at.size == 3 * count
-    assert [rows.is_plain for rows in sides.gradients] == [is_plain]
-
-
 def test_points_that_one_sphere_stands_for_are_64_at_most_neighbours_across_where_they_spread_farthest(rng):
     places = rng.normal(size=(3, 200)) * np.array([[1.0], [5.0], [0.2]])
     some = np.sort(rng.permutation(200)[:150])
@@ -128,96 +106,6 @@ def test_a_figure_outside_costs_exactly_nothing_and_has_no_gradient(figure, rng,
     cotangent = Cotangent(samples)
     assert not Contact(points, (surface,)).evaluate(samples, cotangent).any()
     assert not any(g.any() for g in cotangent.gradients())
-
-
-def test_no_points_or_no_surfaces_cost_nothing(figure, rng):
-    samples = random_samples(figure, rng)
-    assert not Contact((), (FLOOR,)).evaluate(samples, Cotangent(samples)).any()
-    assert not Contact(some_points(figure, rng), ()).evaluate(samples, Cotangent(samples)).any()
-
-
-def test_the_value_and_the_gradient_grow_smoothly_from_zero_at_the_surface():
-    figure = Figure(mujoco.MjModel.from_xml_string(LEG))
-    contact = Contact((Point("p", 1, np.zeros(3), 0.1),), (FLOOR,))
-    y = np.tile(figure.to_state(figure.model.qpos0), (4, 1))
-    y[:, 2] = 0.1 + np.array([1e-6, 0, -1e-6, -1e-3])
-    samples = Samples(figure, y, 0 * y, 0 * y)
-    cotangent = Cotangent(samples)
-    np.testing.assert_allclose(contact.evaluate(samples, cotangent), [0, 0, 1e-12, 1e-6], rtol=1e-6)
-    np.testing.assert_allclose(cotangent.gradients()[0][:, 2], [0, 0, -2e-6, -2e-3], rtol=1e-6)
-
-
-def test_site_points_are_where_mujoco_has_the_sites(rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(LEG))
-    points = site_points(figure, ["heel", "toe"])
-    samples = random_samples(figure, rng, 3)
-    centres, _, links = Contact(points, (FLOOR,)).centres(samples)
-    data = mujoco.MjData(figure.model)
-    for i, qpos in enumerate(figure.to_qpos(samples.y)):
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(figure.model, data)
-        for n, name in enumerate(["heel", "toe"]):
-            np.testing.assert_allclose(centres[:, n, i], data.site(name).xpos, atol=1e-12)
-    assert links.tolist() == [1, 2]
-    with pytest.raises(KeyError, match=r"heel.*toe"):
-        site_points(figure, ["knee"])
-
-
-def test_body_points_cover_spheres_capsules_and_boxes_exactly_over_a_plane(rng):
-    model = mujoco.MjModel.from_xml_string(
-        LEG.replace('<geom type="ellipsoid" size=".1 .2 .3"/>', "").replace('<geom type="cylinder" size=".1 .3"/>', "")
-    )
-    figure = Figure(model)
-    samples = random_samples(figure, rng, 6)
-    points = body_points(figure)
-    centres, _, _ = Contact(points, (FLOOR,)).centres(samples)
-    lowest = (centres[2] - np.array([p.radius for p in points])[:, None]).min(axis=0)
-    data = mujoco.MjData(model)
-    for i, qpos in enumerate(figure.to_qpos(samples.y)):
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(model, data)
-        exact = []
-        for g in range(model.ngeom):
-            up, size = data.geom_xmat[g].reshape(3, 3)[2], model.geom_size[g]
-            drop = {
-                mujoco.mjtGeom.mjGEOM_CAPSULE: size[0] + abs(up[2]) * size[1],
-                mujoco.mjtGeom.mjGEOM_SPHERE: size[0],
-                mujoco.mjtGeom.mjGEOM_BOX: np.abs(up) @ size,
-            }
-            exact.append(data.geom_xpos[g][2] - drop[mujoco.mjtGeom(int(model.geom_type[g]))])
-        np.testing.assert_allclose(lowest[i], min(exact), atol=1e-12)
-
-
-def test_body_points_stay_inside_cylinders_and_ellipsoids_and_leave_out_what_never_moves(rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(LEG.replace("<body", '<geom size=".3"/><body', 1)))
-    points = body_points(figure)
-    assert {p.link for p in points} == {1, 2}
-    cylinder = [p for p in points if p.name == "shin 3"]
-    assert len(cylinder) == 16
-    np.testing.assert_allclose([np.hypot(*p.position[:2]) for p in cylinder], 0.1)
-    ellipsoid = [p for p in points if p.name == "shin 2"]
-    for p in ellipsoid:
-        out = p.position * (1 + p.radius / max(np.linalg.norm(p.position), 1e-9))
-        np.testing.assert_array_less(np.sum((out / [0.1, 0.2, 0.3]) ** 2), 1 + 1e-9)
-
-
-@pytest.mark.parametrize("size", [(0.1, 0.2, 0.3), (0.3, 0.1, 0.1), (0.2, 0.2, 0.2)])
-def test_body_points_of_an_ellipsoid_on_any_of_its_tips_are_as_high_over_a_plane_as_mujoco_has_it(size):
-    text = " ".join(map(str, size))
-    model = mujoco.MjModel.from_xml_string(
-        '<mujoco><worldbody><geom name="floor" type="plane" size="1 1 1"/><body pos="0 0 1"><freejoint/>'
-        f'<geom name="egg" type="ellipsoid" size="{text}"/></body></worldbody></mujoco>'
-    )
-    figure, data, turn = Figure(model), mujoco.MjData(model), np.sqrt(0.5)
-    points = body_points(figure)
-    radii = np.array([point.radius for point in points])
-    for rotation in ([1, 0, 0, 0], [0, 1, 0, 0], [turn, turn, 0, 0], [turn, -turn, 0, 0], [turn, 0, turn, 0]):
-        data.qpos[:] = [0, 0, 1, *rotation]
-        mujoco.mj_kinematics(model, data)
-        height = mujoco.mj_geomDistance(model, data, 0, 1, 10.0, None)
-        state = figure.to_state(data.qpos[None])
-        centres, _, _ = Contact(points, (FLOOR,)).centres(Samples(figure, state, 0 * state, 0 * state))
-        assert (centres[2, :, 0] - radii).min() == pytest.approx(height, abs=1e-9)
 
 
 def test_a_capsule_across_the_edge_of_a_box_is_noticed():

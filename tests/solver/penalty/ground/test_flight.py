@@ -14,7 +14,6 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import within
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
@@ -71,22 +70,11 @@ def test_a_body_that_tumbles_freely_costs_nothing_and_one_that_hovers_one():
     np.testing.assert_allclose(flight.evaluate(still), 1.0, rtol=1e-12)
 
 
-def test_no_flight_costs_nothing(figure, rng):
-    samples = random_samples(figure, rng)
-    cotangent = Cotangent(samples)
-    for intervals in ((), ((3.0, 4.0),)):
-        assert not Flight.of(figure, 1, intervals).evaluate(samples, cotangent).any()
-    assert not any(g.any() for g in cotangent.gradients())
-
-
-@pytest.mark.slow
-def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng):
-    assert_curvature(figure, rng, 0.4)
-
-
 @pytest.mark.parametrize("angular", [0.0, 0.4])
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
-def test_so_it_is_of_two_bodies_with_a_moment_and_without(coordinates, angular, rng):
+def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian_with_a_moment_and_without(
+    coordinates, angular, rng
+):
     assert_curvature(figure_of(TINY, coordinates), rng, angular)
 
 

@@ -15,7 +15,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, GraspPenalty, RootAcceleration, UnitMagnitude, slipped
-from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point
 
@@ -79,46 +78,6 @@ def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_
 def test_the_gradient_has_taylor_slope_two(figure, rng, which):
     samples, some = case(figure, rng)
     assert penalty_slope(GraspPenalty((some[which],)), samples, rng) > 1.95
-
-
-def test_nothing_counts_within_the_slack(figure, rng):
-    samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
-    there = slipped(samples, grasps(figure)[0])[:, 2]
-    grasp = Grasp(HAND, len(figure.links) - 1, "it", 0.1, 0.8, (Spot(0.1, 0.8, there, there, (1e3, 1e3)),))
-    curvature = Curvature(samples)
-    GraspPenalty((grasp,)).curvature(samples, curvature, np.ones(6))
-    assert not GraspPenalty((grasp,)).evaluate(samples).any()
-    assert not curvature.quadratic(rng.normal(size=(6, 3)), 0, 6).any()
-
-
-def test_its_curvature_on_two_bodies_is_that_of_its_residuals(rng):
-    assert_curvature(Figure(mujoco.MjModel.from_xml_string(TWO)), rng)
-
-
-@pytest.mark.slow
-def test_its_curvature_is_that_of_its_residuals(figure, rng):
-    assert_curvature(figure, rng)
-
-
-def assert_curvature(figure: Figure, rng: np.random.Generator) -> None:
-    """By differences of the residuals when the whole state moves by (φ, φ', φ'') e along every entry e."""
-    samples, (first, second) = case(figure, rng)
-    curvature, phi, scale = Curvature(samples), rng.normal(size=(6, 3)), rng.uniform(1, 2, 6)
-    GraspPenalty((first, second)).curvature(samples, curvature, scale)
-    h, width = 1e-6, samples.y.shape[1]
-
-    def residuals(moved: Array) -> Array:
-        there = Samples(figure, samples.y + phi[:, :1] * moved, samples.y_d + phi[:, 1:2] * moved, samples.y_dd)
-        there = at_times(there, samples.t)
-        turn = np.einsum("ijs,sj->si", there.links.rotation[:, :, second.link], sliding(there, second))
-        back = np.einsum("ijs,si->sj", samples.links.rotation[:, :, second.link], turn)
-        t = samples.t[:, None]
-        away = known(there, first) * ((t >= 0.1) & (t <= 0.8))
-        return np.concatenate([away, Thresholds.of(samples.figure).settling * back * ((t >= 0.3) & (t <= 1.0))], axis=1)
-
-    rows = np.array([(residuals(h * e) - residuals(-h * e)) / (2 * h) for e in np.eye(width)])
-    expected = 2 * np.einsum("s,msr,nsr->mn", scale, rows, rows)
-    np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-3, atol=1e-3 * np.abs(expected).max())
 
 
 @pytest.mark.slow

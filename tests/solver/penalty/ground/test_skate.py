@@ -15,7 +15,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
 from dynsplines.solver.penalty.ground.skate import Bound
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.surface import Box, Plane
+from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
@@ -50,13 +50,6 @@ def test_the_gradient_has_taylor_slope_two(figure, rng, normal):
     assert penalty_slope(Skate(some_points(samples), (below(samples, normal),), 1.0), samples, rng) > 1.95
 
 
-def test_the_gradient_has_taylor_slope_two_over_a_box(figure, rng):
-    samples = random_samples(figure, rng, 6)
-    top = below(samples).point[2]
-    box = Box("step", np.array([0, 0, top - 1.0]), np.eye(3), np.array([100.0, 100, 1]))
-    assert penalty_slope(Skate(some_points(samples), (box,), 1.0), samples, rng) > 1.95
-
-
 def test_the_model_holds_the_weight(figure, rng):
     """Rows by y' are those of the residuals, and by y those of the velocity alone."""
     samples = random_samples(figure, rng, 3)
@@ -68,11 +61,9 @@ def test_the_model_holds_the_weight(figure, rng):
     assert np.abs(held[:, 0] - own[:, 0]).max() > 1e-3
 
 
-def test_high_points_are_free_and_no_points_cost_nothing(figure, rng):
+def test_without_points_or_surfaces_nothing_skates(figure, rng):
     samples = random_samples(figure, rng, 4)
-    floor = Plane("floor", -1e3 * UP, UP)
-    assert not Skate(some_points(samples), (floor,)).evaluate(samples).any()
-    assert not Skate((), (floor,)).evaluate(samples).any()
+    assert not Skate((), (FLOOR,)).evaluate(samples).any()
     assert not Skate(some_points(samples), ()).evaluate(samples).any()
 
 

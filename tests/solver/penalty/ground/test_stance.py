@@ -5,7 +5,6 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL, figure_of
 from ground import stance_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
@@ -14,9 +13,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts import Stance, resting_objects, stances
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import StancePenalty
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
@@ -42,23 +39,6 @@ def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_last
     expected = np.where((t >= 0.5) & (t <= 1.0), np.sum(away**2, axis=0), 0)
     np.testing.assert_allclose(StancePenalty((stance,)).evaluate(samples), expected, rtol=1e-12)
     assert np.count_nonzero(expected) == 3
-
-
-def test_it_is_measured_by_a_point_that_is_a_centimetre_off():
-    figure = figure_of(BALL)
-    y = figure.to_state(np.array([0.01, 0, 0.6, 1, 0, 0, 0]))[None]
-    stance = Stance(FOOT, -1.0, 1.0, np.array([0, 0, 0.1]), np.array([0, 0, 0.1]))
-    planted = StancePenalty((stance,))
-    assert planted.evaluate(Samples(figure, y, 0 * y, 0 * y))[0] == pytest.approx(
-        planted.normalization.reference, rel=1e-9
-    )
-
-
-def test_no_stance_costs_nothing(figure, rng):
-    samples = random_samples(figure, rng)
-    cotangent = Cotangent(samples)
-    assert not StancePenalty(()).evaluate(samples, cotangent).any()
-    assert not any(g.any() for g in cotangent.gradients())
 
 
 def found(places: list[tuple[float, float]]) -> tuple[Stance, ...]:
@@ -134,18 +114,3 @@ def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
     for told in ([True, False], [False, True], [False, False]):
         assert resting_objects(figure, box_keys(figure, [here, here], told), [1]) == ()
     assert resting_objects(figure, box_keys(figure, [here, here], [True, True]), []) == ()
-
-
-def test_many_stances_at_samples_in_any_order_add_up_one_by_one(figure, rng):
-    samples = at_times(random_samples(figure, rng, 30), rng.permutation(np.linspace(0, 6, 30)))
-    last = len(figure.links) - 1
-    many = [stance_of(link, first, first + 0.5) for first in np.linspace(-1, 7, 60) for link in (1, last)]
-    cotangent, expected = Cotangent(samples), np.zeros(30)
-    scale = rng.uniform(1, 2, 30)
-    values = StancePenalty(tuple(many)).evaluate(samples, cotangent, scale)
-    one_by_one = Cotangent(samples)
-    for stance in many:
-        expected += StancePenalty((stance,)).evaluate(samples, one_by_one, scale)
-    np.testing.assert_allclose(values, expected, rtol=1e-12)
-    for g, h in zip(cotangent.gradients(), one_by_one.gradients(), strict=True):
-        np.testing.assert_allclose(g, h, rtol=1e-11, atol=1e-11)

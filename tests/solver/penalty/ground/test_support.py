@@ -69,20 +69,6 @@ def test_it_is_what_the_best_forces_in_the_friction_pyramids_leave(figure, rng):
     assert expected[0] > 0 < expected[2]
 
 
-def test_pairs_of_footings_and_times_number_those_of_a_time_from_nought_on(figure, rng):
-    """So that the room for their pyramids grows with how many push at once, not with how many there are."""
-    support, t = standing(figure, rng), np.linspace(-0.1, 1.2, 40)
-    held = {s: [] for s in range(t.size)}
-    for which, s, slot in zip(*support._pairs(t), strict=True):
-        assert slot == len(held[s])
-        held[s].append(int(which))
-    for s, time in enumerate(t):
-        flies = any(first <= time <= last for first, last in support.flights)
-        held_there = [i for i, f in enumerate(support.footings) if f.first <= time <= f.last and not flies]
-        assert held[s] == held_there
-    assert max(map(len, held.values())) == 3
-
-
 def test_in_flight_it_is_all_of_the_wrench(figure, rng):
     samples = random_samples(figure, rng, 6)
     support = replace(standing(figure, rng), flights=((-1.0, 1.0),))
@@ -113,16 +99,6 @@ def test_a_body_that_can_stand_costs_nothing(x, push):
 )
 def test_a_body_that_cannot_stand_like_that_costs_something(x, push, lift):
     assert resting(x, push, lift) > 1e-4
-
-
-def test_friction_edges_lie_on_the_cone(rng):
-    normal = rng.normal(size=3)
-    normal /= np.linalg.norm(normal)
-    edges = friction_edges(normal, 0.5)
-    across = edges - np.outer(normal, normal @ edges)
-    np.testing.assert_allclose(normal @ edges, 1)
-    np.testing.assert_allclose(np.linalg.norm(across, axis=0), 0.5)
-    np.testing.assert_allclose(across.sum(axis=1), 0, atol=1e-14)
 
 
 def test_moments_of_which_nothing_is_known_cost_nothing(figure, rng):

@@ -15,9 +15,7 @@ from rich.console import Console
 from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import CouplingPenalty, LoopClosure, closures, couplings
-from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.system.progress import Progress
 
 GRIPPER = """
@@ -127,29 +125,10 @@ def test_a_weld_without_torque_leaves_rotations_alone():
 
 
 @pytest.mark.parametrize("penalty", ["coupled", "closed"])
-def test_the_gradient_is_exact_and_the_curvature_fits_it(penalty, rng):
+def test_the_gradient_has_taylor_slope_two(penalty, rng):
     figure = Figure(mujoco.MjModel.from_xml_string(GRIPPER if penalty == "coupled" else FOUR_BAR))
     term = CouplingPenalty(couplings(figure)) if penalty == "coupled" else LoopClosure(closures(figure))
-    samples = random_samples(figure, rng)
-    scale = rng.uniform(0.5, 2, samples.count)
-    assert term.evaluate(samples).shape == (samples.count,)
-    assert penalty_slope(term, samples, rng) > 1.95
-    curvature = Curvature(samples)
-    term.curvature(samples, curvature, scale)
-    phi = np.zeros((samples.count, 3))
-    phi[2, 0] = 1.0
-    matrix = curvature.quadratic(phi, 0, samples.count)
-    # of residuals r with values Σ r²: vᵀ H v = 2 Σ (dr v)², by differences of the residuals' own values along v
-    for _ in range(3):
-        v = rng.normal(size=figure.width)
-        step = 1e-6
-
-        def residuals(y: np.ndarray) -> np.ndarray:
-            there = Samples(figure, y, 0 * y, 0 * y)
-            return term.away(there)[0] if isinstance(term, CouplingPenalty) else term.gaps(there)
-
-        rate = (residuals(samples.y + step * v) - residuals(samples.y - step * v))[..., 2] / (2 * step)
-        assert v @ matrix @ v == pytest.approx(2 * scale[2] * np.sum(rate**2), rel=1e-6)
+    assert penalty_slope(term, random_samples(figure, rng), rng) > 1.95
 
 
 @pytest.mark.slow

@@ -8,7 +8,6 @@ from random_samples import random_samples
 
 from dynsplines import inbetween, load
 from dynsplines.solver.penalty import Level
-from dynsplines.solver.penalty.curvature import Curvature, add_differences
 
 BOW = """
 figure = "human"
@@ -44,19 +43,6 @@ def test_the_value_is_what_mujoco_computes_of_the_axis(figure, rng, axis):
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     bodies = np.flatnonzero(figure.body_link)[:3].tolist()
     assert penalty_slope(Level.of(figure, bodies), random_samples(figure, rng, 5), rng) > 1.95
-
-
-def test_its_curvature_is_two_j_t_j_of_its_residuals(figure, rng):
-    """Of a sum of squares with residuals r the second derivatives are 2 JᵀJ where r = 0, and more elsewhere."""
-    samples, level = random_samples(figure, rng, 3), Level.of(figure, [int(np.flatnonzero(figure.body_link)[0])])
-    at_rest = type(samples)(figure, *(np.tile(figure.to_state(figure.model.qpos0), (3, 1)) * k for k in (1, 0, 0)))
-    scale, phi = rng.uniform(1, 2, 3), rng.normal(size=(3, 3))
-    made, differenced = Curvature(at_rest), Curvature(at_rest)
-    level.curvature(at_rest, made, scale)
-    add_differences(level.evaluate, at_rest, differenced, scale)
-    assert level.evaluate(at_rest).max() < 1e-20
-    wanted = differenced.quadratic(phi, 0, 3)
-    np.testing.assert_allclose(made.quadratic(phi, 0, 3), wanted, atol=1e-4 * max(np.abs(wanted).max(), 1e-9))
 
 
 @pytest.mark.slow

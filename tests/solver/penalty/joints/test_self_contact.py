@@ -139,17 +139,6 @@ def test_shapes_that_overlap_at_rest_are_left_out_though_they_lie_far_from_their
     np.testing.assert_allclose(penalty.evaluate(Samples(figure, y, 0 * y, 0 * y)), [0, 0.1**2], atol=1e-12)
 
 
-def test_so_are_neighbours_in_the_model_and_those_that_only_touch_are_not():
-    """Of a row of spheres, each on a body of its own, the first two overlap and the others just do not."""
-    text = "".join(
-        f'<body pos="{x} 0 0"><freejoint/><geom name="{name}" size=".1"/></body>'
-        for name, x in (("a", 0.0), ("b", 0.19), ("c", 0.3901), ("d", 0.58))
-    )
-    figure = Figure(mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{text}</worldbody></mujoco>"))
-    pairs = {"".join(sorted(figure.model.geom(g).name for g in pair)) for pair in SelfContact.of(figure).geom_pairs.T}
-    assert pairs == {"ac", "ad", "bc", "bd"}
-
-
 @pytest.mark.parametrize("margin", [0.0, 0.02, 0.2])
 def test_pairs_are_selected_within_the_distance_at_which_they_may_soon_meet_and_the_margin(margin):
     """Two spheres of a tenth of a metre, apart along x: they meet at their radii and the margin."""
@@ -171,7 +160,7 @@ vectors = st.tuples(numbers, numbers, numbers).filter(lambda v: np.linalg.norm(v
 
 
 @pytest.mark.slow
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=60)
 @example((0.0, 1.0, 0.0), (0.0, 1.0, 2e-5), False, (0.0, 0.0, 0.5), 1.0, 1.0)
 @example((0.0, 1.0, 0.0), (0.0, 1.0, 2e-7), False, (0.3, 0.2, 0.5), 1.0, 1.0)
 @given(vectors, vectors, st.booleans(), vectors, st.floats(0, 1), st.floats(0, 1))

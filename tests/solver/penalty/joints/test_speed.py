@@ -9,7 +9,6 @@ from random_samples import random_samples
 from dynsplines import inbetween, load
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.penalty import Speed
-from dynsplines.solver.penalty.curvature import Curvature, add_differences
 
 # An elbow that bends far, and comes back
 SWING = """
@@ -57,20 +56,6 @@ def test_joints_are_as_fast_as_mujoco_computes(figure, rng):
 
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     assert penalty_slope(Speed.of(figure, 0.5), random_samples(figure, rng, 5), rng) > 1.95
-
-
-def test_its_curvature_is_two_j_t_j_of_its_residuals(figure, rng):
-    """Where joints are hardly too fast, the second derivatives are 2 JᵀJ of those that are."""
-    samples, scale, phi = random_samples(figure, rng, 3), rng.uniform(1, 2, 3), rng.normal(size=(3, 3))
-    speed = Speed.of(figure, 0.0)
-    each = speed.speeds(samples)[:, 0]
-    only = type(samples)(figure, samples.y[:1], samples.y_d[:1], samples.y_dd[:1])
-    exact = Speed(speed.links, np.where(np.arange(each.size) % 2 == 0, each - 1e-4, each + 10))
-    made, differenced = Curvature(only), Curvature(only)
-    exact.curvature(only, made, scale[:1])
-    add_differences(exact.evaluate, only, differenced, scale[:1])
-    wanted = differenced.quadratic(phi[:1], 0, 1)
-    np.testing.assert_allclose(made.quadratic(phi[:1], 0, 1), wanted, atol=0.02 * max(np.abs(wanted).max(), 1e-9))
 
 
 @pytest.mark.slow

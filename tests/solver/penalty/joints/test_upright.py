@@ -3,7 +3,6 @@
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import assembled, assert_near, curvature_of, jacobians
 from figures import BALL_TREE
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
@@ -11,7 +10,6 @@ from random_samples import at_times, random_samples
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Lean, Upright, leans
@@ -50,31 +48,6 @@ def test_it_is_the_squared_distance_of_the_axes_ends_at_its_time(figure, rng):
 
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     assert penalty_slope(upright_of(figure, 0.5, 1.0), some(figure, rng), rng) > 1.95
-
-
-def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng):
-    upright, samples = upright_of(figure, 0.5, 1.0), some(figure, rng)
-
-    def away(there: Samples) -> Array:
-        out = np.zeros((there.count, len(upright.leans), 3))
-        for k, lean in enumerate(upright.leans):
-            axis = np.einsum("ijs,j->si", there.links.rotation[:, :, lean.link], lean.axis)
-            out[:, k] = (axis - lean.direction) * (there.t == lean.time)[:, None]
-        return out.reshape(there.count, -1)
-
-    np.testing.assert_allclose(np.sum(away(samples) ** 2, axis=1), upright.evaluate(samples), rtol=1e-9)
-    scale, phi = rng.uniform(0.5, 2, samples.count), rng.normal(size=(samples.count, 3, 2))
-    moved = np.einsum("sron,soa->sran", jacobians(away, samples), phi).reshape(samples.count, -1, 2 * figure.width)
-    expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", moved, moved)
-    assert_near(assembled(curvature_of(upright, samples, scale), phi), expected)
-    assert upright.one_sided_residuals(samples) is None
-
-
-def test_nothing_that_leans_costs_nothing(figure, rng):
-    samples = random_samples(figure, rng)
-    cotangent = Cotangent(samples)
-    assert not Upright(()).evaluate(samples, cotangent, np.ones(samples.count)).any()
-    assert not any(g.any() for g in cotangent.gradients())
 
 
 def test_it_is_about_keyframes_whose_roots_turn_was_posed_and_keeps_what_points_up_there():

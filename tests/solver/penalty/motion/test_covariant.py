@@ -6,7 +6,6 @@ from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import CovariantAcceleration
 from dynsplines.solver.penalty.motion.covariant import covariant_acceleration
@@ -31,23 +30,6 @@ def test_the_gradient_has_taylor_slope_two(figure, rng, form):
 def test_the_intrinsic_form_is_a_quarter_of_the_squared_angular_acceleration(figure, rng):
     samples = random_samples(figure, rng)
     np.testing.assert_allclose(CovariantAcceleration().evaluate(samples), angular_accelerations(samples), rtol=1e-11)
-
-
-def test_the_gradient_of_the_intrinsic_form_is_across_the_gauge(figure, rng):
-    samples = random_samples(figure, rng)
-    cotangent = Cotangent(samples)
-    CovariantAcceleration().evaluate(samples, cotangent)
-    g0, g1, g2 = cotangent.gradients()
-    for columns in figure.tables.quaternion_columns.T:
-        q, q_d, q_dd = (a[:, columns] for a in (samples.y, samples.y_d, samples.y_dd))
-        h0, h1, h2 = (g[:, columns] for g in (g0, g1, g2))
-        size = np.abs(h2).max() * np.abs(q_dd).max()
-        along = (
-            np.sum(h2 * q, axis=1),
-            np.sum(h1 * q + 2 * h2 * q_d, axis=1),
-            np.sum(h0 * q + h1 * q_d + h2 * q_dd, axis=1),
-        )
-        np.testing.assert_allclose(np.stack(along), 0, atol=1e-11 * size)
 
 
 def test_the_papers_form_is_the_intrinsic_one_on_the_unit_sphere(figure, rng):
@@ -76,16 +58,6 @@ def test_the_papers_form_is_the_square_of_equation_nine(figure, rng):
         np.testing.assert_allclose(np.sum(felt**2, axis=1), closed, rtol=1e-9)
         total = total + closed
     np.testing.assert_allclose(CovariantAcceleration("paper").evaluate(samples), total, rtol=1e-9)
-
-
-def test_steady_rotation_costs_nothing(figure, rng):
-    y = figure.to_state(rng.normal(size=(3, figure.width)))
-    y_d, y_dd = np.zeros_like(y), np.zeros_like(y)
-    for columns in figure.tables.quaternion_columns.T:
-        omega = np.concatenate([np.zeros((3, 1)), rng.normal(size=(3, 3))], axis=1)
-        y_d[:, columns] = quat.product(omega, y[:, columns]) / 2
-        y_dd[:, columns] = quat.product(omega, y_d[:, columns]) / 2
-    np.testing.assert_allclose(CovariantAcceleration().evaluate(Samples(figure, y, y_d, y_dd)), 0, atol=1e-24)
 
 
 def test_an_unknown_form_is_refused():

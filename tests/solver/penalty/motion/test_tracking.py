@@ -61,31 +61,9 @@ def test_the_value_is_that_of_differences_from_scipys_spline_and_mujocos_places(
         np.testing.assert_allclose(found.evaluate(samples)[s], value, rtol=1e-7)
 
 
-def test_it_is_zero_along_the_recording_whatever_the_signs(figure, rng):
-    found = near(figure, rng)
-    t = np.linspace(0.05, 1.95, 7)
-    y, y_d, y_dd = found.recorded.path.motion(t)
-    assert found.evaluate(Samples(figure, y, y_d, y_dd, t)).max() < 1e-12
-    for columns in figure.tables.quaternion_columns.T:
-        for part in (y, y_d, y_dd):
-            part[3, columns] *= -1
-    assert found.evaluate(Samples(figure, y, y_d, y_dd, t)).max() < 1e-12
-
-
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     found, samples = around(figure, rng, 5)
     assert penalty_slope(found, samples, rng, any_length=False) > 1.95
-
-
-def test_its_curvature_along_the_recording_is_that_of_differences(figure, rng):
-    found, t = near(figure, rng), np.array([0.3, 0.7, 1.2])
-    samples = Samples(figure, *found.recorded.path.motion(t), t=t)
-    scale, phi = rng.uniform(1, 2, 3), rng.normal(size=(3, 3))
-    made, differenced = Curvature(samples), Curvature(samples)
-    found.curvature(samples, made, scale)
-    add_differences(found.evaluate, samples, differenced, scale)
-    wanted = differenced.quadratic(phi, 0, 3)
-    np.testing.assert_allclose(made.quadratic(phi, 0, 3), wanted, atol=1e-3 * np.abs(wanted).max())
 
 
 @pytest.mark.parametrize("order", range(3))

@@ -9,9 +9,7 @@ from random_samples import random_samples
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import UnitMagnitude
 
@@ -37,15 +35,6 @@ def test_the_absolute_form_is_the_papers_up_to_its_rounding(figure, rng):
     values = UnitMagnitude("absolute", epsilon=1e-6).evaluate(samples)
     np.testing.assert_allclose(values, papers, atol=1e-5)
     assert np.all(values <= papers)
-
-
-@pytest.mark.parametrize("form", ["square", "absolute"])
-def test_unit_quaternions_cost_nothing_and_have_no_gradient(figure, rng, form):
-    y = figure.to_state(rng.normal(size=(4, figure.width)))
-    samples = Samples(figure, y, 0 * y, 0 * y)
-    cotangent = Cotangent(samples)
-    np.testing.assert_allclose(UnitMagnitude(form).evaluate(samples, cotangent), 0, atol=1e-20)
-    np.testing.assert_allclose(np.concatenate(cotangent.gradients()), 0, atol=1e-11)
 
 
 @pytest.mark.parametrize("form", ["square", "absolute"])
