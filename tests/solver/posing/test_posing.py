@@ -20,8 +20,6 @@ from dynsplines.clip.posing.feet import sole_points
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
-from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.penalty.joints.bend import bent
 from dynsplines.solver.posing import (
     MET,
@@ -30,9 +28,7 @@ from dynsplines.solver.posing import (
     Goal,
     GraspGoal,
     PointGoal,
-    Posed,
     bounds,
-    chain,
     entries,
     posed,
 )
@@ -101,7 +97,7 @@ def everything(figure: Figure) -> Mask:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(2))
 def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
     """A round trip: sites and rotations of a random pose, a pose found for them from rest, its sites by MuJoCo."""
     figure, rng = HUMAN["world"], np.random.default_rng(seed)
@@ -120,7 +116,7 @@ def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
 
 
 @pytest.mark.slow
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=4, deadline=None)
 @given(seed=st.integers(0, 10**6), side=st.sampled_from(["left", "right"]), limb=st.sampled_from(["heel", "hand"]))
 def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
     figure, rng = HUMAN["world"], np.random.default_rng(seed)
@@ -176,7 +172,7 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("short", [1e-2, 1e-3, 1e-4, 1e-5])
+@pytest.mark.parametrize("short", [1e-2, 1e-5])
 def test_a_leg_a_hair_shorter_than_straight_is_found(short):
     figure = HUMAN["world"]
     target = seen(figure, figure.model.qpos0).site("left_heel").xpos + np.array([0, 0, short])
@@ -232,28 +228,7 @@ def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
     assert turned == pytest.approx(np.arccos(tilt[2]), abs=1e-6)  # the shortest way up, no turn about the vertical
 
 
-def test_upside_down_is_not_flat():
-    figure = figure_of(
-        '<mujoco><worldbody><body name="b"><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
-    )
-    over = np.array([0.0, 1, 0, 0])
-    assert not posed(figure, over, np.zeros(4, bool), [BodyGoal("b")]).is_met
-    assert posed(figure, over, np.ones(4, bool), [BodyGoal("b")]).is_met
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_hinges_and_slides_reach_within_their_ranges(seed):
-    figure, rng = figure_of(ARM), np.random.default_rng(seed)
-    wanted = np.array([*rng.uniform(-1, 1, 3), rng.uniform(-0.1, 0.2)])
-    target = seen(figure, wanted).site("tip").xpos.copy()
-    found = posed(figure, np.zeros(4), np.ones(4, bool), [SiteGoal("tip", target)])
-    assert found.is_met
-    np.testing.assert_allclose(seen(figure, found.qpos).site("tip").xpos, target, atol=MET)
-    assert abs(found.qpos[1]) <= np.radians(150)
-    assert -0.1 <= found.qpos[3] <= 0.2
-
-
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(2))
 def test_of_all_poses_that_meet_the_goals_it_is_a_nearest_one(seed):
     """Where no range is in the way, the step from home is normal to the poses that meet the goals."""
     text = ARM.replace(' range="-150 150"', "").replace(' range="-.1 .2"', "")
@@ -338,39 +313,7 @@ def test_what_is_out_of_reach_is_missed_by_the_gap():
     np.testing.assert_allclose(found.qpos, [0, 0, 0, 0.2], atol=1e-2)
 
 
-def test_axes_that_are_free_are_not_held():
-    figure = figure_of(ARM)
-    found = posed(figure, np.array([0.5, 0.5, 0.5, 0]), np.ones(4, bool), [SiteGoal("tip", np.array([np.nan, 0, 1.2]))])
-    assert found.is_met
-    assert seen(figure, found.qpos).site("tip").xpos[2] == pytest.approx(1.2, abs=MET)
-
-
-def test_with_nothing_free_the_pose_stays_and_the_miss_is_told():
-    figure, home = figure_of(ARM), np.array([0.1, 0.2, 0.3, 0.0])
-    target = seen(figure, home).site("tip").xpos + np.array([0, 0, 0.1])
-    found: Posed = posed(figure, home, np.zeros(4, bool), [SiteGoal("tip", target)])
-    np.testing.assert_array_equal(found.qpos, home)
-    np.testing.assert_allclose(found.missed, [0.1])
-
-
-def test_the_chain_of_a_body_leads_to_its_root():
-    figure = HUMAN["world"]
-    names = [figure.links[i].name for i in chain(figure, figure.model.body("left_foot").id)]
-    assert names == ["left_ankle", "left_knee", "left_hip", "root"]
-    assert chain(figure, 0) == []
-
-
-def test_the_angles_of_a_joint_are_those_of_the_penalty(figure, rng):
-    balls = list(figure.tables.ball_links)
-    limits = BendLimits(tuple(Bend(f"{i}", int(i), np.array([0.0, 1, 0]), np.array([0.0, 0, -1])) for i in balls))
-    qpos = figure.to_qpos(figure.to_state(rng.normal(size=(4, figure.width))))
-    y = figure.to_state(qpos)
-    own = np.stack([qpos[:, entries(figure, i)] for i in balls], axis=1)
-    expected = limits.angles(Samples(figure, y, 0 * y, 0 * y))
-    np.testing.assert_allclose(bent(figure, limits.joints, own).transpose(0, 2, 1), expected, atol=1e-9)
-
-
-DRAWS = 30
+DRAWS = 10
 ENDS = ("left_hand", "right_hand")
 
 
@@ -417,19 +360,6 @@ def test_hands_and_feet_of_poses_inside_the_ranges_are_found_from_the_rest_pose(
             assert np.all((found.qpos[7:] >= limits[0]) & (found.qpos[7:] <= limits[1]))
 
 
-def test_an_elbow_of_a_hinge_bends_the_way_its_range_lets_it():
-    figure = figure_of(walkers.BIPED)
-    rest = figure.model.qpos0
-    shoulder = seen(figure, rest).body("left_arm").xpos
-    goal = SiteGoal("left_hand", shoulder + np.array([0.25, 0.05, -0.1]))
-    free = everything(figure)
-    free[:7] = False
-    found = posed(figure, rest, free, [goal])
-    elbow = figure.link_named("left_elbow")
-    assert found.is_met and elbow is not None
-    assert -np.radians(140) < found.qpos[figure.links[elbow].qpos] < -np.radians(30)
-
-
 @pytest.mark.slow
 def test_what_a_goal_apart_misses_does_not_move_the_others():
     figure = HUMAN["world"]
@@ -441,17 +371,3 @@ def test_what_a_goal_apart_misses_does_not_move_the_others():
     assert alone.is_met and both.missed[0] <= MET < both.missed[1]
     assert both.starts == STARTS
     np.testing.assert_allclose(both.qpos[alone.fixed], alone.qpos[alone.fixed], atol=1e-12)
-
-
-def test_a_search_begins_with_every_joint_bent_by_its_least_flexion_and_those_that_bend_more_as_they_are():
-    figure = HUMAN["world"]
-    assert BENDS is not None
-    bends = bounds.Bends.of(figure, BENDS, everything(figure))
-    assert bends is not None
-    straight = np.array(figure.model.qpos0)
-    least = bends._angles(straight[bends.columns])[0].max() + 0.2
-    begun = bends.begun(straight, least)
-    np.testing.assert_allclose(bends._angles(begun[bends.columns])[0], least, atol=1e-9)
-    others = np.setdiff1d(np.arange(straight.size), bends.columns)
-    np.testing.assert_array_equal(begun[others], straight[others])
-    np.testing.assert_array_equal(bends.begun(begun, least - 0.1), begun)
