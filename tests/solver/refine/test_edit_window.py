@@ -88,22 +88,6 @@ def test_the_part_holds_its_outer_segments_and_begins_and_ends_as_fast_as_the_wh
             np.testing.assert_array_equal(part.end_slope[side], timeline.end_slope[side])
 
 
-def test_put_back_what_moved_is_the_parts_and_what_was_held_the_timelines():
-    timeline, cut = timeline_of(), cut_of(1.75, 1.75)
-    moved = tuple(Frame(f.time, f.state + 1, f.fixed) for f in cut.part.frames)
-    more = Frame.many(np.array([1.9]), np.ones((1, 7)), np.zeros((1, 7), bool))
-    part = Timeline(tuple(sorted((*moved, *more), key=lambda f: f.time)), cut.part.end_slope, "clamped")
-    whole = cut.around(timeline)(part)
-    np.testing.assert_array_equal(whole.times, np.sort(np.append(timeline.times, 1.9)))
-    inner = (whole.times > 1.0) & (whole.times < 2.5)
-    np.testing.assert_array_equal(
-        whole.states[~inner], timeline.states[(timeline.times <= 1) | (timeline.times >= 2.5)]
-    )
-    np.testing.assert_array_equal(whole.states[inner], part.states[(part.times > 1) & (part.times < 2.5)])
-    np.testing.assert_array_equal(whole.end_slope, timeline.end_slope)
-    assert whole.ends == timeline.ends
-
-
 @pytest.mark.parametrize("edit", [(0.0, 0.0), (2.5, 2.5), (5.0, 5.0)])
 def test_what_lies_elsewhere_costs_what_all_segments_do_but_those_of_the_part_known_or_not(edit):
     timeline, cut = timeline_of(), cut_of(*edit)

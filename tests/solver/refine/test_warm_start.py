@@ -13,8 +13,7 @@ from dynsplines.clip import load as clips
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.inbetween import continue_from, inbetween
-from dynsplines.solver.refine.edit_window import EditWindow
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.refine.warm_start import warm_start
 
@@ -79,14 +78,6 @@ def test_where_nothing_was_edited_it_is_the_path_that_was_found(clip, found):
     np.testing.assert_allclose(a, b, atol=1e-3)  # quaternions at keyframes are of length one again
 
 
-def test_far_from_a_small_edit_it_stays_unchanged(clip, found):
-    keys = edited(clip, "moved")
-    begin = warm_start(clip.figure, found.timeline, clip.keys, keys, replace(clip.problem, keys=keys).raw)
-    t = np.linspace(1.7, 2.2, 20)
-    height = [path_of(line).at(t)[:, 2] for line in (found.timeline, begin)]
-    np.testing.assert_allclose(height[0], height[1], atol=1e-5)
-
-
 @pytest.mark.parametrize(
     ("new", "old"),
     [
@@ -123,53 +114,3 @@ def test_variable_frames_lie_between_keyframes_as_they_did_and_move_with_them(rn
         kept = [x for x in kept if 0.15 < (x - given[0]) / (given[1] - given[0]) < 0.85]
         expected = kept if kept else back(a + (b - a) * np.array([1, 2]) / 3)
         np.testing.assert_allclose(back(inner), expected, atol=1e-12)
-
-
-@pytest.mark.slow
-def test_a_search_continues_from_it_and_keeps_what_an_edit_does_not_reach(clip, found):
-    keys = edited(clip, "moved")
-    problem = replace(clip.problem, keys=keys, settings=replace(clip.settings, max_evaluations=4, frames=0))
-    begin = warm_start(clip.figure, found.timeline, clip.keys, keys, problem.raw)
-    seen = []
-    solution = continue_from(problem, begin, between=[(keys[2].time, keys[4].time)], improved=seen.append)
-    values = [each.value for each in seen]
-    assert values == sorted(values, reverse=True)
-    assert len(values) > 1
-    assert met(clip.figure, solution.timeline, keys) < 1e-9
-    assert met(clip.figure, seen[0].build(), keys) < 1e-9
-    objective = problem.objective
-    assert objective.value(path_of(solution.timeline)) < objective.value(path_of(begin))
-    late = begin.times > 1.2
-    at = np.isin(solution.timeline.times, begin.times[late])
-    np.testing.assert_array_equal(solution.timeline.states[at], begin.states[late])
-
-
-@pytest.mark.slow
-def test_several_stretches_are_searched_one_after_the_other_and_nothing_between_them_moves(clip, found):
-    rng, times = np.random.default_rng(5), np.array([key.time for key in clip.keys])
-    stretches = [(times[1], times[2]), (times[-3], times[-2])]
-    cuts = [EditWindow.about(found.timeline, times, span) for span in stretches]
-    first, second = cuts
-    assert first is not None
-    assert second is not None
-    assert first.last < second.first
-    shaken = tuple(
-        replace(frame, state=frame.state + 1e-3 * rng.normal(size=frame.state.size)) if frame.is_variable else frame
-        for frame in found.timeline.frames
-    )
-    begin = replace(found.timeline, frames=shaken)
-    problem = replace(clip.problem, settings=replace(clip.settings, max_evaluations=4, frames=0))
-    seen = []
-    solution = continue_from(problem, begin, between=stretches, improved=seen.append)
-    values = [each.value for each in seen]
-    assert values == sorted(values, reverse=True)
-    value = problem.objective.value(path_of(solution.timeline))
-    assert value < problem.objective.value(path_of(continue_from(problem, begin, between=stretches[:1]).timeline))
-    np.testing.assert_allclose(values[-1], value, rtol=0.05)
-    t, free = solution.timeline.times, np.zeros(begin.times.size, bool)
-    np.testing.assert_array_equal(t, begin.times)
-    for cut in (first, second):
-        free |= (t > cut.first) & (t < cut.last)
-    np.testing.assert_array_equal(solution.timeline.states[~free], begin.states[~free])
-    assert np.any(solution.timeline.states[free] != begin.states[free])
-    assert met(clip.figure, solution.timeline, clip.keys) < 1e-9

@@ -2,12 +2,10 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from importlib import import_module
 from itertools import pairwise
 
 import numpy as np
 import pytest
-from bends import limits_of
 from figures import TINY, figure_of
 from ground import FLOOR
 from random_keys import distance_from_key, mask_without
@@ -124,9 +122,8 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("partial", "ends"), [(True, "free"), (False, "clamped")])
-def test_a_clip_in_windows_costs_no_more_than_the_whole_and_meets_its_keyframes(ends, partial, request):
-    keys, slope = long_keys(partial=partial), np.zeros((2, FIGURE.width)) if ends == "clamped" else None
+def test_a_clip_in_windows_costs_no_more_than_the_whole_and_meets_its_keyframes(request):
+    keys, ends, slope = long_keys(), "clamped", np.zeros((2, FIGURE.width))
     alike = replace(SETTINGS, variable=2)
     whole = inbetween(Problem(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope))
     request.getfixturevalue("short")
@@ -180,16 +177,11 @@ def told() -> Told:
 
 
 @pytest.mark.slow
-def test_what_is_reported_while_it_continues_is_the_whole_clip_and_about_its_e(told):
+def test_what_is_reported_is_the_whole_clip_at_once_and_later_about_its_e_and_no_added_frame_is_lost(told):
     assert len(told.improvements) > 10
     for each, path in zip(told.improvements, told.paths, strict=True):
         assert_whole(path, long_keys())
         np.testing.assert_allclose(told.motion.objective.value(path), each.value, rtol=0.03)
-
-
-@pytest.mark.slow
-def test_what_was_reported_is_the_whole_clip_still_when_it_is_requested_later_and_no_added_frame_is_lost(told):
-    for each, path in zip(told.improvements, told.paths, strict=True):
         np.testing.assert_array_equal(each.path.rows, path.rows)
     assert not told.lost
 
@@ -198,23 +190,6 @@ def test_what_was_reported_is_the_whole_clip_still_when_it_is_requested_later_an
 def test_the_budget_of_variable_frames_is_kept_in_windows_too(short):
     settings = Settings(variable=1, frames=2 * SEGMENTS, threshold=0.0, max_evaluations=10)
     assert inbetween(Problem(FIGURE, long_keys(), penalties(), settings)).timeline.variable_count <= 2 * SEGMENTS
-
-
-@pytest.mark.slow
-def test_without_a_budget_a_window_has_at_most_so_many_frames_for_each_of_its_segments(short, monkeypatch):
-    module, asked = import_module("dynsplines.solver.inbetween"), []
-    monkeypatch.setattr(module, "MOST_FRAMES", 3)
-    searched = module._Loop.searched
-
-    def seen(loop, timeline, *told):
-        found = searched(loop, timeline, *told)
-        asked.append(found.variable_count)
-        return found
-
-    monkeypatch.setattr(module._Loop, "searched", seen)
-    settings = Settings(variable=1, threshold=0.0, max_evaluations=5)
-    inbetween(Problem(FIGURE, long_keys(), penalties(), settings))
-    assert asked == [3 * (window.last - window.first) for window in windows(SEGMENTS)]
 
 
 class Counted(CovariantAcceleration):
@@ -248,7 +223,7 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
     Counted.reset(0)
     inbetween(Problem(FIGURE, keys, terms, settings))
     total = Counted.calls
-    for share in (0.05, 0.3, 0.57, 0.88):  # some of them in searches without some terms
+    for share in (0.05, 0.88):  # some of them in searches without some terms
         Counted.reset(int(share * total))
         motion = inbetween(Problem(FIGURE, keys, terms, settings))
         Counted.reset(0)
@@ -260,7 +235,7 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("error", "count"), [(StopSearch, 1), (KeyboardInterrupt, 15), (StopSearch, 35)])
+@pytest.mark.parametrize(("error", "count"), [(StopSearch, 1), (KeyboardInterrupt, 15)])
 def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_reported(short, error, count):
     keys, told = long_keys(), []
 
@@ -277,12 +252,11 @@ def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_reported(short, error
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("window", [0, 1])
-def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch, window):
+def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch):
     keys, opened = long_keys(), Assembly.opened
 
     def interrupted(self: Assembly, at: Window) -> Timeline:
-        if at.first == windows(SEGMENTS)[window].first:
+        if at.first == windows(SEGMENTS)[0].first:
             raise KeyboardInterrupt
         return opened(self, at)
 
@@ -291,17 +265,6 @@ def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch, windo
     assert motion.stop is Stop.INTERRUPTED
     assert_whole(motion.path, keys)
     assert fine_value(motion) <= fine_value(motion, path_of(motion.raw)) * (1 + 1e-9)
-
-
-@pytest.mark.slow
-def test_other_methods_and_bounds_solve_windows_too(short):
-    more: list[tuple[Penalty, float]] = [*penalties(), (limits_of(FIGURE), 0.1)]
-    for method in ("none", "lbfgs"):
-        settings = Settings(variable=1, frames=0, optimiser=method, max_evaluations=60)
-        motion = inbetween(Problem(FIGURE, long_keys(), more, settings))
-        assert_whole(motion.path, long_keys())
-        assert motion.timeline.variable_count == SEGMENTS
-        assert fine_value(motion) < 0.9 * fine_value(motion, path_of(motion.raw))
 
 
 def test_the_segments_integrals_add_up_to_the_objective():
@@ -357,52 +320,6 @@ def test_a_window_begins_as_the_clip_has_it_and_put_back_unchanged_changes_nothi
     t = np.linspace(times[0], times[-1], 300)
     np.testing.assert_allclose(path_of(whole).motion(t), path.motion(t), rtol=1e-7, atol=1e-7)
     assert whole.ends == ends
-
-
-@pytest.mark.parametrize("window", OPENED, ids=str)
-def test_what_other_segments_cost_is_e_without_the_windows_own_even_after_one_was_solved(window):
-    assembly, path = assembly_of("free")
-    objective, times = assembly.objective, assembly.key_times
-
-    def outside(seen: Path) -> Array:
-        parts = segment_integrals(objective, seen, times)
-        return np.delete(parts, np.arange(window.held, window.last), axis=0).sum(axis=0)
-
-    np.testing.assert_allclose(assembly.elsewhere(window), outside(path), rtol=1e-9, atol=1e-12)
-    first = Window(0, 0, 4, 7)
-    solved = nudged(assembly.opened(first), 0.01, np.random.default_rng(4))
-    assembly.close(first, solved)
-    parts = segment_integrals(objective, path, times)
-    parts[:7] = segment_integrals(objective, path_of(solved), times[:8])
-    np.testing.assert_allclose(assembly.elsewhere(Window(9, 12, 15, 18)), np.delete(parts, np.s_[9:18], 0).sum(axis=0))
-    assembly.close(
-        second := Window(4, 7, 10, 14), solved := nudged(assembly.opened(second), 0.01, np.random.default_rng(5))
-    )
-    parts[6:14] = segment_integrals(objective, path_of(solved), times[6:15])
-    np.testing.assert_allclose(assembly.elsewhere(Window(0, 0, 0, 0)), parts.sum(axis=0))
-
-
-@pytest.mark.parametrize("window", OPENED[1:], ids=str)
-def test_what_a_window_found_is_taken_over_behind_its_first_keyframe_and_what_it_held_stays(window):
-    assembly, _ = assembly_of("free")
-    before, times = assembly.timeline(), assembly.key_times
-    opened = assembly.opened(window)
-    frames = [replace(f, state=f.state + 0.01 * ~f.fixed) for f in opened.frames]
-    moved = Timeline(tuple(frames), opened.end_slope + 0.1, opened.ends)
-    assembly.close(window, moved)
-    after = assembly.timeline()
-    inside = (after.times > (times[window.first] if window.first else -1)) & (after.times <= times[window.last])
-    np.testing.assert_array_equal(after.times, before.times)
-    np.testing.assert_array_equal(after.states[~inside], before.states[~inside])
-    np.testing.assert_array_equal(after.states[inside], (before.states + 0.01 * ~before.fixed)[inside])
-    own = np.array([window.held == 0, window.last == SEGMENTS])
-    np.testing.assert_allclose(after.end_slope - before.end_slope, 0.1 * own[:, None] * np.ones(FIGURE.width))
-    again = Window(window.first, window.first + 1, window.last, window.last)
-    if again.held and again.first < again.last:
-        found = path_of(assembly.opened(again))
-        t = np.linspace(times[again.held], times[again.first], 40)
-        slope = path_of(moved).at(t[:1], 1)
-        np.testing.assert_allclose(found.at(t[:1], 1), slope, atol=1e-9)  # C¹ where it goes on
 
 
 @pytest.mark.parametrize("ends", ["free", "clamped"])
