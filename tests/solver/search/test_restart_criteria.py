@@ -1,6 +1,7 @@
 """Searches that end in a heap: how it is known, and that a limb which began behind its own knee is out of there."""
 
 import sys
+from functools import cache
 
 import mujoco
 import numpy as np
@@ -29,7 +30,7 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search.minimum import Stop, StopSearch
+from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.search.restart_criteria import (
     COST_RATIO,
     MAX_DEVIATION,
@@ -55,7 +56,6 @@ TERMS: list[tuple[Penalty, float]] = [
     (limits(KNEE), 1.0),
 ]
 HEAPS = [10, 41]  # seeds whose first search ends with a knee behind itself
-SWINGS = [*HEAPS, 6, 35]
 
 
 def swinging(seed: int) -> list[Frame]:
@@ -69,13 +69,28 @@ def swinging(seed: int) -> list[Frame]:
     return keys
 
 
-def first_search(keys: list[Frame], monkeypatch: pytest.MonkeyPatch) -> Solution:
+@cache
+def first_search(seed: int) -> Solution:
     """What comes out if nobody begins again."""
-    with monkeypatch.context() as patch:
+    with pytest.MonkeyPatch.context() as patch:
         patch.setattr(VERB, "is_poor_minimum", lambda *_: False)
         patch.setattr(VERB, "cost_increased", lambda *_: False)
         patch.setattr(VERB, "is_pose_outlier", lambda *_: False)
-        return inbetween(Problem(LIMB, keys, TERMS))
+        return inbetween(Problem(LIMB, swinging(seed), TERMS))
+
+
+@cache
+def solved(seed: int) -> tuple[Solution, list]:
+    """What comes out of the verb, and what paths it chose among: objective, paths, the choice."""
+    judged = []
+
+    def seen(objective, timelines):
+        judged.append((objective, timelines, select_best(objective, timelines)))
+        return judged[-1][-1]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(VERB, "select_best", seen)
+        return inbetween(Problem(LIMB, swinging(seed), TERMS)), judged
 
 
 def value(motion: Solution) -> float:
@@ -198,10 +213,10 @@ def from_raw(monkeypatch) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", SWINGS)
-def test_beginning_again_never_ends_higher(seed, monkeypatch, from_raw):
+@pytest.mark.parametrize("seed", [HEAPS[1], 6])
+def test_beginning_again_never_ends_higher(seed, from_raw):
     keys = swinging(seed)
-    before, after = first_search(keys, monkeypatch), inbetween(Problem(LIMB, keys, TERMS))
+    before, after = first_search(seed), inbetween(Problem(LIMB, keys, TERMS))
     assert is_poor_minimum(before.objective, before.timeline, before.trace[-1][3])
     assert after.evaluations > before.evaluations
     assert value(after) <= value(before) * (1 + 1e-9)
@@ -212,24 +227,17 @@ def test_beginning_again_never_ends_higher(seed, monkeypatch, from_raw):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", HEAPS)
-def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
-    keys = swinging(seed)
-    before, after = first_search(keys, monkeypatch), inbetween(Problem(LIMB, keys, TERMS))
+def test_a_limb_that_began_behind_its_knee_is_out_of_there_by_the_straight_way(seed):
+    keys, before, (after, _) = swinging(seed), first_search(seed), solved(seed)
     assert least_flexion(before) < -20
     assert least_flexion(after) > -1.5
     assert not violation_dominates(after.objective, after.trace[-1][3])
     assert value(after) < 0.1 * value(before)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", HEAPS)
-def test_where_the_raw_spline_is_far_off_the_straight_way_comes_first(seed):
-    keys = swinging(seed)
-    assert largest_deviation(LIMB, evenly(raw_timeline(LIMB, keys), 2)) > MAX_DEVIATION
-    found = inbetween(Problem(LIMB, keys, TERMS))
-    assert found.trace[0][2] < 0.1 * found.objective.value(path_of(evenly(raw_timeline(LIMB, keys), 2)))
-    assert least_flexion(found) > -1.5
-    assert not violation_dominates(found.objective, found.trace[-1][3])
+    raw = evenly(raw_timeline(LIMB, keys), 2)
+    assert largest_deviation(LIMB, raw) > MAX_DEVIATION
+    assert after.trace[0][2] < 0.1 * after.objective.value(path_of(raw))
+    fine = np.linspace(*after.path.span, 2000)
+    assert after.objective.value(after.path, fine) < 0.5 * after.objective.value(path_of(after.raw), fine)
 
 
 def test_a_motion_that_is_no_heap_is_searched_once(monkeypatch):
@@ -256,95 +264,15 @@ def test_a_second_search_that_ends_no_lower_changes_nothing(figure, rng, monkeyp
 
 
 @pytest.mark.slow
-def test_a_stop_in_the_second_search_keeps_the_better_of_both(monkeypatch, from_raw):
-    keys = swinging(HEAPS[1])
-    before = first_search(keys, monkeypatch)
-
-    def stop(each) -> None:
-        if each.round > before.trace[-1][1]:
-            raise StopSearch
-
-    after = inbetween(Problem(LIMB, keys, TERMS), improved=stop)
-    assert after.stop is Stop.INTERRUPTED
-    assert before.evaluations < after.evaluations
-    assert value(after) < value(before)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", SWINGS)
-def test_nothing_is_worse_than_the_raw_spline_on_one_fine_grid_for_both(seed):
-    motion = inbetween(Problem(LIMB, swinging(seed), TERMS))
-    edges = np.linspace(*motion.path.span, 2000)
-    found, before = (motion.objective.value(path, edges) for path in (motion.path, path_of(motion.raw)))
-    assert found <= before
-    assert found < 0.5 * before
-
-
-def test_what_is_judged_on_one_grid_is_not_what_each_says_of_itself():
-    keys = swinging(10)
-    raw = raw_timeline(LIMB, keys)
-    objective = Objective.of(LIMB, TERMS).renormalised(path_of(raw))
-    coarse, fine = evenly(raw, 1), evenly(raw, 7)
-    assert select_best(objective, [coarse, fine]) is coarse  # the same curve: the first
-    rows = np.array(fine.rows)
-    rows[1] += 2.0
-    assert select_best(objective, [fine.with_rows(rows), coarse]) is coarse
-    times = common_grid([coarse, fine])
-    assert set(coarse.times) | set(fine.times) <= set(times)
-    assert np.isclose(objective.value(path_of(coarse), times), objective.value(path_of(fine), times), rtol=1e-9)
-
-
-@pytest.mark.slow
-def test_a_round_that_hid_what_it_costs_is_not_kept(monkeypatch):
+def test_a_round_that_hid_what_it_costs_is_not_kept():
     """The first search of this limb ends at samples between which its knee folds too far for a thousandth of a second:
     E = 0.949 by its own samples and 30 by finer ones; a round before had 0.950 and hid nothing."""
-    judged = []
-
-    def seen(objective, timelines):
-        judged.append((objective, timelines, select_best(objective, timelines)))
-        return judged[-1][-1]
-
-    monkeypatch.setattr(VERB, "select_best", seen)
-    inbetween(Problem(LIMB, swinging(10), TERMS))
-    objective, timelines, chosen = judged[0]
+    objective, timelines, chosen = solved(10)[1][0]
     times = common_grid(timelines)
     values = [objective.value(path_of(timeline), times) for timeline in timelines]
     own = [objective.value(path_of(timeline)) for timeline in timelines]
     assert objective.value(path_of(chosen), times) == min(values)
     assert max(values[i] / own[i] for i in range(len(own))) > 10
-
-
-@pytest.mark.slow
-def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypatch):
-    keys, plain = swinging(3), inbetween(Problem(LIMB, swinging(3), TERMS))
-    without: list[frozenset[str]] = []
-    loosened = VERB._Loop.loosened
-    monkeypatch.setattr(VERB, "is_poor_minimum", lambda *_: True)
-    monkeypatch.setattr(VERB, "violation_dominates", lambda *_: True)
-    monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
-    motion = inbetween(Problem(LIMB, keys, TERMS))
-    assert without == [VERB.OF_CONTACTS, VERB.OF_LIMBS]
-    assert motion.evaluations > plain.evaluations
-    edges = np.linspace(*motion.path.span, 500)
-    assert motion.objective.value(motion.path, edges) <= 1.001 * plain.objective.value(plain.path, edges)
-    ends = motion.path.at(np.array([key.time for key in keys]))
-    assert max(distance_from_key(LIMB, state, key) for state, key in zip(ends, keys, strict=True)) < 1e-12
-
-
-@pytest.mark.slow
-def test_what_came_out_well_but_dear_is_searched_once_more_without_bends_to_begin_with(monkeypatch):
-    without: list[frozenset[str]] = []
-    loosened = VERB._Loop.loosened
-    monkeypatch.setattr(VERB, "is_poor_minimum", lambda *_: False)
-    monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
-    plain = inbetween(Problem(LIMB, swinging(3), TERMS))
-    assert without == []
-    monkeypatch.setattr(VERB, "cost_increased", lambda *_: True)
-    again = inbetween(Problem(LIMB, swinging(3), TERMS))
-    assert without == [VERB.OF_LIMBS]
-    assert again.evaluations > plain.evaluations
-    edges = np.linspace(*again.path.span, 500)
-    assert again.objective.value(again.path, edges) <= 1.001 * plain.objective.value(plain.path, edges)
 
 
 def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
@@ -364,7 +292,7 @@ def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
     np.testing.assert_array_equal(found.timeline.end_slope, found.raw.end_slope)
 
 
-@pytest.mark.parametrize("apart", [1e-3, 1e-2, 0.1])
+@pytest.mark.parametrize("apart", [1e-3, 0.1])
 def test_keyframes_up_to_10_000_times_as_far_apart_as_their_neighbours_end_with_quaternions_near_unit_length(apart):
     root = [0, 0, 1.0, 1, 0, 0, 0]
     knees = [quat.from_rotation_vector([0, np.radians(angle), 0]) for angle in (20, 21, 80)]

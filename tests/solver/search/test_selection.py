@@ -102,24 +102,6 @@ def test_the_best_is_the_first_of_those_whose_e_is_as_good_as_the_least():
         assert select_best(objective, timelines) is wanted
 
 
-def test_paths_are_judged_by_the_samples_of_all_of_them_close_about_flips_unless_these_are_even(monkeypatch):
-    seen = []
-    value = Objective.value
-    monkeypatch.setattr(
-        Objective, "value", lambda self, path, times=None: seen.append(times) or value(self, path, times)
-    )
-    aside, way = np.array([0, 1e-2, 0, 0]), np.array([2.0, 0, 0, 0])
-    timelines = [line(np.array([0.0, x, 2.0]), aside - 0.4 * way, aside + 0.6 * way) for x in (0.5, 1.0)]
-    for quadrature, quaternions in ((Quadrature(), QUATERNIONS), (Quadrature("uniform", 50), ())):
-        seen.clear()
-        select_best(
-            Objective.of(figure_of(ONE_BALL), [(CovariantAcceleration(), 1.0)], quadrature=quadrature), timelines
-        )
-        assert len(seen) == 2
-        for times in seen:
-            np.testing.assert_array_equal(times, common_grid(timelines, quaternions))
-
-
 def test_paths_whose_equal_samples_would_be_too_many_are_judged_all_the_same():
     even = Quadrature("uniform", 50)
     objective = Objective.of(hinged(), [(CovariantAcceleration(), 1.0)], quadrature=even)
