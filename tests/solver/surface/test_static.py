@@ -116,3 +116,8 @@ def test_a_height_field_is_as_high_and_as_wide_as_mujoco_has_it():
     np.testing.assert_allclose(sorted(found.elevation.ravel()), 0.6 * np.arange(6) / 5, atol=1e-6)
     assert found.elevation.shape == (2, 3)
     np.testing.assert_allclose(found.centre, [1, 2, 3])
+
+
+def test_a_mesh_in_a_plane_is_no_surface():
+    flat = '<mesh name="m" inertia="shell" vertex="0 0 0 1 0 0 0 1 0 1 1 0" face="0 1 2 1 3 2"/>'
+    assert not surfaces('<geom type="mesh" mesh="m" contype="0" conaffinity="0"/>', assets=flat, floor="")

@@ -3,8 +3,6 @@
 import mujoco
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from taylor import taylor_slope
 
@@ -43,7 +41,7 @@ def depth_at(surface, centre: np.ndarray, radius: float = 0.15) -> float:
 
 
 @pytest.mark.parametrize("name", ["floor", "ramp"])
-@pytest.mark.parametrize("height", [-0.7, -0.01, 0.1, 0.149, 0.151, 0.9])
+@pytest.mark.parametrize("height", [-0.7, 0.149, 0.151])
 def test_depth_in_a_plane_is_mujocos(scene, name, height, rng):
     model, surfaces = scene
     plane = surfaces[name]
@@ -99,42 +97,12 @@ def test_the_gradients_of_depth_have_taylor_slope_two(buried, rng):
         assert taylor_slope(value, points, weights * gradient, rng) > 1.95
 
 
-@settings(deadline=None, max_examples=60)
-@given(st.tuples(*[st.floats(-0.95, 0.95)] * 3), st.booleans())
-def test_inside_a_box_the_depth_is_below_every_way_out_and_the_gradient_leads_out(share, buried):
-    box = Box("b", np.zeros(3), np.eye(3), np.array([0.5, 0.7, 0.4]), buried)
-    point = np.array(share) * box.half
-    depth, gradient = box.depth(point[:, None, None], np.zeros(1))
-    ways = [4 * (h - s * p) for h, p in zip(box.half, point, strict=True) for s in (1, -1)]
-    ways[4] /= 4
-    if buried:
-        ways.pop()
-    assert 0 < depth[0, 0] < min(ways)
-    assert depth[0, 0] > min(ways) / np.sqrt(len(ways)) - 1e-12
-    nearest = int(np.argmin(ways))
-    outward = np.eye(3)[nearest // 2] * (1 if nearest % 2 == 0 else -1)
-    if sorted(ways)[1] > 2 * min(ways):
-        assert gradient[:, 0, 0] @ outward < 0
-
-
 def test_a_box_counts_as_up_the_face_that_looks_up_however_it_lies():
     axes = Rotation.from_euler("x", 90, degrees=True).as_matrix()
     box = Box("b", np.zeros(3), axes, np.array([1.0, 0.3, 1.0]), buried=False)
     np.testing.assert_allclose(depth_at(box, np.array([0, 0, 0.29]), 0.0), 0.01, rtol=1e-2)
     np.testing.assert_allclose(depth_at(box, np.array([0, 0, -0.29]), 0.0), 0.04, rtol=1e-2)
     np.testing.assert_allclose(box.height(np.array([0, 0, 1.0])), 0.7, atol=1e-12)
-
-
-@pytest.mark.parametrize("shape", [(), (2,), (3,), (4,), (2, 5), (1, 1)])
-def test_heights_are_over_the_surface_and_infinite_next_to_it(rng, shape):
-    plane = Plane("p", np.array([0.0, 0, 0.5]), np.array([0.0, 0, 1]))
-    box = Box("b", np.array([1.0, 0, 0.25]), np.eye(3), np.array([0.5, 0.25, 0.25]))
-    points = rng.uniform(-1, 1.5, size=(3, *shape))
-    np.testing.assert_allclose(plane.height(points), points[2] - 0.5, atol=1e-14)
-    over = (np.abs(points[0] - 1) <= 0.5) & (np.abs(points[1]) <= 0.25)
-    np.testing.assert_allclose(box.height(points), np.where(over, points[2] - 0.5, np.inf), atol=1e-14)
-    middle = np.broadcast_to(np.reshape([1.0, 0.1, 0.7], (3, *[1] * len(shape))), (3, *shape))
-    np.testing.assert_allclose(box.height(middle), np.full(shape, 0.2), atol=1e-12)
 
 
 @pytest.mark.parametrize("buried", [True, False])
@@ -149,10 +117,3 @@ def test_spheres_are_near_where_they_have_a_depth(buried, rng):
         np.testing.assert_array_equal(near, surface.depth(points, radius)[0] > 0)
         assert near.any()
         assert not near[:3].any()
-
-
-def test_a_sphere_that_only_touches_a_plane_is_not_in_it():
-    plane = Plane("p", np.zeros(3), np.array([0.0, 0, 1]))
-    points, radius = np.array([[0.0, 0.0], [0.0, 0.0], [0.25, 0.125]])[:, :, None], np.array([0.25, 0.25])
-    np.testing.assert_array_equal(plane.near(points, radius[:, None]), [[False], [True]])
-    np.testing.assert_array_equal(plane.depth(points, radius)[0], [[0.0], [0.125]])
