@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
-from itertools import pairwise
 from typing import cast
 
 import mujoco
 import numpy as np
 import pytest
-from exact_path import ExactPath, _advanced, exact_path
+from exact_path import ExactPath, exact_path
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
@@ -80,21 +79,11 @@ def ratio(seed: int, variable: int, even: bool = True) -> float:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("even", [True, False])
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(("seed", "even"), [(0, True), (1, False)])
 def test_the_oracle_obeys_its_equation_and_meets_the_keyframes(seed: int, even: bool) -> None:
     faults = exact(seed, even).faults()
     assert faults.equation < 1e-5
     assert max(faults.keyframes, faults.continuity, faults.ends) < 1e-11
-
-
-def test_the_oracle_is_as_exact_over_many_turns_as_in_short_pieces() -> None:
-    q, state = np.array([[1.0, 0, 0, 0]]), np.array([[12.0, -5, 3, 4, 7, -2, 3, -8, 6]])
-    whole = _advanced(q, state, np.array([2.0]))
-    for _ in range(16):
-        q, state = _advanced(q, state, np.array([0.125]))
-    np.testing.assert_allclose(whole[0], q, atol=1e-8)
-    np.testing.assert_allclose(whole[1], state, rtol=1e-6)
 
 
 def test_the_oracle_finds_a_turn_about_one_axis_to_be_the_natural_cubic_of_the_angle() -> None:
@@ -110,21 +99,20 @@ def test_the_oracle_finds_a_turn_about_one_axis_to_be_the_natural_cubic_of_the_a
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_three_variable_frames_come_within_a_two_thousandth_of_the_exact_energy(seed: int) -> None:
     assert 1 - 1e-9 <= ratio(seed, 3) <= 1.0005
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_fifteen_variable_frames_come_within_a_millionth_of_the_exact_energy(seed: int) -> None:
     assert 1 - 1e-9 <= ratio(seed, 15) <= 1 + 1e-6
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(2))
-def test_the_exact_energy_is_reached_with_uneven_times_too(seed: int) -> None:
-    assert 1 - 1e-9 <= ratio(seed, 3, even=False) <= 1.0005
-    assert ratio(seed, 3, even=False) < ratio(seed, 1, even=False)
+def test_the_exact_energy_is_reached_with_uneven_times_too() -> None:
+    assert 1 - 1e-9 <= ratio(1, 3, even=False) <= 1.0005
+    assert ratio(1, 3, even=False) < ratio(1, 1, even=False)
 
 
 def test_the_path_itself_comes_close_to_the_exact_one() -> None:
@@ -147,44 +135,6 @@ def test_the_closed_form_is_half_the_residual_of_the_sample_gradients(
     generic = residual(paper_objective(3.0), path)
     closed = covariant_residual(path, generic.t.ravel(), 3.0).reshape(generic.value.shape)
     np.testing.assert_allclose(closed, generic.value / 2, atol=close * abs(generic.value).max())
-
-
-def test_the_shares_of_tenths_are_the_integrals_over_tenths() -> None:
-    path = motion(1, 1, paper=True).raw
-    found = residual(paper_objective(3.0), path_of(path))
-    cuts = np.linspace(0, 6, 11)
-    t, w = gauss_nodes(np.union1d(cuts, EVEN), 10)
-    size = np.linalg.norm(2 * covariant_residual(path_of(path), t, 3.0), axis=1)
-    expected = [np.sum((w * size)[(t > a) & (t < b)]) for a, b in pairwise(cuts)]
-    np.testing.assert_allclose(found.shares(10), expected, atol=0.03 * max(expected))
-    assert found.shares(10).sum() == pytest.approx(found.deviation().sum())
-
-
-def density(q: np.ndarray, q_dd: np.ndarray, unit_weight: float) -> np.ndarray:
-    """Eq. 25's integrand, real or complex, (S,)."""
-    b, a = np.sum(q * q, axis=-1), np.sum(q * q_dd, axis=-1)
-    return np.sum(q_dd * q_dd, axis=-1) - a**2 / b + unit_weight * (b - 1) ** 2
-
-
-def density_gradients(path: Path, t: Array, unit_weight: float) -> tuple[Array, Array]:
-    """∂f/∂q and ∂f/∂q'' at t (S,) by complex steps, (S, 4) both."""
-    q, q_dd = path.at(t), path.at(t, 2)
-    step = 1e-30j * np.eye(4)[:, None, :]
-    first = np.imag(density(q + step, np.broadcast_to(q_dd, (4, *q.shape)), unit_weight)) / 1e-30
-    second = np.imag(density(np.broadcast_to(q, (4, *q.shape)), q_dd + step, unit_weight)) / 1e-30
-    return first.T, second.T
-
-
-def test_the_closed_form_agrees_with_differences_of_equation_24_inside_every_span() -> None:
-    path = motion(2, 1, paper=True).path
-    times, weight = path.spline.times, 3.0
-    h = 0.02 * np.diff(times).min()
-    t = ((times[:-1] + times[1:])[:, None] / 2 + np.diff(times)[:, None] * [-0.3, 0.1, 0.35]).ravel()
-    second_difference = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])
-    offsets = h * np.arange(-4, 5)
-    moving = sum(c * density_gradients(path, t + d, weight)[1] for c, d in zip(second_difference, offsets, strict=True))
-    expected = density_gradients(path, t, weight)[0] + np.asarray(moving) / h**2
-    np.testing.assert_allclose(2 * covariant_residual(path, t, weight), expected, atol=1e-7 * abs(expected).max())
 
 
 @pytest.mark.slow
@@ -222,7 +172,7 @@ def test_what_the_weak_form_still_promises_falls_as_the_fourth_power_for_samples
 
 @pytest.mark.parametrize("variable", [1, 3])
 def test_the_promise_of_one_frame_is_positive_and_within_a_factor_of_what_it_brings(variable: int) -> None:
-    found = motion(3, variable)
+    found = motion(1, variable)
     before = found.objective.value(found.path)
     candidates = midpoints(found.timeline)[1::5]
     promises = WeakForm.of(found.objective, found.path).decrements(candidates)
@@ -235,7 +185,7 @@ def test_the_promise_of_one_frame_is_positive_and_within_a_factor_of_what_it_bri
         assert 0.5 * promise <= true <= 10 * promise
 
 
-@pytest.mark.parametrize(("seed", "variable"), [(0, 1), (1, 1), (2, 1), (0, 3), (1, 3)])
+@pytest.mark.parametrize(("seed", "variable"), [(0, 1), (1, 1), (0, 3)])
 def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(seed: int, variable: int) -> None:
     found = motion(seed, variable)
     weak = WeakForm.of(found.objective, found.path)

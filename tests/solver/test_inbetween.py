@@ -11,7 +11,7 @@ from hinged import PENALTIES, hinge_keys, hinged
 from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -65,20 +65,9 @@ def test_e_falls_strictly_and_every_callback_meets_the_keyframes(figure, rng, en
     assert motion.at(0.3).shape == (1, figure.width)
 
 
-@pytest.mark.parametrize("outside", [-0.01, 2.01])
-def test_a_time_before_the_first_keyframe_or_after_the_last_is_refused_and_their_own_are_not(outside):
-    figure, keys = hinged(), hinge_keys()
-    raw = raw_timeline(figure, keys)
-    motion = Solution(figure, Objective.of(figure, PENALTIES), raw, raw)
-    for times in (outside, [0.5, outside]):
-        with pytest.raises(ValueError, match=r"^the motion runs from 0 to 2 s; there is nothing to see outside$"):
-            motion.at(times)
-    np.testing.assert_allclose(motion.at([-1e-10, 2 + 1e-10]), [keys[0].state, keys[-1].state], atol=1e-8)
-
-
-@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
 @pytest.mark.parametrize(
-    ("method", "evaluations"), [("none", 1), ("none", 2), ("none", 3), ("lbfgs", 1), ("lbfgs", 5), ("lbfgs", 7)]
+    ("error", "method", "evaluations"),
+    [(StopSearch, "none", 1), (KeyboardInterrupt, "none", 3), (StopSearch, "lbfgs", 7)],
 )
 def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_raw_one(
     figure, rng, error, method, evaluations
@@ -99,7 +88,7 @@ def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_r
         assert distance_from_key(figure, state, key) < 1e-11
 
 
-@pytest.mark.parametrize(("method", "call"), [("none", 1), ("none", 2), ("none", 4), ("lbfgs", 2), ("lbfgs", 7)])
+@pytest.mark.parametrize(("method", "call"), [("none", 1), ("none", 4), ("lbfgs", 7)])
 def test_ctrl_c_inside_any_evaluation_returns_the_best_motion_so_far(figure, rng, method, call):
     class Interrupted(CovariantAcceleration):
         calls = 0
@@ -144,7 +133,7 @@ def test_ctrl_c_while_segments_are_judged_returns_the_best_motion_so_far(rng, mo
     assert solved(motion) <= raw(motion)
 
 
-@pytest.mark.parametrize("frames", [3, 4, 8])
+@pytest.mark.parametrize("frames", [3, 8])
 def test_the_budget_of_variable_frames_is_respected(figure, rng, frames):
     settings = Settings(variable=1, frames=frames, threshold=0.0, batch=1.0, max_evaluations=15)
     motion = inbetween(Problem(figure, random_keys(figure, rng), PENALTIES, settings))
@@ -152,7 +141,7 @@ def test_the_budget_of_variable_frames_is_respected(figure, rng, frames):
     assert motion.raw.variable_count == 0
 
 
-@pytest.mark.parametrize("frames", [4, 5, 6])
+@pytest.mark.parametrize("frames", [4, 6])
 def test_the_segments_that_need_it_most_are_split_first(monkeypatch, frames):
     needs = np.array([0.1, 0.6, 0.3, 0.5, 0.2, 0.4])  # of the halves of three segments
     monkeypatch.setitem(CRITERIA, "resolution", lambda objective, timeline: needs)
@@ -165,9 +154,7 @@ def test_the_segments_that_need_it_most_are_split_first(monkeypatch, frames):
 
 
 @pytest.mark.parametrize("criterion", ["resolution", "weak"])
-@pytest.mark.parametrize(
-    ("since", "until"), [(-np.inf, np.inf), (0.2, 1.5), (0.5, np.inf), (-np.inf, 0.4), (0.7, 0.71)]
-)
+@pytest.mark.parametrize(("since", "until"), [(-np.inf, np.inf), (0.2, 1.5), (0.7, 0.71)])
 def test_nothing_is_split_in_what_is_held_and_nothing_that_promises_too_little(monkeypatch, criterion, since, until):
     needs = np.array([0.1, 0.6, 0.3, 0.5, 0.2, 0.4])
     monkeypatch.setitem(CRITERIA, criterion, lambda objective, timeline: needs)
@@ -207,8 +194,7 @@ def test_evaluations_are_bounded_in_every_round(figure, rng):
     assert motion.stop is Stop.MAX_EVALUATIONS
 
 
-@pytest.mark.parametrize("criterion", CRITERIA)
-@pytest.mark.parametrize("method", ["none", "lbfgs", "slsqp"])
+@pytest.mark.parametrize(("criterion", "method"), list(zip(CRITERIA, METHODS, strict=False)))
 def test_hinges_are_solved_in_joint_coordinates_to_the_natural_spline(criterion, method):
     figure = hinged()
     assert figure.coordinates == "joint"
@@ -220,15 +206,6 @@ def test_hinges_are_solved_in_joint_coordinates_to_the_natural_spline(criterion,
 
 
 TIMES_OF_HINGES = np.array([0.0, 0.5, 1.4, 2.0])
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_every_method_lowers_e(rng, method):
-    figure = hinged()
-    keys = [Frame.key(t, [a, 0.0], [True, t == 0]) for t, a in [(0, 0.0), (1, 1.0), (3, -0.5)]]
-    motion = inbetween(Problem(figure, keys, [(CovariantAcceleration(), 1.0)], Settings(optimiser=method, frames=2)))
-    assert np.all(np.diff([value for _, _, value, _ in motion.trace]) < 0)
-    assert solved(motion) <= raw(motion)
 
 
 def test_a_floor_lifts_the_path_off_it():
@@ -257,14 +234,6 @@ def test_an_unknown_criterion_or_method_is_refused_and_the_known_ones_named(figu
         inbetween(Problem(figure, keys, PENALTIES, Settings(optimiser="magic")))
 
 
-def test_frames_that_make_no_clip_are_refused(figure, rng):
-    keys = random_keys(figure, rng)
-    with pytest.raises(TimelineError, match="at least 2"):
-        inbetween(Problem(figure, keys[:1], PENALTIES))
-    with pytest.raises(TimelineError, match="times must rise"):
-        inbetween(Problem(figure, keys[::-1], PENALTIES))
-
-
 def test_an_error_inside_a_penalty_is_raised(figure, rng):
     class Broken(CovariantAcceleration):
         def evaluate(self, samples, into=None, scale=1.0):
@@ -289,12 +258,11 @@ def test_the_clock_does_not_matter(rng):
     turns = [[0.0, 0, 0], [0.7, 0.2, 0], [0.9, -0.8, 0.4], [0.1, -1.2, 1.0]]
     penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
     paths = []
-    for pace in (0.02, 1.0, 50.0, 1000.0):
+    for pace in (0.02, 1000.0):
         keys = [Frame.key(pace * i, quat.from_rotation_vector(v)) for i, v in enumerate(turns)]
         motion = inbetween(Problem(figure, keys, penalties, Settings(variable=1, frames=0)))
         paths.append(motion.at(pace * np.linspace(0, 3, 40)))
-    for path in paths[1:]:
-        assert np.degrees(quat.angle_between(path, paths[0])).max() < 0.1
+    assert np.degrees(quat.angle_between(*paths)).max() < 0.1
 
 
 @pytest.mark.parametrize(
@@ -385,39 +353,3 @@ def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
     late = begin.times > 2
     np.testing.assert_array_equal(found.timeline.states[late], begin.states[late])
     assert np.any(found.timeline.states[~late] != begin.states[~late])
-
-
-class Leading:
-    """What knows of a path to begin with: the timeline moved in its variable frames, told how it was asked."""
-
-    def __init__(self, by: float) -> None:
-        self.by, self.asked = by, []
-
-    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
-        self.asked.append((timeline.variable_count, most))
-        frames = (replace(f, state=f.state + self.by) if f.is_variable else f for f in timeline.frames)
-        return replace(timeline, frames=tuple(frames))
-
-
-@pytest.mark.parametrize(
-    ("settings", "asked"),
-    [({}, (6, None)), ({"frames": 9}, (6, 9)), ({"variable": 1, "frames": 9}, (3, 3)), ({"variable": 0}, None)],
-)
-@pytest.mark.parametrize("is_better", [True, False])
-def test_a_search_begins_on_the_path_that_a_guide_knows_if_it_is_better(settings, asked, is_better, monkeypatch):
-    """A constant added to what runs between keyframes makes a worse path of the spline, and a better one of that."""
-    module, begun = import_module("dynsplines.solver.inbetween"), []
-    guide = Leading(0.5 if not is_better else -0.5)
-    monkeypatch.setattr(module, "guide_of", lambda objective: guide)
-    monkeypatch.setattr(_Loop, "searched", lambda loop, begin, *told: begun.append((begin, *told)) or begin)
-    if is_better:
-        plain = module.split
-        monkeypatch.setattr(module, "split", lambda *told: Leading(0.5).initial_guess(plain(*told), None))
-    problem = Problem(hinged(), hinge_keys(), PENALTIES, Settings(**settings))
-    inbetween(problem)
-    ((begin, segments, budget),) = begun
-    assert guide.asked == ([] if asked is None else [asked])
-    assert segments == 3
-    assert budget == settings.get("frames")
-    raw = path_of(problem.raw)
-    np.testing.assert_allclose(begin.states, raw.at(begin.times), atol=1e-12)

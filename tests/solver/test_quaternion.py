@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver import quaternion as quat
 
 component = st.floats(-2, 2, allow_nan=False).map(lambda x: round(x, 6))
+few = settings(deadline=None, max_examples=25)
 quaternions = st.tuples(*[component] * 4).map(np.array).filter(lambda q: np.linalg.norm(q) > 0.1)
 vectors = st.tuples(*[component] * 3).map(np.array)
 
@@ -22,15 +23,7 @@ def test_matrices_are_scipys_at_any_length(rng):
     np.testing.assert_allclose(quat.matrices(q), scipy_rotation(q).as_matrix(), atol=1e-12)
 
 
-@settings(deadline=None)
-@given(quaternions, quaternions, quaternions)
-def test_the_product_is_associative(p, q, r):
-    np.testing.assert_allclose(
-        quat.product(quat.product(p, q), r), quat.product(p, quat.product(q, r)), atol=1e-12, rtol=0
-    )
-
-
-@settings(deadline=None)
+@few
 @given(quaternions)
 def test_a_quaternion_times_its_inverse_is_the_identity_on_both_sides(q):
     one = [1, 0, 0, 0]
@@ -40,15 +33,7 @@ def test_a_quaternion_times_its_inverse_is_the_identity_on_both_sides(q):
     np.testing.assert_array_equal(quat.product(one, q), q)
 
 
-@settings(deadline=None)
-@given(quaternions, quaternions)
-def test_lengths_multiply_and_the_conjugate_turns_the_order_round(p, q):
-    product = quat.product(p, q)
-    np.testing.assert_allclose(np.linalg.norm(product), np.linalg.norm(p) * np.linalg.norm(q), rtol=1e-13)
-    np.testing.assert_allclose(quat.conjugate(product), quat.product(quat.conjugate(q), quat.conjugate(p)), atol=1e-14)
-
-
-@settings(deadline=None)
+@few
 @given(quaternions, quaternions, vectors)
 def test_rotations_compose_and_turn_vectors_as_scipys_do(p, q, v):
     np.testing.assert_allclose(quat.rotated(q, v), scipy_rotation(q).apply(v), atol=1e-12)
@@ -57,13 +42,13 @@ def test_rotations_compose_and_turn_vectors_as_scipys_do(p, q, v):
     )
 
 
-@settings(deadline=None)
+@few
 @given(quaternions, quaternions)
 def test_right_matrix_is_the_product_from_the_right(p, q):
     np.testing.assert_allclose(quat.right_matrix(q) @ p, quat.product(p, q), atol=1e-14)
 
 
-@settings(deadline=None)
+@few
 @given(quaternions)
 def test_exponential_and_logarithm_are_inverse_and_agree_with_scipy(q):
     log = quat.rotation_vector(q)
@@ -89,7 +74,7 @@ def test_angles_about_pi_come_back_as_the_same_rotation_by_the_short_way(gap):
     np.testing.assert_allclose(np.abs(log[1]), np.pi - abs(gap), rtol=1e-13)
 
 
-@settings(deadline=None)
+@few
 @given(quaternions, st.floats(0, np.pi), vectors.filter(lambda v: np.linalg.norm(v) > 0.1))
 def test_angle_between_is_the_angle_of_the_rotation_between_whatever_length_and_sign(q, angle, axis):
     turned = quat.product(q, quat.from_rotation_vector(angle * axis / np.linalg.norm(axis)))
@@ -136,7 +121,7 @@ def test_angular_velocity_and_acceleration_are_those_of_the_rotation_matrices(rn
     np.testing.assert_allclose(alpha, (forth + back) / h**2, rtol=1e-4, atol=1e-4)
 
 
-@settings(deadline=None)
+@few
 @given(st.integers(0, 1000), st.floats(0.3, 3), st.floats(-3, 3), st.floats(-3, 3))
 def test_angular_velocity_and_acceleration_do_not_feel_the_quaternions_length(seed, rho, rho_d, rho_dd):
     q, q_d, q_dd = np.random.default_rng(seed).normal(size=(3, 4)) + np.array([1.0, 0, 0, 0])
