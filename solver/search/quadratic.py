@@ -88,9 +88,11 @@ class Layout:
         self.flat = self._flat(sampling.values)
 
     @cached_property
-    def springs(self) -> Array:
-        """The matrix of the springs on fixed degrees of freedom, of about unit size."""
-        return self._springs()
+    def springs(self) -> tuple[Index, Array]:
+        """The springs on fixed degrees of freedom, of about unit size: their entries in a flat matrix, and values."""
+        springs = self._springs().reshape(-1)
+        place = np.flatnonzero(springs)
+        return place, springs[place]
 
     def springs_by_column(self) -> Array:
         """Return the springs on entries of single columns, without those of ties and seams, (M + 2, K + 1, N)."""
@@ -453,7 +455,7 @@ class Model:
         """
         self.layout = layout
         evaluated = layout.problem.evaluated_runs(x)
-        self.curvature = layout.springs.copy()
+        self.curvature = layout.empty()
         self.scale = self._add_smooth(layout.problem.path(x), evaluated, scale)
         self.sided = OneSidedTerms.of(layout, evaluated)
         self.gradient = layout.from_x(gradient)
@@ -464,7 +466,7 @@ class Model:
     def _add_smooth(self, path: Path, evaluated: Sequence[EvaluatedRun], scale: float | None) -> float:
         """Add the curvature of the two-sided residuals; return its median density in y'', or `scale` unless None."""
         layout, problem = self.layout, self.layout.problem
-        matrix, sizes, rows = layout.empty(), [], []
+        matrix, sizes, rows = self.curvature, [], []
         terms = problem.objective.terms
         sharp = [k for k, term in enumerate(terms) if term.penalty.normalization.is_sharp]
         smooth = [term for k, term in enumerate(terms) if k not in sharp]
@@ -495,8 +497,8 @@ class Model:
         diagonal = layout.diagonal(matrix)[:, 0]
         size = max(middle(diagonal), LEAST)
         diagonal += FAINT * size
-        self.curvature *= STIFF * size
-        self.curvature += matrix
+        place, springs = layout.springs
+        matrix.reshape(-1)[place] += STIFF * size * springs
         return max(middle(np.concatenate(sizes)), LEAST) if scale is None else scale
 
     def minimise(self, damping: float) -> Proposal:
