@@ -10,6 +10,7 @@ Jacobian rows that depend on the figure's kinematics come from its adjoint sweep
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cached_property
 
 import numpy as np
 
@@ -96,6 +97,14 @@ class Curvature:
     def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:
         """Return matrices of n blocks of k columns (n, k) by the coefficients of K directions, (S, n, K, k, K, k).
 
+    @cached_property
+    def _by_orders(self) -> list[tuple[Index, Array]]:
+        """The columns of blocks (n, k) and their matrices (S, 9, n k²), to be used once all blocks are added."""
+        return [
+            (columns, blocks.transpose(0, 2, 4, 1, 3, 5).reshape(len(blocks), 9, -1))
+            for columns, blocks in self._blocks
+        ]
+
         Args:
             phi: The directions, (S, 3, K).
             together: The number of neighbouring samples whose matrices are summed; it divides S in the result.
@@ -104,10 +113,10 @@ class Curvature:
         result = []
         pairs = phi[:, :, None, :, None] * phi[:, None, :, None, :]
         pairs = pairs.reshape(count, together * 9, -1).swapaxes(1, 2)
-        for columns, blocks in self._blocks:
+        for columns, by_orders in self._by_orders:
             n, k = columns.shape
-            by_orders = blocks.transpose(0, 2, 4, 1, 3, 5).reshape(count, together * 9, -1)
-            local = np.matmul(pairs, by_orders).reshape(count, directions, directions, n, k, k)
+            local = np.matmul(pairs, by_orders.reshape(count, together * 9, -1))
+            local = local.reshape(count, directions, directions, n, k, k)
             result.append((columns, local.transpose(0, 3, 1, 4, 2, 5)))
         for order, diagonal in enumerate(self._diagonals):
             if diagonal is not None:
@@ -126,11 +135,11 @@ class Curvature:
             moved = np.einsum("po,pon->pn", phi[at[begin:end]][:, orders], rows[begin:end])
             out += moved.T @ moved
         run = slice(first, last)
-        for columns, blocks in self._blocks:
+        pairs = (phi[run, :, None] * phi[run, None, :]).reshape(-1)
+        for columns, by_orders in self._by_orders:
             n, k = columns.shape
-            pairs = (phi[run, :, None] * phi[run, None, :]).reshape(-1)
-            by_orders = blocks[run].transpose(0, 2, 4, 1, 3, 5).reshape(pairs.size, n * k * k)
-            out[columns[:, :, None], columns[:, None, :]] += (pairs @ by_orders).reshape(n, k, k)
+            total = pairs @ by_orders[run].reshape(pairs.size, n * k * k)
+            out[columns[:, :, None], columns[:, None, :]] += total.reshape(n, k, k)
         for order, diagonal in enumerate(self._diagonals):
             if diagonal is not None:
                 out[np.diag_indices(self.width)] += phi[run, order] ** 2 @ diagonal[run]
