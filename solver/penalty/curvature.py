@@ -33,14 +33,16 @@ class Curvature:
     def __init__(self, samples: Samples) -> None:
         self.samples = samples
         self.width = samples.y.shape[1]
-        self._rows: list[tuple[Index, Array, tuple[int, ...]]] = []
+        self._rows: list[
+            tuple[Index, Array, Array, tuple[int, ...]]
+        ] = []  # samples, roots of weights, Jacobian, orders
         self._blocks: list[tuple[Index, Array]] = []
         self._diagonals: list[Array | None] = [None, None, None]
 
     def add_rows(self, at: Index, scale: Array, jacobian: Array, orders: tuple[int, ...] = (0, 1, 2)) -> None:
         """Add residuals at ascending samples `at` (P,), gradients (P, k, N) in k of y, y', y'', times scale (P,)."""
         if at.size:
-            self._rows.append((at, jacobian * np.sqrt(2 * scale)[:, None, None], orders))
+            self._rows.append((at, np.sqrt(2 * scale), jacobian, orders))
 
     def add_blocks(self, columns: Index, jacobian: Array, scale: Array) -> None:
         """Add residuals of n blocks of k columns (n, k): Jacobians (S, n, r, 3, k) at all samples, times scale (S,)."""
@@ -68,21 +70,22 @@ class Curvature:
         order, at = np.argsort(sides.at[active], kind="stable"), sides.at[active]
         self.add_rows(at[order], scale[at[order]], sides.select(active)[order, None], (0,))
 
-    def rows_by_y(self) -> list[tuple[Index, Array]]:
-        """Return the residuals that depend only on y: ascending samples (P,), and rows (P, N)."""
-        return [(at, rows[:, 0]) for at, rows, orders in self._rows if orders == (0,)]
+    def rows_by_y(self) -> list[tuple[Index, Array, Array]]:
+        """Return the residuals that depend only on y: ascending samples (P,), rows (P, N), and their weights (P,)."""
+        return [(at, rows[:, 0], root**2) for at, root, rows, orders in self._rows if orders == (0,)]
 
-    def rows(self, phi: Array, without_y: bool = False) -> list[tuple[Index, Array]]:
-        """Return residuals by the coefficients of K directions: samples (P,) and rows (P, K N).
+    def rows(self, phi: Array, without_y: bool = False) -> list[tuple[Index, Array, Array]]:
+        """Return residuals by the coefficients of K directions, as factors of rows (P, K, N).
 
         Args:
             phi: The directions, (S, 3, K).
             without_y: Whether to omit residuals that depend only on y.
+
+        Returns:
+            Ascending samples (P,), factors (P, K, k) and (P, k, N).
         """
-        every = [one for one in self._rows if not (without_y and one[2] == (0,))]
-        gathered = [(at, np.ascontiguousarray(phi[at][:, orders].swapaxes(1, 2)), rows) for at, rows, orders in every]
-        local = [(at, np.matmul(directions, rows)) for at, directions, rows in gathered]
-        return [(at, rows.reshape(at.size, -1)) for at, rows in local]
+        every = [one for one in self._rows if not (without_y and one[3] == (0,))]
+        return [(at, phi[at][:, orders].swapaxes(1, 2) * root[:, None, None], rows) for at, root, rows, orders in every]
 
     def squares(self) -> Iterator[tuple[Index, Array]]:
         """Yield 2 JᵀJ of blocks of columns (n, k), by order and column, (S, n, 3, k, 3, k)."""
@@ -94,9 +97,6 @@ class Curvature:
                 out[:, :, order, 0, order, 0] = diagonal[:, used]
                 yield used[:, None], out
 
-    def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:
-        """Return matrices of n blocks of k columns (n, k) by the coefficients of K directions, (S, n, K, k, K, k).
-
     @cached_property
     def _by_orders(self) -> list[tuple[Index, Array]]:
         """The columns of blocks (n, k) and their matrices (S, 9, n k²), to be used once all blocks are added."""
@@ -104,6 +104,9 @@ class Curvature:
             (columns, blocks.transpose(0, 2, 4, 1, 3, 5).reshape(len(blocks), 9, -1))
             for columns, blocks in self._blocks
         ]
+
+    def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:
+        """Return matrices of n blocks of k columns (n, k) by the coefficients of K directions, (S, n, K, k, K, k).
 
         Args:
             phi: The directions, (S, 3, K).
@@ -130,9 +133,9 @@ class Curvature:
     def quadratic(self, phi: Array, first: int, last: int) -> Array:
         """Return the matrix (N, N) of one direction phi (S, 3), summed over samples first ... last − 1."""
         out = np.zeros((self.width, self.width))
-        for at, rows, orders in self._rows:
-            begin, end = np.searchsorted(at, [first, last])
-            moved = np.einsum("po,pon->pn", phi[at[begin:end]][:, orders], rows[begin:end])
+        for at, root, rows, orders in self._rows:
+            run = slice(*np.searchsorted(at, [first, last]))
+            moved = np.einsum("po,pon->pn", phi[at[run]][:, orders] * root[run, None], rows[run])
             out += moved.T @ moved
         run = slice(first, last)
         pairs = (phi[run, :, None] * phi[run, None, :]).reshape(-1)
@@ -148,9 +151,9 @@ class Curvature:
     def acceleration(self) -> Array:
         """Return the diagonal of y'', (S, N)."""
         out = np.zeros((self.samples.count, self.width))
-        for at, rows, orders in self._rows:
+        for at, root, rows, orders in self._rows:
             if 2 in orders:
-                np.add.at(out, at, rows[:, orders.index(2)] ** 2)
+                np.add.at(out, at, (root[:, None] * rows[:, orders.index(2)]) ** 2)
         for columns, blocks in self._blocks:
             out[:, columns] += np.einsum("snkk->snk", blocks[:, :, 2, :, 2])
         return out if self._diagonals[2] is None else out + self._diagonals[2]

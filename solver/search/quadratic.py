@@ -139,40 +139,32 @@ class Layout:
 
     def add_rows(self, matrix: Array, *parts: tuple[Curvature, Piece]) -> None:
         """Add the parts of curvatures that are stored as rows, which may be at any samples."""
-        use_kernel, span_rows = compiled.kernel is not None, []
+        use_kernel, factors = compiled.kernel is not None, []
         for curvature, piece in parts:
             if use_kernel:
-                for at, rows in curvature.rows_by_y():
-                    self.add_rows_by_y(matrix, piece, at, rows)
-            rest = curvature.rows(piece.values, without_y=use_kernel)
-            span_rows += [(piece.first[at], rows) for at, rows in rest]
-        if not span_rows:
-            return
-        spans = np.concatenate([part_spans for part_spans, _ in span_rows])
-        order = np.argsort(spans, kind="stable")
-        place, rows, begin = np.empty_like(order), np.empty((order.size, LOCAL * self.width)), 0
-        place[order] = np.arange(order.size)
-        for part_spans, part in span_rows:
-            rows[place[begin : begin + part_spans.size]] = part
-            begin += part_spans.size
-        self.add_squared(matrix, spans[order], rows)
+                for at, rows, weight in curvature.rows_by_y():
+                    self.add_rows_by_y(matrix, piece, at, rows, weight)
+            for at, directions, rows in curvature.rows(piece.values, without_y=use_kernel):
+                spans = piece.first[at]
+                edges = np.searchsorted(spans, np.arange(spans[0], spans[-1] + 2))
+                factors.append((int(spans[0]), edges.tolist(), directions, rows))
+        for span in range(self.count - DEGREE):
+            local = []
+            for first, edges, directions, rows in factors:
+                if 0 <= span - first < len(edges) - 1 and edges[span - first] < edges[span - first + 1]:
+                    run = slice(edges[span - first], edges[span - first + 1])
+                    local.append(np.matmul(directions[run], rows[run]).reshape(-1, LOCAL * self.width))
+            if local:
+                self.add_square(matrix, span, np.concatenate(local))
 
-    def add_squared(self, matrix: Array, spans: Index, rows: Array) -> None:
-        """Add Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), which are in ascending order."""
-        edges = np.flatnonzero(np.diff(spans)) + 1
-        for first, last in zip(np.append(0, edges), np.append(edges, spans.size), strict=True):
-            if first < last:
-                self.add_square(matrix, int(spans[first]), rows[first:last])
-
-    def add_rows_by_y(
-        self, matrix: Array, sampling: Piece | Sampling, at: Index, rows: Array, sign: float = 1.0
-    ) -> None:
-        """Add sign · Σ rowᵀrow of rows (P, N) with respect to y at samples (P,), which are in ascending order."""
+    def add_rows_by_y(self, matrix: Array, sampling: Piece | Sampling, at: Index, rows: Array, weight: Array) -> None:
+        """Add Σ weight rowᵀrow of rows (P, N) with respect to y at ascending samples (P,), all weights of one sign."""
         bases = sampling.values[:, 0]
         if compiled.kernel is not None:
-            compiled.call("add_squares", matrix, self.rank, sampling.first, bases, at, rows, np.full(at.size, sign))
+            compiled.call("add_squares", matrix, self.rank, sampling.first, bases, at, rows, weight)
             return
-        spans, width = sampling.first[at], LOCAL * self.width
+        spans, width, sign = sampling.first[at], LOCAL * self.width, float(np.sign(weight.sum()))
+        rows = rows * np.sqrt(np.abs(weight))[:, None]
         at_once = max(1, ENTRIES_AT_ONCE // width)  # over four coefficients, rows take four times the memory
         edges = [0, *(np.flatnonzero(np.diff(spans)) + 1).tolist(), at.size]
         for begin, end in pairwise(edges):
@@ -526,7 +518,8 @@ class Model:
             active = residual > 0
             for sign, changed in ((1.0, active & ~included), (-1.0, included & ~active)):
                 if changed.any():
-                    layout.add_rows_by_y(curvature, sided.sampling, *sided.squares(changed, weight_root), sign)
+                    at, rows = sided.squares(changed, weight_root)
+                    layout.add_rows_by_y(curvature, sided.sampling, at, rows, np.full(at.size, sign))
             included = active
             factor = layout.factor(curvature)
             if factor is None:

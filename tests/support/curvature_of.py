@@ -124,8 +124,9 @@ def assembled(curvature: Curvature, phi: Array) -> Array:
     """(S, K N, K N): the matrices of the coefficients of K directions (S, 3, K), from rows and blocks."""
     count, width, directions = curvature.samples.count, curvature.width, phi.shape[2]
     out = np.zeros((count, directions * width, directions * width))
-    for at, rows in curvature.rows(phi):
+    for at, left, right in curvature.rows(phi):
         assert np.all(np.diff(at) >= 0)
+        rows = np.matmul(left, right).reshape(at.size, -1)
         np.add.at(out, at, rows[:, :, None] * rows[:, None, :])
     for columns, blocks in curvature.blocks(phi):
         for n, own in enumerate(columns):
