@@ -90,12 +90,13 @@ class Curvature:
     def squares(self) -> Iterator[tuple[Index, Array]]:
         """Yield 2 JᵀJ of blocks of columns (n, k), by order and column, (S, n, 3, k, 3, k)."""
         yield from self._blocks
-        for order, diagonal in enumerate(self._diagonals):
-            if diagonal is not None:
-                used = np.flatnonzero(diagonal.any(axis=0))
-                out = np.zeros((len(diagonal), used.size, 3, 1, 3, 1))
+        diagonals = [(order, diagonal) for order, diagonal in enumerate(self._diagonals) if diagonal is not None]
+        if diagonals:
+            used = np.flatnonzero(np.any([diagonal.any(axis=0) for _, diagonal in diagonals], axis=0))
+            out = np.zeros((self.samples.count, used.size, 3, 1, 3, 1))
+            for order, diagonal in diagonals:
                 out[:, :, order, 0, order, 0] = diagonal[:, used]
-                yield used[:, None], out
+            yield used[:, None], out
 
     @cached_property
     def _by_orders(self) -> list[tuple[Index, Array]]:
