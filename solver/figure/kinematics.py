@@ -107,7 +107,9 @@ class Samples:
         return self.y.shape[0]
 
     def select(self, at: Index) -> Samples:
-        """Return the samples of these indices (R,), with possible repetitions, as separate samples."""
+        """Return the samples of indices (R,), with possible repetitions; the same object if these are all, in order."""
+        if at.size == self.count and np.array_equal(at, np.arange(self.count)):
+            return self
         return Samples(self.figure, self.y[at], self.y_d[at], self.y_dd[at], t=self.t[at])
 
     def parts(self, longest: int) -> list[Samples]:

@@ -63,8 +63,8 @@ class HoverPenalty(Penalty):
         if not at.size:
             return
         links, positions, radius = self._arrays
-        centre, offset = (part[:, :, at] for part in samples.links.points(links, positions))
-        height, nearest = heights(self.surfaces, centre, radius)
+        centre, offset = samples.links.points(links, positions)
+        height, nearest = heights(self.surfaces, centre if at.size == samples.count else centre[:, :, at], radius)
         least = height.min(axis=0)
         which, pair = np.nonzero(height < least + self.blend * np.log(1 / NEGLIGIBLE))
         share = np.exp((least[pair] - height[which, pair]) / self.blend)
@@ -73,8 +73,8 @@ class HoverPenalty(Penalty):
         value, slope = self._faded(lowest, within(self.firm, samples.t[at]))
         high = np.flatnonzero(lowest[pair] > 0)
         which, pair, share = which[high], pair[high], (share / total[pair] * slope[pair])[high]
-        up = ways_up(self.surfaces, nearest[which, pair], centre[:, which, pair])
-        changes = of_point(at[pair], links[which], offset[:, which, pair], share * up)
+        up = ways_up(self.surfaces, nearest[which, pair], centre[:, which, at[pair]])
+        changes = of_point(at[pair], links[which], offset[:, which, at[pair]], share * up)
         yield Block(at, value, (changes,), of=pair)
 
     def _faded(self, lowest: Array, firm: Mask) -> tuple[Array, Array]:
