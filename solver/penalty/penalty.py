@@ -146,7 +146,21 @@ class Penalty(ABC):
         if type(self).residuals is Penalty.residuals:
             add_differences(self.evaluate, samples, into, scale)
             return
-        for k, block in enumerate(self.model_blocks(samples, known)):
+        self._add_two_sided(self.model_blocks(samples, known), samples, into, scale)
+
+    def active_curvature(self, samples: Samples, into: Curvature, scale: Array, one_sided_scale: Array) -> None:
+        """Do the same, and add the matrices of active one-sided residuals, whose weights are one_sided_scale (S,)."""
+        if type(self).residuals is Penalty.residuals:
+            self.curvature(samples, into, scale)
+            return
+        blocks = tuple(self.nearby(samples))
+        self._add_two_sided(blocks, samples, into, scale)
+        sides = _one_sided(blocks, samples)
+        if sides is not None:
+            into.add_one_sided(sides, one_sided_scale)
+
+    def _add_two_sided(self, blocks: Iterable[Block | Dense], samples: Samples, into: Curvature, scale: Array) -> None:
+        for k, block in enumerate(blocks):
             if isinstance(block, Block):
                 block.add_to(into, scale)
             elif block.curved is not None:
@@ -173,8 +187,13 @@ class Penalty(ABC):
         """Return the residuals d of the terms max(0, d)² in f_j, active or near activation; None if there are none."""
         if type(self).residuals is Penalty.residuals:
             return None
-        blocks = [block for block in self.model_blocks(samples, known) if isinstance(block, Block) and block.one_sided]
-        return OneSidedResiduals.joined([block.one_sided_residuals(samples) for block in blocks]) if blocks else None
+        return _one_sided(self.model_blocks(samples, known), samples)
+
+
+def _one_sided(blocks: Iterable[Block | Dense], samples: Samples) -> OneSidedResiduals | None:
+    """Return the one-sided residuals among blocks; None if there are none."""
+    chosen = [block for block in blocks if isinstance(block, Block) and block.one_sided]
+    return OneSidedResiduals.joined([block.one_sided_residuals(samples) for block in chosen]) if chosen else None
 
 
 class Momentary(Penalty):

@@ -169,8 +169,6 @@ class WeakForm:
         samples = self.objective.samples(self.path, nodes)
         curvature = Curvature(samples)
         for term in self.objective.terms:
-            term.penalty.curvature(samples, curvature, self.objective.factor(term, samples.t) * shares)
-            sides = term.penalty.one_sided_residuals(samples)
-            if sides is not None:
-                curvature.add_one_sided(sides, term.factor * shares)
+            scale = self.objective.factor(term, samples.t) * shares
+            term.penalty.active_curvature(samples, curvature, scale, term.factor * shares)
         return curvature
