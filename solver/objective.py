@@ -359,13 +359,18 @@ class Discretised:
         coefficients = self.sampling.coefficients(self.unknowns.rows(x))
         gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
-        self._last = (x, [self._evaluated_run(coefficients, piece) for piece in self._pieces])
-        for evaluated, shares in zip(self._last[1], self._shares, strict=True):
-            cotangent = Cotangent(evaluated.samples)
-            for term, share, blocks in zip(self.objective.terms, shares, evaluated.blocks, strict=True):
-                part = float(share @ _valued(term, evaluated.samples, blocks, cotangent, share))
+        runs: list[EvaluatedRun] = []
+        for piece, shares in zip(self._pieces, self._shares, strict=True):
+            samples = self._samples(coefficients, piece)
+            cotangent, blocks_by_term = Cotangent(samples), list[Sequence[Block | Dense] | None]()
+            for term, share in zip(self.objective.terms, shares, strict=True):
+                blocks = term.penalty.blocks(samples)
+                part = float(share @ _valued(term, samples, blocks, cotangent, share))
                 parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
-            evaluated.piece.add_pulled_back(gradient, cotangent.gradients())
+                blocks_by_term.append(blocks)
+            piece.add_pulled_back(gradient, cotangent.gradients())
+            runs.append(EvaluatedRun(piece, samples, blocks_by_term))
+        self._last = (x, runs)
         rows = self.sampling.coefficients_transposed(gradient)
         return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)
 
@@ -379,8 +384,11 @@ class Discretised:
             return [self._evaluated_run(coefficients, piece) for piece in self._pieces]
         return self._last[1]
 
+    def _samples(self, coefficients: Array, piece: Piece) -> Samples:
+        return Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
+
     def _evaluated_run(self, coefficients: Array, piece: Piece) -> EvaluatedRun:
-        samples = Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
+        samples = self._samples(coefficients, piece)
         return EvaluatedRun(piece, samples, [term.penalty.blocks(samples) for term in self.objective.terms])
 
 
