@@ -110,24 +110,6 @@ def vector_product(q: Array) -> Array:
     return out
 
 
-def pure_product(v: Array, q: Array) -> Array:
-    """Return (0, v) ⊗ q, component first: (3, ...) with (4, ...)."""
-    (x, y, z), (w, a, b, c) = v, q
-    other = np.empty(np.broadcast_shapes(x.shape, w.shape))
-    out = np.empty((4, *other.shape))
-    np.multiply(x, a, out=out[0])
-    out[0] += np.multiply(y, b, out=other)
-    out[0] += np.multiply(z, c, out=other)
-    np.negative(out[0], out=out[0])
-    for part, (component, (one, two), (three, four)) in zip(
-        out[1:], ((x, (y, c), (z, b)), (y, (z, a), (x, c)), (z, (x, b), (y, a))), strict=True
-    ):
-        np.multiply(component, w, out=part)
-        part += np.multiply(one, two, out=other)
-        part -= np.multiply(three, four, out=other)
-    return out
-
-
 def rotation_matrix(q: Array, scale: Array) -> Array:
     """Return rotation matrices of quaternions of any length, scale = 2 / (q·q): (4, ...) with (...) -> (3, 3, ...)."""
     scaled = q[1:] * scale

@@ -16,7 +16,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..array import Array, Index, Mask
-from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned_back
+from .algebra import cross, dot, hamilton, rotation_matrix, turned_back, vector_product
 from .figure import Figure
 from .kinematics import LinkMotion, Samples
 
@@ -49,11 +49,12 @@ def on_quaternions(moments: Orders, turns: Array) -> Orders:
         turns: The `ways` of the quaternions, (3, 4, ...).
     """
     totals: Orders = [None, None, None]
+    products = [vector_product(turn) for turn in turns]
     for order, factors in enumerate(((1,), (1, 1), (1, 2, 1))):
         moment = moments[order]
         if moment is not None:
             for derivative, factor in enumerate(factors):
-                part, total = pure_product(moment, turns[derivative]), totals[order - derivative]
+                part, total = turned_back(products[derivative], moment), totals[order - derivative]
                 if factor != 1:
                     part *= factor
                 if total is None:
