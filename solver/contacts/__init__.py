@@ -2,7 +2,8 @@
 
 schedule          all contacts of one clip: stances, grasps, flights, gait
 stance            points that stay in one place           grasp     points that hold another body
-footing           points that carry, and flights          grounded  intervals near the ground
+footing           points that carry                       grounded  intervals near the ground
+flight            free fall between contacts
 gait              the walking or running cycle of keyframes, as a Gaussian process of poses
 gait_period       the choice of the cycle: its period suits the size of the body, and feet do not slip
 pose_vectors      poses as vectors: the joints' deviation from their mean, without position and heading
@@ -12,9 +13,9 @@ ground_alignment  vertical alignment of a recording with the ground
 thresholds        all distances, times and speeds that decide, relative to the size of the figure
 """
 
+from .flight import flights as flights
 from .footing import Footing as Footing
 from .footing import Interval as Interval
-from .footing import flights as flights
 from .footing import footings as footings
 from .footing import within as within
 from .grasp import Grasp as Grasp

@@ -28,10 +28,23 @@ def touches(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     return np.asarray(height < Thresholds.of(figure).touching)
 
 
-def grounded_intervals(keys: Timeline, down: Mask, flights: Sequence[Interval] = ()) -> tuple[Interval, ...]:
-    """Return the segments between two keyframes on the ground, `down` (K,), without those in flights."""
+def grounded_intervals(
+    keys: Timeline, down: Mask, flights: Sequence[Interval] = (), lift_off: float = 0.0
+) -> tuple[Interval, ...]:
+    """Return the segments between two keyframes on the ground, `down` (K,), without those in flights.
+
+    If a flight begins or ends between keyframes, the interval between it and the keyframe on the ground is added, but
+    for `lift_off` [s] next to the flight.
+    """
     segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), down[:-1] & down[1:], strict=True)
-    return _outside(flights, [(first, last) for first, last, both in segments if both])
+    intervals = list(_outside(flights, [(first, last) for first, last, both in segments if both]))
+    for begin, end in flights:
+        before, after = np.searchsorted(keys.times, begin) - 1, np.searchsorted(keys.times, end, side="right")
+        if before >= 0 and down[before] and begin - lift_off > keys.times[before]:
+            intervals.append((float(keys.times[before]), begin - lift_off))
+        if after < keys.times.size and down[after] and end + lift_off < keys.times[after]:
+            intervals.append((end + lift_off, float(keys.times[after])))
+    return tuple(sorted(intervals))
 
 
 def open_intervals(keys: Timeline, down: Mask, is_open: Mask, flights: Sequence[Interval] = ()) -> tuple[Interval, ...]:

@@ -13,12 +13,14 @@ from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..surface import Surface
 from ..surface.points import Point, body_points, free_root, hanging
-from .footing import Footing, Interval, flights, footings
+from .flight import flights
+from .footing import Footing, Interval, footings
 from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links
 from .grounded import grounded_intervals, open_intervals, touches
 from .stance import Rest, Stance, resting_objects, stances
+from .thresholds import Thresholds
 
 ROUNDING = 1e-9  # [s]
 
@@ -134,7 +136,8 @@ class ContactSchedule:
     @property
     def grounded(self) -> tuple[Interval, ...]:
         """The segments [s] whose two keyframes touch the ground, except flights and the intervals in `held_down`."""
-        intervals = grounded_intervals(self.keys, self._is_down, self.flights)
+        lift_off = Thresholds.of(self.figure).lift_off
+        intervals = grounded_intervals(self.keys, self._is_down, self.flights, lift_off)
         return tuple(interval for interval in intervals if interval not in self.held_down)
 
     @cached_property

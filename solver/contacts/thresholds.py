@@ -61,6 +61,7 @@ class Thresholds:
     stray: float = _metres(0.15)  # distance of keyframes from the free fall: flights are posed by eye
     step: float = _seconds(0.2)  # time for which a foot is on the ground in a running step
     lowering: float = _of(2.0, 1, -1)  # speed of a foot that is put down for a step or lifted after it
+    lift_off: float = _seconds(0.02)  # uncertainty of the time at which a foot leaves or reaches the ground
     brief_flight: float = _seconds(0.1)  # a shorter time in the air is the moment before a landing
 
     # Grasps
