@@ -40,11 +40,11 @@ class Watched(Discrete):
 
     def __init__(self, orientations: Array, steps: int) -> None:
         super().__init__(orientations, steps)
-        self.seen: list[Iterate] = []
+        self.iterates: list[Iterate] = []
         self.begin = time.perf_counter()
 
     def __call__(self, x: Array) -> tuple[float, Array]:
-        self.seen.append((time.perf_counter() - self.begin, np.array(x)))
+        self.iterates.append((time.perf_counter() - self.begin, np.array(x)))
         return super().__call__(x)
 
     def judged(self, x: Array) -> float:
@@ -105,7 +105,7 @@ class Ipopt:
     solver: Any
     start: Array
     bounds: int
-    seen: list[Iterate]
+    iterates: list[Iterate]
     begin: float
     callback: Any
 
@@ -135,12 +135,12 @@ class Ipopt:
         return solver
 
     def note(self, x: Array) -> None:
-        self.seen.append((time.perf_counter() - self.begin, x))
+        self.iterates.append((time.perf_counter() - self.begin, x))
 
     def run(self) -> list[Iterate]:
-        self.seen, self.begin = [], time.perf_counter()
+        self.iterates, self.begin = [], time.perf_counter()
         result = self.solver(x0=self.start, lbg=0, ubg=0)
-        return [*self.seen, (time.perf_counter() - self.begin, np.array(result["x"]).ravel())]
+        return [*self.iterates, (time.perf_counter() - self.begin, np.array(result["x"]).ravel())]
 
 
 def watched(solve: Callable[[Any], Array], orientations: Array, steps: int) -> list[Iterate]:
@@ -148,10 +148,10 @@ def watched(solve: Callable[[Any], Array], orientations: Array, steps: int) -> l
     problem = Watched(orientations, steps)
     problem.begin = time.perf_counter()
     solution = solve(problem)
-    return [*problem.seen, (time.perf_counter() - problem.begin, np.array(solution))]
+    return [*problem.iterates, (time.perf_counter() - problem.begin, np.array(solution))]
 
 
-def ours(found: Track) -> tuple[list[tuple[float, Path]], Path]:
+def ours(track: Track) -> tuple[list[tuple[float, Path]], Path]:
     """Our improvements, the verb's end last."""
     iterates: list[tuple[float, Path]] = []
     begin = time.perf_counter()
@@ -159,7 +159,7 @@ def ours(found: Track) -> tuple[list[tuple[float, Path]], Path]:
     def improved(step: Improvement) -> None:
         iterates.append((time.perf_counter() - begin, step.path))
 
-    motion = solved(found, OURS, improved)
+    motion = solved(track, OURS, improved)
     iterates.append((time.perf_counter() - begin, motion.path))
     return iterates, motion.path
 
@@ -169,25 +169,25 @@ def arrival(times: list[float], values: list[float]) -> float:
     return next(t for t, value in zip(times, values, strict=True) if value <= WITHIN * values[-1])
 
 
-def coarsest(found: Track, goal: float) -> int:
+def coarsest(track: Track, goal: float) -> int:
     """The fewest steps a segment whose normalised interpolation reaches an energy."""
     for steps in range(FEWEST, MOST):
-        problem = Discrete(found.orientations, steps)
+        problem = Discrete(track.orientations, steps)
         if energy(problem.path(problem.by_newton())) <= goal:
             return steps
     return MOST
 
 
-def of_set(found: Track, effort: Effort) -> dict[str, Any]:
+def of_set(track: Track, effort: Effort) -> dict[str, Any]:
     """Clocks [s] of every solver on one set."""
-    effort.tell(f"{found.name}: the coarsest grid")
-    goal = energy(ours(found)[1])
-    steps = coarsest(found, goal)
-    grid = Discrete(found.orientations, steps)
-    track_of = found.orientations
-    works: dict[str, Callable[[], Any]] = {"ours": lambda: ours(found)}
+    effort.report(f"{track.name}: the coarsest grid")
+    goal = energy(ours(track)[1])
+    steps = coarsest(track, goal)
+    grid = Discrete(track.orientations, steps)
+    track_of = track.orientations
+    works: dict[str, Callable[[], Any]] = {"ours": lambda: ours(track)}
     works["sparse Newton SQP"] = lambda: watched(Discrete.by_newton, track_of, steps)
-    row: dict[str, Any] = {"set": found.name, "steps": steps, "exact": exact_energy(found), "ours": goal}
+    row: dict[str, Any] = {"set": track.name, "steps": steps, "exact": exact_energy(track), "ours": goal}
     casadi = peer("casadi")
     if casadi is not None:
         begin = time.perf_counter()
@@ -205,7 +205,7 @@ def of_set(found: Track, effort: Effort) -> dict[str, Any]:
     def measured(name: str) -> None:
         if name in failed:
             return
-        effort.tell(f"{found.name}, {steps} steps a segment: {name}")
+        effort.report(f"{track.name}, {steps} steps a segment: {name}")
         try:
             got = works[name]()
         except (ValueError, RuntimeError, ArithmeticError, nlopt.RoundoffLimited) as error:

@@ -55,7 +55,7 @@ def journal(out: Path) -> list[dict[str, Any]]:
     return [json.loads(line) for line in lines]
 
 
-def whole(clips: Path, out: Path, workers: int) -> float:
+def whole_batch(clips: Path, out: Path, workers: int) -> float:
     """Seconds of the whole command."""
     spent, done = seconds(lambda: subprocess.run(command(clips, out, workers), capture_output=True, check=False))
     if done.returncode != 0:
@@ -84,7 +84,7 @@ def killed(clips: Path, out: Path, count: int) -> dict[str, int]:
         program.kill()
         program.wait()
     before = done()
-    whole(clips, out, 2)
+    whole_batch(clips, out, 2)
     from dynsplines import motion
 
     entries = journal(out)
@@ -114,12 +114,12 @@ def measure(effort: Effort) -> Section:
     with tempfile.TemporaryDirectory() as folder:
         clips = written(Path(folder) / "clips", count)
         few = written(Path(folder) / "few", 1)
-        start = [whole(few, Path(folder) / f"start{i}", 1) for i in range(2)]
+        start = [whole_batch(few, Path(folder) / f"start{i}", 1) for i in range(2)]
         for i in range(effort.count(3, 1)):
             for workers, times in spent.items():
-                effort.tell(f"{workers} workers, run {i + 1}")
-                times.append(whole(clips, Path(folder) / f"out{workers}{i}", workers))
-        effort.tell("a worker and the program are killed")
+                effort.report(f"{workers} workers, run {i + 1}")
+                times.append(whole_batch(clips, Path(folder) / f"out{workers}{i}", workers))
+        effort.report("a worker and the program are killed")
         kill = killed(clips, Path(folder) / "killed", count)
     one, two = median(spent[1]), median(spent[2])
     section.add("one worker process", count, one, count / one, 1.0)

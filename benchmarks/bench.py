@@ -39,11 +39,11 @@ class Effort:
     """Amount of a section to run, and the receiver of progress.
 
     quick    a small share of the sets and repeats: shows that everything runs, gives no figures to quote
-    tell     receives a line on the present measurement
+    report   receives a line on the present measurement
     """
 
     quick: bool = False
-    tell: Callable[[str], None] = print
+    report: Callable[[str], None] = print
 
     def count(self, full: int, quick: int) -> int:
         """The number of key sets, or of other items to measure."""

@@ -24,7 +24,7 @@ def solve(problem: clips.Clip) -> Solution:
     return inbetween(problem.problem)
 
 
-def first_told() -> float:
+def first_report() -> float:
     """Time from starting `dynsplines solve` to its first line on an improvement [s]; it is stopped then."""
     with tempfile.TemporaryDirectory() as folder:
         command = dynsplines("solve", CLIP, "-o", str(Path(folder) / "motion.npz"))
@@ -48,7 +48,7 @@ def first_better() -> float:
     return float(json.loads(done.stdout.splitlines()[-1])["seconds"])
 
 
-def helped() -> float:
+def help_time() -> float:
     """`dynsplines --help` [s]."""
     begin = time.perf_counter()
     subprocess.run(dynsplines("--help"), capture_output=True, check=True, env=os.environ | {"TERM": "dumb"})
@@ -59,17 +59,17 @@ def measure(effort: Effort) -> Section:
     section = Section("run_and_step, every penalty, on one core", ("what", "median [s]", "least", "most"))
     problem = clips.load(CLIP)
     clocks: dict[str, list[float]] = {}
-    effort.tell("solving")
+    effort.report("solving")
     times, results = alternated({"solve": lambda: solve(problem)}, effort.repeats)
     clocks["solve, subdivision included"] = times["solve"]
     stages: dict[str, Any] = {
-        "`dynsplines solve`: start to its first line about a path": first_told,
+        "`dynsplines solve`: start to its first line about a path": first_report,
         "start of a process to the first path better than the raw one": first_better,
-        "`dynsplines --help`": helped,
+        "`dynsplines --help`": help_time,
     }
     for i in range(effort.repeats):
         for name, work in stages.items():
-            effort.tell(f"{name}, run {i + 1}")
+            effort.report(f"{name}, run {i + 1}")
             clocks.setdefault(name, []).append(work())
     for name, values in clocks.items():
         section.add(name, median(values), min(values), max(values))

@@ -29,14 +29,14 @@ WORSE = 1.1  # times what it watches, from which on a clip is better for a term
 class Outcome:
     """One clip without one term.
 
-    own    integral of what the term watches, without it beside with it
+    ratio  integral of what the term watches, without it divided by with it
     rest   the other terms of E, the same way
     share  of E that the term comes to without it, by its weight
     """
 
     clip: str
     term: str
-    own: float
+    ratio: float
     rest: float
     share: float
 
@@ -58,7 +58,7 @@ def outcomes(name: str, terms: Sequence[str], effort: Effort) -> list[Outcome]:
     for term in with_it:
         if terms and term not in terms:
             continue
-        effort.tell(f"{name} without {term}")
+        effort.report(f"{name} without {term}")
         remaining = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name != term)
         if not remaining or len(remaining) == len(clip.penalties):
             continue
@@ -81,9 +81,10 @@ def compared(names: Sequence[str], terms: Sequence[str], effort: Effort) -> Sect
     results = [outcome for name in names for outcome in outcomes(name, terms, effort)]
     for term in dict.fromkeys(outcome.term for outcome in results):
         of_term = [outcome for outcome in results if outcome.term == term]
-        better = [outcome for outcome in of_term if outcome.own > WORSE]
+        better = [outcome for outcome in of_term if outcome.ratio > WORSE]
         section.add(
-            term, len(of_term), median([outcome.own for outcome in of_term]), max(outcome.own for outcome in of_term),
+            term, len(of_term), median([outcome.ratio for outcome in of_term]),
+            max(outcome.ratio for outcome in of_term),
             median([outcome.rest for outcome in of_term]), ", ".join(outcome.clip for outcome in better) or "none",
         )  # fmt: skip
     section.notes = ["integrals of one fine grid; a clip counts where the term comes to a thousandth of E or more"]

@@ -62,7 +62,7 @@ def measure(effort: Effort) -> Section:
     x = discretised.unknowns.start
     path = discretised.path(x)
     t, weights = objective.quadrature.nodes(timeline.times)
-    effort.tell(f"{t.size} samples, {x.size} unknowns")
+    effort.report(f"{t.size} samples, {x.size} unknowns")
     works: dict[str, Callable[[], object]] = {
         "objective and gradient": lambda: discretised(x),
         "values alone": lambda: weights @ objective.density(objective.samples(path, t)),

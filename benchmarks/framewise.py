@@ -85,17 +85,17 @@ class Goal:
     turn: dict[str, Array]
 
     @classmethod
-    def of(cls, file: Path, found: Cleaned) -> Goal:
-        model, t = found.figure.model, found.recorded.times
+    def of(cls, file: Path, result: Cleaned) -> Goal:
+        model, t = result.figure.model, result.recorded.times
         skeleton, rate = bvh_file.read(file)
         captured = CapturedSkeleton.of(skeleton)
         at = np.minimum(np.round(t * rate).astype(int), len(captured.position) - 1)
         bodies = {r: 1 + i for r, i in roles(hierarchy.names(model)[1:], list(model.body_parentid[1:] - 1)).items()}
-        places, turned = poses(model, found.figure.to_qpos(found.before.at(t)))
-        raised = np.array([0, 0, np.median((found.recorded.path.at(t) - found.before.at(t))[:, 2])])  # to its floor
+        places, turned = poses(model, result.figure.to_qpos(result.before.at(t)))
+        raised = np.array([0, 0, np.median((result.recorded.path.at(t) - result.before.at(t))[:, 2])])  # to its floor
         places = places + raised
         rest, _ = poses(model, np.array(model.qpos0)[None])
-        seat = {role: hung(model, body, set(bodies.values())) for role, body in bodies.items()}
+        seat = {role: first_body(model, body, set(bodies.values())) for role, body in bodies.items()}
         joints = {role: rest[0, body if role in ENDS else seat[role]] for role, body in bodies.items()}
         theirs = captured.roles
         other = {role: captured.at_zero[joint] for role, joint in theirs.items()}
@@ -108,7 +108,7 @@ class Goal:
         place["pelvis"] = places[:, bodies["pelvis"]]
         return cls(model, t, bodies, place, {role: turned[:, body] for role, body in bodies.items()})
 
-    def off(self, qpos: Array) -> tuple[float, float]:
+    def deviation(self, qpos: Array) -> tuple[float, float]:
         """[cm] by which hands and feet of a motion (T, nq) are off: of the worst of them median and 95 %."""
         places, _ = poses(self.model, qpos)
         apart = [100 * np.linalg.norm(places[:, self.bodies[role]] - self.place[role], axis=1) for role in ENDS
@@ -116,7 +116,7 @@ class Goal:
         return max(float(np.median(row)) for row in apart), max(float(np.percentile(row, 95)) for row in apart)
 
 
-def hung(model: mujoco.MjModel, body: int, others: set[int]) -> int:
+def first_body(model: mujoco.MjModel, body: int, others: set[int]) -> int:
     """The first body of a part of a limb: robots have one for every hinge."""
     while int(model.body_parentid[body]) not in {0, *others}:
         body = int(model.body_parentid[body])
@@ -164,10 +164,10 @@ def framewise(mink: Any, goal: Goal) -> Array:
     return out
 
 
-def measured(found: Cleaned, path: Curve, goal: Goal) -> tuple[float, ...]:
+def measured(result: Cleaned, path: Curve, goal: Goal) -> tuple[float, ...]:
     """Depth [mm], slip [mm], off the scaled recording in the median and 95 % [cm], beyond ranges [°], jerk, force."""
-    look = PathMeasurement(found, path, Comparison(found).times)
-    median, high = goal.off(found.figure.to_qpos(path.at(goal.t)))
+    look = PathMeasurement(result, path, Comparison(result).times)
+    median, high = goal.deviation(result.figure.to_qpos(path.at(goal.t)))
     return look.depth, look.slip, median, high, look.range, look.jerk, look.force
 
 
@@ -196,7 +196,7 @@ def measure(effort: Effort) -> Section:
     reading(robot)  # once before all: MuJoCo keeps what it makes of meshes
     with tempfile.TemporaryDirectory() as folder:
         for file in recordings(effort, Path(folder)):
-            effort.tell(file.stem)
+            effort.report(file.stem)
             begin = time.perf_counter()
             result, _ = command.clean_recording(command.Source(file, robot, avoids_self_collision=True), None, quiet())
             first, last = result.before.span

@@ -48,7 +48,7 @@ class Motion:
     qpos: Array
 
 
-def whole(name: str) -> Motion:
+def shipped_motion(name: str) -> Motion:
     """A shipped clip, solved, at 30 images a second."""
     clip = recordings.load(name)
     solution = inbetween(clip.problem)
@@ -57,31 +57,31 @@ def whole(name: str) -> Motion:
     return Motion(name, clip, time, continuous(clip.figure, solution.at(time)))
 
 
-def ours(motion: Motion, kept: NDArray[np.intp], folder: Path) -> Array:
+def ours(motion: Motion, key_indices: NDArray[np.intp], folder: Path) -> Array:
     """Through the kept images with the product's defaults, from files as a user has them."""
     model, keys = folder / "figure.xml", folder / "keys.npz"
     model.write_text(motion.clip.mjcf, encoding="utf-8")
-    np.savez(keys, time=motion.time[kept], qpos=motion.qpos[kept])
+    np.savez(keys, time=motion.time[key_indices], qpos=motion.qpos[key_indices])
     clip = clips.load("", model=str(model), keys=str(keys))
     return inbetween(clip.problem).at(motion.time)
 
 
-def _by_joint(motion: Motion, kept: NDArray[np.intp], places: Callable, turns: Callable) -> Array:
+def _by_joint(motion: Motion, key_indices: NDArray[np.intp], places: Callable, turns: Callable) -> Array:
     """Positions and numbers by one interpolator, joint rotations by another."""
     tables = motion.clip.figure.tables
-    out = places(motion.time[kept], motion.qpos[kept])(motion.time)
+    out = places(motion.time[key_indices], motion.qpos[key_indices])(motion.time)
     for columns in tables.quaternion_columns.T:
-        keys = Rotation.from_quat(np.roll(motion.qpos[np.ix_(kept, columns)], -1, axis=1))
-        out[:, columns] = np.roll(turns(motion.time[kept], keys)(motion.time).as_quat(), 1, axis=1)
+        keys = Rotation.from_quat(np.roll(motion.qpos[np.ix_(key_indices, columns)], -1, axis=1))
+        out[:, columns] = np.roll(turns(motion.time[key_indices], keys)(motion.time).as_quat(), 1, axis=1)
     return out
 
 
-def slerp(motion: Motion, kept: NDArray[np.intp], _: Path) -> Array:
-    return _by_joint(motion, kept, lambda t, y: lambda x: np.array([np.interp(x, t, c) for c in y.T]).T, Slerp)
+def slerp(motion: Motion, key_indices: NDArray[np.intp], _: Path) -> Array:
+    return _by_joint(motion, key_indices, lambda t, y: lambda x: np.array([np.interp(x, t, c) for c in y.T]).T, Slerp)
 
 
-def splines(motion: Motion, kept: NDArray[np.intp], _: Path) -> Array:
-    return _by_joint(motion, kept, CubicSpline, RotationSpline)
+def splines(motion: Motion, key_indices: NDArray[np.intp], _: Path) -> Array:
+    return _by_joint(motion, key_indices, CubicSpline, RotationSpline)
 
 
 METHODS: dict[str, Callable[[Motion, NDArray[np.intp], Path], Array]] = {
@@ -92,7 +92,7 @@ METHODS: dict[str, Callable[[Motion, NDArray[np.intp], Path], Array]] = {
 
 
 @dataclass(frozen=True)
-class Seen:
+class Features:
     """Positions: joint rotations (T, n, 4), hands and ankles (T, m, 3), sole points (T, p, 3), their heights."""
 
     turns: Array
@@ -101,7 +101,7 @@ class Seen:
     heights: Array
 
     @classmethod
-    def of(cls, clip: clips.Clip, qpos: Array) -> Seen:
+    def of(cls, clip: clips.Clip, qpos: Array) -> Features:
         figure = clip.figure
         model, data = figure.model, mujoco.MjData(figure.model)
         ends = []
@@ -117,14 +117,14 @@ class Seen:
         return cls(turns, np.array(ends), centres.transpose(2, 1, 0), heights.T)
 
 
-def score(motion: Motion, kept: NDArray[np.intp], qpos: Array) -> dict[str, float]:
+def score(motion: Motion, key_indices: NDArray[np.intp], qpos: Array) -> dict[str, float]:
     """The error of a reconstructed motion between keyframes.
 
     rot [degrees] of a joint but the root; ee [cm] of hands and ankles; deepest sole point [cm]; skate [cm/s] of sole
     points that rest in the true motion; npss, the distance of the power spectra (Gopalakrishnan et al., CVPR 2019)
     """
-    true, filled = Seen.of(motion.clip, motion.qpos), Seen.of(motion.clip, continuous(motion.clip.figure, qpos))
-    between = np.setdiff1d(np.arange(len(qpos)), kept)
+    true, filled = Features.of(motion.clip, motion.qpos), Features.of(motion.clip, continuous(motion.clip.figure, qpos))
+    between = np.setdiff1d(np.arange(len(qpos)), key_indices)
     cosine = np.abs(np.einsum("tni,tni->tn", true.turns, filled.turns)).clip(0, 1)
     angle = np.degrees(2 * np.arccos(cosine))[between, 1:]
     speed = np.linalg.norm(np.gradient(true.soles, 1 / FPS, axis=0), axis=-1)
@@ -140,10 +140,12 @@ def score(motion: Motion, kept: NDArray[np.intp], qpos: Array) -> dict[str, floa
     }
 
 
-def spectral_distance(true: Array, made: Array) -> float:
+def spectral_distance(true: Array, reconstructed: Array) -> float:
     """Σ over features of the distance between cumulative normalised power spectra, weighted by the true power."""
-    signs = np.where(np.einsum("ni,ni->n", true[0], made[0]) < 0, -1.0, 1.0)
-    powers = [np.abs(np.fft.rfft(part.reshape(len(part), -1), axis=0)) ** 2 for part in (true, made * signs[:, None])]
+    signs = np.where(np.einsum("ni,ni->n", true[0], reconstructed[0]) < 0, -1.0, 1.0)
+    powers = [
+        np.abs(np.fft.rfft(part.reshape(len(part), -1), axis=0)) ** 2 for part in (true, reconstructed * signs[:, None])
+    ]
     totals = [power.sum(axis=0) for power in powers]
     cumulative = [np.cumsum(p / np.maximum(total, 1e-300), axis=0) for p, total in zip(powers, totals, strict=True)]
     apart = np.abs(cumulative[0] - cumulative[1]).sum(axis=0)
@@ -163,8 +165,8 @@ def measure(effort: Effort) -> Section:
     rows: list[dict[str, Any]] = []
     with tempfile.TemporaryDirectory() as folder:
         for name in names:
-            effort.tell(name)
-            motion = whole(name)
+            effort.report(name)
+            motion = shipped_motion(name)
             for every in SPACINGS:
                 indices = np.arange(0, motion.time.size, every)
                 if indices.size < 3:

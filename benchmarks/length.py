@@ -115,7 +115,7 @@ def measure(effort: Effort) -> Section:
         repeats = effort.count(5 if count <= 100 else 1, 1)
         samples = []
         for i in range(repeats):
-            effort.tell(f"{count} keyframes, run {i + 1} of {repeats}")
+            effort.report(f"{count} keyframes, run {i + 1} of {repeats}")
             samples.append(in_child(count, limit))
         runs.append(_middle(samples))
         _add_row(section, runs[-1])

@@ -111,7 +111,7 @@ def changes(node: ast.AST) -> list[ast.AST]:
 def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
     """By line, which node of the tree (counted as it is walked) can be changed, and how often."""
     tree, out = ast.parse(path.read_text(encoding="utf-8")), {}
-    skipped = {id(part) for part in _told(tree)}
+    skipped = {id(part) for part in _ignored_parts(tree)}
     for number, node in enumerate(ast.walk(tree)):
         changes_of_node = [] if id(node) in skipped else changes(node)
         if changes_of_node:
@@ -119,7 +119,7 @@ def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
     return out
 
 
-def _told(tree: ast.AST) -> Iterator[ast.AST]:
+def _ignored_parts(tree: ast.AST) -> Iterator[ast.AST]:
     """Parts that change nothing when they change, annotations, decorators (the size of a cache), messages of errors and
     functions that have a docstring alone, which others stand in for; the −1 of `reshape`, for which any negative number
     does; and constants of a module, which are choices: others would do as well."""
@@ -143,10 +143,10 @@ def _does_anything(function: ast.FunctionDef) -> bool:
     return not all(isinstance(line, ast.Expr) and isinstance(line.value, ast.Constant) for line in function.body)
 
 
-def mutated(path: Path, number: int, way: int) -> Mutant:
+def mutated(path: Path, number: int, change: int) -> Mutant:
     tree = ast.parse(path.read_text(encoding="utf-8"))
     old = list(ast.walk(tree))[number]
-    new = ast.copy_location(copy.deepcopy(changes(old)[way]), old)
+    new = ast.copy_location(copy.deepcopy(changes(old)[change]), old)
     line = old.lineno  # type: ignore[attr-defined]
     before, after = ast.unparse(old), ast.unparse(new)
 
@@ -178,7 +178,7 @@ def module_name(path: str) -> str:
     return "dynsplines." + path.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
 
 
-def tests_of(path: str, *, whole: bool = False) -> list[list[str]]:
+def tests_of(path: str, *, all_groups: bool = False) -> list[list[str]]:
     """Files of tests for a file of the solver: those named after it; those of its folder, or of one that this lies in,
     that use it; others that do, those that use it most; then the rest of its folder, which may reach it in other ways;
     and at last all others of the solver, where they are asked for."""
@@ -194,8 +194,8 @@ def tests_of(path: str, *, whole: bool = False) -> list[list[str]]:
     others = [file for file in ranked if file not in near][:IMPORTERS]
     rest = [file for file in beside if not used[file]]
     tried = {*first, *near, *others, *rest}
-    remaining = [file for file in files if whole and file not in tried and TESTS / "solver" in file.parents]
-    return [[_told_from(file) for file in group] for group in (first, near, others, rest, remaining) if group]
+    remaining = [file for file in files if all_groups and file not in tried and TESTS / "solver" in file.parents]
+    return [[_test_name(file) for file in group] for group in (first, near, others, rest, remaining) if group]
 
 
 def _public(path: str) -> set[str]:
@@ -214,7 +214,7 @@ def _uses(file: Path, module: str, public: set[str]) -> int:
     return calls
 
 
-def _told_from(file: Path) -> str:
+def _test_name(file: Path) -> str:
     return file.relative_to(TESTS).as_posix()
 
 
@@ -283,7 +283,7 @@ def _run(mutant: Mutant | None, tests: list[str]) -> int:
     return int(pytest.main([*words, *(str(TESTS / name) for name in tests)]))
 
 
-def begun(mutant: Mutant | None, tests: list[str], seconds: float) -> int:
+def start_process(mutant: Mutant | None, tests: list[str], seconds: float) -> int:
     """The number of a new process that runs the tests with a mutant, in so much time of a core [s]."""
     number = os.fork()
     if number:
@@ -316,16 +316,16 @@ def ended(number: int, seconds: float) -> int | None:
 @cache
 def sound(names: tuple[str, ...], seconds: float) -> bool:
     """Whether tests pass with nothing changed; those that do not can catch nothing."""
-    return ended(begun(None, list(names), seconds), seconds) in (0, NOTHING_TO_RUN)
+    return ended(start_process(None, list(names), seconds), seconds) in (0, NOTHING_TO_RUN)
 
 
-def judged(mutant: Mutant, seconds: float, *, whole: bool = False) -> Outcome:
+def judged(mutant: Mutant, seconds: float, *, all_groups: bool = False) -> Outcome:
     """A mutant against one group of tests after another, until one catches it or the time is over."""
     start, verdict, tried = time.monotonic(), SURVIVED, []
-    for names in tests_of(mutant.path, whole=whole):
+    for names in tests_of(mutant.path, all_groups=all_groups):
         tried += names
         most = seconds * len(names)
-        code = ended(begun(mutant, names, most), most)
+        code = ended(start_process(mutant, names, most), most)
         if code is None:
             verdict = HUNG
         elif code not in (0, NOTHING_TO_RUN):
@@ -368,7 +368,7 @@ def main() -> None:
     _without_shrinking()
     verdicts: Counter[str] = Counter()
     for mutant in chosen(arguments.count, arguments.seed, arguments.only)[arguments.skip :]:
-        outcome = judged(mutant, arguments.seconds, whole=arguments.all)
+        outcome = judged(mutant, arguments.seconds, all_groups=arguments.all)
         verdicts[outcome.verdict] += 1
         where = f"{outcome.path}:{outcome.line}"
         print(f"{outcome.verdict:8} {outcome.seconds:6.1f} s  {where}  {outcome.before} → {outcome.after}", flush=True)

@@ -30,7 +30,7 @@ def solve(problem: clips.Clip, method: str) -> Solution:
     return inbetween(replace(problem.problem, settings=replace(problem.settings, optimiser=method)))
 
 
-def gone_on(motion: Solution, method: str) -> tuple[float, float]:
+def continued(motion: Solution, method: str) -> tuple[float, float]:
     """Continue after a solve, on the same frames: the decrease of E [%], and its duration [s]."""
     descent = Descent(motion.objective, motion.timeline)
     before = descent.problem(descent.problem.unknowns.start).value
@@ -46,7 +46,7 @@ def measure(effort: Effort) -> Section:
     ratios: list[float] = []
     rates: dict[str, list[float]] = {ALONE: [], NLOPT: []}
     for name in QUICK_CLIPS if effort.quick else CLIPS:
-        effort.tell(name)
+        effort.report(name)
         problem = clips.load(name)
         works = {method: functools.partial(solve, problem, method) for method in rates}
         times, motions = alternated(works, effort.count(REPEATS, 1), warm=False)
@@ -54,7 +54,7 @@ def measure(effort: Effort) -> Section:
         seconds = {method: median(spent_times) for method, spent_times in times.items()}
         shares.append(values[NLOPT] / values[ALONE])
         ratios.append(median([a / b for a, b in zip(times[NLOPT], times[ALONE], strict=True)]))
-        more = {method: gone_on(motions[ALONE], method) for method in rates}
+        more = {method: continued(motions[ALONE], method) for method in rates}
         for method, (gain, spent) in more.items():
             rates[method].append(gain / spent)
         cells = (f"{gain:.2f} % in {spent:.1f} s" for gain, spent in more.values())

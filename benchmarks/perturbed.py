@@ -36,7 +36,7 @@ FAR = 0.5  # [m]
 
 
 @dataclass(frozen=True)
-class Seen:
+class Violence:
     """Measures of a motion's violence.
 
     peak      [rad/s²] the largest angular acceleration of a joint, and the link that it turns
@@ -49,19 +49,19 @@ class Seen:
     limb: str
 
     @classmethod
-    def of(cls, motion: Solution) -> Seen:
+    def of(cls, motion: Solution) -> Violence:
         """Measured on a grid from the first keyframe to the last."""
         first, last = motion.path.span
         t = np.linspace(first, last, round(RATE * (last - first)) + 1)
         samples, raw = (motion.objective.samples(path, t) for path in (motion.path, path_of(motion.raw)))
         sizes = relative_accelerations(samples)[1].max(axis=1)
-        apart = _apart(samples, raw)
+        apart = _distances(samples, raw)
         names = [link.name for link in motion.figure.links]
         turns, strays = int(sizes.argmax()), int(apart.argmax())
         return cls(float(sizes[turns]), names[turns], float(apart[strays]), names[strays])
 
 
-def _apart(a: Samples, b: Samples) -> Array:
+def _distances(a: Samples, b: Samples) -> Array:
     """(L,) [m] how far links' origins are from each other at most."""
     return np.linalg.norm(a.links.x - b.links.x, axis=0).max(axis=1)
 
@@ -78,16 +78,16 @@ class Outcome:
     clip: str
     seed: int
     ratio: float
-    seen: Seen
+    violence: Violence
     seconds: float
     evaluations: int
     parts: dict[str, float]
     dropped: int
 
     @property
-    def stands_out(self) -> bool:
+    def is_excessive(self) -> bool:
         """Whether it is beyond what most or all sets are to keep to."""
-        return self.ratio > MOST or self.seen.farthest > FAR
+        return self.ratio > MOST or self.violence.farthest > FAR
 
     @property
     def text(self) -> str:
@@ -95,8 +95,8 @@ class Outcome:
         parts = sorted(self.parts.items(), key=lambda part: -part[1])
         terms = ", ".join(f"{name} {value:.3g}" for name, value in parts if value >= 0.01)
         return (
-            f"{self.clip} seed {self.seed}: {self.ratio:.1f} × ({self.seen.link}), {self.seen.limb} "
-            f"{100 * self.seen.farthest:.0f} cm away; E = {sum(self.parts.values()):.3g} ({terms})"
+            f"{self.clip} seed {self.seed}: {self.ratio:.1f} × ({self.violence.link}), {self.violence.limb} "
+            f"{100 * self.violence.farthest:.0f} cm away; E = {sum(self.parts.values()):.3g} ({terms})"
         )
 
 
@@ -153,7 +153,7 @@ def outcome(clip: clips.Clip, seed: int, peak: float) -> Outcome:
     other = perturbed(clip, seed)
     spent, motion = seconds(lambda: solved(other))
     measured, parts, dropped = (
-        Seen.of(motion),
+        Violence.of(motion),
         motion.trace[-1][3],
         len(clip.context.schedule.contacts.requested) - len(other.context.schedule.contacts.requested),
     )
@@ -173,27 +173,29 @@ def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Sect
     shares: list[float] = []
     for name in names:
         clip = clips.load(name)
-        shipped = Seen.of(solved(clip))
+        shipped = Violence.of(solved(clip))
         outcomes = []
         for seed in seeds:
-            effort.tell(f"{name}, seed {seed}")
+            effort.report(f"{name}, seed {seed}")
             outcomes.append(outcome(clip, seed, shipped.peak))
         ratios = [each.ratio for each in outcomes]
-        far = max(outcomes, key=lambda each: each.seen.farthest).seen
+        far = max(outcomes, key=lambda each: each.violence.farthest).violence
         shares.append(float(np.quantile(ratios, QUANTILE)))
         section.add(
             name, len(outcomes), shipped.peak, median(ratios), shares[-1], worst(ratios),
             f"{100 * far.farthest:.0f} ({far.limb})", 100 * shipped.farthest, sum(ratio > MOST for ratio in ratios),
-            sum(ratio > MOST_OF_ALL for ratio in ratios), sum(each.seen.farthest > FAR for each in outcomes),
+            sum(ratio > MOST_OF_ALL for ratio in ratios), sum(each.violence.farthest > FAR for each in outcomes),
             median([each.seconds for each in outcomes]),
         )  # fmt: skip
         every += outcomes
     section.targets = [
         Target(f"ratio of {QUANTILE:.0%} of a clip's sets, the worst clip", worst(shares), MOST),
         Target("ratio of all sets", worst([each.ratio for each in every]), MOST_OF_ALL),
-        Target("a limb from its place on the raw spline", worst([each.seen.farthest for each in every]), FAR, unit="m"),
+        Target(
+            "a limb from its place on the raw spline", worst([each.violence.farthest for each in every]), FAR, unit="m"
+        ),
     ]
-    beyond = [each.text for each in every if each.stands_out]
+    beyond = [each.text for each in every if each.is_excessive]
     section.notes = [
         "only what keyframes fix is moved; the first and the last keyframe of a loop alike; the raw spline is that of "
         "the moved keyframes, the own peak that of the shipped clip's solved motion; contacts that the moved keyframes "

@@ -99,7 +99,7 @@ class Draw:
             qpos[columns] = quat.product(qpos[columns], quat.from_rotation_vector(turn))
         return qpos
 
-    def asked(self, rng: np.random.Generator, number: int) -> tuple[Array, Mask, list[Goal]]:
+    def request(self, rng: np.random.Generator, number: int) -> tuple[Array, Mask, list[Goal]]:
         """An initial pose (nq,), its free entries (nq,), and the targets."""
         figure, rest = self.figure, np.array(self.figure.model.qpos0)
         chosen = [self.ends[i] for i in rng.choice(len(self.ends), rng.integers(1, 3), replace=False)]
@@ -141,8 +141,8 @@ def measure(effort: Effort) -> Section:
         times: list[float] = []
         met: list[bool] = []
         for number in range(count):
-            effort.tell(f"{name}: pose {number + 1} of {count}")
-            home, free, goals = draw.asked(rng, number)
+            effort.report(f"{name}: pose {number + 1} of {count}")
+            home, free, goals = draw.request(rng, number)
             spent, pose = seconds(partial(posed, figure, home, free, goals, draw.bends))
             times.append(spent)
             met.append(pose.is_met)
@@ -165,7 +165,7 @@ def add_drags(section: Section, effort: Effort, name: str, spec: mujoco.MjSpec) 
     pulls, rng, count = Pulls(with_floor(spec), SOLES[name]), np.random.default_rng(5), effort.count(DRAGS, 20)
     results = []
     for number in range(count):
-        effort.tell(f"{name}: drag {number + 1} of {count}")
+        effort.report(f"{name}: drag {number + 1} of {count}")
         results.append(pulls.result(pulls.drawn(rng)))
     times = [second for result in results for second in result.seconds]
     share = float(np.mean([not result.violations for result in results]))
@@ -175,5 +175,5 @@ def add_drags(section: Section, effort: Effort, name: str, spec: mujoco.MjSpec) 
     section.targets.append(Target(f"{name}: share of the drags without violations", share, FOUND, least=True))
     section.data[f"{name}, drags"] = {
         **{kind: [result.violations.get(kind) for result in results] for kind in KINDS},
-        "missed": [result.missed for result in results],
+        "missed": [result.miss for result in results],
     }

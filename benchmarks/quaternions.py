@@ -55,18 +55,18 @@ def _log(q: Array) -> Array:
     return 2 * np.arctan2(length, q[:, :1]) * q[:, 1:] / np.maximum(length, 1e-300)
 
 
-def rotation_spline(found: Track) -> float:
+def rotation_spline(track: Track) -> float:
     """Energy of SciPy's RotationSpline."""
-    spline = RotationSpline(found.times, Rotation.from_quat(found.orientations[:, [1, 2, 3, 0]]))
-    return acceleration_energy(found.times, lambda t: spline(t, 2))
+    spline = RotationSpline(track.times, Rotation.from_quat(track.orientations[:, [1, 2, 3, 0]]))
+    return acceleration_energy(track.times, lambda t: spline(t, 2))
 
 
-def evenly(found: Track, variable: int) -> Any:
+def evenly(track: Track, variable: int) -> Any:
     """Our optimum with `variable` frames in every segment, tightly converged."""
-    return solved(found, Settings(variable=variable, frames=0, **TIGHT), light=True)
+    return solved(track, Settings(variable=variable, frames=0, **TIGHT), light=True)
 
 
-def adaptive(found: Track, least: float) -> tuple[float, float, float]:
+def adaptive(track: Track, least: float) -> tuple[float, float, float]:
     """Subdivision by the weak form until no segment promises more: ratio and frames at the end, and the fewest frames
     after a round at which the ratio was at most 1.00002 (infinite: never)."""
     last: dict[int, Improvement] = {}
@@ -75,38 +75,38 @@ def adaptive(found: Track, least: float) -> tuple[float, float, float]:
         last[step.round] = step
 
     settings = Settings(variable=1, frames=200, threshold=THRESHOLD, batch=BATCH, **TIGHT)
-    motion = solved(found, settings, improved, light=True)
+    motion = solved(track, settings, improved, light=True)
     rounds = [(step.path.spline.times.size - KEYFRAMES, energy(step.path) / least) for step in last.values()]
     enough = [frames for frames, ratio in rounds if ratio <= GOAL]
     return energy(motion.path) / least, motion.timeline.variable_count, min(enough, default=np.inf)
 
 
-def uniform_need(found: Track, least: float) -> float:
+def uniform_need(track: Track, least: float) -> float:
     """The total number of uniform variable frames for 1.00002 (infinite: more than 8 a segment)."""
     for variable in range(1, MOST_UNIFORM + 1):
-        if energy(evenly(found, variable).path) / least <= GOAL:
+        if energy(evenly(track, variable).path) / least <= GOAL:
             return variable * (KEYFRAMES - 1)
     return np.inf
 
 
-def of_set(found: Track) -> Row:
+def of_set(track: Track) -> Row:
     """Every figure of one set of keyframes."""
-    fine = evenly(found, FINEST)
+    fine = evenly(track, FINEST)
     finest = energy(fine.path)
-    exact = exact_energy(found)
+    exact = exact_energy(track)
     least = finest if exact is None or in_other_class(finest / exact) else exact
-    row = {"finest / exact": finest / exact if exact else np.nan, "seed": float(found.seed)}
+    row = {"finest / exact": finest / exact if exact else np.nan, "seed": float(track.seed)}
     for variable in (1, VARIABLE):
-        motion = evenly(found, variable)
+        motion = evenly(track, variable)
         row[f"{variable} a segment"] = energy(motion.path) / least
         objective = motion.objective
         gap = objective.value(motion.path) - objective.value(fine.path)
         estimate = float(by_weak_form(objective, motion.timeline).sum())
         row[f"estimate / gap, {variable} a segment"] = estimate / gap if gap > 0 else np.nan
-    row["RotationSpline"] = rotation_spline(found) / least
-    row["SQUAD"] = sampled_energy(found.times, squad(found.orientations)) / least
-    row["adaptive"], row["adaptive, frames"], row["adaptive, frames to 1.00002"] = adaptive(found, least)
-    row["evenly, frames to 1.00002"] = uniform_need(found, least)
+    row["RotationSpline"] = rotation_spline(track) / least
+    row["SQUAD"] = sampled_energy(track.times, squad(track.orientations)) / least
+    row["adaptive"], row["adaptive, frames"], row["adaptive, frames to 1.00002"] = adaptive(track, least)
+    row["evenly, frames to 1.00002"] = uniform_need(track, least)
     return row
 
 
@@ -120,9 +120,9 @@ def measure(effort: Effort) -> Section:
         count = effort.count(*counts)
         rows[kind] = []
         for i in range(count):
-            effort.tell(f"{kind}, set {i + 1} of {count}")
+            effort.report(f"{kind}, set {i + 1} of {count}")
             rows[kind].append(of_set(track(kind, FIRST_SEED + i, KEYFRAMES)))
-    same_class = {kind: [row for row in of_kind if not _apart(row)] for kind, of_kind in rows.items()}
+    same_class = {kind: [row for row in of_kind if not _is_in_other_class(row)] for kind, of_kind in rows.items()}
     names = ("3 a segment", "1 a segment", "adaptive", "RotationSpline", "SQUAD")
     words = {"3 a segment": "ours, 3 variable frames a segment", "1 a segment": "ours, 1 a segment"}
     words |= {"adaptive": "ours, adaptive from 1 a segment, weak form"}
@@ -133,7 +133,7 @@ def measure(effort: Effort) -> Section:
         section.add(name, *(f(_column(same_class[kind], name)) for kind in SETS for f in (median, worst)))
     _estimates(section, same_class)
     _targets(section, same_class)
-    others = {kind: [int(r["seed"]) for r in of_kind if _apart(r)] for kind, of_kind in rows.items()}
+    others = {kind: [int(r["seed"]) for r in of_kind if _is_in_other_class(r)] for kind, of_kind in rows.items()}
     unclosed = {k: [int(r["seed"]) for r in of_kind if np.isnan(r["finest / exact"])] for k, of_kind in rows.items()}
     section.notes = [
         f"sets: {', '.join(f'{len(of_kind)} {kind}' for kind, of_kind in rows.items())}, seeds from {FIRST_SEED}; "
@@ -152,10 +152,10 @@ def measure(effort: Effort) -> Section:
     return section
 
 
-def _estimates(section: Section, kept: dict[str, list[Row]]) -> None:
+def _estimates(section: Section, rows: dict[str, list[Row]]) -> None:
     for variable in (1, VARIABLE):
         name = f"estimate / gap, {variable} a segment"
-        columns = [_column(kept[kind], name) for kind in SETS]
+        columns = [_column(rows[kind], name) for kind in SETS]
         cells = [f(column) for column in columns for f in (median, _farthest)]
         section.add(f"estimated distance / gap to 15 a segment, at {variable} a segment", *cells)
         ratios = np.concatenate(columns)
@@ -164,24 +164,24 @@ def _estimates(section: Section, kept: dict[str, list[Row]]) -> None:
         section.targets.append(Target(words, near, SHARE, least=True))
 
 
-def _targets(section: Section, kept: dict[str, list[Row]]) -> None:
-    ours = {kind: _column(kept[kind], "3 a segment") for kind in SETS}
+def _targets(section: Section, rows: dict[str, list[Row]]) -> None:
+    ours = {kind: _column(rows[kind], "3 a segment") for kind in SETS}
     section.targets[:0] = [
         Target("moderate, median", median(ours["moderate"]), 1.00002),
         Target("moderate, worst", worst(ours["moderate"]), 1.0005),
         Target("random, median", median(ours["random"]), 1.0003),
     ]
     for kind in SETS:
-        adaptive, even = (_column(kept[kind], f"{who}, frames to 1.00002") for who in ("adaptive", "evenly"))
+        adaptive, even = (_column(rows[kind], f"{who}, frames to 1.00002") for who in ("adaptive", "evenly"))
         ratios = [a / b for a, b in zip(adaptive, even, strict=True)]
         section.targets += [
-            Target(f"adaptive, {kind}, worst ratio", worst(_column(kept[kind], "adaptive")), GOAL),
+            Target(f"adaptive, {kind}, worst ratio", worst(_column(rows[kind], "adaptive")), GOAL),
             Target(f"{kind}: frames to 1.00002, adaptive / evenly, median", median(ratios), 1.0),
             Target("the same, worst", worst(ratios), 1.0),
         ]
 
 
-def _apart(row: Row) -> bool:
+def _is_in_other_class(row: Row) -> bool:
     return in_other_class(row["finest / exact"]) or in_other_class(row["3 a segment"])
 
 

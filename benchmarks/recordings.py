@@ -162,8 +162,8 @@ class Score:
     before: float
     after: float
     skate: float
-    seen_skate: float
-    own_skate: float
+    detected_skate: float
+    body_skate: float
     depth: float
     hover: float
     peak: float
@@ -172,9 +172,9 @@ class Score:
     speed: float
 
 
-def ends(figure: Figure, states: Array, found: Cleaned) -> Array:
+def ends(figure: Figure, states: Array, result: Cleaned) -> Array:
     """(3, n, T) [m] hands and feet."""
-    near = found.problem.penalties[0][0]
+    near = result.problem.penalties[0][0]
     assert isinstance(near, TrackingPenalty)
     links, positions = near.ends
     return Samples(figure, states, 0 * states, 0 * states).links.points(links, positions)[0]
@@ -223,8 +223,8 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
         before=off[0],
         after=off[1],
         skate=skates[0],
-        seen_skate=skates[1],
-        own_skate=skates[2],
+        detected_skate=skates[1],
+        body_skate=skates[2],
         depth=PathMeasurement(result, result.after, fine).depth / 1000,
         hover=hover,
         peak=peaks[0] / peaks[1],
@@ -269,12 +269,12 @@ def measure(effort: Effort) -> Section:
     every: dict[str, list[Score]] = {"round": [], "straight": []}
     for truth in truths(effort):
         for drift, scores in every.items():
-            effort.tell(f"{truth.name}, {drift}")
+            effort.report(f"{truth.name}, {drift}")
             s = scored(truth, np.random.default_rng(1), straight=drift == "straight")
             scores.append(s)
             section.add(
                 truth.name, drift, f"{100 * s.before:.1f} -> {100 * s.after:.1f}", s.after / s.before, 100 * s.skate,
-                100 * s.seen_skate, 100 * s.own_skate, 1000 * s.depth, 1000 * s.hover, s.peak,
+                100 * s.detected_skate, 100 * s.body_skate, 1000 * s.depth, 1000 * s.hover, s.peak,
                 f"{s.found[0]} of {s.found[1]}", f"{s.false[0]} of {s.false[1]}", s.speed,
             )  # fmt: skip
     for drift, scores in every.items():
@@ -285,7 +285,7 @@ def measure(effort: Effort) -> Section:
             Target(f"{drift}: skate while truly resting", 100 * float(np.mean([s.skate for s in scores])), SKATE,
                    unit="cm/s"),
             Target(f"{drift}: the same, but for the gaps, of which nothing is known",
-                   100 * float(np.mean([s.seen_skate for s in scores])), SKATE, unit="cm/s"),
+                   100 * float(np.mean([s.detected_skate for s in scores])), SKATE, unit="cm/s"),
             Target(f"{drift}: deepest of the figure", 1000 * max(s.depth for s in scores), DEPTH, unit="mm"),
             Target(f"{drift}: hover of resting soles", 1000 * max(s.hover for s in scores), HOVER, unit="mm"),
             Target(f"{drift}: peak joint acceleration | the true one", max(s.peak for s in scores), PEAK),

@@ -105,7 +105,7 @@ def measure(effort: Effort) -> Section:
         ("renderer", "size", "images", "images a second", "bare loop or one process", "×"),
     )
     images = effort.count(30, 4)
-    effort.tell(f"OpenGL, {images} images, {effort.repeats} times")
+    effort.report(f"OpenGL, {images} images, {effort.repeats} times")
     command = [sys.executable, str(Path(__file__).resolve()), str(images), str(effort.repeats), SIZE]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     gl: dict[str, Any] = json.loads(done.stdout.splitlines()[-1]) if done.returncode == 0 else {}
@@ -139,7 +139,7 @@ def _software(section: Section, effort: Effort) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         for i in range(effort.repeats):
             for workers in spent:
-                effort.tell(f"software, {workers} processes, run {i + 1}")
+                effort.report(f"software, {workers} processes, run {i + 1}")
                 took, why = software(workers, Path(folder), float(fps))
                 if why is not None:
                     section.add("software, two processes", SOFTWARE_SIZE, images, f"skipped: {why}", "–", "–")

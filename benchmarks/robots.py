@@ -122,9 +122,9 @@ class Result:
         return code == 0
 
 
-def _is_told(kind: str, told: list[str]) -> bool:
+def _is_reported(kind: str, messages: list[str]) -> bool:
     """Whether one of some messages is about a kind of violation."""
-    return any(word in line for line in told for word in WORDS[kind])
+    return any(word in line for line in messages for word in WORDS[kind])
 
 
 def _is_news(line: str) -> bool:
@@ -264,7 +264,8 @@ def tried(name: str, file: Path, walks: bool, walk: Path, output: Path) -> Resul
             if result.run(folder, "export", "squat.npz", "-o", "squat.qpos.npz"):
                 beyond = {k: v for k, v in measured(folder / "squat.qpos.npz").items() if v > BOUNDS[k]}
                 result.cells["violations"] = ", ".join(
-                    f"{kind} {value:.0f}" + " SILENT" * (not _is_told(kind, reported)) for kind, value in beyond.items()
+                    f"{kind} {value:.0f}" + " SILENT" * (not _is_reported(kind, reported))
+                    for kind, value in beyond.items()
                 )
             if result.run(folder, "export", "squat.npz", "--to", "mjcf", "--simulate", "-o", "squat.simulate.xml"):
                 result.cells["simulated"] = simulated(folder / "squat.simulate.xml")

@@ -70,10 +70,10 @@ def track(kind: str, seed: int, count: int, ratio: float | None = None) -> Track
 
 
 def solved(
-    found: Track, settings: Settings, improved: Callable[[Any], None] | None = None, *, light: bool = False
+    track: Track, settings: Settings, improved: Callable[[Any], None] | None = None, *, light: bool = False
 ) -> Solution:
     """Our path through a set, in the intrinsic form; `light`: with a weak unit term, which lets |q| vary more."""
-    return inbetween(Problem(spinner(), found.keys, LIGHT if light else INTRINSIC, settings), improved=improved)
+    return inbetween(Problem(spinner(), track.keys, LIGHT if light else INTRINSIC, settings), improved=improved)
 
 
 def energy(path: Path) -> float:
@@ -108,18 +108,18 @@ def oracle() -> Any:
     return importlib.import_module("exact_path")
 
 
-def exact_energy(found: Track) -> float | None:
+def exact_energy(track: Track) -> float | None:
     """The exact minimiser's energy, or None where its Newton iteration does not close from the natural cubic."""
-    keys = quat.aligned(found.orientations)
+    keys = quat.aligned(track.orientations)
     with np.errstate(all="ignore"):
-        return _closed_energy(found.times, keys, oracle()._start(found.times, keys))
+        return _closed_energy(track.times, keys, oracle()._start(track.times, keys))
 
 
-def exact_energy_from(found: Track, path: Path) -> float | None:
+def exact_energy_from(track: Track, path: Path) -> float | None:
     """The same from the rates of our path: the exact path in its winding class."""
-    keys = quat.normalised(path.at(found.times))
+    keys = quat.normalised(path.at(track.times))
     with np.errstate(all="ignore"):
-        return _closed_energy(found.times, keys, np.array([_rates(path, a, b) for a, b in pairwise(found.times)]))
+        return _closed_energy(track.times, keys, np.array([_rates(path, a, b) for a, b in pairwise(track.times)]))
 
 
 def _closed_energy(times: Array, keys: Array, states: Array) -> float | None:

@@ -95,10 +95,10 @@ def main() -> None:
         for name in (name for name in SECTIONS if name in arguments.only):
             bars.update(task, description=name, note="")
 
-            def tell(note: str) -> None:
+            def print_note(note: str) -> None:
                 bars.update(task, note=note)
 
-            results[name] = measured(name, Effort(arguments.quick, tell))
+            results[name] = measured(name, Effort(arguments.quick, print_note))
             bars.advance(task)
             ordered = {key: results[key] for key in SECTIONS if key in results}
             report.write(ordered, arguments.output)

@@ -198,7 +198,7 @@ class LeastSquares:
         return [*groups, (0, np.array([2])), (2, np.array([0])), (2, np.array([1])), (2, np.array([2]))]
 
     @cached_property
-    def sees(self) -> NDArray[np.bool_]:
+    def sparsity(self) -> NDArray[np.bool_]:
         """(R, N): whether a residual depends on a column of y, y' or y''."""
         figure = self.figure
         count = figure.tables.quaternion_links.size
@@ -224,7 +224,7 @@ class LeastSquares:
             moved[order][:, columns] += h
             slope = (self.of_states(moved) - here).T / h
             for column in columns:
-                visible = self.sees[:, column]
+                visible = self.sparsity[:, column]
                 local[order][:, visible, column] = slope[:, visible]
         moving = self.unknowns.moving
         out = np.zeros((SAMPLES, here.shape[0], moving.shape[2], self.figure.width))
@@ -265,7 +265,7 @@ class Casadi:
         ]
         mapped = self.sample(runner).map(SAMPLES)
         value = unknowns.weights[0] * casadi.sum2(mapped(*parts))
-        self.seen: list[tuple[float, Array]] = []
+        self.iterates: list[tuple[float, Array]] = []
         self.begin = 0.0
         self.callback = noting(casadi, x.numel(), self.note)
         options = {
@@ -306,14 +306,14 @@ class Casadi:
         return ca.Function("sample", [y, y_d, y_dd], [value])
 
     def note(self, x: Array) -> None:
-        self.seen.append((time.perf_counter() - self.begin, x))
+        self.iterates.append((time.perf_counter() - self.begin, x))
 
     def run(self) -> list[Iterate]:
         """Every iterate that IPOPT reports."""
-        self.seen.clear()
+        self.iterates.clear()
         self.begin = time.perf_counter()
         self.solve(x0=self.unknowns.start)
-        return [(t, self.unknowns.path_of(x)) for t, x in self.seen]
+        return [(t, self.unknowns.path_of(x)) for t, x in self.iterates]
 
 
 def _quotient(ca: Any, p: Any, q: Any) -> Any:
@@ -339,7 +339,7 @@ def _matrix(ca: Any, q: Any, b: Any) -> Any:
 def noting(ca: Any, size: int, note: Callable[[Array], None], constraints: int = 0) -> Any:
     """IPOPT's iteration callback that hands every x to `note`."""
 
-    class Noted(ca.Callback):
+    class Recorder(ca.Callback):
         def __init__(self) -> None:
             ca.Callback.__init__(self)
             self.construct("noted", {})
@@ -359,7 +359,7 @@ def noting(ca: Any, size: int, note: Callable[[Array], None], constraints: int =
             note(np.array(arg[0]).ravel())
             return [0]
 
-    return Noted()
+    return Recorder()
 
 
 @dataclass
@@ -416,7 +416,7 @@ def methods(runner: Runner, unknowns: Unknowns, effort: Effort) -> tuple[dict[st
     casadi = peer("casadi")
     if casadi is not None:
         for name, jit in (("CasADi + IPOPT", False), ("CasADi + IPOPT, compiled by gcc -O3", True)):
-            effort.tell(f"building {name}")
+            effort.report(f"building {name}")
             begin = time.perf_counter()
             try:
                 built = Casadi(casadi, runner, unknowns, jit)
@@ -441,23 +441,23 @@ def _measured(effort: Effort) -> Section:
     works, building = methods(runner, unknowns, effort)
     runs: dict[str, list[list[Iterate]]] = {name: [] for name in works}
 
-    def kept(name: str) -> Callable[[], None]:
+    def result_of(name: str) -> Callable[[], None]:
         def work() -> None:
-            effort.tell(name)
+            effort.report(name)
             runs[name].append(works[name]())
 
         return work
 
     slow = [name for name in works if name.startswith("mujoco")]
-    fast = {name: kept(name) for name in works if name not in slow}
+    fast = {name: result_of(name) for name in works if name not in slow}
     for name in fast:
-        effort.tell(f"{name}, off the clock")
+        effort.report(f"{name}, off the clock")
         works[name]()
     alternated(fast, effort.repeats, warm=False)
     repeats = {name: effort.count(3, 1) if "differences" in name else effort.repeats for name in slow}
     for turn in range(max(repeats.values())):
-        alternated({"ours": kept("ours")} | {n: kept(n) for n in slow if turn < repeats[n]}, 1, warm=False)
-    effort.tell("optimum at 15 variable frames a segment")
+        alternated({"ours": result_of("ours")} | {n: result_of(n) for n in slow if turn < repeats[n]}, 1, warm=False)
+    effort.report("optimum at 15 variable frames a segment")
     ends = [min((path for _, path in iterates[0]), key=runner.value) for iterates in runs.values()]
     optimum, best = finest(runner, ends)
     results = {name: judged(runner, iterates, optimum) for name, iterates in runs.items()}

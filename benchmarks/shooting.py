@@ -29,9 +29,9 @@ def shot(module: Any, times: Any, quaternions: list[Any]) -> Any:
         return None
 
 
-def quaternions_of(module: Any, found: Track) -> list[Any]:
+def quaternions_of(module: Any, track: Track) -> list[Any]:
     """The keyframes as the peer takes them."""
-    return [module.Quaternion(*map(float, q)) for q in found.orientations]
+    return [module.Quaternion(*map(float, q)) for q in track.orientations]
 
 
 def has_closed(curve: Any) -> bool:
@@ -44,19 +44,19 @@ def energy_of(curve: Any) -> float:
     return float(curve.acceleration_energy) / 4
 
 
-def of_set(found: Track, module: Any, effort: Effort) -> dict[str, Any]:
+def of_set(track: Track, module: Any, effort: Effort) -> dict[str, Any]:
     """Times [s] and energies of one set: the peer's and ours with 1, 2 and 3 variable frames a segment."""
     works: dict[str, Callable[[], Any]] = {}
     if module is not None:
-        works["peer"] = partial(shot, module, found.times, quaternions_of(module, found))
+        works["peer"] = partial(shot, module, track.times, quaternions_of(module, track))
     for variable in VARIABLE:
-        works[f"{variable}"] = partial(solved, found, Settings(variable=variable, frames=0, tolerance=TOLERANCE))
+        works[f"{variable}"] = partial(solved, track, Settings(variable=variable, frames=0, tolerance=TOLERANCE))
     times, results = alternated(works, effort.repeats)
     curve = results.get("peer")
     least = energy_of(curve) if has_closed(curve) else None
-    if len(found.keys) <= 20:
-        least = exact_energy(found) or least
-    row: dict[str, Any] = {"kind": found.kind, "seed": found.seed, "exact": least}
+    if len(track.keys) <= 20:
+        least = exact_energy(track) or least
+    row: dict[str, Any] = {"kind": track.kind, "seed": track.seed, "exact": least}
     row["peer [s]"] = median(times["peer"]) if "peer" in times else None
     row["peer closed"] = has_closed(curve)
     row["peer / exact"] = energy_of(curve) / least if has_closed(curve) and least else None
@@ -80,7 +80,7 @@ def measure(effort: Effort) -> Section:
             sets = range(FIRST_SEED, FIRST_SEED + effort.count(*counts))
             rows_ = rows[f"{size} {kind}"] = []
             for seed in sets:
-                effort.tell(f"{size} keyframes, {kind}, seed {seed}")
+                effort.report(f"{size} keyframes, {kind}, seed {seed}")
                 rows_.append(of_set(track(kind, seed, size), module, effort))
             _add_rows(section, size, kind, rows_, module is not None)
     _targets(section, rows)

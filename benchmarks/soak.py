@@ -82,14 +82,14 @@ class Soak:
     def done(self) -> int:
         return sum(1 for _ in self.out.glob("*.npz"))
 
-    def look(self) -> None:
+    def check_finished(self) -> None:
         """At what is finished: whether any of it was written again."""
         for path in self.out.glob("*.npz"):
             stamp = path.stat().st_mtime_ns
             self.twice += self.stamps.setdefault(path.name, stamp) != stamp
             self.stamps[path.name] = stamp
 
-    def disturbed(self, until: int, tell: Any) -> None:
+    def disturbed(self, until: int, report: Any) -> None:
         """Kills a worker process or the program after every few clips, until so many are done."""
         while self.done < until:
             program = self.started()
@@ -105,8 +105,8 @@ class Soak:
                 ended(program, number)
             if program.poll() is None:
                 ended(program, signal.SIGTERM)
-            self.look()
-            tell(f"{self.done} of {self.count}: {self.done_to_it}")
+            self.check_finished()
+            report(f"{self.done} of {self.count}: {self.done_to_it}")
 
     def _goes_on(self, program: subprocess.Popen[bytes], until: int) -> bool:
         """Waits for a few clips and a moment more; whether the program is still there, and clips are left."""
@@ -119,7 +119,7 @@ class Soak:
         time.sleep(self.rng.uniform(0, MOMENT))
         return program.poll() is None and self.done < until
 
-    def without_room(self) -> str:
+    def on_full_disk(self) -> str:
         """Run the same command while the disk fills up; its last line."""
         ballast = self.out / "ballast"
         program = self.started(subprocess.PIPE)
@@ -135,7 +135,7 @@ class Soak:
         finally:
             ballast.unlink()
         self.done_to_it["disk"] += 1
-        self.look()
+        self.check_finished()
         return (stderr.decode().splitlines() or [""])[-1]
 
     def watched(self) -> float:
@@ -149,7 +149,7 @@ class Soak:
             time.sleep(LOOK)
         if program.returncode:
             raise RuntimeError(f"the last run ended with {program.returncode}")
-        self.look()
+        self.check_finished()
         return time.monotonic() - begin
 
     def grown(self, column: int) -> float:
@@ -252,10 +252,10 @@ def measure(effort: Effort) -> Section:
     with tempfile.TemporaryDirectory() as folder, disk(Path(folder), 20 + count // 10) as place:
         soak = Soak(written(Path(folder) / "clips", count), place / "out", count)
         soak.out.mkdir()
-        soak.disturbed(int(FULL * count), effort.tell)
-        full_disk = soak.without_room() if place.name == "disk" else "not tried: no disk may be mounted here"
-        effort.tell(full_disk)
-        soak.disturbed(int(QUIET * count), effort.tell)
+        soak.disturbed(int(FULL * count), effort.report)
+        full_disk = soak.on_full_disk() if place.name == "disk" else "not tried: no disk may be mounted here"
+        effort.report(full_disk)
+        soak.disturbed(int(QUIET * count), effort.report)
         before = soak.done
         spent = soak.watched()
         verdict = soak.verdict()
@@ -281,11 +281,11 @@ if __name__ == "__main__":
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that its disk goes with it
     clip_count = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
 
-    class Asked(Effort):
+    class FixedEffort(Effort):
         def count(self, full: int, quick: int) -> int:
             return clip_count
 
-    result = measure(Asked(tell=lambda line: print(line, flush=True)))
+    result = measure(FixedEffort(report=lambda line: print(line, flush=True)))
     for row in result.rows:
         print(*row)
     for target in result.targets:

@@ -107,13 +107,13 @@ def _line(stream: IO[bytes], seconds: float) -> bytes | None:
     return stream.readline() if ready else None
 
 
-def _serve(name: str, start: int, stop: int, kept: Path) -> None:
+def _serve(name: str, start: int, stop: int, output_folder: Path) -> None:
     """A line a file, in a folder that goes; a process that dies leaves it."""
     talk = os.fdopen(os.dup(1), "w", buffering=1)
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     resource.setrlimit(resource.RLIMIT_AS, (ROOM, ROOM))
     kind = strange.KINDS[name]
-    folder = Path(tempfile.mkdtemp(prefix=f"{name}.", dir=kept))
+    folder = Path(tempfile.mkdtemp(prefix=f"{name}.", dir=output_folder))
     for other, text in kind.beside:
         (folder / other).write_text(text, encoding="utf-8")
     os.chdir(folder)
@@ -124,7 +124,7 @@ def _serve(name: str, start: int, stop: int, kept: Path) -> None:
         except Exception as error:
             at = traceback.extract_tb(error.__traceback__)[-1]
             how = f"{type(error).__name__}: {' '.join(str(error).split())[:200]} ({Path(at.filename).name}:{at.lineno})"
-            (kept / f"bad.{seed}.{name}").write_bytes((folder / name).read_bytes())
+            (output_folder / f"bad.{seed}.{name}").write_bytes((folder / name).read_bytes())
         peak = _peak()
         print(
             f"{time.process_time() - begin:.3f} {peak:.0f} {how.encode('ascii', 'backslashreplace').decode()}",

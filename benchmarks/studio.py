@@ -159,7 +159,7 @@ def memory(running: subprocess.Popen[str], page: Any) -> tuple[float, float, flo
     return server.memory_info().rss / 1e6, sum(s.memory_info().rss for s in solvers) / 1e6, heap / 1e6
 
 
-def long_run(browser: Any, folder: Path, minutes: float, tell: Any) -> tuple[list[tuple[float, float, float]], int]:
+def long_run(browser: Any, folder: Path, minutes: float, report: Any) -> tuple[list[tuple[float, float, float]], int]:
     """Edits, undo, solves and saves for so long; memory after every round, and how many edits there were."""
     sizes: list[tuple[float, float, float]] = []
     count = 0
@@ -191,7 +191,7 @@ def long_run(browser: Any, folder: Path, minutes: float, tell: Any) -> tuple[lis
             until(page, SETTLED)
             assert (folder / "run.toml").read_text(encoding="utf-8") == models.clip_text("run_and_step")
             sizes.append(memory(running, page))
-            tell(f"{count} edits, server {sizes[-1][0]:.0f}, solver {sizes[-1][1]:.0f}, page {sizes[-1][2]:.1f} MB")
+            report(f"{count} edits, server {sizes[-1][0]:.0f}, solver {sizes[-1][1]:.0f}, page {sizes[-1][2]:.1f} MB")
         page.close()
     return sizes, count
 
@@ -213,7 +213,7 @@ def measure(effort: Effort) -> Section:
         return section
     with playwright.sync_playwright() as play, tempfile.TemporaryDirectory() as name:
         browser, folder = play.chromium.launch(executable_path=chromium, args=FLAGS), Path(name)
-        effort.tell("first figure")
+        effort.report("first figure")
         first_figure(browser, folder)
         with served(folder) as (_, address):  # the clip was open before: its view is cached
             page = browser.new_page(viewport=SIZE)
@@ -230,14 +230,14 @@ def measure(effort: Effort) -> Section:
             page.goto(address)
             until(page, READY)
             until(page, SETTLED)
-            effort.tell("drags")
+            effort.report("drags")
             times = edits(page, effort.repeats, effort.count(PULLS, 40))
-            effort.tell("playing")
+            effort.report("playing")
             rate, gap, images = page.evaluate(PLAY, effort.count(15, 5))
             page.close()
-        effort.tell("a long run")
+        effort.report("a long run")
         minutes = effort.count(int(MINUTES), 1)
-        grown, count = long_run(browser, folder, minutes, effort.tell)
+        grown, count = long_run(browser, folder, minutes, effort.report)
         browser.close()
     built = files("dynsplines.studio") / "built"
     size = sum(len((built / part).read_bytes()) for part in ("index.html", "studio.js", "studio.css"))

@@ -76,17 +76,17 @@ def of_clip(effort: Effort) -> list[dict[str, Any]]:
     def settings(**more: Any) -> Settings:
         return replace(Settings(quadrature=CLIP_QUADRATURE, max_evaluations=1000, tolerance=1e-6), **more)
 
-    effort.tell("run_and_step, the fine optimum")
+    effort.report("run_and_step, the fine optimum")
     fine = solve(settings(variable=effort.count(CLIP_FINEST, 6), frames=0))
     judge: Objective = fine.objective
     segments = len(problem.keys) - 1
-    effort.tell("run_and_step, adaptive")
+    effort.report("run_and_step, adaptive")
     most = CLIP_UNIFORM[-1] * segments
     adaptive = settings(variable=0, frames=most, batch=0.2 if effort.quick else 1e-9, threshold=0.0)
     paths = rounds(partial(solve, adaptive))
     even = {}
     for variable in CLIP_UNIFORM:
-        effort.tell(f"run_and_step, {variable} a segment")
+        effort.report(f"run_and_step, {variable} a segment")
         even[variable] = judge.value(solve(settings(variable=variable, frames=0)).path)
     values = {id(path): judge.value(path) for path in paths}
     least = min([judge.value(fine.path), *values.values(), *even.values()])
@@ -118,7 +118,7 @@ def measure(effort: Effort) -> Section:
     for kind, counts in SETS.items():
         results = []
         for i in range(effort.count(*counts)):
-            effort.tell(f"{kind}, set {i + 1} of {effort.count(*counts)}")
+            effort.report(f"{kind}, set {i + 1} of {effort.count(*counts)}")
             results.append(of_set(kind, FIRST_SEED + i))
         rows += results
         _add_row(section, f"{len(results)} {kind} sets of {KEYFRAMES}, uneven {RATIO:g} : 1", results)

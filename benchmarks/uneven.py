@@ -29,15 +29,15 @@ MOST_SHOT = 7  # keyframes; from the natural cubic shooting hardly ever closes t
 WAYS = ("exact from ours", "exact from refined", "exact", "refined")
 
 
-def of_set(found: Track, module: Any) -> dict[str, Any]:
+def of_set(track: Track, module: Any) -> dict[str, Any]:
     """The results of both programs for one set: times [s], energies, and whether ours is confirmed."""
-    row: dict[str, Any] = {"kind": found.kind, "keyframes": len(found.keys), "seed": found.seed}
+    row: dict[str, Any] = {"kind": track.kind, "keyframes": len(track.keys), "seed": track.seed}
     if module is not None:
-        row |= _theirs(found, module)
-    shooting = exact_energy(found) if len(found.keys) <= MOST_SHOT else None
+        row |= _theirs(track, module)
+    shooting = exact_energy(track) if len(track.keys) <= MOST_SHOT else None
     row["shooting"] = shooting
     row["exact"] = exact = shooting or row.get("peer energy")
-    row |= _ours(found, exact)
+    row |= _ours(track, exact)
     energy, nearest = row["energy"], row["nearest"]
     row["ours / exact"] = energy / nearest if energy and nearest else None
     row["other minimum"] = bool(exact and nearest and abs(nearest / exact - 1) > SAME)
@@ -46,40 +46,40 @@ def of_set(found: Track, module: Any) -> dict[str, Any]:
     return row
 
 
-def _theirs(found: Track, module: Any) -> dict[str, Any]:
-    spent, curve = seconds(lambda: shot(module, found.times, quaternions_of(module, found)))
+def _theirs(track: Track, module: Any) -> dict[str, Any]:
+    spent, curve = seconds(lambda: shot(module, track.times, quaternions_of(module, track)))
     closed = has_closed(curve)
     why = None if closed else "raised" if curve is None else f"residual {curve.residual_norm:.1e}"
     return {"peer [s]": spent, "peer failed": why, "peer energy": energy_of(curve) if closed else None}
 
 
-def _nearest(found: Track, motion: Solution, exact: float | None) -> tuple[float, str]:
+def _nearest(track: Track, motion: Solution, exact: float | None) -> tuple[float, str]:
     """The energy of the minimum that ours is near, and how it is known."""
     own_energy = energy(motion.path)
-    from_ours = exact_energy_from(found, motion.path)
+    from_ours = exact_energy_from(track, motion.path)
     if from_ours is not None and _is_near(own_energy, from_ours):
         return from_ours, WAYS[0]
     fine = path_of(optimised(motion.objective, evenly(motion.timeline, 1), max_evaluations=600, tolerance=1e-10))
-    for candidate, method in zip((exact_energy_from(found, fine), exact), WAYS[1:-1], strict=True):
+    for candidate, method in zip((exact_energy_from(track, fine), exact), WAYS[1:-1], strict=True):
         if candidate is not None and _is_near(own_energy, candidate):
             return candidate, method
     return energy(fine), WAYS[-1]
 
 
-def _is_near(own: float, known: float) -> bool:
+def _is_near(exact: float, known: float) -> bool:
     """Whether an exact path's energy can be the minimum that ours is near: a little below it."""
-    return -BELOW <= own / known - 1 <= NEAR
+    return -BELOW <= exact / known - 1 <= NEAR
 
 
-def _ours(found: Track, exact: float | None) -> dict[str, Any]:
-    settings = replace(OURS, frames=MOST_VARIABLE * (len(found.keys) - 1))
+def _ours(track: Track, exact: float | None) -> dict[str, Any]:
+    settings = replace(OURS, frames=MOST_VARIABLE * (len(track.keys) - 1))
     try:
-        spent, motion = seconds(lambda: solved(found, settings))
+        spent, motion = seconds(lambda: solved(track, settings))
     except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
         why = f"{type(error).__name__}: {error}"
         return {"ours [s]": None, "energy": None, "nearest": None, "known by": "", "left": np.inf, "stop": why}
     remaining = float(by_weak_form(motion.objective, motion.timeline).sum()) / motion.objective.value(motion.path)
-    nearest, method = _nearest(found, motion, exact)
+    nearest, method = _nearest(track, motion, exact)
     return {
         "ours [s]": spent,
         "energy": energy(motion.path),
@@ -106,21 +106,21 @@ def measure(effort: Effort) -> Section:
         for kind in KINDS:
             results = []
             for i in range(count):
-                effort.tell(f"{size} keyframes, {kind}, set {i + 1} of {count}")
+                effort.report(f"{size} keyframes, {kind}, set {i + 1} of {count}")
                 results.append(of_set(track(kind, FIRST_SEED + i, size, RATIO), module))
             rows += results
             section.add(size, kind, count, *_cells(results, module is not None))
     mine = sum(not row["confirmed"] for row in rows)
     theirs = sum(row["peer failed"] is not None for row in rows) if module else None
     section.targets = [Target(f"ours unconfirmed, of {len(rows)} (theirs: {theirs})", float(mine), 0.0)]
-    apart = [f"{_called(row)}: {row['nearest'] / row['exact']:.4f}" for row in rows if row["other minimum"]]
+    apart = [f"{_track_name(row)}: {row['nearest'] / row['exact']:.4f}" for row in rows if row["other minimum"]]
     higher = sum(row["nearest"] > row["exact"] for row in rows if row["other minimum"])
     by = {method: sum(row["known by"] == method for row in rows) for method in WAYS}
     exact = sum(row["exact"] is not None for row in rows)
     few = [row for row in rows if row["keyframes"] <= MOST_SHOT]
     closed = sum(row["shooting"] is not None for row in few)
     doubtful = [
-        f"{_called(row)}: {row['ours / exact'] or np.nan:.4f}, left {row['left']:.1e}, {row['stop']}"
+        f"{_track_name(row)}: {row['ours / exact'] or np.nan:.4f}, left {row['left']:.1e}, {row['stop']}"
         for row in rows
         if not row["confirmed"]
     ]
@@ -142,7 +142,7 @@ def measure(effort: Effort) -> Section:
     return section
 
 
-def _called(row: dict[str, Any]) -> str:
+def _track_name(row: dict[str, Any]) -> str:
     return f"{row['kind']} {row['keyframes']} seed {row['seed']}"
 
 

@@ -27,7 +27,7 @@ class Discrete:
         self.start[::steps] = track
         self.free = np.flatnonzero(np.arange(count) % steps)
 
-    def whole(self, x: Array) -> Array:
+    def all_samples(self, x: Array) -> Array:
         """All samples (n, 4) from the unknown ones, flat."""
         samples = self.start.copy()
         samples[self.free] = x.reshape(-1, 4)
@@ -41,7 +41,7 @@ class Discrete:
 
     def __call__(self, x: Array) -> tuple[float, Array]:
         """The summed |q'' − T q|² and its gradient in x."""
-        q = self.whole(x)
+        q = self.all_samples(x)
         middle, rate, along = self.parts(q)
         w = rate - along * middle
         into_rate, into_middle = 2 * w / self.h, 2 * self.h * along * (along * middle - rate)
@@ -61,7 +61,7 @@ class Discrete:
 
     def hessian(self, x: Array) -> sparse.csr_matrix:
         """The exact second derivatives of the sum, (n, n)."""
-        middle, rate, along = self.parts(self.whole(x))
+        middle, rate, along = self.parts(self.all_samples(x))
         b, along = np.sum(middle * middle, axis=1)[:, None, None], along[:, :, None]
         slope = (rate - 2 * along[:, 0] * middle)[:, :, None] / b
         eye, column, row = np.eye(4), middle[:, :, None], slope.transpose(0, 2, 1)
@@ -103,6 +103,6 @@ class Discrete:
 
     def path(self, x: Array) -> Path:
         """The natural spline through the samples."""
-        keys = [Frame.key(t, q) for t, q in zip(self.t, self.whole(x), strict=True)]
-        slopes = natural_spline(self.t, self.whole(x)).at(self.t[[0, -1]], 1)
+        keys = [Frame.key(t, q) for t, q in zip(self.t, self.all_samples(x), strict=True)]
+        slopes = natural_spline(self.t, self.all_samples(x)).at(self.t[[0, -1]], 1)
         return path_of(Timeline(tuple(keys), slopes))

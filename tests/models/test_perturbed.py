@@ -35,7 +35,7 @@ def benchmark() -> ModuleType:
 @pytest.mark.slow
 def test_a_quick_clip_does_not_whip_when_its_keyframes_move_a_little(benchmark):
     name, count = "run_loop", 3
-    section = benchmark.compared([name], range(count), benchmark.Effort(quick=True, tell=lambda _: None))
+    section = benchmark.compared([name], range(count), benchmark.Effort(quick=True, report=lambda _: None))
     assert [target.met for target in section.targets] == [True] * 3
     ((clip, sets, *_),) = section.rows
     assert (clip, sets) == (name, count)

@@ -77,7 +77,7 @@ def test_the_raw_spline_penetrates_and_the_solved_motion_does_not(name):
 
 def test_keyframes_are_met_and_it_gets_where_it_is_to(name):
     move, promise = of(name), PROMISES[name]
-    assert move.missed() <= 1e-12
+    assert move.keyframe_error() <= 1e-12
     first, last = move.motion.at([move.clip.keys[0].time, move.clip.keys[-1].time])
     assert (last - first)[[0, 2]] == pytest.approx([promise.travel, promise.climb], abs=0.01)
 
@@ -93,7 +93,7 @@ def test_what_is_at_rest_stays_down_and_in_its_place(name):
     move = of(name)
     assert len(move.stances()) == PROMISES[name].contacts
     for stance in move.stances():
-        away = move.away(stance)
+        away = move.displacement(stance)
         assert np.abs(away[2]).max() <= LIFT, stance
         assert np.linalg.norm(away[:2], axis=0).max() <= SLIDE, stance
 

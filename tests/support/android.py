@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 
-def _leg(side: str, way: float) -> str:
+def _leg(side: str, sign: float) -> str:
     corners = "".join(
         f'<geom name="{side}_sole_{i}" type="sphere" size=".01" pos="{x} {y} -.05" mass=".01"/>'
         for i, (x, y) in enumerate([(-0.05, -0.03), (-0.05, 0.03), (0.13, -0.03), (0.13, 0.03)])
     )
     return f"""
-<body name="{side}_hip_pitch_link" pos="0 {0.1 * way} -.05">
+<body name="{side}_hip_pitch_link" pos="0 {0.1 * sign} -.05">
  <joint name="{side}_hip_pitch" axis="0 1 0" range="-130 60"/>
  <geom type="sphere" size=".03" mass=".3"/>
  <body name="{side}_hip_roll_link"><joint name="{side}_hip_roll" axis="1 0 0" range="-40 40"/>
@@ -25,9 +25,9 @@ def _leg(side: str, way: float) -> str:
      </body></body></body></body></body></body>"""
 
 
-def _arm(side: str, way: float) -> str:
+def _arm(side: str, sign: float) -> str:
     return f"""
-<body name="{side}_shoulder_pitch_link" pos="0 {0.13 * way} .25"><joint name="{side}_shoulder_pitch" axis="0 1 0"/>
+<body name="{side}_shoulder_pitch_link" pos="0 {0.13 * sign} .25"><joint name="{side}_shoulder_pitch" axis="0 1 0"/>
  <geom type="sphere" size=".03" mass=".3"/>
  <body name="{side}_shoulder_roll_link"><joint name="{side}_shoulder_roll" axis="1 0 0"/>
   <geom type="sphere" size=".03" mass=".3"/>

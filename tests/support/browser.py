@@ -94,26 +94,28 @@ class Tab:
     def _begin(self, page: Any, address: str) -> None:
         self.page, self.folder = page, ""
         self.page.set_default_timeout(60_000)
-        self.heard: list[str] = []
-        self.asked: list[str] = []
-        self.page.on("request", lambda request: self.asked.append(request.url))
-        self.page.on("pageerror", lambda error: self.heard.append(str(error)))
-        self.page.on("console", lambda message: self.heard.append(message.text) if message.type == "error" else None)
+        self.errors: list[str] = []
+        self.requested: list[str] = []
+        self.page.on("request", lambda request: self.requested.append(request.url))
+        self.page.on("pageerror", lambda error: self.errors.append(str(error)))
+        self.page.on("console", lambda message: self.errors.append(message.text) if message.type == "error" else None)
         self.page.goto(address)
         self.until("window.studio !== undefined && studio.model.stage !== null && studio.model.now !== null")
         self.until("studio.model.document !== null && studio.model.loaded !== null")
 
-    def look(self, what: str) -> Any:
+    def evaluate(self, what: str) -> Any:
         return self.page.evaluate(what)
 
     def until(self, condition: str | Callable[[], bool], seconds: float = 60.0) -> None:
         """Waits until it is so; asked from outside, for the page forbids itself to evaluate text."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            if condition() if callable(condition) else self.look(condition):
+            if condition() if callable(condition) else self.evaluate(condition):
                 return
             time.sleep(0.03)
-        raise AssertionError(f"never: {condition}; {self.look('JSON.stringify(studio.model.status)')} {self.heard}")
+        raise AssertionError(
+            f"never: {condition}; {self.evaluate('JSON.stringify(studio.model.status)')} {self.errors}"
+        )
 
     def settled(self, revision: int | None = None) -> None:
         """Until the search has come to its end."""
@@ -122,7 +124,7 @@ class Tab:
 
     @property
     def revision(self) -> int:
-        return int(self.look("studio.model.document.revision"))
+        return int(self.evaluate("studio.model.document.revision"))
 
     def changes(self, deed: Callable[[], object], seconds: float = 60.0) -> None:
         """Does something, and waits until the document has changed, its path is on the page and the timeline drawn."""
@@ -134,7 +136,7 @@ class Tab:
 
     def drawn(self) -> None:
         """Until the page has drawn what it knows by now: rows of the timeline are made anew, once an image."""
-        self.look(
+        self.evaluate(
             """new Promise((done, fail) => {
               setTimeout(() => fail(new Error("nothing was drawn for 60 s")), 60000);
               requestAnimationFrame(() => requestAnimationFrame(() => done(null))); })"""
@@ -144,13 +146,13 @@ class Tab:
         self.page.keyboard.press(keys)
 
     def seek(self, time: float) -> None:
-        self.look(f"studio.model.seek({time})")
+        self.evaluate(f"studio.model.seek({time})")
         self.shown()
 
     def shown(self) -> None:
         """Until an image has been drawn since."""
-        self.look("void studio.stage.draw()")
-        images = int(self.look("studio.stage.images"))
+        self.evaluate("void studio.stage.draw()")
+        images = int(self.evaluate("studio.stage.images"))
         self.until(f"studio.stage.images > {images}")
 
     def words(self) -> str:
@@ -158,7 +160,7 @@ class Tab:
 
     def on_screen(self, body: str, offset: tuple[float, float, float] = (0, 0, 0)) -> tuple[float, float]:
         """[px] where a point of a body is seen."""
-        x, y = self.look(
+        x, y = self.evaluate(
             f"""(() => {{ const s = studio.stage, i = studio.model.stage.bodies.indexOf('{body}');
             const p = s.placeOf(i, {list(offset)}).project(s.camera), b = s.canvas.getBoundingClientRect();
             return [b.left + (p.x + 1) / 2 * b.width, b.top + (1 - p.y) / 2 * b.height]; }})()"""
@@ -168,7 +170,7 @@ class Tab:
     def grip(self, body: str) -> tuple[float, float]:
         """[px] where a body is seen and can be taken hold of, as near to its origin as that is."""
         x, y = self.on_screen(body)
-        found = self.look(
+        found = self.evaluate(
             f"""(() => {{ const s = studio.stage, body = studio.model.stage.bodies.indexOf('{body}'), near = [];
             for (let i = -40; i <= 40; i += 2) for (let j = -40; j <= 40; j += 2)
               near.push([{x} + i, {y} + j, i * i + j * j]);
@@ -180,7 +182,7 @@ class Tab:
 
     def on_screen_at(self, place: list[float]) -> tuple[float, float]:
         """[px] where a place in the world is seen."""
-        x, y = self.look(
+        x, y = self.evaluate(
             f"""(() => {{ const s = studio.stage, b = s.canvas.getBoundingClientRect();
             const p = s.placeOf(0, {place}).project(s.camera);
             return [b.left + (p.x + 1) / 2 * b.width, b.top + (1 - p.y) / 2 * b.height]; }})()"""

@@ -36,12 +36,12 @@ WOOD = """
 CLOSED = {"ball tree": PLAIN, "wood": WOOD}
 
 
-def assert_near(found: Array, expected: Array, rtol: float) -> None:
+def assert_near(actual: Array, expected: Array, rtol: float) -> None:
     assert np.abs(expected).max() > 0.1
-    np.testing.assert_allclose(found, expected, rtol=0, atol=rtol * np.abs(expected).max())
+    np.testing.assert_allclose(actual, expected, rtol=0, atol=rtol * np.abs(expected).max())
 
 
-def some_points(figure: Figure, samples: Samples, rng: np.random.Generator) -> tuple[Index, Index, Array, Array]:
+def random_points(figure: Figure, samples: Samples, rng: np.random.Generator) -> tuple[Index, Index, Array, Array]:
     """Samples, links, arms (3, P) in the world and directions (3, P) of points on every link, in any order."""
     link = rng.permutation(np.tile(np.arange(1, len(figure.links)), 3))
     at = rng.integers(0, samples.count, link.size)

@@ -77,7 +77,7 @@ def _efforts(samples: Samples) -> Array:
     return np.hstack(efforts)
 
 
-def _away(samples: Samples) -> Array:
+def _displacement(samples: Samples) -> Array:
     """Every planted point's way from its place, zeros when its stance is over."""
     centres, _, _ = places_of(tuple(s.point for s in PLANTED.stances), samples)
     away = []
@@ -93,7 +93,7 @@ RESIDUALS: dict[str, tuple[Penalty, Callable[[Samples], Array]]] = {
     "unit": (UnitMagnitude(), _unit),
     "root": (RootAcceleration(), _root),
     "torque": (Torque(), _efforts),
-    "planted": (PLANTED, _away),
+    "planted": (PLANTED, _displacement),
 }
 
 
@@ -136,8 +136,8 @@ def assembled(curvature: Curvature, phi: Array) -> Array:
     return out
 
 
-def assert_near(found: Array, expected: Array, rtol: float = 1e-5) -> None:
-    np.testing.assert_allclose(found, expected, rtol=0, atol=rtol * max(np.abs(expected).max(), 1e-12))
+def assert_near(actual: Array, expected: Array, rtol: float = 1e-5) -> None:
+    np.testing.assert_allclose(actual, expected, rtol=0, atol=rtol * max(np.abs(expected).max(), 1e-12))
 
 
 def low_samples(figure: Figure, rng: np.random.Generator, count: int = 40) -> Samples:

@@ -82,7 +82,7 @@ def litters(_: object, folder: Path) -> Outcome:
     return output(found.encode())
 
 
-def told(task: Task, folder: Path) -> Outcome:
+def perform(task: Task, folder: Path) -> Outcome:
     """As the clip's text says: "DEED VALUE"."""
     outcome = done(task, folder)
     return replace(outcome, files=dict.fromkeys([task.output], outcome.files["output"]))

@@ -49,7 +49,7 @@ def tried(case: dict) -> dict:
             sys.stdout, sys.stderr = (os.fdopen(number, "w", closefd=False) for number in (1, 2))
             _run(case, calls)
         heard = [b"", b""]
-        listening = [threading.Thread(target=_hear, args=(heard, i, pipe)) for i, pipe in enumerate(pipes)]
+        listening = [threading.Thread(target=_read_pipe, args=(heard, i, pipe)) for i, pipe in enumerate(pipes)]
         for each in listening:
             each.start()
         end = time.monotonic() + PATIENCE
@@ -64,11 +64,11 @@ def tried(case: dict) -> dict:
     return {"code": os.waitstatus_to_exitcode(found[1]), "out": out, "err": said, "calls": counted}
 
 
-def _hear(heard: list[bytes], number: int, pipe: tuple[int, int]) -> None:
+def _read_pipe(outputs: list[bytes], number: int, pipe: tuple[int, int]) -> None:
     """All that comes out of a pipe."""
     os.close(pipe[1])
     with os.fdopen(pipe[0], "rb") as stream:
-        heard[number] = stream.read()
+        outputs[number] = stream.read()
 
 
 def _run(case: dict, calls: Path) -> None:

@@ -13,7 +13,7 @@ FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 SLOPE = Plane("slope", np.array([0.1, 0, 0.2]), np.array([0.6, 0, 0.8]))
 
 
-def some_points(figure: Figure, rng: np.random.Generator) -> tuple[Point, ...]:
+def random_points(figure: Figure, rng: np.random.Generator) -> tuple[Point, ...]:
     """Two points on every link, so that links repeat."""
     indices = [*range(1, len(figure.links)), *range(1, len(figure.links))]
     return tuple(Point(f"p{n}", i, 0.3 * rng.normal(size=3), rng.uniform(0, 0.2)) for n, i in enumerate(indices))

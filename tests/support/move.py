@@ -42,7 +42,7 @@ class Move:
         return self.clip.figure.model
 
     @cached_property
-    def _seen(self) -> tuple[Array, Array, Array]:
+    def _poses(self) -> tuple[Array, Array, Array]:
         """Sites (T, n, 3), the centre of mass (T, 3) and bodies' upward axes (T, b, 3) at all times."""
         data, sites, centre, up = mujoco.MjData(self.scene), [], [], []
         for qpos in self.qpos:
@@ -56,16 +56,16 @@ class Move:
 
     def site(self, name: str) -> Array:
         """(T, 3) [m]"""
-        return self._seen[0][:, self.scene.site(name).id]
+        return self._poses[0][:, self.scene.site(name).id]
 
     @property
     def centre(self) -> Array:
         """(T, 3) [m] of mass."""
-        return self._seen[1]
+        return self._poses[1]
 
     def up(self, body: str) -> Array:
         """(T, 3) a body's upward axis."""
-        return self._seen[2][:, self.scene.body(body).id]
+        return self._poses[2][:, self.scene.body(body).id]
 
     def at(self, time: float) -> int:
         return int(np.argmin(np.abs(self.time - time)))
@@ -118,13 +118,13 @@ class Move:
         parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
         return tuple(stance for part in parts if isinstance(part, StancePenalty) for stance in part.stances)
 
-    def away(self, stance: Stance) -> Array:
+    def displacement(self, stance: Stance) -> Array:
         """(3, S) [m] how far a point at rest is from its spot."""
         samples = self.samples(stance.first, stance.last, 100)
         places, _, _ = places_of((stance.point,), samples)
         return places[:, 0] - stance.place(samples.t)
 
-    def missed(self) -> float:
+    def keyframe_error(self) -> float:
         """The largest error of an entry that a keyframe fixes, rotations by either quaternion."""
         worst = 0.0
         for key, qpos in zip(self.clip.keys, self.motion.at([key.time for key in self.clip.keys]), strict=True):

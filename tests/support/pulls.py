@@ -41,7 +41,7 @@ class Result:
 
     qpos: Array
     violations: dict[str, str]
-    missed: float
+    miss: float
     seconds: list[float]
 
 

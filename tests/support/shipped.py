@@ -36,12 +36,12 @@ def remove_folder() -> None:
 @cache
 def solved(name: str) -> Solved:
     """A shipped clip as `dynsplines solve` solves it."""
-    return _once(recordings.load(name), Progress(Console(file=io.StringIO())), solving.solve)
+    return _cached(recordings.load(name), Progress(Console(file=io.StringIO())), solving.solve)
 
 
-def _once(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
+def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
     file = Path(os.environ[PLACE]) / f"{solve_cache.key_of(problem)}.npz"
-    with _alone(file.with_suffix(".lock")):
+    with _locked(file.with_suffix(".lock")):
         found = solve_cache.read(file, problem)
         if found is None:
             found = solve(problem, progress)
@@ -54,13 +54,15 @@ def share(monkeypatch: pytest.MonkeyPatch) -> None:
     solve = solving.solve
 
     def shared(problem: Clip, progress: Progress, **more: Any) -> Solved:
-        return solve(problem, progress, **more) if more or problem.custom_penalties else _once(problem, progress, solve)
+        return (
+            solve(problem, progress, **more) if more or problem.custom_penalties else _cached(problem, progress, solve)
+        )
 
     monkeypatch.setattr(solving, "solve", shared)
 
 
 @contextmanager
-def _alone(file: Path) -> Iterator[None]:
+def _locked(file: Path) -> Iterator[None]:
     """With no other process of this run in the same place, where the system has locks."""
     if os.name == "nt":
         yield

@@ -49,11 +49,11 @@ def between(model: mujoco.MjModel, rows: Array, time: float) -> Array:
     return np.array([np.interp(time, model.key_time, column) for column in rows.T])
 
 
-def played(model: mujoco.MjModel, lasts: float = np.inf) -> Played:
+def played(model: mujoco.MjModel, duration: float = np.inf) -> Played:
     """The scene after some time [s] from its first key, or at its last; without numbers if MuJoCo gives up."""
     data, away, worst, deepest = mujoco.MjData(model), np.zeros(model.nv), np.zeros(model.nv), 0.0
     mujoco.mj_resetDataKeyframe(model, data, 0)
-    end = min(model.key_time[-1], model.key_time[0] + lasts)
+    end = min(model.key_time[-1], model.key_time[0] + duration)
     while data.time < end:
         before = data.time
         data.ctrl = between(model, model.key_ctrl, before)

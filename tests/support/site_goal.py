@@ -22,13 +22,13 @@ class SiteGoal:
         return [int(model.site_bodyid[model.site(self.name).id])]
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        return (data.site(self.name).xpos - self.position)[self._given]
+        return (data.site(self.name).xpos - self.position)[self._specified]
 
     def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         rows = np.zeros((3, model.nv))
         mujoco.mj_jacSite(model, data, rows, None, model.site(self.name).id)
-        return rows[self._given]
+        return rows[self._specified]
 
     @cached_property
-    def _given(self) -> Mask:
+    def _specified(self) -> Mask:
         return ~np.isnan(self.position)

@@ -79,18 +79,18 @@ class Lengths:
         )
 
 
-def draw_lengths(found: Lengths, keys: list[Frame]) -> Picture:
+def draw_lengths(lengths: Lengths, keys: list[Frame]) -> Picture:
     """Figure 9."""
     figure, (axes,) = _sheet(1)
     try:
-        axes.plot(found.time, found.raw, "--", color=INK, alpha=0.4, lw=1.2, label="raw spline")
-        for i, step in enumerate(found.steps, 1):
-            shade = 0.4 + 0.5 * i / len(found.steps)
-            axes.plot(found.time, step, "--", color=INK, alpha=shade, lw=1.2, label=f"after {i} step{'s' * (i > 1)}")
-        axes.plot(found.time, found.best, "-", color=INK, lw=2.2, label="optimised")
+        axes.plot(lengths.time, lengths.raw, "--", color=INK, alpha=0.4, lw=1.2, label="raw spline")
+        for i, step in enumerate(lengths.steps, 1):
+            shade = 0.4 + 0.5 * i / len(lengths.steps)
+            axes.plot(lengths.time, step, "--", color=INK, alpha=shade, lw=1.2, label=f"after {i} step{'s' * (i > 1)}")
+        axes.plot(lengths.time, lengths.best, "-", color=INK, lw=2.2, label="optimised")
         for key in keys:
             axes.axvline(key.time, color=INK, lw=0.5, alpha=0.25)
-        axes.set(xlabel="time [s]", ylabel="|q|", xlim=(found.time[0], found.time[-1]))
+        axes.set(xlabel="time [s]", ylabel="|q|", xlim=(lengths.time[0], lengths.time[-1]))
         axes.legend(frameon=False, loc="lower left")
         return _drawn(figure)
     finally:
@@ -158,12 +158,12 @@ def _verdict(values: list[float]) -> str:
     )
 
 
-def draw_deviations(found: Deviations) -> Picture:
+def draw_deviations(deviations: Deviations) -> Picture:
     """Figure 10: the strong form and the weak one side by side."""
     figure, (first, right) = _sheet(2)
     try:
-        _curves(first, found.strong, "strong form, as in the paper", "mean |EL|")
-        _curves(right, found.weak, "weak form", "left to gain ÷ E of the raw spline")
+        _curves(first, deviations.strong, "strong form, as in the paper", "mean |EL|")
+        _curves(right, deviations.weak, "weak form", "left to gain ÷ E of the raw spline")
         figure.legend(
             *first.get_legend_handles_labels(), loc="outside upper left", ncols=2, frameon=False, handlelength=4
         )

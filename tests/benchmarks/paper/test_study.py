@@ -93,7 +93,7 @@ def test_both_discrete_peers_find_the_same_unit_samples_through_the_keyframes() 
     np.testing.assert_allclose(dense, exact, atol=2e-3)
     for x in (dense, exact):
         assert abs(problem.length(x)).max() < 1e-5
-        np.testing.assert_array_equal(problem.whole(x)[::5], Case(0).track)
+        np.testing.assert_array_equal(problem.all_samples(x)[::5], Case(0).track)
     assert problem(exact)[0] == pytest.approx(problem(dense)[0], rel=1e-4)
 
 

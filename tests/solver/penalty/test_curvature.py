@@ -22,7 +22,7 @@ from curvature_of import (
 )
 from every_penalty import clip, every_penalty
 from figures import BALL, with_armature
-from ground import FLOOR, SLOPE, some_points
+from ground import FLOOR, SLOPE, random_points
 from random_samples import at_times, random_samples
 from small_problems import slider, turning
 
@@ -159,9 +159,9 @@ def test_more_samples_than_are_taken_at_once_change_nothing_in_differences_of_a_
 
 
 ONE_SIDED: dict[str, Callable[[Figure, np.random.Generator], Penalty]] = {
-    "floor": lambda figure, rng: Contact(some_points(figure, rng), (FLOOR,), 0.01),
-    "slope": lambda figure, rng: Contact(some_points(figure, rng), (SLOPE,)),
-    "floor and slope": lambda figure, rng: Contact(some_points(figure, rng), (FLOOR, SLOPE)),
+    "floor": lambda figure, rng: Contact(random_points(figure, rng), (FLOOR,), 0.01),
+    "slope": lambda figure, rng: Contact(random_points(figure, rng), (SLOPE,)),
+    "floor and slope": lambda figure, rng: Contact(random_points(figure, rng), (FLOOR, SLOPE)),
     "bend": lambda figure, rng: limits_of(figure),
 }
 
@@ -200,10 +200,10 @@ def test_a_sphere_at_a_step_counts_as_deep_as_its_penalty_specifies_and_not_at_a
 def test_no_points_no_surfaces_no_joints_and_nothing_near_have_no_sides(figure, rng):
     samples = low_samples(figure, rng)
     assert Contact((), (FLOOR,)).one_sided_residuals(samples) is None
-    assert Contact(some_points(figure, rng), ()).one_sided_residuals(samples) is None
+    assert Contact(random_points(figure, rng), ()).one_sided_residuals(samples) is None
     assert BendLimits(()).one_sided_residuals(samples) is None
     samples.y[:, 2] = 50
-    on_the_root = tuple(p for p in some_points(figure, rng) if figure.tables.path[p.link, 1])
+    on_the_root = tuple(p for p in random_points(figure, rng) if figure.tables.path[p.link, 1])
     nothing = Contact(on_the_root, (FLOOR,)).one_sided_residuals(samples)
     assert nothing is not None
     assert nothing.at.size == nothing.value.size == len(nothing.rows) == 0

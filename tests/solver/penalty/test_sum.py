@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from curvature_of import curvature_of, sides_of
-from ground import FLOOR, SLOPE, some_points
+from ground import FLOOR, SLOPE, random_points
 from random_samples import random_samples
 
 from dynsplines.solver.figure.adjoint import Cotangent
@@ -30,7 +30,7 @@ def test_its_value_gradient_and_curvature_are_the_sums_of_its_parts(figure, rng)
 def test_its_sides_are_those_of_the_parts_that_have_some_one_after_the_other(figure, rng):
     samples = random_samples(figure, rng, 4)
     samples.y[:, 2] = -0.3
-    floor, slope = (Contact(some_points(figure, rng), (surface,)) for surface in (FLOOR, SLOPE))
+    floor, slope = (Contact(random_points(figure, rng), (surface,)) for surface in (FLOOR, SLOPE))
     found = sides_of(Sum((floor, Torque(), slope), "all"), samples)
     expected = [sides_of(part, samples) for part in (floor, slope)]
     for name in ("at", "value", "rows"):

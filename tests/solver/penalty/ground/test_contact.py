@@ -3,7 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
-from ground import FLOOR, SLOPE, some_points
+from ground import FLOOR, SLOPE, random_points
 from penalty_slope import penalty_slope
 from random_keys import random_keys
 from random_samples import random_samples
@@ -27,7 +27,7 @@ STEP = Box("step", np.array([0.0, 0, -0.5]), np.eye(3), np.array([2.0, 2.5, 1.0]
 def test_the_gradient_has_taylor_slope_two(figure, rng, surfaces):
     samples = random_samples(figure, rng, 8)
     samples.y[:, 2] = -0.3
-    contact = Contact(some_points(figure, rng), surfaces, margin=0.02)
+    contact = Contact(random_points(figure, rng), surfaces, margin=0.02)
     assert np.count_nonzero(contact.evaluate(samples)) >= 4
     assert penalty_slope(contact, samples, rng) > 1.9
 
@@ -35,7 +35,7 @@ def test_the_gradient_has_taylor_slope_two(figure, rng, surfaces):
 def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng):
     samples = random_samples(figure, rng, 8)
     samples.y[:, 2] = 0
-    points = some_points(figure, rng)
+    points = random_points(figure, rng)
     data, expected = mujoco.MjData(figure.model), []
     ends = {link.body: i for i, link in enumerate(figure.links) if i and figure.body_link[link.body] == i}
     points = tuple(p for p in points if p.link in ends.values())
@@ -54,7 +54,7 @@ def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng)
 
 def test_without_points_or_surfaces_there_is_nothing_to_let_pass(figure, rng):
     keys = raw_timeline(figure, random_keys(figure, rng))
-    for nothing in (Contact((), (FLOOR,)), Contact(some_points(figure, rng), ()), Contact((), ())):
+    for nothing in (Contact((), (FLOOR,)), Contact(random_points(figure, rng), ()), Contact((), ())):
         assert nothing.allowing(figure, keys) is nothing
         assert not nothing.evaluate(random_samples(figure, rng)).any()
 
@@ -102,7 +102,7 @@ def test_points_that_one_sphere_stands_for_are_64_at_most_neighbours_across_wher
 def test_a_figure_outside_costs_exactly_nothing_and_has_no_gradient(figure, rng, surface):
     samples = random_samples(figure, rng)
     samples.y[:, 2] = 50
-    points = tuple(p for p in some_points(figure, rng) if figure.tables.path[p.link, 1])
+    points = tuple(p for p in random_points(figure, rng) if figure.tables.path[p.link, 1])
     cotangent = Cotangent(samples)
     assert not Contact(points, (surface,)).evaluate(samples, cotangent).any()
     assert not any(g.any() for g in cotangent.gradients())
