@@ -176,20 +176,28 @@ class _Arcs:
 
         Their times on the ground before and after the flight are equal, since nothing else tells the speed.
         """
-        arcs = []
-        for k in np.flatnonzero(self.contact.aloft[1:-1]) + 1:
+        arcs = list[Interval]()
+        for k in (np.flatnonzero(self.contact.aloft[1:-1]) + 1).tolist():
             if not (self._is_grounded(k, k - 1) and self._is_grounded(k, k + 1)):
                 continue
-            low, high = -self.gravity * np.ptp(self.times[[k - 1, k + 1]]) * np.array([1.0, -1.0])
-            for _ in range(HALVINGS):
-                speed = (low + high) / 2
-                before = self.times[k] - self._fall(k, k - 1, -speed) - self.times[k - 1]
-                after = self.times[k + 1] - self.times[k] - self._fall(k, k + 1, speed)
-                low, high = (speed, high) if before < after else (low, speed)
-            arc = self._end(k, k - 1, -speed), self._end(k, k + 1, speed)
-            if None not in arc and np.ptp(arc) >= self.limits.brief_flight and self._rise(k, speed) <= self.limits.rise:
-                arcs.append((float(min(arc)), float(max(arc))))
+            speed = self._balanced(k)
+            begin, end = self._end(k, k - 1, -speed), self._end(k, k + 1, speed)
+            if begin is None or end is None or end - begin < self.limits.brief_flight:
+                continue
+            if self._rise(k, speed) <= self.limits.rise:
+                arcs.append((begin, end))
         return arcs
+
+    def _balanced(self, k: int) -> float:
+        """Return the upward speed [m/s] at a keyframe for which the times on the ground before and after are equal."""
+        high = self.gravity * float(self.times[k + 1] - self.times[k - 1])
+        low = -high
+        for _ in range(HALVINGS):
+            speed = (low + high) / 2
+            before = self.times[k] - self._fall(k, k - 1, -speed) - self.times[k - 1]
+            after = self.times[k + 1] - self.times[k] - self._fall(k, k + 1, speed)
+            low, high = (speed, high) if before < after else (low, speed)
+        return (low + high) / 2
 
     def extended(self, first: int, last: int) -> Interval:
         """Return a flight between two keyframes, extended to take-off and landing if these are in the air."""
