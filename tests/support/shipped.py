@@ -20,6 +20,7 @@ from dynsplines.clip.build import Clip
 from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
 
+SOLVE = solving.solve  # whatever `share` puts in its place, which would wait for its own lock
 PLACE = "DYNSPLINES_TESTS_SOLVED"  # the folder of this run's solved clips; its other processes inherit it
 
 
@@ -36,7 +37,7 @@ def remove_folder() -> None:
 @cache
 def solved(name: str) -> Solved:
     """A shipped clip as `dynsplines solve` solves it."""
-    return _cached(recordings.load(name), Progress(Console(file=io.StringIO())), solving.solve)
+    return _cached(recordings.load(name), Progress(Console(file=io.StringIO())), SOLVE)
 
 
 def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
