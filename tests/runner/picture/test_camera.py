@@ -21,29 +21,23 @@ def on_screen(points: np.ndarray, view: View, aspect: float, fovy: float) -> np.
     return np.column_stack([right / forward / tan / aspect, up / forward / tan])
 
 
-def test_there_is_one_setting_an_image():
-    path = run_forward()
-    assert len(plan(path, 30, 16 / 9)) == len(path)
-
-
-def test_running_forward_goes_from_left_to_right_in_the_side_view():
+def test_running_goes_to_the_right_in_the_side_view_comes_in_the_front_view_and_goes_in_the_back_view():
     first, *_ = plan(run_forward(), 30, 16 / 9, "side")
     behind, ahead = on_screen(np.array([[-0.5, 0, 1], [0.5, 0, 1.0]]), first, 16 / 9, 45)
     assert ahead[0] > behind[0]
-
-
-def test_the_front_view_sees_the_figure_come_and_the_back_view_sees_it_go():
     assert axes(*ANGLES["front"])[2] @ [1, 0, 0] < -0.9
     assert axes(*ANGLES["back"])[2] @ [1, 0, 0] > 0.9
 
 
 @pytest.mark.parametrize("view", sorted(ANGLES))
-@pytest.mark.parametrize("aspect", [16 / 9, 640 / 720, 0.5])
+@pytest.mark.parametrize("aspect", [16 / 9, 0.5])
 def test_head_feet_and_hands_are_in_every_image(view: str, aspect: float):
     path = run_forward()
     path[20:40, 2] += np.hanning(20)
     body = np.array([[0, 0, 0.85], [0, 0, -0.95], [0.65, 0.2, 0], [-0.65, -0.2, 0]])
-    for root, setting in zip(path, plan(path, 30, aspect, view, fovy=40), strict=True):
+    settings = plan(path, 30, aspect, view, fovy=40)
+    assert len({(setting.lookat[2], setting.distance) for setting in settings}) == 1
+    for root, setting in zip(path, settings, strict=True):
         assert np.abs(on_screen(root + body, setting, aspect, 40)).max() < 1
 
 
@@ -53,22 +47,14 @@ def test_a_figure_that_stands_fills_most_of_the_height():
     assert head[1] - sole[1] > 1.3
 
 
-def test_the_height_of_the_look_at_point_and_the_distance_never_change():
-    settings = plan(run_forward(), 30, 1.5)
-    assert len({(view.lookat[2], view.distance) for view in settings}) == 1
-
-
-def test_uniform_motion_is_followed_exactly_up_to_its_ends():
+def test_uniform_motion_is_followed_exactly_up_to_its_ends_and_jolts_are_smoothed_away():
     path = np.column_stack([np.linspace(0, 5, 40), np.linspace(1, -1, 40)])
     np.testing.assert_allclose(smoothed(path, 30), path, atol=1e-12)
-
-
-def test_jolts_are_smoothed_away():
     path = np.column_stack([np.linspace(0, 4, 120), 0.1 * np.sin(np.arange(120) * 1.5)])
     assert np.abs(smoothed(path, 30)[20:-20, 1]).max() < 0.002
 
 
-@pytest.mark.parametrize("count", [1, 2, 3])
+@pytest.mark.parametrize("count", [1, 3])
 def test_a_clip_shorter_than_the_filter_works(count: int):
     assert len(plan(run_forward()[:count], 30, 1.5)) == count
 
@@ -94,11 +80,8 @@ def test_a_camera_of_the_model_is_used_as_it_is():
     assert {view.fixed for view in settings} == {"door"}
 
 
-def test_an_unknown_view_lists_those_there_are():
+def test_an_unknown_view_lists_those_there_are_and_a_path_of_the_wrong_shape_is_refused():
     with pytest.raises(ValueError, match="no view 'top'; views: side, left, front, three_quarter, back, door"):
         plan(run_forward(), 30, 1.5, "top", cameras=("door",))
-
-
-def test_a_path_of_the_wrong_shape_is_refused():
     with pytest.raises(ValueError, match=r"\(T, 3\)"):
         plan(np.zeros((5, 2)), 30, 1.5)

@@ -2,7 +2,6 @@
 
 import ctypes
 import os
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import cast
@@ -45,14 +44,9 @@ def bt709_to_rgb(picture: av.VideoFrame) -> np.ndarray:
 
 
 @pytest.mark.parametrize("ending", [".mp4", ".webm"])
-def test_a_video_shows_the_colour_that_was_drawn(tmp_path: Path, ending: str):
+def test_a_video_shows_the_colour_that_was_drawn_as_bt709_of_limited_range(tmp_path: Path, ending: str):
     write(tmp_path / f"a{ending}", images(), 30)
     np.testing.assert_allclose(bt709_to_rgb(decoded(tmp_path / f"a{ending}")[3]), RED, atol=4)
-
-
-@pytest.mark.parametrize("ending", [".mp4", ".webm"])
-def test_a_video_says_that_it_is_bt709_of_limited_range(tmp_path: Path, ending: str):
-    write(tmp_path / f"a{ending}", images(), 30)
     with av.open(str(tmp_path / f"a{ending}")) as container:
         context = container.streams.video[0].codec_context
         assert context.pix_fmt == "yuv420p"
@@ -69,13 +63,6 @@ def test_every_image_arrives_at_its_time(tmp_path: Path, ending: str):
     assert pictures[8].time == pytest.approx(8 / 25, abs=0.002)
 
 
-@pytest.mark.parametrize("ending", ENDINGS)
-def test_equal_images_give_equal_bytes(tmp_path: Path, ending: str):
-    write(tmp_path / f"a{ending}", images(), 30)
-    write(tmp_path / f"b{ending}", images(), 30)
-    assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
-
-
 @pytest.mark.parametrize(("width", "height"), [(64, 48), (176, 144)])
 @pytest.mark.parametrize("ending", [".mp4", ".webm"])
 def test_what_memory_held_before_is_not_seen_in_a_film(tmp_path: Path, ending: str, width: int, height: int):
@@ -85,7 +72,7 @@ def test_what_memory_held_before_is_not_seen_in_a_film(tmp_path: Path, ending: s
         pytest.skip("no mallopt in this C library")
     films: set[bytes] = set()
     try:
-        for filling in (1, 2, 3, 64, 127, 128, 200, 254):
+        for filling in (1, 127, 254):
             mallopt(M_PERTURB, filling)
             write(tmp_path / f"a{ending}", images(16, height, width), 30)
             films.add((tmp_path / f"a{ending}").read_bytes())
@@ -121,17 +108,14 @@ def test_a_contact_sheet_is_of_twelve_pictures_from_first_to_last():
     assert sheet_picks(3) == [0, 1, 2]
 
 
-def test_a_contact_sheet_of_few_images_shows_them_all(tmp_path: Path):
+def test_a_contact_sheet_of_few_images_shows_them_all_and_of_one_is_the_image(tmp_path: Path):
+    (image,) = images(1)
+    write(tmp_path / "a.png", [image], 30)
+    assert (iio.imread(tmp_path / "a.png") == image).all()
     write(tmp_path / "a.png", images(3), 30)
     sheet = iio.imread(tmp_path / "a.png")
     assert sheet.shape[0] * sheet.shape[1] > 3 * 48 * 64
     assert (sheet[0, 0] == 255).all()
-
-
-def test_a_sheet_of_one_image_is_the_image(tmp_path: Path):
-    (image,) = images(1)
-    write(tmp_path / "a.png", [image], 30)
-    assert (iio.imread(tmp_path / "a.png") == image).all()
 
 
 @pytest.mark.parametrize("ending", ENDINGS)
@@ -173,20 +157,20 @@ def test_images_stream_through(tmp_path: Path, ending: str):
     assert peak < 20
 
 
-def test_an_unknown_ending_lists_those_there_are(tmp_path: Path):
-    with pytest.raises(FilmError, match=r"run\.avi: no way to write '\.avi'; endings: \.mp4, \.webm, \.gif, \.png"):
-        check_target(tmp_path / "run.avi", 64, 48)
-
-
-def test_a_directory_that_does_not_exist_is_named(tmp_path: Path):
-    with pytest.raises(FilmError, match=r"nowhere does not exist"):
-        check_target(tmp_path / "nowhere" / "run.mp4", 64, 48)
-
-
-def test_a_target_that_is_a_directory_is_refused(tmp_path: Path):
-    (tmp_path / "run.mp4").mkdir()
-    with pytest.raises(FilmError, match="is a directory"):
-        check_target(tmp_path / "run.mp4", 64, 48)
+@pytest.mark.parametrize(
+    ("name", "size", "told"),
+    [
+        ("run.avi", (64, 48), r"run\.avi: no way to write '\.avi'; endings: \.mp4, \.webm, \.gif, \.png"),
+        ("nowhere/run.mp4", (64, 48), r"nowhere does not exist"),
+        ("folder.mp4", (64, 48), "is a directory"),
+        ("run.mp4", (641, 359), r"641x359 pixels; .* take 642x360, or write \.gif"),
+        ("run.webm", (641, 359), r"641x359 pixels; .* take 642x360, or write \.gif"),
+    ],
+)
+def test_a_target_that_cannot_be_written_is_refused(tmp_path: Path, name: str, size: tuple[int, int], told: str):
+    (tmp_path / "folder.mp4").mkdir()
+    with pytest.raises(FilmError, match=told):
+        check_target(tmp_path / name, *size)
 
 
 def test_a_directory_without_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
@@ -195,39 +179,21 @@ def test_a_directory_without_permission_is_refused(tmp_path: Path, monkeypatch: 
         check_target(tmp_path / "run.mp4", 64, 48)
 
 
-@pytest.mark.parametrize("ending", [".mp4", ".webm"])
-def test_an_odd_size_is_refused_with_the_next_even_one(tmp_path: Path, ending: str):
-    with pytest.raises(FilmError, match=r"641x359 pixels; .* take 642x360, or write \.gif"):
-        check_target(tmp_path / f"run{ending}", 641, 359)
-
-
 def test_a_gif_may_have_an_odd_size(tmp_path: Path):
     write(tmp_path / "a.gif", images(3, height=31, width=47), 20)
     assert (decoded(tmp_path / "a.gif")[0].width, decoded(tmp_path / "a.gif")[0].height) == (47, 31)
 
 
-def test_no_images_are_an_error_and_leave_no_file(tmp_path: Path):
-    with pytest.raises(FilmError, match="no images"):
-        write(tmp_path / "a.mp4", [], 30)
-    assert not list(tmp_path.iterdir())
-
-
-def test_images_that_change_size_are_refused(tmp_path: Path):
+def test_images_that_make_no_film_are_refused_and_leave_no_file(tmp_path: Path):
     mixed = [np.zeros((48, 64, 3), np.uint8), np.zeros((32, 64, 3), np.uint8)]
-    with pytest.raises(FilmError, match="from 64x48 to 64x32"):
-        write(tmp_path / "a.mp4", mixed, 30)
+    floats = cast(list[NDArray[np.uint8]], [np.zeros((48, 64, 3))])
+    for made, told in (([], "no images"), (mixed, "from 64x48 to 64x32"), (floats, "uint8")):
+        with pytest.raises(FilmError, match=told):
+            write(tmp_path / "a.mp4", made, 30)
+    for fps in (0.0, -1.0, float("nan"), float("inf")):
+        with pytest.raises(FilmError, match="positive"):
+            write(tmp_path / "a.mp4", images(), fps)
     assert not list(tmp_path.iterdir())
-
-
-def test_images_of_another_type_are_refused(tmp_path: Path):
-    with pytest.raises(FilmError, match="uint8"):
-        write(tmp_path / "a.mp4", cast(list[NDArray[np.uint8]], [np.zeros((48, 64, 3))]), 30)
-
-
-@pytest.mark.parametrize("fps", [0.0, -1.0, float("nan"), float("inf")])
-def test_a_rate_must_be_positive(tmp_path: Path, fps: float):
-    with pytest.raises(FilmError, match="positive"):
-        write(tmp_path / "a.mp4", images(), fps)
 
 
 @pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
@@ -243,13 +209,6 @@ def test_an_image_may_be_drawn_over_once_the_next_one_is_requested(tmp_path: Pat
     assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
 
 
-def test_images_are_encoded_in_order_by_one_other_thread():
-    done: list[tuple[int, int]] = []
-    _in_a_thread(lambda item: done.append((item, threading.get_ident())), range(20))
-    assert [item for item, _ in done] == list(range(20))
-    assert len({thread for _, thread in done} | {threading.get_ident()}) == 2
-
-
 def test_an_error_of_the_encoder_stops_the_drawing():
     drawn: list[int] = []
 
@@ -263,9 +222,5 @@ def test_an_error_of_the_encoder_stops_the_drawing():
 
 @pytest.mark.parametrize("count", [1, 3])
 def test_an_error_of_the_last_image_is_not_lost(count: int):
-    def fails_at_the_last(item: int) -> None:
-        if item == count - 1:
-            raise OSError(28, "No space left on device")
-
-    with pytest.raises(OSError, match="No space left"):
-        _in_a_thread(fails_at_the_last, range(count))
+    with pytest.raises(ZeroDivisionError):
+        _in_a_thread(lambda item: 1 / (count - 1 - item), range(count))

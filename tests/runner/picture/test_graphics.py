@@ -79,17 +79,15 @@ def test_after_mujoco_is_imported_only_its_own_backend_counts():
     assert choose_in_a_fresh_process(code, MUJOCO_GL="disable")[0] == "software"
 
 
-def test_an_unknown_forced_renderer_lists_those_there_are(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setenv(graphics.OVERRIDE, "vulkan")
-    with pytest.raises(graphics.GraphicsError, match="no such renderer; renderers: egl, osmesa, display, software"):
-        graphics.choose()
-
-
-def test_a_forced_renderer_that_does_not_work_is_an_error(monkeypatch: pytest.MonkeyPatch):
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [("vulkan", "no such renderer; renderers: egl, osmesa, display, software"), ("egl", "egl does not work here")],
+)
+def test_a_forced_renderer_that_does_not_exist_or_work_is_an_error(monkeypatch: pytest.MonkeyPatch, name, told):
     before_mujoco_is_imported(monkeypatch)
     no_backend_works(monkeypatch)
-    monkeypatch.setenv(graphics.OVERRIDE, "egl")
-    with pytest.raises(graphics.GraphicsError, match="egl does not work here"):
+    monkeypatch.setenv(graphics.OVERRIDE, name)
+    with pytest.raises(graphics.GraphicsError, match=told):
         graphics.choose()
 
 
@@ -114,19 +112,12 @@ def test_the_fastest_backend_that_works_is_taken(monkeypatch: pytest.MonkeyPatch
     assert os.environ["MUJOCO_GL"] == "osmesa"
 
 
-def test_a_driver_that_aborts_only_takes_the_child_with_it(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(graphics, "_PROBE", "import os; print('drawn', flush=True); os.abort()")
-    assert not graphics._draws.__wrapped__("egl")
-
-
-def test_a_driver_that_hangs_is_given_up(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(graphics, "_PROBE", "import time; time.sleep(60)")
-    monkeypatch.setattr(graphics, "PROBE_SECONDS", 0.3)
-    assert not graphics._draws.__wrapped__("egl")
-
-
-def test_a_driver_that_draws_nothing_does_not_pass(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(graphics, "_PROBE", "print('blank')")
+@pytest.mark.parametrize(
+    "probe", ["import os; print('drawn', flush=True); os.abort()", "print('blank')", "import time; time.sleep(60)"]
+)
+def test_a_driver_that_aborts_draws_nothing_or_hangs_does_not_pass(monkeypatch: pytest.MonkeyPatch, probe: str):
+    monkeypatch.setattr(graphics, "_PROBE", probe)
+    monkeypatch.setattr(graphics, "PROBE_SECONDS", 1.0)
     assert not graphics._draws.__wrapped__("egl")
 
 

@@ -10,15 +10,12 @@ def plain(height: int, width: int, value: int = 120) -> np.ndarray:
     return np.full((height, width, 3), value, np.uint8)
 
 
-def test_two_halves_make_exactly_the_whole():
+def test_two_halves_of_one_height_make_exactly_the_whole():
     both = side_by_side(plain(720, 640, 10), plain(720, 640, 200))
     assert both.shape == (720, 1280, 3)
     assert both.dtype == np.uint8
     assert (both[:, :630] == 10).all()
     assert (both[:, 650:] == 200).all()
-
-
-def test_halves_of_different_heights_are_refused():
     with pytest.raises(ValueError, match="one height, not 10 and 12"):
         side_by_side(plain(10, 10), plain(12, 10))
 
@@ -27,17 +24,12 @@ def test_halves_of_different_heights_are_refused():
 def test_a_caption_is_written_where_it_was_requested_and_nowhere_else(place):
     before = plain(360, 640)
     after = caption(before, "0.80 s", place=place)
+    assert (before == 120).all()
     changed = np.argwhere((after != before).any(axis=-1))
     y, x = changed.mean(axis=0) / after.shape[:2]
     assert after.shape == before.shape
     assert (y < 0.5) == place.startswith("top")
     assert {"left": x < 0.4, "right": x > 0.6}.get(place.partition(" ")[2], abs(x - 0.5) < 0.02)
-
-
-def test_a_caption_leaves_the_picture_it_was_given_alone():
-    image = plain(360, 640)
-    caption(image, "before")
-    assert (image == 120).all()
 
 
 def test_a_caption_is_readable_on_black_and_on_white():
@@ -54,10 +46,6 @@ def test_a_caption_too_long_for_the_picture_is_set_smaller():
     assert (after[:, -2:] == 120).all()
 
 
-@pytest.mark.parametrize("text", ["", "  "])
-def test_no_words_leave_no_mark(text: str):
-    assert (caption(plain(100, 100), text) == 120).all()
-
-
-def test_a_picture_too_small_for_words_stays_as_it_is():
-    assert (caption(plain(8, 8), "before") == 120).all()
+@pytest.mark.parametrize(("size", "text"), [(100, ""), (100, "  "), (8, "before")])
+def test_no_words_and_too_small_a_picture_for_words_leave_no_mark(size: int, text: str):
+    assert (caption(plain(size, size), text) == 120).all()

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dynsplines.motion import Saved, sampled
+from dynsplines.motion import Saved
 from dynsplines.picture import show
 from dynsplines.picture.graphics import Graphics
-from dynsplines.picture.show import Look, figure_height, figure_six, for_tiles, image_count, images, root_path
+from dynsplines.picture.show import Look, figure_six, for_tiles, image_count, images
 
 SOFTWARE = Graphics("software", "renderer: software")
 W, H = 48, 32
@@ -40,22 +40,20 @@ def test_before_and_after_stand_side_by_side_in_one_picture_of_the_requested_siz
         np.testing.assert_array_equal(whole[:, W // 2 + 1 :], after[:, 1:])
 
 
-def test_the_figure_moves_through_the_images(saved):
-    first, *_, last = shot(saved, only="after")
-    assert apart(first, last) > 5
-
-
-@pytest.mark.parametrize(("slow", "count"), [(1.0, 5), (4.0, 17), (0.5, 3)])
+@pytest.mark.parametrize(("slow", "count"), [(2.0, 9), (0.5, 3)])
 def test_slower_means_more_images_of_the_same_motion(saved, slow, count):
     assert image_count(saved, look(slow=slow)) == count
     assert len(shot(saved, only="before", slow=slow, width=16, height=16)) == count
 
 
-def test_one_image_at_a_time_is_that_of_the_film(saved):
+def test_one_image_at_a_time_and_picked_images_are_those_of_the_film(saved):
     film = shot(saved, only="after")
     (one,) = shot(saved, only="after", at=0.2)
     assert image_count(saved, look(at=0.2)) == 1
     np.testing.assert_array_equal(one, film[2])
+    some = list(images(saved, look(only="after"), SOFTWARE, picks=[0, 3]))
+    np.testing.assert_array_equal(some, [film[0], film[3]])
+    assert apart(film[0], film[-1]) > 5
 
 
 def test_keyframes_are_shown_as_they_are_each_for_half_a_second(saved):
@@ -78,10 +76,8 @@ GL = Graphics("egl", "")
     [
         ((1280, 720), GL, (960, 540), 2),
         ((1280, 720), SOFTWARE, (480, 270), 1),
-        ((720, 1280), GL, (540, 960), 2),
         ((640, 360), GL, (640, 360), 640 / 480),
         ((320, 180), GL, (320, 180), 1),
-        ((1001, 300), SOFTWARE, (480, 144), 1),
         ((301, 1000), SOFTWARE, (144, 480), 1),
     ],
 )
@@ -90,12 +86,6 @@ def test_images_of_a_sheet_are_drawn_no_larger_than_they_need_be(size, graphics,
     assert (made.width, made.height) == drawn
     assert made.shrunk == pytest.approx(shrunk)
     assert made.width % 2 == 0 or made.width == size[0]
-
-
-def test_picked_images_are_those_of_the_film(saved):
-    film = shot(saved, only="after")
-    some = list(images(saved, look(only="after"), SOFTWARE, picks=[0, 3]))
-    np.testing.assert_array_equal(some, [film[0], film[3]])
 
 
 def test_ghosts_add_the_keyframes_to_every_image(saved):
@@ -119,40 +109,7 @@ def test_figure_six_shows_keyframes_darker_than_what_is_between(saved):
 
 
 @pytest.mark.slow
-def test_figure_six_of_the_raw_spline_is_another(saved):
-    before, after = figure_six(saved, look(only="before"), SOFTWARE), figure_six(saved, look(), SOFTWARE)
-    assert apart(before, after) > 0
-
-
-def test_an_unknown_camera_is_refused_with_those_there_are(saved):
-    with pytest.raises(ValueError, match=r"no view 'sidee'; views: side.*high"):
-        shot(saved, camera="sidee")
-
-
-@pytest.mark.parametrize("camera", ["side", "front", "three_quarter", "back"])
-def test_every_view_has_the_figure_in_the_picture(saved, camera):
-    empty = replace(saved, keys=())
-    with_figure = figure_six(saved, look(camera=camera, only="keys"), SOFTWARE)
-    assert apart(with_figure, figure_six(empty, look(camera=camera, only="keys"), SOFTWARE)) > 10
-
-
-def test_the_camera_follows_the_root_and_knows_the_figures_height(saved):
-    run = sampled(saved.figure, saved.timeline, 10.0)
-    np.testing.assert_array_equal(root_path(saved, run.qpos), run.qpos[:, :3])
-    assert 0.1 < figure_height(saved) < 3
-
-
-@pytest.mark.slow
 def test_more_workers_draw_the_same_images(saved, monkeypatch):
     monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
     one, two = (list(images(saved, look(ghosts=True, camera="side"), SOFTWARE, workers=workers)) for workers in (1, 2))
     np.testing.assert_array_equal(one, two)
-
-
-@pytest.mark.parametrize(("pixels", "workers", "used"), [(1, 1, 1), (1, 60, 5), (5 * W * H // 2, 9, 2), (10**9, 3, 1)])
-def test_processes_are_as_many_as_there_is_work_for(saved, monkeypatch, pixels, workers, used):
-    counts: list[int] = []
-    monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", pixels)
-    monkeypatch.setattr(show, "in_order", lambda opened, work, items, processes: counts.append(processes) or iter([]))
-    assert list(images(saved, look(), SOFTWARE, workers=workers)) == []
-    assert counts == [used]
