@@ -15,7 +15,6 @@ from dynsplines import models, motion, recordings, solving
 from dynsplines.clip import file as clip_file
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import table_of
-from dynsplines.clip.table import PenaltyTable
 from dynsplines.clip.text import tables
 from dynsplines.edit import edits, thinning
 from dynsplines.edit import files as edit_files
@@ -103,39 +102,32 @@ def test_what_is_edited_of_a_motion_that_follows_a_recording_is_a_motion_of_keyf
 
 
 def test_two_motions_that_follow_recordings_are_joined(followed):
-    both = edits.joined(followed, followed, 0.2, quiet())
+    both, times = edits.joined(followed, followed, 0.2, quiet()), np.linspace(0.02, 0.4, 7)
     assert "recording" not in both.text
-    np.testing.assert_allclose(
-        at(both, np.linspace(0.02, 0.4, 7)), at(followed, np.linspace(0.02, 0.4, 7)), rtol=0, atol=1e-9
-    )
+    np.testing.assert_allclose(at(both, times), at(followed, times), rtol=0, atol=1e-9)
 
 
-@pytest.mark.parametrize("word", ["mirror", "retime"])
-def test_a_clip_that_follows_a_recording_is_edited_as_a_motion(folder, tmp_path, word):
-    edit = edit_files.mirrored() if word == "mirror" else edit_files.retimed(2.0, None)
-    name = "step_on_kerb" if word == "mirror" else str(folder / "following.toml")
+def test_a_clip_that_follows_a_recording_is_edited_as_a_motion(folder, tmp_path):
+    for edit in (edit_files.retimed(2.0, None), edit_files.mirrored()):
+        name = str(folder / "following.toml")
+        with pytest.raises(UserError, match=r"-o NAME\.npz"):
+            edit_files.run([name], edit, tmp_path / "out.toml", overwrite=False, progress=quiet())
+    edit = edit_files.retimed(2.0, None)
     target, told = edit_files.run([name], edit, tmp_path / "out.npz", overwrite=False, progress=quiet())
     assert [violation.text for violation in told if violation.keyframe is not None] == []
     assert "recording" not in motion.load(target).text
-    with pytest.raises(UserError, match=r"-o NAME\.npz"):
-        edit_files.run([name], edit, tmp_path / "out.toml", overwrite=False, progress=quiet())
     assert not (tmp_path / "out.toml").exists()
 
 
-@pytest.mark.parametrize("exact", [False, True])
-def test_a_motion_that_follows_a_recording_is_thinned_to_a_clip_that_needs_none(followed, tmp_path, exact):
-    found = thinning.thinned(followed, 0.02, 0.1)
-    thinning.write(found, tmp_path / "thin.toml", exact=exact)
-    again = recordings.load(str(tmp_path / "thin.toml"))
-    assert not again.has_recording
-    assert len(again.keys) < len(followed.keys)
-
-
-def test_a_motion_is_saved_as_a_clip_elsewhere_without_the_recording_that_lies_in_its_own_folder(followed, tmp_path):
+def test_a_motion_that_follows_a_recording_is_saved_or_thinned_as_a_clip_that_needs_none(followed, tmp_path):
     clip_file.write(followed, tmp_path / "elsewhere.toml", overwrite=False)
     again = recordings.load(str(tmp_path / "elsewhere.toml"))
     assert not again.has_recording
     assert len(again.keys) == followed.timeline.times.size
+    thinning.write(thinning.thinned(followed, 0.02, 0.1), tmp_path / "thin.toml", exact=False)
+    again = recordings.load(str(tmp_path / "thin.toml"))
+    assert not again.has_recording
+    assert len(again.keys) < len(followed.keys)
 
 
 @pytest.mark.slow
@@ -171,32 +163,20 @@ def test_a_loop_flies_as_often_as_it_is_repeated():
     assert "flight" not in text
     last = recordings.load("run_loop").keys[-1].time
     said = f'[[penalty]]\nkind = "flight"\nintervals = [[{0.2 * last}, {0.3 * last}]]\n\n[[keyframe]]'
-    saved = solved(recordings.from_text(text.replace("[[keyframe]]", said, 1), name="flying"))
+    clip = recordings.from_text(text.replace("[[keyframe]]", said, 1), name="flying")
+    saved = solving.unsolved(clip).saved(quiet(), with_report=False)
     thrice = flights(edits.repeated(saved, 3))
     assert thrice is not None
     wanted = [[(0.2 + i) * last, (0.3 + i) * last] for i in range(3)]
     np.testing.assert_allclose(thrice, wanted, rtol=0, atol=1e-9)
 
 
-def test_a_cycle_that_is_said_keeps_pace():
-    said = '[[penalty]]\nkind = "cycle"\nperiod = 0.3\n[[keyframe]]'
-    table = table_of(tiny.CLIP.replace("[[keyframe]]", said, 1), "tiny")
-    assert edits.retimed_tables(table, 2.0).penalty == [PenaltyTable.of("cycle", period=0.15)]
-
-
 @pytest.mark.parametrize("source", ["tiny.toml", "own.npz"])
-def test_a_clip_that_is_written_elsewhere_finds_its_figure(tmp_path, source):
-    there = tmp_path / "clips"
-    there.mkdir()
-    motion.save(solved(recordings.load(str(tiny.written(there)))), there / "own.npz")
-    target, _ = edit_files.run(
-        [str(there / source)], edit_files.trimmed(0.1, 0.3), tmp_path / "part.toml", overwrite=False, progress=quiet()
-    )
-    assert recordings.load(str(target)).keys[-1].time == pytest.approx(0.3)
-    target, _ = edit_files.run(
-        [str(there / source)] * 2, edit_files.joined(0.2), tmp_path / "both.toml", overwrite=False, progress=quiet()
-    )
-    assert recordings.load(str(target)).keys[-1].time == pytest.approx(1.02)
+def test_a_clip_that_is_written_elsewhere_finds_its_figure(folder, tmp_path, source):
+    where = [str(folder / source)]
+    for sources, edit, end in ((where, edit_files.trimmed(0.1, 0.3), 0.3), (where * 2, edit_files.joined(0.2), 1.02)):
+        target, _ = edit_files.run(sources, edit, tmp_path / f"{end}.toml", overwrite=False, progress=quiet())
+        assert recordings.load(str(target)).keys[-1].time == pytest.approx(end)
 
 
 def test_what_the_second_motion_leaves_free_is_where_it_goes_when_they_are_joined(tmp_path):

@@ -75,14 +75,9 @@ def test_what_is_no_length_is_refused(text):
         length(text, "--max-error")
 
 
-@pytest.mark.parametrize("angle", [0.0, -3.0, 181.0])
-def test_what_is_no_angle_is_refused(angle):
-    with pytest.raises(UserError, match="--max-angle"):
-        thin_files.bound("2cm", angle)
-
-
 @pytest.mark.slow
 def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_path, capsys):
+    """Thinned once more, it is a clip that is searched."""
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
     run(source, target, exact=True)
@@ -96,37 +91,9 @@ def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_
     fine = np.arange(0.1, 0.6, 1e-3)
     one, other = (each.figure.to_qpos(path_of(each.timeline).at(fine)) for each in (straight, again))
     assert np.abs(one - other)[:, :3].max() < 0.025
-
-
-@pytest.mark.slow
-def test_a_clip_is_solved_as_ever_and_both_motions_are_reported(straight, tmp_path, capsys):
-    source, target = tmp_path / "step.npz", tmp_path / "step.toml"
-    motion.save(straight, source)
-    run(source, target)
-    found = clip.load(str(target))
-    assert found.settings.max_evaluations > 1 and found.settings.variable != 0
-    again = solving.solve(found, Progress()).saved(Progress(), with_report=False)
-    assert again.timeline.variable_count > 0
-    spline, solved = (
-        float(number) for number in re.findall(r"at most ([\d.]+) cm", "".join(capsys.readouterr().err.splitlines()))
-    )
-    assert spline <= 2
-    assert solved == pytest.approx(100 * apart(straight, again), rel=0.01)
-    # this is a raw spline, whose feet sink and slide: what the search mends is told, and what else to ask for
-    assert solved > 2
-    head = target.read_text().splitlines()[0]
-    assert f"at most {spline:g} cm" in head and f"at most {solved:.3g} cm" in head and "--exact" in head
-
-
-@pytest.mark.slow
-def test_thinning_an_exact_clip_gives_one_that_is_searched(straight, tmp_path):
-    source, target = tmp_path / "step.npz", tmp_path / "step.toml"
-    motion.save(straight, source)
-    run(source, target, exact=True)
     solve = table_of(target.read_text(), "step").solve
     assert solve is not None and (solve.variable, solve.frames, solve.evaluations) == (0, 0, 1)
-    exact = solving.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
-    solve = table_of(thinned(exact, *BOUND).motion.text, "again").solve
+    solve = table_of(thinned(again, *BOUND).motion.text, "again").solve
     assert solve is None or (solve.variable, solve.frames, solve.evaluations) == (None, None, None)
 
 
@@ -139,7 +106,7 @@ def test_what_a_clip_is_to_keep_to_is_requested_once(motion_file, tmp_path):
 def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
     source, target = tmp_path / "walk.npz", tmp_path / "walk_thin.toml"
     motion.save(walk, source)
-    run(source, target)
+    run(source, target, exact=True)
     found = clip.load(str(target))
     assert found.ends == "periodic"
     assert np.array(found.problem.travel)[0] == pytest.approx(walk.timeline.states[-1, 0] - walk.timeline.states[0, 0])
@@ -150,39 +117,41 @@ def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
 
 
 @pytest.mark.slow
-def test_the_solved_motion_keeps_the_bound_where_that_is_asked(walk, tmp_path):
+def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where_that_is_requested(
+    walk, tmp_path, capsys
+):
     source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(walk, 0.1, 0.15)
     motion.save(step, source)
     run(source, tmp_path / "spline.toml")
+    spline, solved = (
+        float(number) for number in re.findall(r"at most ([\d.]+) cm", "".join(capsys.readouterr().err.splitlines()))
+    )
+    head = (tmp_path / "spline.toml").read_text().splitlines()[0]
+    assert f"at most {spline:g} cm" in head and f"at most {solved:.3g} cm" in head and "--exact" in head
     run(source, target, solve=True)
     off = []
     for file in (tmp_path / "spline.toml", target):
-        again = solving.solve(clip.load(str(file)), Progress()).saved(Progress(), with_report=False)
+        found = clip.load(str(file))
+        assert found.settings.max_evaluations > 1 and found.settings.variable != 0
+        again = solving.solve(found, Progress()).saved(Progress(), with_report=False)
         assert again.timeline.variable_count > 0
         off.append(apart(step, again))
-    assert off[0] > 0.02  # as few keyframes as its spline needs are too few for what is searched
+    # this is a raw spline, whose feet sink and slide: few keyframes are too few for what the search mends
+    assert spline <= 2 < solved
+    assert solved == pytest.approx(100 * off[0], rel=0.01)
     assert off[1] <= 0.02 * (1 + 1e-6)
 
 
 @pytest.mark.slow
-def test_a_recording_is_thinned_at_its_own_instants(straight, tmp_path, capsys):
-    source = tmp_path / "step.csv"
-    formats.export(straight, "csv", source, fps=120)
-    target = run(source, tmp_path / "step.npz", figure="human")
-    assert "keyframes of 61;" in capsys.readouterr().err
-    found = motion.load(target)
-    on_grid = (found.timeline.times - 0.1) * 120
-    np.testing.assert_allclose(on_grid, on_grid.round(), atol=1e-6)
-    assert found.name == "step"
-
-
-@pytest.mark.slow
-def test_the_figure_of_a_recording_is_named_if_it_ships(straight, tmp_path):
+def test_a_recording_is_thinned_at_its_own_instants_and_its_figure_named_if_it_ships(straight, tmp_path, capsys):
     source = tmp_path / "step.csv"
     formats.export(straight, "csv", source, fps=60)
-    run(source, tmp_path / "again.toml", figure="human")
+    target = run(source, tmp_path / "again.toml", figure="human", exact=True)
+    assert "keyframes of 31;" in capsys.readouterr().err
+    on_grid = (np.array([key.time for key in clip.load(str(target)).keys]) - 0.1) * 60
+    np.testing.assert_allclose(on_grid, on_grid.round(), atol=1e-6)
     assert names(tmp_path) == ["again.toml", "step.csv"]
-    assert 'figure = "human"' in (tmp_path / "again.toml").read_text()
+    assert 'figure = "human"' in target.read_text()
 
 
 @pytest.mark.slow
@@ -207,7 +176,7 @@ def test_a_clip_is_solved_first(tmp_path):
 
 def test_plain_arrays_are_a_recording_by_their_ending(straight, tmp_path):
     formats.export(straight, "npz", tmp_path / "walk.qpos.npz")
-    target = run(tmp_path / "walk.qpos.npz", tmp_path / "thin.toml")
+    target = run(tmp_path / "walk.qpos.npz", tmp_path / "thin.toml", exact=True)
     assert len(clip.load(str(target)).keys) < 16
 
 
@@ -236,10 +205,13 @@ def test_other_endings_are_refused_before_anything_is_read(ending, tmp_path):
         run("nowhere.npz", tmp_path / f"out{ending}")
 
 
-@pytest.mark.parametrize("value", [0.0, -0.1, np.nan, np.inf])
-def test_a_bound_that_is_none_is_refused(saved, value):
-    with pytest.raises(UserError, match="more than 0"):
-        thinned(saved, value, 0.1)
+def test_bounds_that_make_no_sense_are_refused(saved):
+    for angle in (0.0, 181.0):
+        with pytest.raises(UserError, match="--max-angle"):
+            thin_files.bound("2cm", angle)
+    for distance in (0.0, np.nan, np.inf):
+        with pytest.raises(UserError, match="more than 0"):
+            thinned(saved, distance, 0.1)
 
 
 def test_the_command_line_has_it(motion_file, tmp_path, monkeypatch):
