@@ -149,18 +149,6 @@ def test_the_steps_of_the_scene_are_stood_on(take, clean):
         assert place[2, 0, 0] - rest.point.radius == pytest.approx(0.35, abs=0.005)
 
 
-def test_stances_that_are_given_are_kept_instead(take):
-    ground = ground_of(take.figure, take.qpos)
-    whole = repaired(take.figure, take.time, take.qpos, "true")
-    some = max(cleaned(ground, whole).rests, key=lambda rest: rest.last - rest.first)
-    found = cleaned(ground, whole, [some])
-    assert found.rests == (some,)
-    t = np.linspace(some.first, some.last, 30)
-    links, at = np.array([some.point.link]), some.point.position[:, None]
-    places, _ = samples_at(take.figure, found.after, t).links.points(links, at)
-    assert np.ptp(places[:, 0], axis=1).max() < 0.005
-
-
 def test_what_is_asked_to_stay_near_does_as_far_as_its_stances_let_it(part, bad):
     """Held by one stance it comes nearer; by all of them it cannot, and stays as sound as it was."""
     repair = repaired(part.figure, part.time, bad[:80], "bad")
@@ -175,13 +163,12 @@ def test_what_is_asked_to_stay_near_does_as_far_as_its_stances_let_it(part, bad)
     assert verdict(held).is_sound
 
 
-def test_a_gap_is_bridged(take):
-    keep = np.r_[0:50, 60 : take.time.size]
-    repair = repaired(take.figure, take.time[keep], take.qpos[keep], "holes")
-    found = cleaned(ground_of(take.figure, take.qpos), repair)
-    true = RecordedMotion.of(take.figure, take.time, take.qpos).path
-    t = take.time[50:60]
-    x, wanted = (samples_at(take.figure, path, t).links.x for path in (found.after, true))
+def test_a_gap_is_bridged(part):
+    keep = np.r_[0:50, 60 : part.time.size]
+    repair = repaired(part.figure, part.time[keep], part.qpos[keep], "holes")
+    found = cleaned(ground_of(part.figure, part.qpos), repair)
+    true, t = RecordedMotion.of(part.figure, part.time, part.qpos).path, part.time[50:60]
+    x, wanted = (samples_at(part.figure, path, t).links.x for path in (found.after, true))
     assert np.linalg.norm(x - wanted, axis=0).max() < 0.12
 
 

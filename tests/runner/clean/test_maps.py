@@ -63,31 +63,23 @@ def test_a_map_of_limbs_is_enough(walk, tmp_path, on_reference):
     np.testing.assert_allclose(found.qpos, expected, atol=1e-5)
 
 
-def test_an_incomplete_map_is_written_and_named(command, walk, tmp_path, monkeypatch):
+@pytest.mark.parametrize("verb", [("retarget", "--to"), ("clean", "--figure")])
+def test_an_incomplete_map_is_written_and_named(command, walk, tmp_path, monkeypatch, verb):
     monkeypatch.chdir(tmp_path)
     foreign(walk, tmp_path / "a.bvh", on_reference=False)
-    done = command("retarget", "a.bvh", "--to", "human")
+    words = (verb[0], "a.bvh", verb[1], "human")
+    assert "--map FILE" in command(*words, "--write-map").last
+    done = command(*words)
     assert done.code == 2
     assert "--map FILE" in done.last and "--write-map" in done.last
-    done = command("retarget", "a.bvh", "--to", "human", "--map", "m.toml", "--write-map")
+    done = command(*words, "--map", "m.toml", "--write-map")
     assert done.code == 2
     assert done.last.endswith("'m.toml' is to be filled in")
-    text = (tmp_path / "m.toml").read_text(encoding="utf-8")
-    figure, recording = text.split("[recording]")
+    figure, recording = (tmp_path / "m.toml").read_text(encoding="utf-8").split("[recording]")
     assert 'left_thigh = "left_thigh"' in figure
     assert "# Not found by name. Names without a role: bone0, bone1," in recording
     assert '# left_thigh = ""  # needed' in recording
     assert '# left_upper_arm = ""\n' in recording
-
-
-def test_clean_writes_and_refuses_maps_as_retarget_does(command, walk, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    foreign(walk, tmp_path / "a.bvh", on_reference=False)
-    assert "--map FILE" in command("clean", "a.bvh", "--figure", "human", "--write-map").last
-    done = command("clean", "a.bvh", "--figure", "human", "--map", "m.toml", "--write-map")
-    assert done.code == 2
-    assert done.last.endswith("'m.toml' is to be filled in")
-    assert '# left_thigh = ""  # needed' in (tmp_path / "m.toml").read_text(encoding="utf-8")
 
 
 def test_a_motion_takes_no_map(command, walk, tmp_path, monkeypatch):

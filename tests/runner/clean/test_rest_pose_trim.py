@@ -32,9 +32,10 @@ class Ear(Progress):
 @pytest.fixture(scope="module")
 def walk():
     """(T, nq) at RATE, a person who walks."""
-    found = solving.unsolved(clip.load("walk_loop")).motion.timeline
+    loop = clip.load("walk_loop")
+    found = solving.unsolved(loop).motion.timeline
     times = np.arange(0, found.times[-1] - found.times[0], 1 / RATE) + found.times[0]
-    return clip.load("walk_loop").figure.to_qpos(path_of(found).at(times))
+    return loop.figure.to_qpos(path_of(found).at(times))
 
 
 def raised(angle: float, at: np.ndarray = HUMAN.qpos0) -> np.ndarray:
@@ -141,11 +142,3 @@ def test_leaving_out_what_is_not_there_is_told(recording):
     ear = Ear()
     assert rest_pose_trim.trim(cut, ear, skip=True) is cut
     assert ear.heard == ["note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out"]
-
-
-@pytest.mark.slow
-def test_a_clip_is_no_recording():
-    saved = solving.unsolved(clip.load("sit_down")).saved(Progress(), with_report=False)
-    ear = Ear()
-    assert rest_pose_trim.trim(saved, ear, skip=True) is saved
-    assert "nothing is left out" in ear.heard[0]
