@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines import models
 from dynsplines.errors import UserError
-from dynsplines.exchange import formats, gaps
+from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import import_recording
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
@@ -88,7 +88,7 @@ def test_files_with_y_up_are_turned(tmp_path, back, axis, model):
 
 @pytest.mark.parametrize(
     ("back", "head"),
-    [(None, (0, 1, 0)), (None, (0, -1, 0)), (None, (1, 0, 0)), (Y_UP, (0, 1, 0)), (Y_UP, (1, 0, 0))],
+    [(None, (0, -1, 0)), (None, (1, 0, 0)), (Y_UP, (0, 1, 0))],
 )
 @pytest.mark.parametrize("crawls", [False, True])
 def test_a_body_that_lies_on_the_floor_stays_there(tmp_path, head, back, crawls):
@@ -105,13 +105,6 @@ def test_a_body_that_lies_on_the_floor_stays_there(tmp_path, head, back, crawls)
     data.qpos = found.qpos[0]
     mujoco.mj_kinematics(HUMAN, data)
     assert abs(data.body("chest").xpos - data.body("pelvis").xpos)[2] < 0.1
-
-
-def test_a_body_that_is_upright_along_no_axis_keeps_z_up(tmp_path):
-    poses, trans = walk()
-    poses[:, 0] = Rotation.from_euler("xz", [0, 90], degrees=True).as_rotvec()
-    found = read(tmp_path, poses, trans)
-    assert any("upright at 0% of the samples only: z is taken as up" in note for note in found.notes)
 
 
 @pytest.mark.parametrize(("factor", "name"), [(100, "centimetres"), (1000, "millimetres")])
@@ -167,31 +160,11 @@ def test_the_rate_has_several_names(tmp_path, name, rate):
     assert formats.recording(path, model=HUMAN).fps == 24
 
 
-def test_a_missing_rate_is_an_error_that_names_the_option(tmp_path):
-    poses, trans = walk()
-    path = written(tmp_path, poses=poses, trans=trans)
-    with pytest.raises(UserError, match=r"it has no 'mocap_framerate'; give the rate: --fps"):
-        formats.recording(path, model=HUMAN)
-
-
 def test_a_file_of_no_or_one_sample_is_refused_or_read(tmp_path):
     poses, trans = walk()
     with pytest.raises(UserError, match="it has no samples"):
         read(tmp_path, poses[:0], trans[:0])
     assert read(tmp_path, poses[:1], trans[:1]).qpos.shape == (1, HUMAN.nq)
-
-
-def test_a_file_cut_short_is_used_as_far_as_it_goes_where_that_is_allowed(tmp_path):
-    poses, trans = walk()
-    path = written(tmp_path, poses=poses, trans=trans[:60], mocap_framerate=RATE)
-    with pytest.raises(
-        UserError, match=r"'poses' \(75, 52, 3\), 'trans' \(60, 3\); `dynsplines clean` uses the first 60"
-    ):
-        formats.recording(path, model=HUMAN)
-    with gaps.allowed():
-        found = formats.recording(path, model=HUMAN)
-    np.testing.assert_allclose(found.qpos, read(tmp_path, poses[:60], trans[:60]).qpos, atol=1e-9)
-    assert "cut short" in found.notes[0] and len(found.time) == 60
 
 
 def test_without_a_figure_the_mean_shape_is_one(tmp_path):
@@ -230,25 +203,3 @@ def test_a_file_of_arrays_is_a_motion_of_another_program_by_its_arrays(tmp_path)
     assert not formats.is_foreign(written(tmp_path, "motion.npz", format_version=1, qpos=trans))
     assert not formats.is_foreign(written(tmp_path, "other.npz", numbers=trans))
     assert not formats.is_foreign(tmp_path / "missing.npz")
-
-
-def test_a_robot_of_hinges_walks(tmp_path):
-    poses, trans = walk()
-    found = read(tmp_path, poses, trans, ROBOT)
-    data = mujoco.MjData(ROBOT)
-    trunk, forward = [], []
-    for row in found.qpos:
-        data.qpos = row
-        mujoco.mj_kinematics(ROBOT, data)
-        trunk.append(data.body("torso_link").xmat.reshape(3, 3)[2, 2])
-        forward.append(data.body("pelvis").xmat.reshape(3, 3)[:, 0])
-    scale = 0.68 / LEG
-    np.testing.assert_allclose(found.qpos[-1, :2] - found.qpos[0, :2], scale * (trans[-1] - trans[0])[:2], atol=0.03)
-    assert min(trunk) > np.cos(np.radians(10))
-    assert np.array(forward)[:, 1].max() < -0.95
-    for side in ("left", "right"):
-        knee = found.qpos[:, ROBOT.joint(f"{side}_knee").qposadr[0]]
-        recorded = poses[:, _index(f"{side}_knee"), 0]
-        assert np.corrcoef(knee, recorded)[0, 1] > 0.95
-        assert knee.max() == pytest.approx(0.7, abs=0.15)
-    assert not np.any(np.isnan(found.qpos))

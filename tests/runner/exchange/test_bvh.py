@@ -25,7 +25,6 @@ from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.exchange.trajectory import Bodies, SampledTrajectory
-from dynsplines.scene.mujoco_versions import remove
 from dynsplines.solver import quaternion as quat
 from dynsplines.system.progress import Progress
 
@@ -34,12 +33,12 @@ TENTH = 1e-4  # [m]
 
 @pytest.fixture(scope="module")
 def cartwheel():
-    return SampledTrajectory.of(solving.unsolved(clip.load("cartwheel")).saved(Progress(), with_report=False))
+    return SampledTrajectory.of(solving.unsolved(clip.load("cartwheel")).saved(Progress(), with_report=False), 15.0)
 
 
 @pytest.fixture(scope="module")
 def rail():
-    return SampledTrajectory.of(solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False), 24.0)
+    return SampledTrajectory.of(solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False), 12.0)
 
 
 def y_up(take):
@@ -62,17 +61,15 @@ def written(take, folder):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("which", ["cartwheel", "rail"])
-def test_pybvh_finds_every_joint_where_mujoco_has_it(which, request, tmp_path):
-    pybvh = pytest.importorskip("pybvh")
-    take = request.getfixturevalue(which)
+def test_pybvh_finds_every_joint_where_mujoco_has_it(cartwheel, tmp_path):
+    pybvh, take = pytest.importorskip("pybvh"), cartwheel
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         found = pybvh.read_bvh_file(written(take, tmp_path))
     bodies = [hierarchy.names(take.model).index(name) for name in found.joint_names]
     assert len(bodies) == 12
     np.testing.assert_allclose(found.joint_positions(), y_up(take)[:, bodies], atol=100 * TENTH)
-    assert found.frame_time == 1 / take.fps
+    assert found.frame_time == pytest.approx(1 / take.fps)
     assert found.frame_count == len(take.time)
 
 
@@ -174,8 +171,6 @@ def without_places(found):
 
 
 PARENTS = {
-    "one that stands still": lambda found: under(found, ("Reference", SIX, still(found))),
-    "one without channels": lambda found: under(found, ("Armature", (), np.zeros((len(found.values), 0)))),
     "two": lambda found: under(found, ("world", (), np.zeros((len(found.values), 0))), ("Root", SIX, still(found))),
     "one that travels": carried_along,
     "one with a heading": turned_away,
@@ -218,29 +213,6 @@ def test_names_that_clash_in_mjcf_are_told_apart(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_hinge_along_an_axis_turns_about_that_axis_alone(tmp_path):
-    take = SampledTrajectory.of(puppet.moved(), 48.0)
-    found, _ = bvh_file.read(written(take, tmp_path))
-    column = sum(len(j.channels) for j in found.joints[: found.names.index("swing")])
-    joint = found.joints[found.names.index("swing")]
-    angles = dict(zip(joint.channels, found.values[:, column : column + 6].T, strict=True))
-    at = take.model.jnt_qposadr[take.model.joint("swing").id]
-    np.testing.assert_allclose(angles["Xrotation"], np.degrees(take.qpos[:, at]), atol=1e-5)
-    np.testing.assert_allclose([angles["Yrotation"], angles["Zrotation"]], 0, atol=1e-5)
-
-
-@pytest.mark.slow
-def test_end_sites_are_hands_and_toes(cartwheel):
-    joints = {joint.name: joint for joint in bvh.skeleton(cartwheel).joints}
-    model = cartwheel.model
-    for name, site in (("left_forearm", "left_hand"), ("right_foot", "right_toe")):
-        end = joints[name].end
-        assert end is not None
-        np.testing.assert_allclose(end, 100 * np.array(model.site(site).pos)[[1, 2, 0]], atol=1e-9)
-    assert joints["pelvis"].end is None
-
-
-@pytest.mark.slow
 def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
     back = SampledTrajectory.of(import_recording(written(cartwheel, tmp_path), figure="human"))
     assert back.fps == cartwheel.fps
@@ -268,8 +240,7 @@ def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tm
     [
         {},
         {"larger": 1.3, "z_up": True},
-        {"unit": 1.0, "every_place": True},
-        {"unit": 0.001, "orders": ["XYZ"]},
+        {"unit": 0.001, "orders": ["XYZ"], "every_place": True},
         {"unit": 0.0254 / 0.45},
     ],
 )
@@ -303,25 +274,6 @@ def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(r
 
 
 @pytest.mark.slow
-def test_hinges_turn_as_near_as_they_can(cartwheel):
-    """A figure of hinges alone, three at hips and shoulders: thighs and shins point where the captured ones do."""
-    text = models.figure_text("human")
-    spec = mujoco.MjSpec.from_string(text)
-    for joint in list(spec.joints):
-        if joint.type == mujoco.mjtJoint.mjJNT_BALL:
-            body, name = joint.parent, joint.name
-            remove(spec, joint)
-            for letter, axis in zip("zxy", np.eye(3)[[2, 0, 1]], strict=True):
-                body.add_joint(name=f"{name}_{letter}", type=mujoco.mjtJoint.mjJNT_HINGE, axis=axis)
-    model = spec.compile()
-    qpos, _ = retarget.onto(CapturedSkeleton.of(bvh.skeleton(cartwheel)), model, "a.bvh")
-    back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
-    before, after = cartwheel.bodies.position[:, 1:], back.position[:, 1:]
-    off = np.abs(after - lift(after, before) - before).max(axis=(1, 2))
-    assert np.mean(off < 0.001) > 0.9, off
-
-
-@pytest.mark.slow
 def test_bones_of_other_lengths_bring_hands_and_feet_to_scaled_places_and_the_feet_to_the_ground(cartwheel):
     """Feet about hips, by the legs' ratio, 1.147; hands about shoulders as they were; the trunk is turned as it was."""
     spec = mujoco.MjSpec.from_string(models.figure_text("human"))
@@ -348,41 +300,6 @@ def test_bones_of_other_lengths_bring_hands_and_feet_to_scaled_places_and_the_fe
             data.site_xpos[[model.site(f"{s}_{p}").id for s in ("left", "right") for p in ("heel", "toe")], 2].min()
         )
     assert abs(np.percentile(lowest, 2)) < 0.002
-
-
-NAMES = {
-    "CMU": "Hips -1,LHipJoint 0,LeftUpLeg 1,LeftLeg 2,LeftFoot 3,LeftToeBase 4,RHipJoint 0,RightUpLeg 6,RightLeg 7,"
-    "RightFoot 8,LowerBack 0,Spine 10,Spine1 11,Neck 12,Head 13,LeftShoulder 12,LeftArm 15,LeftForeArm 16,LeftHand 17,"
-    "LThumb 18,RightShoulder 12,RightArm 20,RightForeArm 21,RightHand 22",
-    "CMU's ASF": "root -1,lhipjoint 0,lfemur 1,ltibia 2,lfoot 3,ltoes 4,rhipjoint 0,rfemur 6,rtibia 7,rfoot 8,"
-    "lowerback 0,upperback 10,thorax 11,lowerneck 12,head 13,lclavicle 12,lhumerus 15,lradius 16,lwrist 17,lfingers 18,"
-    "rclavicle 12,rhumerus 20,rradius 21,rwrist 22",
-    "ankles": "Hips -1,LeftHip 0,LeftKnee 1,LeftAnkle 2,RightHip 0,RightKnee 4,RightAnkle 5,Chest 0,Neck 7,Head 8,"
-    "LeftCollar 7,LeftShoulder 10,LeftElbow 11,LeftWrist 12,RightCollar 7,RightShoulder 14,RightElbow 15,RightWrist 16",
-    "Unreal": "pelvis -1,thigh_l 0,calf_l 1,foot_l 2,ball_l 3,thigh_r 0,calf_r 5,foot_r 6,spine_01 0,spine_02 8,"
-    "clavicle_l 9,upperarm_l 10,lowerarm_l 11,hand_l 12,clavicle_r 9,upperarm_r 14,lowerarm_r 15,hand_r 16,neck_01 9,"
-    "head 18",
-    "Poser": "hip -1,abdomen 0,chest 1,neck 2,head 3,lCollar 2,lShldr 5,lForeArm 6,lHand 7,rCollar 2,rShldr 9,"
-    "rForeArm 10,rHand 11,lThigh 0,lShin 13,lFoot 14,rThigh 0,rShin 16,rFoot 17",
-    "ours, short": "pelvis -1,chest 0,uarm_l 1,farm_l 2,uarm_r 1,farm_r 4,thigh_l 0,shin_l 6,foot_l 7,thigh_r 0,"
-    "shin_r 9,foot_r 10",
-}
-LIMBS = {
-    "CMU": (2, 3, 4, 16, 17, 0, 12), "CMU's ASF": (2, 3, 4, 16, 17, 0, 12), "ankles": (1, 2, 3, 11, 12, 0, 7),
-    "Unreal": (1, 2, 3, 11, 12, 0, 9), "Poser": (13, 14, 15, 6, 7, 0, 2), "ours, short": (6, 7, 8, 2, 3, 0, 1),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("maker", NAMES)
-def test_parts_are_known_by_the_names_of_many_makers(maker):
-    names, parents = zip(*(entry.split() for entry in NAMES[maker].split(",")), strict=True)
-    found = roles(names, [int(parent) for parent in parents])
-    parts = ("left_thigh", "left_shin", "left_foot", "left_upper_arm", "left_forearm", "pelvis", "chest")
-    assert {part: names[found[part]] for part in parts} == dict(
-        zip(parts, (names[i] for i in LIMBS[maker]), strict=True)
-    )
-    prefixed = roles([f"mixamorig:{name}" for name in names], [int(parent) for parent in parents])
-    assert prefixed == found
 
 
 @pytest.mark.parametrize("before", [True, False])

@@ -9,7 +9,6 @@ from dynsplines.exchange.skeleton import bvh_file
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 
 CHANNELS = "CHANNELS 3 Zrotation Xrotation Yrotation"
-JOINTS = ("LeftUpLeg", "LeftLeg", "RightUpLeg", "RightLeg", "LeftHandThumb1")
 
 
 def text(rows, declared=None, end="\n"):
@@ -47,13 +46,15 @@ def lenient(path, content):
 )
 def test_complete_frames_of_a_cut_file_are_used(content, count, note, tmp_path):
     skeleton = lenient(tmp_path / "cut.bvh", content)
+    with pytest.raises(UserError, match=r"cut\.bvh: line \d+: .*`dynsplines clean` uses"):
+        bvh_file.read(tmp_path / "cut.bvh")
     assert len(skeleton.values) == count
     expected = [[float(word) for word in row.split()] for row in rows()[:count]]
     np.testing.assert_allclose(skeleton.values, expected)
     assert any(note in each for each in CapturedSkeleton.of(skeleton, 0.01).notes), skeleton.notes
 
 
-@pytest.mark.parametrize("word", ["nan", "-nan(ind)", "1.#QNAN", "inf", "null"])
+@pytest.mark.parametrize("word", ["nan", "1.#QNAN", "null"])
 def test_a_joint_without_numbers_that_no_part_of_the_body_needs_stays_at_rest(word, tmp_path):
     without = [" ".join([*row.split()[:-3], word, word, word]) for row in rows()]
     skeleton = lenient(tmp_path / "nan.bvh", text(without))
@@ -90,21 +91,6 @@ def test_a_line_of_another_width_in_the_middle_is_refused(tmp_path):
 def test_names_in_shift_jis_are_read(tmp_path):
     (tmp_path / "a.bvh").write_bytes(text(rows()).replace("LeftUpLeg", "左足").encode("cp932"))
     assert "左足" in bvh_file.read(tmp_path / "a.bvh")[0].names
-
-
-@pytest.mark.parametrize(
-    "content",
-    [
-        text(rows(), declared=5),
-        text([*rows()[:-1], "0.7 80 14 7"], end=""),
-        text([*rows()[:-1], "0.7 80 14 -"], end=""),
-        text(rows(), declared=12),
-    ],
-)
-def test_the_error_of_a_file_cut_short_names_the_command_that_reads_it(content, tmp_path):
-    (tmp_path / "a.bvh").write_text(content)
-    with pytest.raises(UserError, match=r"a\.bvh: line \d+: .*`dynsplines clean` uses"):
-        bvh_file.read(tmp_path / "a.bvh")
 
 
 def test_a_file_cut_to_one_frame_is_refused(tmp_path):

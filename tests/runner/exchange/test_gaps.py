@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import shipped
 
-from dynsplines import UserError, load_motion
-from dynsplines.clean import command
+from dynsplines import UserError
 from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.motion_import import import_recording, read_recording
 from dynsplines.system.progress import Progress
@@ -67,28 +66,3 @@ def test_a_file_of_nothing_else_is_refused_all_the_same(folder: Path, tmp_path: 
     np.savez(tmp_path / "none.qpos.npz", **arrays)
     with gaps.allowed(), pytest.raises(UserError, match="'qpos': an entry is not a finite number"):
         read_recording(tmp_path / "none.qpos.npz")
-
-
-@pytest.mark.parametrize("index", [0, 5])
-def test_the_sample_before_stands_in_or_the_first_good_one(index: int) -> None:
-    array = np.arange(12.0).reshape(6, 2)
-    array[index, 1] = np.nan
-    found = gaps.Gaps()
-    bridged = found.bridged(array)
-    assert bridged is not None
-    np.testing.assert_array_equal(bridged[index], array[1 if index == 0 else 4])
-    assert found.missing is not None
-    assert np.flatnonzero(found.missing).tolist() == [index]
-    assert found.bridged(np.full((4, 2), np.nan)) is None
-    assert found.bridged(array[:3]) is None
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("ending", ["bvh", "csv"])
-def test_clean_bridges_them(folder: Path, tmp_path: Path, ending: str) -> None:
-    target = command.run(
-        command.Source(folder / f"torn.{ending}", "human"), tmp_path / "clean.npz", progress=Progress()
-    )
-    whole = read_recording(folder / "whole.bvh", figure="human")
-    found = load_motion(target)
-    assert abs(found.duration - (whole.time[-1] - whole.time[0])) < 1e-6

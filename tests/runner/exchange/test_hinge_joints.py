@@ -53,16 +53,6 @@ def test_joints_carry_the_names_of_the_balls_and_their_axes_in_order(take):
     np.testing.assert_array_equal(model.jnt_axis[1:4], [[1, 0, 0], [0, 0, 1], [0, 1, 0]])
 
 
-@pytest.mark.slow
-def test_velocities_are_the_differences_of_neighbouring_samples(take):
-    fine = SampledTrajectory.of(take.saved, 5000.0).hinged
-    ahead = np.zeros(fine.model.nv)
-    mujoco.mj_differentiatePos(fine.model, ahead, 2 / 5000, fine.qpos[2000], fine.qpos[2002])
-    # over the step the root turns: differentiatePos speaks in its first axes, the middle sample in its own
-    np.testing.assert_allclose(ahead[6:], fine.qvel[2001, 6:], atol=1e-4)
-    np.testing.assert_allclose(ahead[:3], fine.qvel[2001, :3], atol=1e-4)
-
-
 @pytest.mark.parametrize("order", ORDERS)
 def test_angles_of_every_order_are_intrinsic_rotations_in_it(order, rng):
     q = rng.normal(size=(40, 2, 4))
@@ -86,14 +76,6 @@ def test_angles_continue_through_the_lock_and_beyond_whole_turns(order):
     )
     np.testing.assert_allclose(rates(smooth[100], spin * 200, order), [8, np.pi, -9], rtol=2e-3)
     assert np.all(np.isfinite(rates(smooth[200], np.array([5.0, 6, 7]), order)))
-
-
-def test_configurations_come_back(take):
-    layout = take.hinged.layout
-    back = layout.back(take.hinged.qpos)
-    np.testing.assert_array_equal(back[:, :7], take.qpos[:, :7])
-    signs = np.abs(np.sum((back * take.qpos)[:, 7:].reshape(len(back), -1, 4), axis=-1))
-    np.testing.assert_allclose(signs, 1, atol=1e-12)
 
 
 def test_a_joint_near_the_lock_is_reported_and_one_far_off_is_not():

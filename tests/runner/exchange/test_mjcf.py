@@ -6,7 +6,6 @@ import pytest
 import tiny
 import wild
 
-from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import import_recording
@@ -27,18 +26,6 @@ def test_mujoco_reads_every_key_to_the_last_digit(human, tmp_path):
     for name in ("body_pos", "body_mass", "geom_size", "site_pos", "jnt_range"):
         np.testing.assert_array_equal(getattr(model, name), getattr(human.figure.model, name))
     wild.same_poses(model, before.qpos, model.key_qpos)
-
-
-@pytest.mark.slow
-def test_the_keys_come_back_as_a_motion_and_as_a_clip(human, tmp_path):
-    target = formats.export(human, "mjcf", tmp_path / "out.keys.xml")
-    before = wild.samples(human)
-    for back in (import_recording(target), import_recording(target, figure="human")):
-        after = wild.samples(back)
-        np.testing.assert_array_equal(after.time, before.time)
-        wild.same_poses(back.figure.model, before.qpos, after.qpos)
-    found = clip.load(str(target))
-    np.testing.assert_array_equal([key.time for key in found.keys], before.time)
 
 
 def test_keys_of_others_are_read_with_their_figure_and_faults_are_reported(tmp_path):

@@ -6,6 +6,8 @@ import mujoco
 import numpy as np
 import pytest
 import wild
+from inverse_oracle import oracle
+from random_robots import motion_of
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
@@ -56,13 +58,6 @@ def test_columns_have_names_and_units_and_the_table_is_read_as_before(walk, tabl
 
 
 @pytest.mark.slow
-def test_velocities_are_mujocos(walk, table):
-    at, columns = wild.samples(walk), table[1]
-    np.testing.assert_allclose(vector(columns, "root.v", "m/s"), at.qvel[:, :3], atol=1e-12)
-    np.testing.assert_allclose(vector(columns, "spine.w", "rad/s"), at.qvel[:, 6:9], atol=1e-12)
-
-
-@pytest.mark.slow
 def test_feet_and_what_is_left_make_up_the_wrench_about_the_centre_of_mass(table):
     columns = table[1]
     force, moment = vector(columns, "unsupplied.f", "N"), vector(columns, "unsupplied.m", "N m")
@@ -99,16 +94,6 @@ def test_torques_are_inverse_dynamics_under_the_grounds_forces(walk, table):
     assert np.abs(vector(columns, "left_ankle.t", "N m")).max() > 20  # a foot that nothing pushes needs less than 1
 
 
-@pytest.mark.slow
-def test_the_ground_carries_a_figure_that_stands():
-    take = SampledTrajectory.of(unsolved("sit_down"))
-    forces = Forces.of(take)
-    assert forces.wrench is not None and forces.support is not None
-    up = sum(foot.force[2, 0] for foot in forces.feet)
-    assert up == pytest.approx(forces.wrench.force[2, 0], rel=0.01)
-    assert up == pytest.approx(forces.support.unit, rel=0.2)
-
-
 def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
     """A figure that stands for 0.3 s, and is elsewhere after a second: nobody says how it got there."""
     text = 'figure = "human"\n'
@@ -143,6 +128,43 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
         quantities.table(SampledTrajectory.of(saved), ("wrench",))
     with pytest.raises(UserError, match="no stance is known"):
         quantities.table(SampledTrajectory.of(saved), ("ground",))
+
+
+ARM = """
+<mujoco>
+  <compiler angle="degree"/>
+  <option density="300" viscosity=".6" wind="1 -2 .5" gravity="1.2345678 -3 -4.5"/>
+  <default>
+    <joint stiffness="40" springref="25" damping="3" frictionloss="2" armature=".2" actuatorgravcomp="true"/>
+  </default>
+  <worldbody>
+    <site name="hook" pos=".3 .1 1.2"/>
+    <body name="upper" pos="0 0 1" gravcomp=".7"><joint name="shoulder" axis="0 1 0" range="-40 40"/>
+      <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.4" mass="1.23456789"/>
+      <body name="fore" pos="0 0 -.4" gravcomp=".7"><joint name="elbow" axis=".1 1 0"/>
+        <geom type="capsule" size=".025" fromto="0 0 0 0 0 -.3" mass=".7"/><site name="hand" pos="0 0 -.3"/></body>
+    </body>
+  </worldbody>
+  <tendon>
+    <spatial stiffness="90" springlength=".2" damping="5" frictionloss="3"><site site="hook"/>
+      <site site="hand"/></spatial>
+    <fixed stiffness="90" damping="5"><joint joint="shoulder" coef=".7"/><joint joint="elbow" coef="-1.1"/></fixed>
+  </tendon>
+</mujoco>
+"""
+
+
+def test_torques_include_every_passive_force_of_the_users_own_file_and_large_ones_of_limits_are_reported(tmp_path):
+    path, lines, options = tmp_path / "arm.xml", [], ExportOptions(columns=("torques",))
+    path.write_text(ARM)
+    saved = motion_of(path, 3)
+    expected = oracle(mujoco.MjModel.from_xml_path(str(path)), wild.samples(saved))
+    columns = quantities.table(SampledTrajectory.of(saved), ("torques",))
+    torques = np.array([columns["shoulder.t [N m]"], columns["elbow.t [N m]"]]).T
+    np.testing.assert_allclose(torques, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
+    beyond = wild.through(str(path), 0.3 * np.arange(3), np.radians([[0, 0], [60, 10], [0, 0]]))
+    formats.export(beyond, "csv", tmp_path / "a.csv", options=options, tell=lines.append)
+    assert any("forces of joint limits" in line and "N m at shoulder" in line for line in lines)
 
 
 def test_groups_are_named_with_commas():

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import mujoco
 import numpy as np
 import pytest
@@ -69,14 +67,3 @@ def test_a_planar_root_refuses_what_it_cannot_follow() -> None:
     pitch = Rotation.from_euler("Y", np.linspace(0, 1, T)[:, None]).as_quat(scalar_first=True)
     qpos = configurations(model, "gmr", "f", position * [1, 0, 1], pitch, hinges)
     assert qpos[:, 2] == pytest.approx(np.linspace(0, 1, T), abs=1e-6)
-
-
-def test_a_table_without_heading_is_read_for_the_robot_next_to_objects(tmp_path: Path) -> None:
-    from dynsplines.exchange.format import mjlab_csv
-
-    position, rotation, hinges = recorded()
-    np.savetxt(tmp_path / "w.csv", np.hstack([position, np.roll(rotation, -1, axis=1), hinges]), delimiter=",")
-    model = mujoco.MjModel.from_xml_string(scene(CART, biped()))
-    found = mjlab_csv.read(tmp_path / "w.csv", model, 50.0)
-    expected = configurations(model, "mjlab-csv", "f", position, rotation, hinges)
-    np.testing.assert_allclose(np.abs(found.qpos), np.abs(expected), atol=1e-9)

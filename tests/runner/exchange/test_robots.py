@@ -74,22 +74,6 @@ def test_mjlab_holds_what_mujoco_makes_of_the_motion(human, tmp_path):
 
 
 @pytest.mark.slow
-def test_mjlab_comes_back_and_so_do_files_without_names_or_in_another_order(human, robot, tmp_path):
-    target, _ = exported(human, "mjlab", tmp_path)
-    came_back(human, target)
-    entries = dict(np.load(target))
-    nameless = {name: array for name, array in entries.items() if not name.endswith("names")}
-    motion.write_arrays(tmp_path / "theirs.npz", nameless | {"fps": np.array([50])})
-    came_back(human, tmp_path / "theirs.npz")
-    order = np.random.default_rng(1).permutation(len(entries["joint_names"]))
-    mixed = {"joint_names": entries["joint_names"][order], "joint_pos": entries["joint_pos"][:, order]}
-    motion.write_arrays(tmp_path / "mixed.npz", entries | mixed)
-    came_back(human, tmp_path / "mixed.npz")
-    target, _ = exported(robot, "mjlab", tmp_path)
-    assert list(np.load(target)["joint_names"]) == JOINTS
-
-
-@pytest.mark.slow
 def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, tmp_path):
     target, notes = exported(human, "mjlab-csv", tmp_path)
     table, model, before = np.loadtxt(target, delimiter=","), hinge_model(target), wild.samples(human)
@@ -179,18 +163,13 @@ def test_plain_arrays_bring_motion_and_figure(human, tmp_path):
         np.testing.assert_array_equal(file[name], getattr(before, name))
     model = mujoco.MjModel.from_xml_string(str(file["mjcf"]))
     assert [model.joint(i).name for i in range(model.njnt)] == list(file["joint_names"])
-    wild.same_poses(model, before.qpos, file["qpos"])
-    back = import_recording(target)
-    np.testing.assert_array_equal(wild.samples(back).time, before.time)
     came_back(human, target, None)
-    np.savez(tmp_path / "bare.npz", qpos=before.qpos, fps=50)
-    came_back(human, tmp_path / "bare.npz")
-    np.savez(tmp_path / "barest.npz", qpos=before.qpos)
-    came_back(human, tmp_path / "barest.npz", fps=50.0)
+    np.savez(tmp_path / "bare.npz", qpos=before.qpos)
+    came_back(human, tmp_path / "bare.npz", fps=50.0)
     with pytest.raises(UserError, match="neither 'time' nor 'fps'"):
-        import_recording(tmp_path / "barest.npz", figure="human")
+        import_recording(tmp_path / "bare.npz", figure="human")
     with pytest.raises(UserError, match="no 'mjcf', the figure; name the figure: --figure"):
-        import_recording(tmp_path / "bare.npz")
+        import_recording(tmp_path / "bare.npz", fps=50.0)
 
 
 BAD = {

@@ -155,10 +155,12 @@ def test_degrees_are_read_where_ranges_leave_no_doubt(tmp_path):
         ("1,5;2,5\n1,5;x\n", "row 2 does not hold 2 numbers, separated by semicolons, with decimal commas"),
         ("a,b\n1,2,3\n1,2,3\n", "2 names for 3 columns, separated by commas"),
         ("1|2|3\n4|5|6\n", "whose cells commas, semicolons, tabs or spaces separate"),
+        (b"time,x\n\xff\xfe1", "not a table of text"),
+        ("1,2,3\n4,5,6\n", "3 columns without a heading; the figure's qpos has 14"),
     ],
 )
 def test_tables_that_cannot_be_read_are_refused_in_one_line(text, message, tmp_path):
-    (tmp_path / "a.csv").write_text(text)
+    (tmp_path / "a.csv").write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(UserError, match=message) as error:
         read(tmp_path / "a.csv", 50.0)
     assert "\n" not in str(error.value)

@@ -7,22 +7,17 @@ import numpy as np
 import puppet
 import pytest
 
-from dynsplines import solving
-from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.trajectory import SampledTrajectory
-from dynsplines.system.progress import Progress
 
 Usd, UsdGeom = (pytest.importorskip(f"pxr.{name}") for name in ("Usd", "UsdGeom"))
 
 
-@pytest.fixture(scope="module", params=["puppet", "hand_on_rail"])
-def take(request):
-    if request.param == "puppet":
-        return SampledTrajectory.of(puppet.moved(name="2 puppets"), 48.0)
-    return SampledTrajectory.of(solving.unsolved(clip.load(request.param)).saved(Progress(), with_report=False), 25.0)
+@pytest.fixture(scope="module")
+def take():
+    return SampledTrajectory.of(puppet.moved(name="2 puppets"), 48.0)
 
 
 @pytest.fixture(scope="module", params=["usda", "usdc"])

@@ -5,6 +5,7 @@ import re
 import mujoco
 import numpy as np
 import pytest
+import wild
 from simulated import clip_file, exported, played
 
 from dynsplines import inbetween, load, load_motion
@@ -36,16 +37,12 @@ DEFAULTS = {
     "motors": '<motor ctrllimited="true" ctrlrange="-.3 .3" gear="40"/>',
     "positions": '<position kp="7" kv="3" ctrlrange="-.1 .1" forcerange="-1 1" inheritrange="0"/>',
     "inherited ranges": '<position inheritrange=".5"/>',
-    "dampratio": '<position dampratio="1.5" timeconst=".3"/>',
     "general": """<general dyntype="filterexact" gaintype="affine" biastype="affine" dynprm=".2" gainprm="3 1 1"
         biasprm="5 5 5" actlimited="true" actrange="-.1 .1" forcelimited="true" forcerange="-.5 .5" group="4"
         actdim="1"/>""",
-    "muscles": '<muscle ctrllimited="true" ctrlrange="0 1" force="300"/>',
-    "velocities": '<velocity kv="50" gear="3" forcerange="-2 2"/>',
     "nested": """<motor gear="9"/><default class="limb"><position ctrlrange="-.1 .1" gear="5"/>
         <default class="simulate_position"><general ctrlrange="0 1" gear="2"/></default></default>""",
     "limits of joints": '<joint actuatorfrcrange="-3 3" actuatorfrclimited="true"/>',
-    "adhesion": '<adhesion gain="4" ctrlrange="0 1"/>',
 }
 OPTIONS = {  # each of which alone lets the figure fall
     "all but constraints": {
@@ -99,9 +96,17 @@ def solved(path, folder, middle=SQUAT, lasts=1.0):
     return inbetween(load(clip_file(folder, path, *keyframes)))
 
 
-def squatting(folder, **changes):
+@pytest.fixture(scope="module")
+def squat(tmp_path_factory):
+    """Times and poses of a squat of a plain biped."""
+    folder = tmp_path_factory.mktemp("squat")
+    samples = wild.samples(solved(biped(folder), folder).saved, 30.0)
+    return samples.time, samples.qpos
+
+
+def squatting(folder, squat, **changes):
     """The scene of a squat of a biped, and the notes of its export."""
-    return exported(solved(biped(folder, **changes), folder).saved, folder)
+    return exported(wild.through(str(biped(folder, **changes)), *squat), folder)
 
 
 def assert_follows(model):
@@ -128,19 +133,19 @@ def assert_plain(model):
 
 
 @pytest.mark.parametrize("name", DEFAULTS)
-def test_no_default_of_the_models_actuators_is_inherited(name, tmp_path):
+def test_no_default_of_the_models_actuators_is_inherited(name, squat, tmp_path):
     nested = {"child": 'childclass="limb"'} if name == "nested" else {}
     rest = OWN if name in ("motors", "nested") else ""
-    model, lines = squatting(tmp_path, default=DEFAULTS[name], rest=rest, **nested)
+    model, lines = squatting(tmp_path, squat, default=DEFAULTS[name], rest=rest, **nested)
     assert_plain(model)
     assert_follows(model)
-    assert (model.nkey, model.na, model.nsensor, model.ntuple) == (31, 0, int(bool(rest)), 0)
+    assert (model.nkey, model.na, model.nsensor, model.ntuple) == (51, 0, int(bool(rest)), 0)
     assert any("stays within" in line for line in lines)
 
 
 @pytest.mark.parametrize("name", [*OPTIONS, *SILENT, *NOTED])
-def test_options_of_the_model_do_not_let_the_figure_fall(name, tmp_path):
-    model, lines = squatting(tmp_path, **(OPTIONS | SILENT | NOTED)[name])
+def test_options_of_the_model_do_not_let_the_figure_fall(name, squat, tmp_path):
+    model, lines = squatting(tmp_path, squat, **(OPTIONS | SILENT | NOTED)[name])
     assert_follows(model)
     assert any("overrides options" in line for line in lines) == (name in OPTIONS)
     assert any("coefficient of friction" in line or "collide" in line for line in lines) == (name in NOTED)
@@ -154,8 +159,8 @@ def test_a_tiny_time_step_is_replaced(tmp_path):
     assert any("overrides options" in line and "timestep 1e-06 s" in line for line in lines)
 
 
-def test_gravity_that_the_model_turns_off_stays_off(tmp_path):
-    model, lines = squatting(tmp_path, flags='<flag gravity="disable"/>')
+def test_gravity_that_the_model_turns_off_stays_off(squat, tmp_path):
+    model, lines = squatting(tmp_path, squat, flags='<flag gravity="disable"/>')
     assert model.opt.disableflags == int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
     assert not any("overrides" in line for line in lines)
 

@@ -93,13 +93,6 @@ def test_siblings_that_only_the_motion_puts_in_each_other_still_collide(tmp_path
     assert "'left' and 'right'" in line and "cm in each other at 0." in line
 
 
-def test_what_a_free_joint_and_slides_are_off_is_a_length(tmp_path):
-    simulation, tracking, _ = simulated(tmp_path, BOX.format(z=0.1), [posed(0.1, 0), posed(0.1, 0.3)])
-    kinds = np.isfinite(tracking.length).all(axis=0).tolist()
-    assert kinds == [True] * 3 + [False] * 4
-    assert mujoco.MjData(simulation.model).ctrl.size == 1
-
-
 def test_the_base_of_an_arm_collides_as_the_model_has_it(tmp_path):
     """The base is around the first link, which its geoms are not to meet; a table that nothing hangs on is solid."""
     text = """<mujoco><worldbody><body name="base" pos="0 0 1"><geom size=".2" contype="2" conaffinity="4"/>

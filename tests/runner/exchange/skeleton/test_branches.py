@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 
 import mujoco
+import numpy as np
 import pytest
 from android import ANDROID
 
 from dynsplines.exchange.skeleton import branches, hierarchy
+from dynsplines.exchange.skeleton.limbs import Limb, bend
 
 BODIES = re.findall(r'body name="(\w+)"', ANDROID)
 
@@ -84,3 +86,15 @@ def test_what_stands_on_four_legs_has_no_limbs_of_a_person():
     text = f'<mujoco><worldbody><body><freejoint/><geom size=".1"/>{legs}</body></worldbody></mujoco>'
     assert found(text) == {}
     assert found('<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>') == {}
+
+
+def test_an_arm_that_is_welded_on_stays_as_it_is():
+    welded = mujoco.MjModel.from_xml_string(
+        """<mujoco><worldbody><body name="trunk"><freejoint/><geom size=".1"/><body name="upper" pos="0 .1 .2">
+        <geom size=".02"/><body name="hand" pos="0 0 -.3"><geom size=".02"/></body></body></body>
+        </worldbody></mujoco>"""
+    )
+    qpos = np.tile(welded.qpos0, (4, 1))
+    chain = [welded.body(name).id for name in ("upper", "hand")]
+    limb = Limb(chain, np.tile([0.1, 0, 0], (4, 1)), {chain[-1]: np.tile([0, 1.0, 0, 0], (4, 1))})
+    np.testing.assert_array_equal(bend(welded, qpos, limb, qpos[:, 3:7]), qpos)

@@ -48,6 +48,12 @@ MAKERS = {
             ("clavicle", "humerus", "radius", "wrist", "femur", "tibia", "foot", "toes")),
     "iClone": ("CC_Base_Hip CC_Base_Spine02 CC_Base_NeckTwist01 CC_Base_Head", "CC_Base_{S}_{part}",
                ("Clavicle", "Upperarm", "Forearm", "Hand", "Thigh", "Calf", "Foot", "ToeBase")),
+    "Unreal": ("pelvis spine_02 head", "{part}_{s}",
+               ("clavicle", "upperarm", "lowerarm", "hand", "thigh", "calf", "foot", "ball")),
+    "Poser": ("hip chest neck head", "{s}{part}",
+              ("Collar", "Shldr", "ForeArm", "Hand", "Thigh", "Shin", "Foot", "Toe")),
+    "ours, short": ("pelvis chest head", "{part}_{s}",
+                    ("clavicle", "uarm", "farm", "hand", "thigh", "shin", "foot", "toe")),
     "Maya": ("root_jnt chest_jnt head_jnt", "{part}_{S}_jnt",
              ("clavicle", "shoulder", "elbow", "wrist", "hip", "knee", "ankle", "ball")),
 }  # fmt: skip

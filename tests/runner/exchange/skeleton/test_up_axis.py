@@ -59,7 +59,7 @@ def person(turn):
 @pytest.fixture(scope="module")
 def walk(tmp_path_factory):
     moved = solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
-    skeleton, _ = read(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh"))
+    skeleton, _ = read(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh", fps=15))
     return CapturedSkeleton.of(skeleton, 0.01)
 
 
@@ -75,7 +75,7 @@ def places(model, qpos):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("axis", "degrees", "up"),
-    [("x", 90, "-y"), ("x", -90, "y"), ("y", 90, "x"), ("xyz", (90, 90, 0), "?"), ("x", 180, "-z"), ("z", 90, "")],
+    [("x", -90, "y"), ("xyz", (90, 90, 0), "?"), ("z", 90, "")],
 )
 def test_a_figure_built_in_other_axes_moves_as_the_one_that_stands(axis, degrees, up, walk):
     standing, other = person(Rotation.identity()), person(Rotation.from_euler(axis, degrees, degrees=True))

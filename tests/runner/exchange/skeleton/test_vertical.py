@@ -30,7 +30,7 @@ UPS = {  # how a file whose y is up is turned
 def walk():
     """A person's walk in BVH's axes."""
     return bvh.skeleton(
-        SampledTrajectory.of(solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False))
+        SampledTrajectory.of(solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False), 15.0)
     )
 
 
@@ -47,15 +47,21 @@ def on_human(skeleton):
     return np.linalg.norm(place[:, :, None] - place[:, None], axis=-1), place[..., 2], captured.notes
 
 
-@pytest.mark.parametrize("up", UPS)
-@pytest.mark.parametrize("what", ["world and rest", "world", "rest"])
-def test_a_walk_is_the_same_in_any_axes(walk, up, what):
-    world, rest = ("world" in what) * 1, ("rest" in what) * 1
-    near, height, _ = on_human(walk)
+@pytest.mark.parametrize(
+    ("up", "world", "rest"),
+    [("z", True, True), ("x", True, False), ("-y", True, True), ("-z", True, False), ("-x", False, True)],
+)
+def test_a_walk_is_the_same_in_any_axes(walk, plain, up, world, rest):
+    near, height, _ = plain
     found = on_human(turned(walk, UPS[up] if world else NONE, UPS[up] if rest else NONE))
     assert found[0] == pytest.approx(near, abs=1e-6)
     assert found[1] == pytest.approx(height, abs=1e-6)
-    assert any(note.startswith(f"{up} is up in the file") for note in found[2]) == bool(world)
+    assert any(note.startswith(f"{up} is up in the file") for note in found[2]) == world
+
+
+@pytest.fixture(scope="module")
+def plain(walk):
+    return on_human(walk)
 
 
 def motion(direction, travel):
@@ -75,13 +81,6 @@ def test_a_person_that_lies_down_for_most_of_the_time_does_not_turn_the_world():
 def test_a_person_that_swims_on_the_floor_leaves_the_usual_axis_up():
     """Level along y, while the feet go along z with the body."""
     assert vertical(motion([0, 0, 1], [0, 0, 2]), ROLES, "y")[0] == "y"
-
-
-def test_a_handstand_on_a_floor_is_not_turned():
-    """Hands stay at one height, feet kick."""
-    kick = np.zeros((20, 3, 3))
-    kick[:, 2, 1] = 0.3 * np.sin(np.arange(20))
-    assert vertical(motion([0, -1, 0], [0, 0, 1]) + kick, ROLES, "y")[0] == "y"
 
 
 def test_without_known_parts_the_usual_axis_is_up():
