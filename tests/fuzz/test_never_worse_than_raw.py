@@ -32,7 +32,7 @@ from dynsplines.system.progress import Progress
 
 CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)
-SHORT = 3
+SHORT = 2
 BRIEF = (1, 2, 5, 20)  # evaluations of the short run
 COUNT = int(os.environ.get("DYNSPLINES_FUZZ", SHORT))
 FINER = 7  # parts of the spans of both splines: another grid than the search's own
