@@ -163,7 +163,7 @@ def test_torques_include_every_passive_force_of_the_users_own_file_and_large_one
     torques = np.array([columns["shoulder.t [N m]"], columns["elbow.t [N m]"]]).T
     np.testing.assert_allclose(torques, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
     beyond = wild.through(str(path), 0.3 * np.arange(3), np.radians([[0, 0], [60, 10], [0, 0]]))
-    formats.export(beyond, "csv", tmp_path / "a.csv", options=options, tell=lines.append)
+    formats.export(beyond, "csv", tmp_path / "a.csv", options=options, report=lines.append)
     assert any("forces of joint limits" in line and "N m at shoulder" in line for line in lines)
 
 
