@@ -88,25 +88,6 @@ def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_r
         assert distance_from_key(figure, state, key) < 1e-11
 
 
-@pytest.mark.parametrize(("method", "call"), [("none", 1), ("none", 4), ("lbfgs", 7)])
-def test_ctrl_c_inside_any_evaluation_returns_the_best_motion_so_far(figure, rng, method, call):
-    class Interrupted(CovariantAcceleration):
-        calls = 0
-
-        def evaluate(self, samples, into=None, scale=1.0):
-            if into is not None:
-                Interrupted.calls += 1
-                if Interrupted.calls == call:
-                    raise KeyboardInterrupt
-            return super().evaluate(samples, into, scale)
-
-    penalties = [(Interrupted(), 1.0), *PENALTIES[1:]]
-    motion = inbetween(Problem(figure, partial_keys(figure, rng), penalties, Settings(optimiser=method)))
-    assert motion.stop is Stop.INTERRUPTED
-    assert Interrupted.calls == call
-    assert solved(motion) <= raw(motion) * (1 + 1e-9)
-
-
 @pytest.mark.parametrize("criterion", CRITERIA)
 def test_ctrl_c_while_segments_are_judged_returns_the_best_motion_so_far(rng, monkeypatch, criterion):
     figure = hinged()

@@ -8,7 +8,6 @@ from figures import BALL, TINY, figure_of
 from hopping_loop import PERIOD, hop
 from scipy.spatial.transform import Rotation
 
-from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.loop_keys import SAME, close_loop
@@ -112,21 +111,6 @@ def test_a_turn_of_next_to_nothing_is_none_and_one_of_more_than_half_a_round_is_
         _, seam = close_loop(figure, keys, [0, 0, 0], given)
         np.testing.assert_allclose(seam.headings, [found], atol=1e-12)
         assert seam.turns == (found != 0)
-
-
-def test_a_loop_that_turns_about_a_place_that_is_not_given_is_refused_by_the_name_of_its_root():
-    two = BALL.replace("</worldbody>", '<body name="cup"><freejoint name="cup"/><geom size=".1"/></body></worldbody>')
-    figure = figure_of(two.replace("<freejoint/>", '<freejoint name="ball"/>'))
-    pose = np.array([0, 0, 1, 1, 0, 0, 0, 2, 2, 2, 1, 0, 0, 0.0])
-    about = quat.from_rotation_vector(np.array([0, 0, 0.5]))
-    for first, place, name in ((0, 0, "ball"), (0, 1, "ball"), (7, 7, "cup"), (7, 8, "cup")):
-        known = np.ones(14, bool)
-        known[place] = False
-        last = np.array(pose)
-        last[first + 3 : first + 7] = quat.product(about, pose[first + 3 : first + 7])
-        keys = [Frame.key(0, pose, known), Frame.key(1, last, known)]
-        with pytest.raises(TimelineError, match=f"x and y of '{name}' in its first or its last keyframe"):
-            close_loop(figure, keys, None, None)
 
 
 def test_ends_of_a_loop_may_differ_by_what_rounding_does_and_by_no_more():

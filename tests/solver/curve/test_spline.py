@@ -161,23 +161,3 @@ def test_cost_grows_linearly_with_the_number_of_frames(ends):
     assert many[0] < 10 * 1002
     assert few[1] == 4 * 500
     assert many[1] == 4 * 5000
-
-
-@pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("count", [20, 300])
-def test_the_pieces_of_a_sampling_make_up_the_whole(rng, ends, count):
-    spline = Spline(np.cumsum(rng.uniform(0.5, 1.5, count)), ends)
-    sampling = Sampling.of(spline, np.linspace(spline.times[0], spline.times[-1], 401))
-    rows = rng.normal(size=(spline.size, 3))
-    gradients = [rng.normal(size=(401, 3)) for _ in range(3)]
-    pieces, total = sampling.pieces(100), np.zeros(rows.shape)
-    assert [piece.t.size for piece in pieces] == [80, 80, 80, 80, 81]
-    c = sampling.coefficients(rows)
-    np.testing.assert_allclose(c, spline.coefficients(rows), atol=1e-12)
-    parts = np.concatenate([piece.samples(c) for piece in pieces], axis=1)
-    np.testing.assert_allclose(parts, sampling.samples(rows), atol=1e-12)
-    for piece in pieces:
-        piece.add_pulled_back(total, [g[piece.which] for g in gradients])
-    np.testing.assert_allclose(
-        sampling.coefficients_transposed(total), sampling.pulled_back(gradients), rtol=1e-11, atol=1e-11
-    )

@@ -7,38 +7,8 @@ import pytest
 from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of
 from oracles import placed
 from random_keys import random_qpos
-from random_model import random_figure
 
 from dynsplines.solver.figure.figure import Figure, JointKind, names_of_joints, quaternion_columns
-from dynsplines.solver.figure.kinematics import Samples
-
-
-@pytest.mark.parametrize("coordinates", ["joint", "auto"])
-@pytest.mark.parametrize("seed", range(4))
-def test_points_of_every_body_are_where_mujoco_has_them_and_masses_hang_where_it_has_them(seed, coordinates):
-    figure, rng = random_figure(seed, coordinates)
-    model = figure.model
-    qpos = random_qpos(figure, rng)
-    data, state = placed(model, qpos), figure.to_state(qpos)[None]
-    links = Samples(figure, state, 0 * state, 0 * state).links
-    for body in range(1, model.nbody):
-        points = rng.normal(size=(3, 3))
-        link, positions = figure.point_on_link(body, points)
-        found = links.x[:, link, 0] + positions @ links.rotation[:, :, link, 0].T
-        np.testing.assert_allclose(found, data.xpos[body] + points @ data.xmat[body].reshape(3, 3).T, atol=1e-9)
-    for i, link in enumerate(figure.links[1:], start=1):
-        own = np.flatnonzero(figure.body_link == i)
-        assert link.mass == pytest.approx(model.body_mass[own].sum())
-        if link.mass:
-            centre = links.x[:, i, 0] + links.rotation[:, :, i, 0] @ link.centre
-            np.testing.assert_allclose(centre, model.body_mass[own] @ data.xipos[own] / link.mass, atol=1e-9)
-            inertia = np.zeros((3, 3))
-            for body in own:
-                axes, d = data.ximat[body].reshape(3, 3), data.xipos[body] - centre
-                inertia += axes @ np.diag(model.body_inertia[body]) @ axes.T
-                inertia += model.body_mass[body] * (d @ d * np.eye(3) - np.outer(d, d))
-            turn = links.rotation[:, :, i, 0]
-            np.testing.assert_allclose(turn @ link.inertia @ turn.T, inertia, atol=1e-9)
 
 
 @pytest.mark.parametrize("text", [BALL_TREE, EVERY_JOINT, MIXED, TINY, LEG])

@@ -13,8 +13,9 @@ from scipy.spatial.transform import Rotation
 from site_goal import SiteGoal
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Bend, BendLimits
-from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, PoseSearch, posed
+from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, PoseSearch, entries, posed
 from dynsplines.solver.surface.points import Point, site_points
 
 RANGED = """
@@ -141,3 +142,31 @@ def test_a_pose_out_of_reach_tells_how_many_were_begun_with_and_one_in_reach_non
     seen = placed(figure.model, far.qpos).site("tip").xpos
     assert far.missed[0] == pytest.approx(np.linalg.norm(seen - near - 5.0))
     np.testing.assert_array_equal(far.qpos[:7], home[:7])
+
+
+def searching(figure: Figure, home: Array) -> PoseSearch:
+    goals = (SiteGoal("tip", np.ones(3)), SiteGoal("toe", np.zeros(3)))
+    return PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, None)
+
+
+@pytest.mark.parametrize("count", [0, 2, 7])
+def test_as_many_poses_to_begin_with_as_asked_for_all_inside_the_ranges_and_the_root_where_it_was(count, rng):
+    figure = figure_of(RANGED)
+    home = somewhere(figure.model, rng)
+    search = searching(figure, home)
+    starts = list(search.starts_around(count))
+    assert len(starts) == count
+    for start in starts:
+        np.testing.assert_array_equal(start[:3], home[:3])
+        assert search.ranges.linearised(start)[0][1:].max() <= 1e-9
+    if count > 0:
+        ball = entries(figure, figure.link_named("knee") or 0)
+        np.testing.assert_array_equal(starts[0][ball], figure.model.qpos0[ball])
+        np.testing.assert_array_equal(starts[0][3:7], home[3:7])
+    if count > 1:
+        middle = figure.model.joint("reach").qposadr[0]
+        assert starts[1][middle] == pytest.approx(-0.15)
+    different = {tuple(np.round(start, 9)) for start in starts}
+    assert len(different) == count
+    again = list(searching(figure, home).starts_around(count))
+    np.testing.assert_array_equal(again, starts)  # the same command finds the same pose

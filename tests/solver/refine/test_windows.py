@@ -251,22 +251,6 @@ def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_reported(short, error
     np.testing.assert_array_equal(motion.timeline.rows, told[-1])
 
 
-@pytest.mark.slow
-def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch):
-    keys, opened = long_keys(), Assembly.opened
-
-    def interrupted(self: Assembly, at: Window) -> Timeline:
-        if at.first == windows(SEGMENTS)[0].first:
-            raise KeyboardInterrupt
-        return opened(self, at)
-
-    monkeypatch.setattr(Assembly, "opened", interrupted)
-    motion = inbetween(Problem(FIGURE, keys, penalties(), SETTINGS))
-    assert motion.stop is Stop.INTERRUPTED
-    assert_whole(motion.path, keys)
-    assert fine_value(motion) <= fine_value(motion, path_of(motion.raw)) * (1 + 1e-9)
-
-
 def test_the_segments_integrals_add_up_to_the_objective():
     raw = raw_timeline(FIGURE, long_keys())
     objective = Objective.of(FIGURE, penalties(), quadrature=Quadrature(points=4)).renormalised(path_of(raw))

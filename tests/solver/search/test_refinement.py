@@ -68,12 +68,6 @@ def test_where_nothing_is_left_to_gain_it_takes_a_few_evaluations(problem):
     assert refined.value == pytest.approx(alone.value, rel=1e-5)
 
 
-@pytest.mark.parametrize("budget", [1, 5, 9])
-def test_the_budget_holds(problem, budget):
-    _, refined = rough_and_refined(problem, "lbfgs", 1e-1, max_evaluations=budget)
-    assert refined.evaluations <= budget
-
-
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt, ZeroDivisionError])
 def test_a_stop_or_an_error_in_it_is_the_callers(problem, error):
     rough, refined = rough_and_refined(problem, "lbfgs")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from bends import KNEE, limb, limits
 from figures import BALL_TREE, ONE_BALL
-from hinged import PENALTIES, hinge_keys, hinged
+from hinged import PENALTIES, hinged
 from oracles import by_scipy
 from random_keys import distance_from_key, random_keys
 
@@ -30,7 +30,6 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.search.restart_criteria import (
     COST_RATIO,
     MAX_DEVIATION,
@@ -238,15 +237,6 @@ def test_a_limb_that_began_behind_its_knee_is_out_of_there_by_the_straight_way(s
     assert after.trace[0][2] < 0.1 * after.objective.value(path_of(raw))
     fine = np.linspace(*after.path.span, 2000)
     assert after.objective.value(after.path, fine) < 0.5 * after.objective.value(path_of(after.raw), fine)
-
-
-def test_a_motion_that_is_no_heap_is_searched_once(monkeypatch):
-    figure, asked = hinged(), []
-    keys = [Frame.key(key.time, 0.3 * key.state) for key in hinge_keys()]
-    monkeypatch.setattr(VERB, "straightened", lambda *_: asked.append(True))
-    motion = inbetween(Problem(figure, keys, [(CovariantAcceleration(), 1.0)]))
-    assert motion.stop is Stop.CONVERGED
-    assert not asked
 
 
 def test_a_second_search_that_ends_no_lower_changes_nothing(figure, rng, monkeypatch):

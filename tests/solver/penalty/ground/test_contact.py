@@ -13,7 +13,6 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact, block
-from dynsplines.solver.penalty.ground.contact import neighbours
 from dynsplines.solver.surface import Box, static_surfaces
 from dynsplines.solver.surface.points import Point, body_points
 
@@ -82,20 +81,6 @@ def test_by_way_of_their_links_motions_the_rows_of_many_points_are_what_they_are
     np.testing.assert_array_equal(by_motion.at, one_by_one.at)
     np.testing.assert_array_equal(by_motion.value, one_by_one.value)
     np.testing.assert_allclose(by_motion.rows, one_by_one.rows, atol=1e-9)
-
-
-def test_points_that_one_sphere_stands_for_are_64_at_most_neighbours_across_where_they_spread_farthest(rng):
-    places = rng.normal(size=(3, 200)) * np.array([[1.0], [5.0], [0.2]])
-    some = np.sort(rng.permutation(200)[:150])
-    found = neighbours(places, some)
-    assert [part.size for part in found] == [37, 38, 37, 38]
-    np.testing.assert_array_equal(np.sort(np.concatenate(found)), some)
-    low, high = np.concatenate(found[:2]), np.concatenate(found[2:])
-    assert places[1, low].max() < places[1, high].min()
-    assert [part.size for part in neighbours(places, some[:64])] == [64]
-    assert [part.size for part in neighbours(places, some[:65])] == [32, 33]
-    level = np.zeros((3, 70))
-    assert [part.tolist() for part in neighbours(level, np.arange(70))] == [list(range(35)), list(range(35, 70))]
 
 
 @pytest.mark.parametrize("surface", [FLOOR, BLOCK, STEP], ids=lambda s: s.name)
