@@ -124,13 +124,10 @@ def source_of(body: str) -> tuple[float, np.ndarray, np.ndarray]:
 
 def test_every_figure_compiles_alone_and_is_described_in_one_line() -> None:
     assert {"human", "spinner"} <= set(models.figures())
+    assert "stage" not in models.figures()
     for name, description in models.figures().items():
         assert description and "\n" not in description
         assert mujoco.MjModel.from_xml_string(models.figure_text(name)).nbody > 1
-
-
-def test_the_stage_is_not_a_figure() -> None:
-    assert "stage" not in models.figures()
 
 
 def test_every_clip_that_is_listed_can_be_read() -> None:

@@ -23,8 +23,7 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, residual, tangential
-from dynsplines.solver.refine.subdivision import evenly, midpoints, split
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.refine.subdivision import midpoints
 from dynsplines.solver.solution import Solution
 
 ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
@@ -170,21 +169,6 @@ def test_what_the_weak_form_still_promises_falls_as_the_fourth_power_for_samples
     assert left[0] > 8 * left[1] > 64 * left[2] > 0
 
 
-@pytest.mark.parametrize("variable", [1, 3])
-def test_the_promise_of_one_frame_is_positive_and_within_a_factor_of_what_it_brings(variable: int) -> None:
-    found = motion(1, variable)
-    before = found.objective.value(found.path)
-    candidates = midpoints(found.timeline)[1::5]
-    promises = WeakForm.of(found.objective, found.path).decrements(candidates)
-    for tau, promise in zip(candidates, promises, strict=True):
-        better = optimised(
-            found.objective, split(found.timeline, np.array([tau])), tolerance=1e-13, max_evaluations=600
-        )
-        true = before - found.objective.value(path_of(better))
-        assert promise > 0
-        assert 0.5 * promise <= true <= 10 * promise
-
-
 @pytest.mark.parametrize(("seed", "variable"), [(0, 1), (1, 1), (0, 3)])
 def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(seed: int, variable: int) -> None:
     found = motion(seed, variable)
@@ -204,10 +188,3 @@ def test_the_distance_to_the_local_optimum_shrinks_as_variable_frames_are_added(
     for d in found:
         assert np.all(d.found > -1e-9)
         assert np.all(d.gap >= 0.9 * d.found)
-
-
-def test_a_local_solve_leaves_the_path_alone_where_variable_frames_were_only_inserted() -> None:
-    timeline = motion(0, 7).timeline
-    objective = motion(0, 1).objective
-    same = displacement(objective, evenly(timeline, 0)).distance
-    assert same.sum() < 1e-3

@@ -1,15 +1,11 @@
-"""Figures and points at which rows in closed form are compared with differences."""
+"""A figure of several trees, on which rows are compared with adjoint sweeps."""
 
 from __future__ import annotations
 
 import numpy as np
-from figures import BALL_TREE
 
-from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.array import Array
 
-PLAIN = BALL_TREE.replace(' pos=".01 .02 .03"', "")
 # two figures of their own, a chain that hangs on the world, welded bodies, a link of two balls, and a joint with
 # another two behind it
 WOOD = """
@@ -33,16 +29,8 @@ WOOD = """
 <body name="other" pos="0 2 1"><freejoint name="root2"/><geom type="box" size=".1 .2 .3"/>
   <body name="head" pos="0 0 .3"><joint name="neck" type="ball"/><geom size=".1" pos="0 .02 .1"/></body></body>
 </worldbody></mujoco>"""
-CLOSED = {"ball tree": PLAIN, "wood": WOOD}
 
 
 def assert_near(actual: Array, expected: Array, rtol: float) -> None:
     assert np.abs(expected).max() > 0.1
     np.testing.assert_allclose(actual, expected, rtol=0, atol=rtol * np.abs(expected).max())
-
-
-def random_points(figure: Figure, samples: Samples, rng: np.random.Generator) -> tuple[Index, Index, Array, Array]:
-    """Samples, links, arms (3, P) in the world and directions (3, P) of points on every link, in any order."""
-    link = rng.permutation(np.tile(np.arange(1, len(figure.links)), 3))
-    at = rng.integers(0, samples.count, link.size)
-    return at, link, rng.normal(size=(3, link.size)), rng.normal(size=(3, link.size))

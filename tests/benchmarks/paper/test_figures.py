@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Iterator
 from pathlib import Path
 
 import imageio.v3 as iio
 import mujoco
 import numpy as np
 import pytest
-from matplotlib import pyplot as plt
-from matplotlib.figure import Figure
 from paper.figures import charts, drawing, scenes
 from paper.figures.captioned import captioned
-from paper.figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
+from paper.figures.charts import Deviations, Lengths
 from paper.figures.drawing import FIGURES, Results
 from paper.figures.scenes import Dip, inset, looked_at
 from paper.orientations import PAPER, TENTHS, Case, figure_ten, promised, strong_tenths, weak_tenths
@@ -59,11 +56,6 @@ def lengths(case: Case) -> Lengths:
 
 
 @pytest.fixture(scope="module")
-def deviations(case: Case) -> Deviations:
-    return Deviations.of(case.keys)
-
-
-@pytest.fixture(scope="module")
 def climber() -> Saved:
     return solving.solve(clip.from_text(STEP_UP, name="climber"), quiet()).saved(quiet(), with_report=False)
 
@@ -71,17 +63,6 @@ def climber() -> Saved:
 @pytest.fixture(scope="module")
 def tumbler() -> Saved:
     return solving.solve(clip.load("tumble"), quiet()).saved(quiet(), with_report=False)
-
-
-@pytest.fixture
-def kept(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Figure]]:
-    """Charts as they were when they were drawn."""
-    figures: list[Figure] = []
-    monkeypatch.setattr(charts.plt, "close", figures.append)
-    yield figures
-    monkeypatch.undo()
-    for figure in figures:
-        plt.close(figure)
 
 
 @pytest.fixture
@@ -119,13 +100,6 @@ def test_the_solid_line_is_the_optimum_and_dashed_ones_what_came_before(case, le
     assert away[0] > away[1] > lengths.worst
 
 
-def test_figure_nine_has_the_papers_strokes(case, lengths, kept):
-    draw_lengths(lengths, case.keys)
-    strokes = {line.get_label(): line.get_linestyle() for line in kept[0].axes[0].get_lines()}
-    assert strokes["optimised"] == "-"
-    assert {strokes[name] for name in ("raw spline", "after 1 step", "after 2 steps")} == {"--"}
-
-
 # figure 10
 
 
@@ -153,16 +127,6 @@ def test_tenths_of_the_weak_form_add_up_to_what_all_frames_promise(case):
     # six segments of two spans each: the first tenth is six tenths of the first segment
     first = promised(motion.objective, motion.path)[:2]
     assert tenths[0] == pytest.approx(first[0] + 0.2 * first[1], rel=1e-9)
-
-
-@pytest.mark.slow
-def test_figure_ten_shows_both_forms_of_four_paths_in_the_papers_strokes(deviations, kept):
-    draw_deviations(deviations)
-    left, right = kept[0].axes
-    for axes, curves in ((left, deviations.strong), (right, deviations.weak)):
-        assert [line.get_linestyle() for line in axes.get_lines()] == [":", "--", "-", "-."]
-        for line, name in zip(axes.get_lines(), ("raw", "1", "3", "adaptive 2"), strict=True):
-            np.testing.assert_array_equal(line.get_ydata(), curves[name])
 
 
 @pytest.mark.parametrize(

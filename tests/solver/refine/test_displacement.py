@@ -55,13 +55,3 @@ def test_every_segment_is_compared_with_its_own_optimum_between_places_and_speed
         level = np.interp(t, density.t[i], density.size[i])
         assert found.gap[i] == pytest.approx(w @ (apart * level), rel=1e-3)
         assert 0 < found.found[i] < found.gap[i]
-
-
-def test_less_is_saved_in_few_evaluations_and_to_a_rough_tolerance(shaken):
-    objective, timeline = shaken
-    whole = displacement(objective, timeline)
-    brief = displacement(objective, timeline, max_evaluations=2)
-    rough = displacement(objective, timeline, tolerance=0.5)
-    for found in (brief, rough):
-        assert np.all(found.found <= whole.found * (1 + 1e-6))
-        assert found.found.sum() < whole.found.sum() * (1 - 1e-9)
