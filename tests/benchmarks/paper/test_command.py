@@ -26,9 +26,7 @@ def test_figures_are_listed_one_by_one_and_as_json(run: Command, monkeypatch: py
     assert (done.code, done.out) == (0, "")
     assert "wrote figures/figure_7.png" in done.err
     done = run("--figures", "figures", "--json")
-    assert json.loads(done.out) == [
-        {"figure": 7, "file": "figures/figure_7.png", "caption": "seven orientations"},
-    ]
+    assert json.loads(done.out) == [{"figure": 7, "file": "figures/figure_7.png", "caption": "seven orientations"}]
 
 
 @pytest.mark.parametrize(

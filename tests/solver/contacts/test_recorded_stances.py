@@ -12,14 +12,7 @@ from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
 from dynsplines.solver.contacts.ground_alignment import align_to_ground
 from dynsplines.solver.contacts.point_likelihood import surprisal
-from dynsplines.solver.contacts.recorded_stances import (
-    DEAR,
-    RecordedStance,
-    _cut,
-    infer_stances,
-    unsure,
-    white,
-)
+from dynsplines.solver.contacts.recorded_stances import DEAR, RecordedStance, _cut, infer_stances, unsure, white
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import ORDER, RecordedMotion
 from dynsplines.solver.figure.figure import Figure

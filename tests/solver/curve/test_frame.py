@@ -9,11 +9,7 @@ SLOPE = np.arange(6.0).reshape(2, 3)
 
 
 def three_frames() -> tuple[Frame, ...]:
-    return (
-        Frame.key(0.0, [1, 2, 3]),
-        Frame.key(0.5, [4, 5, 6], [True, False, False]),
-        Frame.variable(1.25, [7, 8, 9]),
-    )
+    return (Frame.key(0.0, [1, 2, 3]), Frame.key(0.5, [4, 5, 6], [True, False, False]), Frame.variable(1.25, [7, 8, 9]))
 
 
 def keys_at(*times: float) -> Timeline:

@@ -5,13 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from figures import TINY, figure_of
-from hopping_loop import (
-    PERIOD,
-    STRIDE,
-    hop,
-    loop,
-    pose,
-)
+from hopping_loop import PERIOD, STRIDE, hop, loop, pose
 from random_keys import mask_without
 
 from dynsplines.solver import quaternion as quat

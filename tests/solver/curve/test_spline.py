@@ -62,9 +62,7 @@ def test_jumps_of_minus_one_make_a_spline_that_comes_back_as_its_negative_smooth
     rows = np.vstack([states, shares.real @ states])
     np.testing.assert_allclose(spline.evaluate(rows, times), states, atol=1e-12)
     twice = CubicSpline(
-        np.concatenate([times, times[1:] + times[-1] - times[0]]),
-        np.vstack([states, -states[1:]]),
-        bc_type="periodic",
+        np.concatenate([times, times[1:] + times[-1] - times[0]]), np.vstack([states, -states[1:]]), bc_type="periodic"
     )
     for order in range(3):
         np.testing.assert_allclose(

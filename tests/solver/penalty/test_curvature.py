@@ -184,8 +184,7 @@ def test_the_sides_rows_are_the_gradients_of_their_values(figure, rng, one_sided
 
 
 @pytest.mark.parametrize(
-    "place",
-    [(0.0, 0.26), (0.0, 0.31), (0.3, 0.2), (0.5, 0.1), (0.0, 0.351), (0.551, 0.1), (0.56, 0.1), (0.57, 0.345)],
+    "place", [(0.0, 0.26), (0.0, 0.31), (0.3, 0.2), (0.5, 0.1), (0.0, 0.351), (0.551, 0.1), (0.56, 0.1), (0.57, 0.345)]
 )
 def test_a_sphere_at_a_step_counts_as_deep_as_its_penalty_specifies_and_not_at_all_outside(place):
     figure = Figure(mujoco.MjModel.from_xml_string(BALL))

@@ -21,17 +21,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty.joints.bend import bent
-from dynsplines.solver.posing import (
-    MET,
-    STARTS,
-    BodyGoal,
-    Goal,
-    GraspGoal,
-    PointGoal,
-    bounds,
-    entries,
-    posed,
-)
+from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, GraspGoal, PointGoal, bounds, entries, posed
 from dynsplines.solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
