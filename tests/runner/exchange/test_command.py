@@ -96,13 +96,6 @@ def test_a_motion_that_is_there_stays_by_default(run, tmp_path):
     assert motion.load(tmp_path / "walk.npz").name == "walk"
 
 
-@pytest.mark.slow
-def test_a_motion_is_called_after_its_file_without_the_formats_whole_ending(run, tmp_path):
-    assert run("export", "wild.npz", "--to", "locomujoco", "-o", "doggo7.loco.npz").code == 0
-    assert "wrote doggo7.npz" in run("import", "doggo7.loco.npz", "--figure", "robot.xml").err.splitlines()
-    assert motion.load(tmp_path / "doggo7.npz").name == "doggo7"
-
-
 def test_the_longest_ending_selects_the_format_and_is_dropped_and_one_that_fits_goes_with_a_formats_name():
     stems = {"in/a.b.mjlab.csv": "a.b", "A.KEYS.XML": "A", "a.b.csv": "a.b", ".csv": ".csv", "a.b.pkl": "a.b", "a": "a"}
     assert {name: formats.stem(Path(name)) for name in stems} == stems

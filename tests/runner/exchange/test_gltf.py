@@ -45,58 +45,6 @@ def accessor(asset, index):
     return np.frombuffer(asset.binary_blob(), kind, found.count * width, start).reshape(-1, width)
 
 
-def matrix(translation, rotation):
-    """4 x 4 by the formula of the specification, scalar last."""
-    x, y, z, w = rotation
-    out = np.eye(4)
-    out[:3, :3] = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ]
-    out[:3, 3] = translation
-    return out
-
-
-def placed(asset, sample):
-    """{name: 4 x 4} of every node in the file's world at a sample."""
-    own = {i: [n.translation or [0, 0, 0], n.rotation or [0, 0, 0, 1]] for i, n in enumerate(asset.nodes)}
-    for channel in asset.animations[0].channels:
-        which = 0 if channel.target.path == "translation" else 1
-        sampler = asset.animations[0].samplers[channel.sampler]
-        own[channel.target.node][which] = accessor(asset, sampler.output)[sample]
-    out = {}
-
-    def walk(index, above):
-        out[asset.nodes[index].name] = above @ matrix(*own[index])
-        for child in asset.nodes[index].children:
-            walk(child, out[asset.nodes[index].name])
-
-    walk(asset.scenes[0].nodes[0], np.eye(4))
-    return out
-
-
-def z_up(point):
-    """The file's world, y up and looking along z, in ours."""
-    return np.array([point[2], point[0], point[1]])
-
-
-@pytest.mark.slow
-def test_bodies_are_where_mujoco_has_them_at_every_time(take, target):
-    asset = pygltflib.GLTF2().load(str(target))
-    names = hierarchy.names(take.model)
-    for sample in (0, len(take.time) // 3, len(take.time) - 1):
-        found = placed(asset, sample)
-        for body in range(1, take.model.nbody):
-            np.testing.assert_allclose(
-                z_up(found[names[body]][:3, 3]), take.bodies.position[sample, body], atol=1e-5, err_msg=names[body]
-            )
-            turn = np.zeros(9)
-            mujoco.mju_quat2Mat(turn, take.bodies.rotation[sample, body])
-            axes = np.roll(found[names[body]][:3, :3], 1, axis=0)
-            np.testing.assert_allclose(axes, turn.reshape(3, 3), atol=1e-5, err_msg=names[body])
-
-
 @pytest.mark.slow
 def test_times_are_shared_exact_and_begin_at_zero(take, target):
     asset = pygltflib.GLTF2().load(str(target))

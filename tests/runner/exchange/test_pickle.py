@@ -13,24 +13,7 @@ import pytest
 from dynsplines.errors import UserError
 from dynsplines.exchange.pickles import plain_pickle
 
-ARRAYS = {
-    "matrix": np.arange(12.0).reshape(3, 4),
-    "columns": np.asfortranarray(np.arange(6.0).reshape(2, 3)),
-    "single": np.float32(2.5),
-    "names": ["pelvis", "chest"],
-    "nothing": None,
-    "counts": np.array([1, 2], np.int64),
-    "texts": np.array(["a", "b"]),
-}
-
-
-@pytest.mark.parametrize("protocol", range(6))
-def test_arrays_numbers_and_texts_are_read_in_every_protocol(protocol, tmp_path):
-    (tmp_path / "a.pkl").write_bytes(pickle.dumps(OrderedDict(ARRAYS), protocol=protocol))
-    found = plain_pickle.load(tmp_path / "a.pkl").entries
-    assert list(found) == list(ARRAYS)
-    for name, value in ARRAYS.items():
-        np.testing.assert_array_equal(found[name], value)
+ARRAYS = {"columns": np.asfortranarray(np.arange(6.0).reshape(2, 3)), "names": ["pelvis", "chest"]}
 
 
 def test_what_is_written_names_numpy_as_before_version_2_and_is_read_by_pickle(tmp_path):
@@ -168,11 +151,12 @@ def test_the_same_spelling_told_truly_is_read(tmp_path):
 
 @pytest.mark.parametrize("protocol", range(6))
 @pytest.mark.parametrize("core", ["core", "_core"])
-def test_every_plain_type_of_either_numpy_comes_back_unchanged(protocol, core, tmp_path):
+def test_every_plain_type_of_either_numpy_comes_back_unchanged_in_every_protocol(protocol, core, tmp_path):
     plain = [np.array([0, 1, 5]).astype(f"{order}{code}") for order in "<>" for code in ("i2", "u4", "i8", "f2", "f8")]
     plain += [np.array([True, False]), np.array([b"ab", b"c"]), np.array(["é", "yz"]), np.zeros((0, 3)), np.float64(3)]
     plain += [np.array(["a", "b"], object), np.arange(24.0).reshape(2, 3, 4).transpose(1, 2, 0), np.array(7)]
-    content = pickle.dumps({str(i): each for i, each in enumerate(plain)}, protocol)
+    plain += [np.asfortranarray(np.arange(6.0).reshape(2, 3)), ["pelvis", "chest"], None, np.float32(2.5)]
+    content = pickle.dumps(OrderedDict((str(i), each) for i, each in enumerate(plain)), protocol)
     if protocol < 4:  # later ones say how long a name is
         content = content.replace(b"numpy._core.", f"numpy.{core}.".encode())
     (tmp_path / "a.pkl").write_bytes(content)

@@ -30,8 +30,6 @@ others = "rest"
 ROOTS = {
     "box first": scene(BOX, biped()),
     "in the middle": scene(CART, biped(), BALL),
-    "slides first": scene(biped(joints(("tz", "ty", "tx", "rz", "rx", "ry")))),
-    "hinges first": scene(biped(joints(("rx", "ry", "rz", "ty", "tx", "tz")))),
     "nested behind a box": scene(BOX, nested(("tx", "ty", "tz", "rz", "rx", "ry"))),
 }
 
