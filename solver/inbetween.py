@@ -61,7 +61,7 @@ def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | Non
         TimelineError: The keyframes are invalid.
     """
     raw = problem.raw
-    return _found(problem, raw, raw, improved, lambda loop: loop.better_than(raw, loop.over(raw)))
+    return _search_result(problem, raw, raw, improved, lambda loop: loop.better_than(raw, loop.over(raw)))
 
 
 def continue_from(
@@ -87,10 +87,10 @@ def continue_from(
         TimelineError: The keyframes are invalid.
     """
     raw = problem.raw
-    return _found(problem, raw, begin, improved, lambda loop: loop.on_from(raw, begin, between))
+    return _search_result(problem, raw, begin, improved, lambda loop: loop.continue_from(raw, begin, between))
 
 
-def _found(
+def _search_result(
     problem: Problem,
     raw: Timeline,
     begin: Timeline,
@@ -104,7 +104,7 @@ def _found(
         try:
             timeline = search(loop)
             moved = limited(problem.figure, timeline, hard)
-            if moved is not timeline and loop.is_whole and loop.stop is not Stop.INTERRUPTED:
+            if moved is not timeline and loop.is_whole_clip and loop.stop is not Stop.INTERRUPTED:
                 timeline = loop.descend(moved, problem.settings.tolerance)  # other joints adapt to the moved ones
         except KeyboardInterrupt:
             timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.INTERRUPTED
@@ -133,8 +133,8 @@ class _Loop:
         best: Builds the best timeline so far; None before any evaluation.
         since: The interval in which segments may be split begins here [s].
         until: The end of this interval [s].
-        elsewhere: The contribution of segments outside the searched part to the terms of E, (terms,).
-        whole: Inserts the searched part into the whole clip.
+        outside_terms: The contribution of segments outside the searched part to the terms of E, (terms,).
+        embed: Inserts the searched part into the whole clip.
         last: The terms of E at the last evaluation, by name.
     """
 
@@ -144,24 +144,24 @@ class _Loop:
         self.evaluations, self.round = 0, 0
         self.best: Callable[[], Timeline] | None = None
         self.stop = Stop.CONVERGED
-        self.optimiser = self.fresh()
-        self.elsewhere = np.zeros(len(objective.terms))
+        self.optimiser = self.new_optimiser()
+        self.outside_terms = np.zeros(len(objective.terms))
         self.since, self.until = -np.inf, np.inf
-        self.whole: Callable[[Timeline], Timeline] = lambda timeline: timeline
+        self.embed: Callable[[Timeline], Timeline] = lambda timeline: timeline
         self.last: dict[str, float] = {}
 
     @property
-    def is_whole(self) -> bool:
+    def is_whole_clip(self) -> bool:
         """Whether the whole clip is searched at once."""
         return not np.isfinite([self.since, self.until]).any()
 
-    def fresh(self) -> Optimiser:
+    def new_optimiser(self) -> Optimiser:
         return optimiser_of(self.settings.optimiser, self.objective.figure.width, self.settings.tolerance)
 
-    def better_than(self, raw: Timeline, found: Timeline) -> Timeline:
-        """Return the better of two timelines, or `found` without a comparison if E has clearly decreased."""
+    def better_than(self, raw: Timeline, candidate: Timeline) -> Timeline:
+        """Return the better of two timelines, or `candidate` without a comparison if E has clearly decreased."""
         is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
-        return found if is_clear else select_best(self.objective, [found, raw])
+        return candidate if is_clear else select_best(self.objective, [candidate, raw])
 
     def over(self, raw: Timeline) -> Timeline:
         """Return the best timeline through the keyframes of a raw one. Long clips are solved in windows."""
@@ -178,7 +178,7 @@ class _Loop:
             first = min(first, initial_guess, key=lambda timeline: self.objective.value(path_of(timeline)))
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 
-    def on_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
+    def continue_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
         """Return the nearest minimum from a timeline, over the whole clip or only near the edited intervals."""
         segments, budget = len(raw.frames) - 1, self.settings.frames
         if not between and is_long(raw):
@@ -189,20 +189,20 @@ class _Loop:
             for span in between:
                 cut = EditWindow.about(begin, raw.times, span)
                 assert cut is not None, "as above: keyframes alone decide"
-                begin = self._on_from_cut(cut, begin, raw, budget, parts)
+                begin = self._continue_in_window(cut, begin, raw, budget, parts)
                 if self.stop is Stop.INTERRUPTED:
                     break
                 if parts is not None:
                     inside = cut.inside(raw.times)
                     edges = raw.times[inside.start : inside.stop + 1]
                     parts[inside] = segment_integrals(self.objective, path_of(begin), edges)
-                self.optimiser = self.fresh()
+                self.optimiser = self.new_optimiser()
             return begin
         end = self.run(begin, segments, None if budget is None else max(budget, begin.variable_count))[-1]
         self.stop = end.stop
         return end.timeline
 
-    def _on_from_cut(
+    def _continue_in_window(
         self, cut: EditWindow, begin: Timeline, raw: Timeline, budget: int | None, parts: Array | None
     ) -> Timeline:
         """Return the whole timeline with one part at its nearest minimum.
@@ -212,10 +212,10 @@ class _Loop:
             parts: The terms of E before the edits, (segments, terms); None if there is only one edit.
         """
         self.since, self.until = cut.first, cut.last
-        self.whole = cut.around(begin)
-        self.elsewhere = cut.elsewhere(self.objective, begin, raw.times, parts)
+        self.embed = cut.around(begin)
+        self.outside_terms = cut.outside_terms(self.objective, begin, raw.times, parts)
         limit = None if budget is None else max(cut.part.variable_count, budget * cut.segments // (len(raw.frames) - 1))
-        return self.whole(self.run(cut.part, cut.segments, limit)[-1].timeline)
+        return self.embed(self.run(cut.part, cut.segments, limit)[-1].timeline)
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """Return the best timeline of several searches, each started only if the minimum before it is poor.
@@ -232,7 +232,7 @@ class _Loop:
         while waiting:
             if ends:
                 self.round += 1
-                self.optimiser = self.fresh()
+                self.optimiser = self.new_optimiser()
             ends += self.run(waiting.pop(0)(), segments, budget)
             values.append(sum(self.last.values()))
             if self.stop is Stop.INTERRUPTED:
@@ -301,13 +301,13 @@ class _Loop:
         segments = len(raw.frames) - 1
         assembly = Assembly(self.objective, raw, first)
         for window in windows(segments):
-            self.whole = assembly.around(window)
-            self.elsewhere = assembly.elsewhere(window)
+            self.embed = assembly.around(window)
+            self.outside_terms = assembly.outside_terms(window)
             self.since = float(raw.times[window.first])
-            self.optimiser = self.fresh()
+            self.optimiser = self.new_optimiser()
             count, budget = window.last - window.first, self.settings.frames
             opened = assembly.opened(window)
-            solved = self.searched(opened, count, None if budget is None else assembly.room(window, budget))
+            solved = self.searched(opened, count, None if budget is None else assembly.frame_budget(window, budget))
             assembly.close(window, solved)
             if self.stop is Stop.INTERRUPTED:
                 break
@@ -316,7 +316,7 @@ class _Loop:
 
     def descend(self, timeline: Timeline, tolerance: float) -> Timeline:
         descent = Descent(self.objective, timeline)
-        before, elsewhere = self.evaluations, float(self.elsewhere.sum())
+        before, elsewhere = self.evaluations, float(self.outside_terms.sum())
 
         def report(count: int, evaluation: Evaluation, x: Array) -> None:
             self.evaluations, self.last = before + count, evaluation.parts
@@ -324,9 +324,9 @@ class _Loop:
             # a new round sums E over other samples, so its first values may exceed those of the last round
             if self.trace and value >= self.trace[-1][2]:
                 return
-            self.best = partial(_built, self.whole, timeline, descent, x)
+            self.best = partial(_built, self.embed, timeline, descent, x)
             parts = dict(evaluation.parts)
-            for term, more in zip(self.objective.terms, self.elsewhere, strict=True):
+            for term, more in zip(self.objective.terms, self.outside_terms, strict=True):
                 parts[term.penalty.name] += float(more)
             self.trace.append((before + count, self.round, value, parts))
             if self.improved is not None:
@@ -342,14 +342,14 @@ class _Loop:
         self.stop = minimum.stop
         return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
 
-    def chosen(self, timeline: Timeline, room: int) -> tuple[Array, float]:
+    def chosen(self, timeline: Timeline, max_count: int) -> tuple[Array, float]:
         """Return the middles of the segments to split next, and their predicted reduction as a share of E."""
         scores = CRITERIA[self.settings.criterion](self.objective, timeline)
         threshold, present = self.settings.threshold, 0.0
         if self.settings.criterion == "weak" and self.trace:
-            present = max(self.trace[-1][2] - float(self.elsewhere.sum()), NEGLIGIBLE * self.trace[0][2])
+            present = max(self.trace[-1][2] - float(self.outside_terms.sum()), NEGLIGIBLE * self.trace[0][2])
             threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
-        most = min(room, max(1, round(self.settings.batch * scores.size)))
+        most = min(max_count, max(1, round(self.settings.batch * scores.size)))
         middles = midpoints(timeline)
         inside = (middles > self.since) & (middles < self.until)  # fixed segments of a window are not split
         scores = np.where(inside, scores, -np.inf)
@@ -359,6 +359,6 @@ class _Loop:
         return np.sort(middles[order]), promise
 
 
-def _built(whole: Callable[[Timeline], Timeline], timeline: Timeline, descent: Descent, x: Array) -> Timeline:
+def _built(embed: Callable[[Timeline], Timeline], timeline: Timeline, descent: Descent, x: Array) -> Timeline:
     """Return the whole clip with the searched part at the unknowns x (n,)."""
-    return whole(timeline.with_rows(descent.problem.unknowns.rows(x)))
+    return embed(timeline.with_rows(descent.problem.unknowns.rows(x)))

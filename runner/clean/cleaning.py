@@ -11,7 +11,7 @@ import numpy as np
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import Rest
 from dynsplines.solver.contacts.ground_alignment import align_to_ground, move_to_ground
-from dynsplines.solver.contacts.recorded_stances import RecordedStance, infer_stances, unsure
+from dynsplines.solver.contacts.recorded_stances import RecordedStance, infer_stances, largest_noise
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.recording import RecordedMotion
@@ -104,7 +104,7 @@ def cleaned(
     rests = tuple(Rest(*stance, rolls=True) for stance in stances)
     near = TrackingPenalty(recorded)
     asked = problem(near, ground, rests, near.times())
-    is_noisy = unsure(recorded, ground.points) > Thresholds.of(figure).noisy
+    is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
     if is_noisy:
         asked = _with_soft_start(asked, near, SOFTEST, improved)
         if specified is None:

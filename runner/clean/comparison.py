@@ -185,7 +185,7 @@ class PathMeasurement:
                     )[0][0]
                 its_turns = turned[:, i, during]
                 rolling = Rolling.of(rest, its_turns[:, its_turns.shape[1] // 2])
-                yield places[:, i, during] - rolling.way(its_turns), resting_heights
+                yield places[:, i, during] - rolling.displacement(its_turns), resting_heights
 
     @property
     def depth(self) -> float:

@@ -166,12 +166,12 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
         notes.append(NO_CYCLE)
     notes += context.missing_steps if _weight("cycle", options["cycle"]) > 0 else []
-    is_carried = context.schedule.is_known
+    is_carried = context.schedule.has_support
     absent = {kind for kind in CARRIED if kind not in listed and not is_carried}
     penalties = list[tuple[Penalty, float]]()
     for name in [name for name in options if name not in absent]:
         penalties += _built(context, _carried(KINDS[name]) if is_carried else KINDS[name], options[name])
-    notes += _deep(context, [p for p, _ in penalties if isinstance(p, Contact) and p.name == Contact.called])
+    notes += _deep(context, [p for p, _ in penalties if isinstance(p, Contact) and p.name == Contact.term_name])
     return Constraints(context, tuple((p, weight) for p, weight in penalties if weight > 0), tuple(notes))
 
 

@@ -233,9 +233,9 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
     corners = _contacts(context, body_points(figure), ground, margin)
     if not others and not context.schedule.grasped:
-        return corners[0] if len(corners) == 1 else Sum(corners, called=BODY)
+        return corners[0] if len(corners) == 1 else Sum(corners, term_name=BODY)
     skin = _contacts(context, covering_points(figure), others, margin) if others else ()
-    return Sum((*corners, *skin, *_grasped_object_contacts(context, margin)), called=BODY)
+    return Sum((*corners, *skin, *_grasped_object_contacts(context, margin)), term_name=BODY)
 
 
 def _grasped_object_contacts(context: Context, margin: float) -> tuple[Contact, ...]:
@@ -244,7 +244,7 @@ def _grasped_object_contacts(context: Context, margin: float) -> tuple[Contact, 
     points = context.schedule.exclude_grasped(body_points(context.figure))
     objects = [(link, surfaces_on(context.figure, link)) for link in context.schedule.grasped]
     return tuple(
-        Contact(points, surfaces, margin, called=BODY, carrier=link).allowing(
+        Contact(points, surfaces, margin, term_name=BODY, carrier=link).allowing(
             context.figure,
             context.keys,
             [(grasp.point.link, grasp.first, grasp.last) for grasp in context.schedule.grasps if grasp.link == link],
@@ -263,9 +263,9 @@ def _contacts(
     for surface in surfaces:
         groups.setdefault(links.get(surface.name, frozenset()), []).append(surface)
     contacts = [
-        Contact(tuple(p for p in points if p.link not in bolted_here), tuple(group), margin, called=BODY)
+        Contact(tuple(p for p in points if p.link not in bolted_here), tuple(group), margin, term_name=BODY)
         for bolted_here, group in groups.items()
-    ] or [Contact(points, surfaces, margin, called=BODY)]
+    ] or [Contact(points, surfaces, margin, term_name=BODY)]
     return tuple(contact.allowing(context.figure, context.keys) for contact in contacts)
 
 
@@ -286,7 +286,7 @@ def _stance(context: Context, options: Options) -> Penalty | None:
 def _contact(context: Context, options: Options) -> Penalty | None:
     contacts = context.schedule.contacts
     parts = StancePenalty(contacts.stances), RestPenalty(contacts.rests, context.surfaces)
-    return Sum(parts, called=RestPenalty.name) if contacts.requested else None
+    return Sum(parts, term_name=RestPenalty.name) if contacts.requested else None
 
 
 def _no_slip(context: Context, options: Reach) -> Penalty | None:
@@ -314,7 +314,7 @@ def _equality(context: Context, options: Options) -> Penalty | None:
         parts.append(LoopClosure(loops))
     if followers:
         parts.append(CouplingPenalty(followers))
-    return Sum(tuple(parts), called="equality") if parts else None
+    return Sum(tuple(parts), term_name="equality") if parts else None
 
 
 def _flight(context: Context, options: FlightOptions) -> Penalty:

@@ -91,8 +91,8 @@ def thinned(
         return solving.solve(problem(keys), progress).motion.timeline
 
     loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
-    reduced = refined(recorded, thin(loosely, report).kept, solved, report) if solve else thin(recorded, report)
-    keys = tuple(recorded.frames(reduced.kept))
+    reduced = refined(recorded, thin(loosely, report).instants, solved, report) if solve else thin(recorded, report)
+    keys = tuple(recorded.frames(reduced.instants))
     raw = recorded.spline(keys)
     compact = replace(saved, text=text.of(keys), keys=keys, timeline=reduced.timeline, raw=raw, trace=[], report={})
     return measured(recorded, compact)

@@ -70,7 +70,7 @@ class Forces:
     @cached_property
     def has_known_support(self) -> Mask:
         """(T,) whether the forces that carry the figure are known; always, for a figure without stances and flights."""
-        if self.support is None or not self.support.tells:
+        if self.support is None or not self.support.has_intervals:
             return np.ones(self.samples.count, bool)
         return self.support.known(self.samples.t)
 

@@ -301,7 +301,7 @@ class ContactTarget:
         x, rotation = samples.links.poses(point.link * samples.count + at)
         off = x + np.einsum("ijk,j->ik", rotation, point.position) - self.stance.place(samples.t[at])
         if self.rolling is not None:
-            off -= self.rolling.way(samples.links.Q[:, point.link, at])
+            off -= self.rolling.displacement(samples.links.Q[:, point.link, at])
         return np.linalg.norm(off, axis=0)
 
 

@@ -187,7 +187,7 @@ def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, .
     """Return soles and body with the surfaces that they must avoid, whether or not the clip penalises it."""
     contacts = [part for part in parts if isinstance(part, Contact)]
     names = {part.name for part in contacts}
-    if Contact.called not in names:
+    if Contact.term_name not in names:
         contacts.append(Contact(clip.context.points, clip.context.surfaces))
     if BODY not in names:
         body, bolted = body_points(clip.figure), bolted_links(clip.figure)

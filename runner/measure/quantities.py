@@ -232,7 +232,7 @@ def _contacts(clip: Clip, timeline: Timeline) -> list[Entry]:
         samples = samples_at(clip.figure, path_of(timeline), time)
         centres, _, _ = places_of((rest.point,), samples)
         turned = samples.links.Q[:, rest.point.link]
-        track = centres[:, 0] - Rolling.of(rest, turned[:, time.size // 2]).way(turned)
+        track = centres[:, 0] - Rolling.of(rest, turned[:, time.size // 2]).displacement(turned)
         moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
         path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
         speed = path / (rest.last - rest.first)
@@ -307,7 +307,7 @@ def _torque(samples: Samples) -> Entry:
 
 def _support(clip: Clip, samples: Samples) -> dict[str, float]:
     """Return unsupported force and moment: in flight, and beyond what the footings can supply."""
-    if clip.context.support is None or not clip.context.support.tells:
+    if clip.context.support is None or not clip.context.support.has_intervals:
         return {}
     # stiff, so that the remaining wrench is only what contacts cannot supply
     carried = replace(clip.context.support, softness=STIFF)

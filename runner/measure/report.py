@@ -128,7 +128,7 @@ def _segments(
             motion.timeline,
             max_evaluations=LOCAL_EVALUATIONS,
             tolerance=LOCAL_TOLERANCE,
-            told=report_progress,
+            report_progress=report_progress,
         )
     except KeyboardInterrupt:
         return []
@@ -140,7 +140,7 @@ def _segments(
         "deviation after": after,
         "delta": remaining.distance,
         "delta · EL": remaining.gap,
-        "left": remaining.found,
+        "left": remaining.reduction,
     }
     rows = []
     for i in range(times.size - 1):

@@ -100,12 +100,12 @@ class Gait:
         best = max(sure, key=lambda gait_cycle: gait_cycle.gain, default=None)
         return None if best is None or best.trust.mean() < TRUST else best
 
-    def _without_rival(self, found: list[GaitCycle]) -> list[GaitCycle]:
+    def _without_rival(self, cycles: list[GaitCycle]) -> list[GaitCycle]:
         """Return the likeliest cycle, if travel is steady and feet slip much more in all cycles of similar likelihood.
         Sparse keyframes blur the feet of the true cycle, but those of an alias more."""
-        if not found or self._unsteadiness >= UNSTEADY:
+        if not cycles or self._unsteadiness >= UNSTEADY:
             return []
-        best, *others = found
+        best, *others = cycles
         rivals = [r for r in others if r.gain > best.gain - AS_LIKELY]
         return [best] if best.slip <= LOOSE and all(r.slip >= RIVAL * best.slip for r in rivals) else []
 

@@ -61,7 +61,7 @@ def infer_stances(
     return tuple(result)
 
 
-def unsure(recorded: RecordedMotion, points: Sequence[Point]) -> float:
+def largest_noise(recorded: RecordedMotion, points: Sequence[Point]) -> float:
     """Return the largest noise [m] of the positions of any point."""
     if not points or recorded.times.size < ORDER:
         return 0.0
@@ -82,7 +82,7 @@ def _tracks(recorded: RecordedMotion, points: Sequence[Point]) -> _Tracks:
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _, _ = places_of(points, Samples.still(recorded.figure, states))
     is_known = recorded.known.min(axis=1)[::step]
-    return _Tracks(recorded.times[::step], centres, is_known > 0, white(centres, is_known))
+    return _Tracks(recorded.times[::step], centres, is_known > 0, position_noise(centres, is_known))
 
 
 def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> Array:
@@ -93,7 +93,7 @@ def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> 
     return np.linalg.norm(after - before, axis=0) / (ends[1] - ends[0])
 
 
-def white(places: Array, known: Array) -> Array:
+def position_noise(places: Array, known: Array) -> Array:
     """Return the noise (p,) [m] of positions (3, p, T) in every direction, from samples known at times (T,)."""
     if places.shape[-1] <= ORDER:
         return np.zeros(places.shape[1])

@@ -113,7 +113,7 @@ class ContactSchedule:
         return flights(self.figure, self.root, self.keys, self._soles, self.surfaces, self._carriers, self._body)
 
     @property
-    def is_known(self) -> bool:
+    def has_support(self) -> bool:
         """Whether there is an interval in which the support of the figure is known: a footing or a flight."""
         return bool(self.footings or self.flights)
 

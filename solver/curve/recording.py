@@ -88,11 +88,11 @@ class RecordedMotion:
             states[samples[:, None], columns] = quat.aligned(states[samples[:, None], columns])
         return cls(figure, np.asarray(times, float), states, every, exact)
 
-    def moved(self, way: ArrayLike) -> RecordedMotion:
+    def moved(self, shift: ArrayLike) -> RecordedMotion:
         """Return the recording with all free roots translated by (3,) [m]."""
         states = np.array(self.states)
         for columns in self.figure.tables.position_columns.T:
-            states[:, columns] += np.asarray(way, float)
+            states[:, columns] += np.asarray(shift, float)
         return replace(self, states=states)
 
     def turned(self, columns: slice, turn: Array) -> RecordedMotion:
@@ -101,11 +101,11 @@ class RecordedMotion:
         states[:, columns] = quat.product(states[:, columns], turn)
         return replace(self, states=states)
 
-    def bent(self, ways: Array) -> RecordedMotion:
+    def displaced(self, displacements: Array) -> RecordedMotion:
         """Return the recording with every sample displaced by (T, N) as in `between`."""
-        states = self.states + ways
+        states = self.states + displacements
         for columns in self.figure.tables.quaternion_columns.T:
-            turn = quat.from_rotation_vector(ways[:, columns[:3]])
+            turn = quat.from_rotation_vector(displacements[:, columns[:3]])
             states[:, columns] = quat.product(self.states[:, columns], turn)
         return replace(self, states=states)
 

@@ -160,7 +160,7 @@ class Spline:
         change = factor - 1
         return np.linalg.solve(np.eye(2) - change * by_rows[:, -2:], change * by_rows[:, :-2]).astype(complex)
 
-    def held_shares(self) -> Array:
+    def end_shares(self) -> Array:
         """Return the states of the second and second-last frame that keep y'' at both ends, as a map (2, M + 2).
 
         The columns of these two frames are zero.

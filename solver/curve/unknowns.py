@@ -98,7 +98,7 @@ class Unknowns:
             ties.jump(np.array([last + 1, last + 2]), spline_of(timeline), seam)
         if timeline.ends == "held":
             adjacent = np.array([1, last - 1])
-            shares = spline_of(timeline).held_shares()
+            shares = spline_of(timeline).end_shares()
             columns = np.arange(width)
             constant[adjacent] = rows[adjacent] - shares @ rows
             ties.follow(adjacent, shares, columns, columns)
@@ -267,14 +267,14 @@ def raw_timeline(
         if not fixed.all():
             states[~fixed, columns] = quat.product(base[~fixed], rest[columns])
             if fixed.any():
-                states[fixed, columns] = _laid_along(link, plain.times[fixed], base[fixed], states[fixed, columns])
+                states[fixed, columns] = _signed_track(link, plain.times[fixed], base[fixed], states[fixed, columns])
                 gaps.fill(states, specified, columns, states[0])
                 states[:, columns] = quat.normalised(states[:, columns])
         if seam is not None and link.kind is JointKind.FREE:
             states[-1, columns] = seam.linear(states[0])[columns]
         elif seam is not None:  # relative to its parent, the last rotation is the first
             states[-1, columns] = quat.product(base[-1], quat.product(quat.inverse(base[0]), states[0, columns]))
-        states[:, columns] = _laid_along(link, plain.times, base, states[:, columns])
+        states[:, columns] = _signed_track(link, plain.times, base, states[:, columns])
     if seam is not None:
         lifted = Seam.turned(figure, states[0], states[-1], seam.headings)
         states[-1] = lifted.linear(states[0]) + seam.shift
@@ -311,7 +311,7 @@ def bases(figure: Figure, states: Array, link: Link) -> Array:
     return quat.product(identity if parent is None else states[:, parent], link.turn)
 
 
-def _laid_along(link: Link, times: Array, base: Array, track: Array) -> Array:
+def _signed_track(link: Link, times: Array, base: Array, track: Array) -> Array:
     """Return a track (K, 4) with the signs that `winding` determines for the joint, base⁻¹ ⊗ track."""
     relative = quat.product(quat.inverse(base), track)
     return track * signs(times, relative, spins=link.kind is JointKind.FREE)[:, None]

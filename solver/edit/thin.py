@@ -105,31 +105,31 @@ class Recorded:
         _, links, places = self.points
         return on_links(places, links, len(self.figure.links))
 
-    def _seen(self, states: Array) -> tuple[Array, Array]:
+    def _poses(self, states: Array) -> tuple[Array, Array]:
         """Return positions of the points (3, n, S) and unit orientations of the links (4, L, S) for states (S, N)."""
         links = LinkMotion(States(self.figure, states, states, states))
         turned = links.Q / np.sqrt(links.length_squared)
         return links.x.take(self.points[1], axis=1) + links.fixed(self._weights), turned
 
     @cached_property
-    def _own(self) -> tuple[Array, Array]:
-        return self._seen(self.figure.to_state(self.qpos))
+    def _recorded_poses(self) -> tuple[Array, Array]:
+        return self._poses(self.figure.to_state(self.qpos))
 
     @cached_property
-    def stands(self) -> Mask:
+    def is_still(self) -> Mask:
         """Whether a point at the end of a limb is still for some time, (n, S)."""
         links = self.points[1]
         ends = self.figure.tables.children[links] == 0
         slow = np.zeros((links.size, self.times.size), bool)
         if self.times.size > 1:
-            velocity = np.gradient(self._own[0], self.times, axis=2)
+            velocity = np.gradient(self._recorded_poses[0], self.times, axis=2)
             slow[ends] = np.einsum("cns,cns->ns", velocity, velocity)[ends] < STILL**2
-        return np.array([_lasting(row, self.times, STANDS) for row in slow])
+        return np.array([_long_runs(row, self.times, STANDS) for row in slow])
 
     @cached_property
     def _lengths(self) -> Array:
         """The permitted errors of the points, (n, S) [m]."""
-        return self.bound.distance * np.where(self.stands, CLOSELY, 1.0)
+        return self.bound.distance * np.where(self.is_still, CLOSELY, 1.0)
 
     @cached_property
     def _states(self) -> Array:
@@ -141,8 +141,8 @@ class Recorded:
 
     def _misses(self, states: Array, instants: Index) -> tuple[Array, Array]:
         """Return the deviations of states (R, N) at the instants (R,)."""
-        places, turned = self._seen(states)
-        own_places, own_turned = (own_values.take(instants, axis=2) for own_values in self._own)
+        places, turned = self._poses(states)
+        own_places, own_turned = (own_values.take(instants, axis=2) for own_values in self._recorded_poses)
         apart = places - own_places
         sign = np.where(np.einsum("cls,cls->ls", turned, own_turned) < 0, -1.0, 1.0)
         chord = turned - sign * own_turned
@@ -218,10 +218,12 @@ class Recorded:
         return largest[0], largest[1]
 
     def slipped(self, timeline: Timeline) -> float:
-        return float(self.misses(timeline)[0][self.stands].max(initial=0.0))
+        return float(self.misses(timeline)[0][self.is_still].max(initial=0.0))
 
-    def frames(self, kept: Sequence[int]) -> list[Frame]:
-        return Frame.many(self.times[list(kept)], self.qpos[list(kept)], np.ones((len(kept), self.figure.width), bool))
+    def frames(self, instants: Sequence[int]) -> list[Frame]:
+        return Frame.many(
+            self.times[list(instants)], self.qpos[list(instants)], np.ones((len(instants), self.figure.width), bool)
+        )
 
     def spline(self, keys: Sequence[Frame]) -> Timeline:
         slope = np.zeros((2, self.figure.width)) if self.ends.startswith("clamped") else None
@@ -233,29 +235,29 @@ class Recorded:
 class Thinned:
     """The selected instants, and the in-between through them."""
 
-    kept: tuple[int, ...]
+    instants: tuple[int, ...]
     timeline: Timeline
 
 
-def thin(recorded: Recorded, told: Callable[[str], None] = lambda note: None) -> Thinned:
+def thin(recorded: Recorded, report: Callable[[str], None] = lambda note: None) -> Thinned:
     """Return a small set of instants whose raw spline stays within the bound at every sample of the recording."""
-    selection = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, told).kept
+    selection = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, report).instants
     while True:
-        fewer = _repaired(recorded, _without(recorded, list(selection), told), told)
+        fewer = _repaired(recorded, _without_redundant(recorded, list(selection), report), report)
         if len(fewer) == len(selection):
             return Thinned(tuple(fewer), recorded.spline(recorded.frames(fewer)))
         selection = tuple(fewer)
 
 
 def refined(
-    recorded: Recorded, kept: Sequence[int], inbetween: InBetween, told: Callable[[str], None] = lambda note: None
+    recorded: Recorded, instants: Sequence[int], inbetween: InBetween, report: Callable[[str], None] = lambda note: None
 ) -> Thinned:
     """Return more instants, each where the in-between deviates most, until it is within the bound at all samples."""
-    chosen = sorted(kept)
+    chosen = sorted(instants)
     while True:
         timeline = inbetween(recorded.frames(chosen))
         excess = recorded.excess(timeline)
-        told(f"{len(chosen)} keyframes, {excess.max():.3g} × the bound")
+        report(f"{len(chosen)} keyframes, {excess.max():.3g} × the bound")
         if excess.max() <= 1 + FINE or len(chosen) == len(recorded.times):
             return Thinned(tuple(chosen), timeline)
         excess[chosen] = 0.0
@@ -284,10 +286,10 @@ def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
     return out
 
 
-def _lasting(wanted: Mask, times: Array, least: float) -> Mask:
+def _long_runs(mask: Mask, times: Array, least: float) -> Mask:
     """Return a mask (S,) without runs shorter than `least` [s]."""
-    out = np.zeros(wanted.size, bool)
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], wanted, [False]])))
+    out = np.zeros(mask.size, bool)
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
     for first, end in zip(edges[::2], edges[1::2], strict=True):
         out[first:end] = times[end - 1] - times[first] >= least
     return out
@@ -321,63 +323,66 @@ def natural_splines(times: Array, values: Array, owner: Index, t: Array) -> Arra
     return straight + bent * step**2 / 6
 
 
-def _holds(recorded: Recorded, kept: Sequence[int]) -> bool:
-    return float(recorded.excess(recorded.spline(recorded.frames(kept))).max()) <= 1 + FINE
+def _is_within_bound(recorded: Recorded, instants: Sequence[int]) -> bool:
+    return float(recorded.excess(recorded.spline(recorded.frames(instants))).max()) <= 1 + FINE
 
 
-def _without(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -> list[int]:
+def _without_redundant(recorded: Recorded, instants: list[int], report: Callable[[str], None]) -> list[int]:
     """Return the keyframes without those that are not needed; those with the nearest neighbours are removed first."""
-    needed = {kept[0], kept[-1]}
+    needed = {instants[0], instants[-1]}
     while True:
-        loss = {i: recorded.breaches([_dropped(kept, i)], n)[0] for n, i in enumerate(kept) if i not in needed}
+        loss = {i: recorded.breaches([_dropped(instants, i)], n)[0] for n, i in enumerate(instants) if i not in needed}
         gone = 0
         for i in sorted(
-            (i for i in loss if loss[i] == 0), key=lambda i: kept[kept.index(i) + 1] - kept[kept.index(i) - 1]
+            (i for i in loss if loss[i] == 0),
+            key=lambda i: instants[instants.index(i) + 1] - instants[instants.index(i) - 1],
         ):
-            fewer = _dropped(kept, i)
-            if recorded.breaches([fewer], kept.index(i))[0] == 0 and _holds(recorded, fewer):
-                kept, gone = fewer, gone + 1
+            fewer = _dropped(instants, i)
+            if recorded.breaches([fewer], instants.index(i))[0] == 0 and _is_within_bound(recorded, fewer):
+                instants, gone = fewer, gone + 1
         if not gone:
-            return kept
-        told(f"{len(kept)} keyframes")
+            return instants
+        report(f"{len(instants)} keyframes")
 
 
-def _repaired(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -> list[int]:
+def _repaired(recorded: Recorded, instants: list[int], report: Callable[[str], None]) -> list[int]:
     """Return the keyframes without those that their neighbours can replace after a move."""
-    needed = {kept[0], kept[-1]}
-    for i in list(kept):
-        if i in kept and i not in needed:
-            at = kept.index(i)
-            moved = _moved(recorded, _dropped(kept, i), at)
-            if moved is not None and _holds(recorded, moved):
-                kept = moved
-                told(f"{len(kept)} keyframes")
-    return kept
+    needed = {instants[0], instants[-1]}
+    for i in list(instants):
+        if i in instants and i not in needed:
+            at = instants.index(i)
+            moved = _moved(recorded, _dropped(instants, i), at)
+            if moved is not None and _is_within_bound(recorded, moved):
+                instants = moved
+                report(f"{len(instants)} keyframes")
+    return instants
 
 
-def _moved(recorded: Recorded, kept: list[int], at: int) -> list[int] | None:
+def _moved(recorded: Recorded, instants: list[int], at: int) -> list[int] | None:
     """Return instants with those near index `at` moved one at a time until the bound holds there, or None. The first
     steps are half the distance to the neighbour. They become shorter if none helps, down to one instant."""
-    needed = {kept[0], kept[-1]}
-    near = [n for n in range(max(0, at - NEAR), min(len(kept), at + NEAR)) if kept[n] not in needed]
-    breach, share = float(recorded.breaches([kept], at)[0]), FIRST_STEP
+    needed = {instants[0], instants[-1]}
+    near = [n for n in range(max(0, at - NEAR), min(len(instants), at + NEAR)) if instants[n] not in needed]
+    breach, share = float(recorded.breaches([instants], at)[0]), FIRST_STEP
     while breach > 0:
         trials = []
         for n in near:
-            for neighbour in (kept[n - 1], kept[n + 1]):
-                place = kept[n] + (round(share * (neighbour - kept[n])) or int(np.sign(neighbour - kept[n])))
+            for neighbour in (instants[n - 1], instants[n + 1]):
+                place = instants[n] + (
+                    round(share * (neighbour - instants[n])) or int(np.sign(neighbour - instants[n]))
+                )
                 if place != neighbour:
-                    trials.append([*kept[:n], place, *kept[n + 1 :]])
+                    trials.append([*instants[:n], place, *instants[n + 1 :]])
         remaining = recorded.breaches(trials, at) if trials else np.array([np.inf])
         best = int(remaining.argmin())
         if remaining[best] < GAIN * breach:
-            kept, breach = trials[best], float(remaining[best])
+            instants, breach = trials[best], float(remaining[best])
         elif share > LEAST_STEP:
             share /= 2
         else:
             return None
-    return kept
+    return instants
 
 
-def _dropped(kept: Sequence[int], gone: int) -> list[int]:
-    return [i for i in kept if i != gone]
+def _dropped(instants: Sequence[int], removed: int) -> list[int]:
+    return [i for i in instants if i != removed]

@@ -245,12 +245,12 @@ def _origins_pulled_back(cotangent: Cotangent) -> None:
         _slides_pulled_back(cotangent, gradients)
 
 
-def _slides_pulled_back(cotangent: Cotangent, own: list[Array | None]) -> None:
+def _slides_pulled_back(cotangent: Cotangent, displacement_gradients: list[Array | None]) -> None:
     """Pull gradients of displacements q e along slides' axes e back to q, q', q'' and the axes."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     links, slides = samples.links, tables.slide_links
     zero = np.zeros((3, slides.size, samples.count))
-    g, g_d, g_dd = (zero if part is None else part[:, slides] for part in own)
+    g, g_d, g_dd = (zero if part is None else part[:, slides] for part in displacement_gradients)
     e, swing = links.slide_axis, links.swing[:, :, slides]
     e_d, e_dd = cross(links.omega[:, slides], e), applied(swing, e)
     q, q_d, q_dd = (links.slide(order) for order in range(3))

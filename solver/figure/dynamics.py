@@ -45,7 +45,7 @@ class InverseDynamics:
     def __init__(self, links: LinkMotion) -> None:
         self.links = links
         tables = links.figure.tables
-        self.offset = links.fixed(tables.arms)
+        self.offset = links.fixed(tables.centre_offsets)
         self.centre = links.x + self.offset
         self.net_force = applied(links.swing, self.offset)
         self.net_force += links.x_dd
@@ -109,7 +109,7 @@ class InverseDynamics:
 
 def body_forces(samples: Samples) -> BodyForces:
     """Return force and torque on each link. Summed, with the moments of the forces, they are the root's wrench."""
-    inverse = samples.once(InverseDynamics)
+    inverse = samples.cached(InverseDynamics)
     return BodyForces(inverse.net_force, inverse.net_torque, inverse.centre)
 
 
@@ -120,7 +120,7 @@ def generalised_forces(samples: Samples) -> Array:
     axis.
     """
     figure, links = samples.figure, samples.links
-    inverse = samples.once(InverseDynamics)
+    inverse = samples.cached(InverseDynamics)
     local = turned_back(links.rotation, inverse.moment)
     qacc = None
     if np.any(figure.tables.armature):

@@ -77,7 +77,7 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None, *, moment: boo
         if joints.size:
             change = moves.of(joints)
             if moment:
-                centre, net_force = wrench.centre - links.origin, links.held.sum(axis=1) / wrench.mass
+                centre, net_force = wrench.centre - links.origin, links.internal_force.sum(axis=1) / wrench.mass
                 links.to_place(change, centre[:, None])
                 change[0, :, 3:] += _crosses(net_force[:, None], change[2, :, :3])  # the centre also moves
             moves.add(joints, change, np.tile(np.arange(links.rows)[:, None], joints.size), out)
@@ -90,7 +90,7 @@ def joint_rows(samples: Samples) -> Array:
     The R efforts are the moments at b ball joints in world axes (x of all, then y, then z), the moments about the axes
     of hinges, and the forces along the axes of slides.
     """
-    tables, motion, inverse = samples.figure.tables, samples.links, samples.once(InverseDynamics)
+    tables, motion, inverse = samples.figure.tables, samples.links, samples.cached(InverseDynamics)
     links, (place, _) = _Links(samples, np.ones(len(samples.figure.links))), places(samples.figure)
     balls, hinges, slides = tables.ball_links, tables.hinge_links, tables.slide_links
     edges = 3 * balls.size, 3 * balls.size + hinges.size
@@ -142,38 +142,38 @@ class _Links:
         anchors: The joints' anchors relative to the origin, and two derivatives, (3, 3, L, S).
         mass: The masses, (L, 1).
         first: The first moments m r, m r', m r'', (3, 3, L, S).
-        held: The force on each link minus the external forces, (3, L, S).
+        internal_force: The force on each link minus the external forces, (3, L, S).
     """
 
-    def __init__(self, samples: Samples, own: Array, pushes: Pushes | None = None, moment: bool = True) -> None:
+    def __init__(self, samples: Samples, is_in_set: Array, pushes: Pushes | None = None, moment: bool = True) -> None:
         """Compute the quantities.
 
         Args:
-            own: 1 for the links of the set, else 0, (L,).
+            is_in_set: 1 for the links of the set, else 0, (L,).
             moment: Whether changes include the 3 rows of the moment.
         """
         self.samples, self.figure, self.rows = samples, samples.figure, 6 if moment else 3
-        inverse, motion, tables = samples.once(InverseDynamics), samples.links, samples.figure.tables
+        inverse, motion, tables = samples.cached(InverseDynamics), samples.links, samples.figure.tables
         self.origin = motion.x[:, 1:].mean(axis=1)
         self.anchors = _anchors(motion)
         self.anchors[0] -= self.origin[:, None]
         self.gravity = samples.figure.gravity[:, None, None]
-        own = own[:, None]
-        self.mass = tables.mass[:, None] * own
-        self.held = inverse.net_force * own
+        is_in_set = is_in_set[:, None]
+        self.mass = tables.mass[:, None] * is_in_set
+        self.internal_force = inverse.net_force * is_in_set
         r, v = inverse.centre - self.origin[:, None], motion.x_d + cross(motion.omega, inverse.offset)
-        self.first = np.array([self.mass * r, self.mass * v, self.held + self.mass * self.gravity])
+        self.first = np.array([self.mass * r, self.mass * v, self.internal_force + self.mass * self.gravity])
         if not moment:
             return
-        half = own * cross(motion.omega[:, None], inverse.inertia) + _across(r, self.first[1])
-        self._inertia = own * inverse.inertia + _across(r, self.first[0])
+        half = is_in_set * cross(motion.omega[:, None], inverse.inertia) + _across(r, self.first[1])
+        self._inertia = is_in_set * inverse.inertia + _across(r, self.first[0])
         self._inertia_d = half + half.swapaxes(0, 1)
-        self._spin = cross(r, self.first[1]) + own * inverse.momenta[0]
-        self._moment, self._pushed = cross(r, self.held) + own * inverse.net_torque, None
+        self._spin = cross(r, self.first[1]) + is_in_set * inverse.momenta[0]
+        self._moment, self._pushed = cross(r, self.internal_force) + is_in_set * inverse.net_torque, None
         if pushes is not None:
             place = motion.x[:, pushes.link, pushes.at] + pushes.offset - self.origin[:, pushes.at]
             self._pushed = np.array([pushes.by_link(part, r) for part in _across(pushes.force, place)])
-            self.held = self.held - pushes.by_link(pushes.force, r)
+            self.internal_force = self.internal_force - pushes.by_link(pushes.force, r)
 
     def by_turns(self, sets: Array) -> Array:
         """Return the changes of sets of links (n, L) by rotations φ about the origin."""
@@ -191,7 +191,7 @@ class _Links:
     def by_turned_shifts(self, sets: Array, s: Array) -> Array:
         """Return the changes of sets of links (n, L) by shifts φ × s, with s and two derivatives (3, 3, n, S)."""
         out = self._empty(len(sets))
-        mass, first, force = sets @ self.mass, _summed(sets, self.first[0]), _summed(sets, self.held)
+        mass, first, force = sets @ self.mass, _summed(sets, self.first[0]), _summed(sets, self.internal_force)
         _add_force(out, mass * s)
         if self.rows > 3:
             for order, factor in enumerate(PRODUCT):
@@ -204,7 +204,7 @@ class _Links:
         out = self._empty(len(sets))
         out[2, range(3), range(3)] = sets @ self.mass
         if self.rows > 3:
-            out[0, :, 3:] = _crossed(_summed(sets, self.held))
+            out[0, :, 3:] = _crossed(_summed(sets, self.internal_force))
             out[2, :, 3:] = -_crossed(_summed(sets, self.first[0]))
         return out
 

@@ -221,14 +221,14 @@ def joint_names(model: mujoco.MjModel) -> list[str]:
     return names_of_joints([model.joint(i).name for i in range(model.njnt)], bodies)
 
 
-def names_of_joints(given: Sequence[str], bodies: Sequence[tuple[str, int]]) -> list[str]:
+def names_of_joints(model_names: Sequence[str], bodies: Sequence[tuple[str, int]]) -> list[str]:
     """Return unique names of joints.
 
     Args:
-        given: The joints' names in the model, "" for none.
+        model_names: The joints' names in the model, "" for none.
         bodies: Each body's name and number of joints, in order.
     """
-    names, used, first = list(given), set(given), 0
+    names, used, first = list(model_names), set(model_names), 0
     for called, count in bodies:
         nameless = [j for j in range(first, first + count) if not names[j]]
         first += count
@@ -318,7 +318,8 @@ class Tables:
     children            (L,) number of child links; 0 at the end of a limb
     path                (L, L) 1 if the column's link is on the chain from the root to the row's link, inclusive
     beyond              (L, L) the transpose of `path`: 1 if the column's link is the row's or a descendant
-    steps, arms         (L, 3 L) each link's offset in its parent's columns, its centre of mass in its own; all x first
+    steps               (L, 3 L) each link's offset in its parent's columns; all x first
+    centre_offsets      (L, 3 L) each link's centre of mass in its own columns; all x first
     levels              links by depth from the world, without those whose orientation is in the state
     """
 
@@ -339,7 +340,7 @@ class Tables:
     path: Array
     beyond: Array
     steps: Array
-    arms: Array
+    centre_offsets: Array
     offset: Array
     anchor: Array
     axis: Array
@@ -402,7 +403,7 @@ class Tables:
             path=path,
             beyond=np.ascontiguousarray(path.T),
             steps=on_links(offset, parents, count),
-            arms=on_links(centre, np.arange(count), count),
+            centre_offsets=on_links(centre, np.arange(count), count),
             offset=offset,
             anchor=np.array([link.anchor for link in links]).T,
             axis=np.array([link.axis for link in links]).T,

@@ -93,7 +93,7 @@ class Samples:
         self.t = np.zeros(len(self.y)) if t is None else np.asarray(t, float)
         # `links` refers to the states, not to the samples: a reference cycle would delay the release of their arrays
         self._states = States(figure, self.y, self.y_d, self.y_dd)
-        self._once: dict[Callable[[LinkMotion], Any], Any] = {}
+        self._cache: dict[Callable[[LinkMotion], Any], Any] = {}
 
     @classmethod
     def still(cls, figure: Figure, y: ArrayLike, t: ArrayLike | None = None) -> Samples:
@@ -145,11 +145,11 @@ class Samples:
     def links(self) -> LinkMotion:
         return LinkMotion(self._states)
 
-    def once(self, make: Callable[[LinkMotion], Derived]) -> Derived:
+    def cached(self, make: Callable[[LinkMotion], Derived]) -> Derived:
         """Return a quantity derived from the links' motion, computed once; it must not refer to the samples."""
-        if make not in self._once:
-            self._once[make] = make(self.links)
-        return self._once[make]
+        if make not in self._cache:
+            self._cache[make] = make(self.links)
+        return self._cache[make]
 
 
 class LinkMotion:
@@ -273,12 +273,12 @@ class LinkMotion:
         value = self.states.columns(tables.slide_columns, order)
         return value - tables.reference[tables.slide_links][:, None] if order == 0 else value
 
-    def _summed(self, own: Array, order: int) -> Array:
+    def _summed(self, steps: Array, order: int) -> Array:
         """Return sums along the chains from the root, including the free roots' positions."""
         tables = self.figure.tables
         if tables.free_links.size:
-            own[:, tables.free_links] = self.states.columns(tables.position_columns, order)
-        return gathered(tables.path, own)
+            steps[:, tables.free_links] = self.states.columns(tables.position_columns, order)
+        return gathered(tables.path, steps)
 
     @cached_property
     def x(self) -> Array:

@@ -46,7 +46,7 @@ def on_quaternions(moments: Orders, turns: Array) -> Orders:
 
     Args:
         moments: M₀, M₁, M₂, (3, ...).
-        turns: The `ways` of the quaternions, (3, 4, ...).
+        turns: The `quaternion_factors` of the quaternions, (3, 4, ...).
     """
     totals: Orders = [None, None, None]
     products = [vector_product(turn) for turn in turns]
@@ -69,7 +69,7 @@ def summed(one: Array | None, other: Array) -> Array:
     return other if one is None else one + other
 
 
-def ways(links: LinkMotion) -> Array:
+def quaternion_factors(links: LinkMotion) -> Array:
     """Return the quaternions p of E η = vec(η ⊗ conj(p)), and two derivatives, (3, 4, n, S)."""
     (q, q_d, q_dd), dots = links.states.quaternions[:, :, 1:], links.states.dots[:, 1:]
     scale = 2 / dots[0]
@@ -159,10 +159,10 @@ def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index
             joints = links[run]
             moments: Orders = list(changes[:, :, :, run])
             if not is_world:
-                axes = samples.once(bases)[:, :, None, base[joints]]
+                axes = samples.cached(bases)[:, :, None, base[joints]]
                 moments = on_moving_axes(moments, *rates(tables.parents[joints]))
                 moments = [turned_back(axes, part) for part in moments if part is not None]
-            totals = on_quaternions(moments, samples.once(ways)[:, :, None, place[joints]])
+            totals = on_quaternions(moments, samples.cached(quaternion_factors)[:, :, None, place[joints]])
             for order, total in enumerate(totals):
                 out[tables.quaternion_columns[:, None, place[joints]], row[:, run], order] = total
 

@@ -35,7 +35,7 @@ class RootWrench:
 
     def __init__(self, samples: Samples, root: int) -> None:
         self.samples, self.root = samples, root
-        self.inverse = samples.once(InverseDynamics)
+        self.inverse = samples.cached(InverseDynamics)
         self.mass, self.share = tree_mass(samples.figure, root)
         self.centre = np.einsum("l,ils->is", self.share, self.inverse.centre)
         self.force = self.inverse.force[:, root]
@@ -73,7 +73,7 @@ def height(figure: Figure, root: int) -> float:
     This length is √12 times the radius. It converts moments to forces.
     """
     rest = figure.to_state(np.array(mujoco.MjData(figure.model).qpos))[None]
-    inverse = Samples.still(figure, rest).once(InverseDynamics)
+    inverse = Samples.still(figure, rest).cached(InverseDynamics)
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
     inertia = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2

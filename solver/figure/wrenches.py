@@ -27,7 +27,17 @@ from ..array import Array, Index, Mask
 from .algebra import cross, dot, turned_back
 from .figure import Figure
 from .kinematics import Samples
-from .turns import Orders, bases, followers, on_moving_axes, on_quaternions, places, relatives, summed, ways
+from .turns import (
+    Orders,
+    bases,
+    followers,
+    on_moving_axes,
+    on_quaternions,
+    places,
+    quaternion_factors,
+    relatives,
+    summed,
+)
 
 VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
 AT_ONCE = 2000  # number of wrenches processed at once, so that their vectors stay in cache
@@ -63,10 +73,10 @@ class Wrenches:
             return 3
         return 1 if self.force_d is None and self.torque_d is None else 2
 
-    def select(self, some: Index | slice) -> Wrenches:
+    def select(self, indices: Index | slice) -> Wrenches:
         """Return the wrenches of some indices."""
-        vectors = {name: part[:, some] for name, part in self.vectors.items()}
-        return Wrenches(self.at[some], self.link[some], **vectors)
+        vectors = {name: part[:, indices] for name, part in self.vectors.items()}
+        return Wrenches(self.at[indices], self.link[indices], **vectors)
 
     @property
     def vectors(self) -> dict[str, Array]:
@@ -110,7 +120,9 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
     slides = links.slide_axis if tables.slide_links.size else NONE
     hinges = links.hinge_axis if tables.hinge_links.size else NONE
     motion = (links.x, x_d, links.anchor, anchor_d, omega, alpha, slides, hinges)
-    quaternions = (samples.once(ways), samples.once(bases)) if tables.quaternion_links.size else (NONE, NONE)
+    quaternions = (
+        (samples.cached(quaternion_factors), samples.cached(bases)) if tables.quaternion_links.size else (NONE, NONE)
+    )
     vectors = [getattr(wrenches, name) for name in VECTORS]
     figure = _facts(samples.figure)
     size = samples.count, out.shape[2], orders
@@ -138,23 +150,23 @@ def _facts(figure: Figure) -> tuple[Index, Index]:
     return facts, np.ascontiguousarray(followers(figure).astype(np.int64))
 
 
-def of_point(at: Index, link: Index, arm: Array, direction: Array) -> Wrenches:
+def of_point(at: Index, link: Index, offset: Array, direction: Array) -> Wrenches:
     """Return the wrenches of direction · p, for points p fixed to links.
 
     Args:
         at: Samples (P,).
         link: Links (P,).
-        arm: Offsets (3, P) of the points from the links' origins, in world axes [m].
+        offset: Offsets (3, P) of the points from the links' origins, in world axes [m].
         direction: Directions (3, P).
 
     Returns:
         P wrenches.
     """
-    return Wrenches(at, link, direction, cross(arm, direction))
+    return Wrenches(at, link, direction, cross(offset, direction))
 
 
 def of_velocity(
-    samples: Samples, at: Index, link: Index, arm: Array, direction: Array, turning: Array | None = None
+    samples: Samples, at: Index, link: Index, offset: Array, direction: Array, turning: Array | None = None
 ) -> Wrenches:
     """Return the wrenches of direction · p', for velocities p' of points on links.
 
@@ -162,15 +174,15 @@ def of_velocity(
         samples: The samples.
         at: Samples (P,).
         link: Links (P,).
-        arm: Offsets (3, P) of the points from the links' origins, in world axes [m].
+        offset: Offsets (3, P) of the points from the links' origins, in world axes [m].
         direction: Directions (3, P).
         turning: Part (3, P) of the offsets that rotates with the links; default: all of them.
 
     Returns:
         P wrenches.
     """
-    beside = cross(arm if turning is None else turning, cross(direction, samples.links.omega[:, link, at]))
-    return Wrenches(at, link, None, beside, direction, cross(arm, direction))
+    beside = cross(offset if turning is None else turning, cross(direction, samples.links.omega[:, link, at]))
+    return Wrenches(at, link, None, beside, direction, cross(offset, direction))
 
 
 def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
@@ -354,13 +366,13 @@ class _Sweep:
             return
         parents = self.tables.parents[pairs.joint]
         moments = self._on_axes(self._moments(pairs), parents, pairs.at)
-        axes = self.samples.once(bases)[:, :, self.base[pairs.joint], pairs.at]
+        axes = self.samples.cached(bases)[:, :, self.base[pairs.joint], pairs.at]
         self._add_quaternions(out, pairs, [None if part is None else turned_back(axes, part) for part in moments])
 
     def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:
         place = self.place[pairs.joint]
         columns = self.tables.quaternion_columns[:, place]
-        turns = self.samples.once(ways)[: out.shape[1], :, place, pairs.at]
+        turns = self.samples.cached(quaternion_factors)[: out.shape[1], :, place, pairs.at]
         for order, total in enumerate(on_quaternions(moments, turns)):
             if total is not None:
                 out[pairs.wrench, order, columns] = total

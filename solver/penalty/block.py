@@ -42,10 +42,10 @@ class Entries:
     column: Index
     slope: Array | float = 1.0
 
-    def select(self, some: Index) -> Entries:
+    def select(self, indices: Index) -> Entries:
         """Return the derivatives of the residuals with these indices."""
-        slope = self.slope if isinstance(self.slope, float) else self.slope[some]
-        return replace(self, at=self.at[some], column=self.column[some], slope=slope)
+        slope = self.slope if isinstance(self.slope, float) else self.slope[indices]
+        return replace(self, at=self.at[indices], column=self.column[indices], slope=slope)
 
     def scaled(self, factor: Array) -> Entries:
         """Return the derivatives times a factor per residual (P,)."""

@@ -43,11 +43,11 @@ class Rows:
         """Whether every gradient is stored with a separate basis of one vector."""
         return self.shares.shape[1] == 1
 
-    def select(self, some: Index) -> Array:
+    def select(self, indices: Index) -> Array:
         """Return the gradients with given indices (A,), (A, N)."""
         if self.is_plain:
-            return self.basis[some, 0]
-        return np.einsum("ak,akn->an", self.shares[some], self.basis[self.of[some]])
+            return self.basis[indices, 0]
+        return np.einsum("ak,akn->an", self.shares[indices], self.basis[self.of[indices]])
 
     def moved(self, change: Array) -> Array:
         """Return the changes (P,) of the residuals for a change (S, N) of y."""
@@ -80,12 +80,12 @@ class Rows:
         out[at[first]] = np.add.reduceat(rows, first)
         return out
 
-    def squared(self, some: Index, factor: Array) -> tuple[Index, Array]:
-        """Return samples (A,) and rows (A, N) with Σ rowᵀrow at every sample of the rows `some`, each with a factor."""
+    def squared(self, indices: Index, factor: Array) -> tuple[Index, Array]:
+        """Return samples (A,) and rows (A, N) with Σ rowᵀrow at every sample of some rows, each with a factor."""
         if self.is_plain:
-            return self.at[some], factor[:, None] * self.basis[some, 0]
+            return self.at[indices], factor[:, None] * self.basis[indices, 0]
         k = self.shares.shape[1]
-        of, shares = self.of[some], factor[:, None] * self.shares[some]
+        of, shares = self.of[indices], factor[:, None] * self.shares[indices]
         many = np.bincount(of, minlength=len(self.basis)) > k
         is_alone = ~many[of]
         at, rows = self.at[of[is_alone]], np.einsum("ak,akn->an", shares[is_alone], self.basis[of[is_alone]])
@@ -157,11 +157,13 @@ class OneSidedResiduals:
         rows = Rows.plain(self.at[place[by_sample]], basis), *(rows for _, rows in others)
         return OneSidedResiduals(self.at[order], self.value[order], rows), order
 
-    def select(self, some: Index) -> Array:
+    def select(self, ascending: Index) -> Array:
         """Return the gradients (A, N) of ascending indices."""
         gradients = []
         for run, rows in self.parts():
-            indices = some[np.searchsorted(some, run.start) : np.searchsorted(some, run.stop)] - run.start
+            indices = (
+                ascending[np.searchsorted(ascending, run.start) : np.searchsorted(ascending, run.stop)] - run.start
+            )
             if indices.size:
                 gradients.append(rows.select(indices))
         return np.concatenate(gradients) if gradients else np.zeros((0, 0))

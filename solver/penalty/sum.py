@@ -15,11 +15,11 @@ class Sum(Penalty):
     """The sum of at least one soft constraint, all of the same unit."""
 
     parts: tuple[Penalty, ...]
-    called: str
+    term_name: str
 
     @property
     def name(self) -> str:
-        return self.called
+        return self.term_name
 
     @property
     def role(self) -> Role:

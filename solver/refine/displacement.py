@@ -31,12 +31,12 @@ class Displacement:
     Attributes:
         distance: ∫ |Y_opt − Y_EL| dt (eq. 33).
         gap: ∫ δ(t) |EL(t)| dt, an upper estimate of the remaining reduction of E in the segment (eq. 32).
-        found: The actual reduction of E by the local solve.
+        reduction: The actual reduction of E by the local solve.
     """
 
     distance: Array
     gap: Array
-    found: Array
+    reduction: Array
 
 
 def displacement(
@@ -46,7 +46,7 @@ def displacement(
     variable: int = VARIABLE,
     max_evaluations: int = MOST_EVALUATIONS,
     tolerance: float = TOLERANCE,
-    told: Callable[[int, int], None] | None = None,
+    report_progress: Callable[[int, int], None] | None = None,
 ) -> Displacement:
     """Return the displacement of every segment, by a local solve of each.
 
@@ -54,7 +54,7 @@ def displacement(
         objective: E.
         variable: The number of variable frames inside each segment.
         tolerance: Relative progress at which a solve ends.
-        told: Called with (number of solved segments, number of segments).
+        report_progress: Called with (number of solved segments, number of segments).
     """
     path = path_of(timeline)
     local_objective = replace(objective, quadrature=replace(objective.quadrature, kind="gauss", points=5))
@@ -67,8 +67,8 @@ def displacement(
         delta = np.linalg.norm(path.at(t) - path_of(better).at(t), axis=1)
         level = np.interp(t, strength.t[i], strength.size[i])
         saved = local_objective.value(path_of(local)) - local_objective.value(path_of(better))
-        if told is not None:
-            told(i + 1, timeline.times.size - 1)
+        if report_progress is not None:
+            report_progress(i + 1, timeline.times.size - 1)
         rows.append((w @ delta, w @ (delta * level), saved))
     distance, gap, decrease = np.array(rows).T
     return Displacement(distance, gap, decrease)

@@ -80,17 +80,19 @@ class EditWindow:
         inside = [frame for frame in part.frames if self.first < frame.time < self.last]
         return Timeline(tuple(sorted((*outside, *inside), key=lambda f: f.time)), timeline.end_slope, timeline.ends)
 
-    def elsewhere(self, objective: Objective, timeline: Timeline, keys: Array, known: Array | None = None) -> Array:
+    def outside_terms(
+        self, objective: Objective, timeline: Timeline, keys: Array, segment_terms: Array | None = None
+    ) -> Array:
         """Return the contribution of the segments outside the part to the terms of E, (terms,).
 
         Args:
             objective: E.
             keys: The times of the keyframes, (K,) [s].
-            known: The contributions of all segments between keyframes, if already computed, (segments, terms).
+            segment_terms: The contributions of all segments between keyframes, if already computed, (segments, terms).
         """
         inside = self.inside(keys)
-        if known is not None:
-            return known.sum(axis=0) - known[inside].sum(axis=0)
+        if segment_terms is not None:
+            return segment_terms.sum(axis=0) - segment_terms[inside].sum(axis=0)
         runs = keys[: inside.start + 1], keys[inside.stop :]
         parts = [segment_integrals(objective, path_of(timeline), run) for run in runs if run.size > 1]
         return np.add.reduce([part.sum(axis=0) for part in parts])

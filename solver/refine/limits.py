@@ -130,7 +130,7 @@ def _moved_back(figure: Figure, timeline: Timeline, violation: _Violation) -> Ti
     unit = _cardinal(timeline, start, violation)
     if not unit.shape[1]:
         return timeline
-    spline, t = spline_of(timeline), _looks(timeline, unit)
+    spline, t = spline_of(timeline), _check_times(timeline, unit)
     value, tolerance, cardinal = _values(figure, timeline, joint, t), _tolerance(joint), spline.evaluate(unit, t)
     over = value - joint.high - tolerance
     under = np.full(t.size, -np.inf) if joint.kind is JointKind.BALL else joint.low - tolerance - value
@@ -149,7 +149,7 @@ def _moved_back(figure: Figure, timeline: Timeline, violation: _Violation) -> Ti
     return timeline.with_rows(moved)
 
 
-def _looks(timeline: Timeline, unit: Array) -> Array:
+def _check_times(timeline: Timeline, unit: Array) -> Array:
     """Return the times (T,) [s] at which a joint is compared with its bounds: the interval that moved rows affect."""
     frames, times = np.flatnonzero(unit[:-2].any(axis=1)), timeline.times
     begin = 0 if unit[-2].any() or not frames.size else max(frames[0] - REACHED, 0)

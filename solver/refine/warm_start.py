@@ -26,7 +26,7 @@ TINY = 0.02  # [s] length of a segment up to which it gets no variable frames
 
 def warm_start(
     figure: Figure,
-    found: Timeline,
+    solved: Timeline,
     before: Sequence[Frame],
     keys: Sequence[Frame],
     raw: Timeline,
@@ -36,7 +36,7 @@ def warm_start(
     """Return the warm start through edited keyframes, with the variable frames of an earlier solution.
 
     Args:
-        found: The earlier solution's timeline.
+        solved: The earlier solution's timeline.
         before: The keyframes of the earlier solution, which hold qpos.
         keys: The edited keyframes, which hold qpos.
         raw: The timeline of the spline through `keys`.
@@ -44,8 +44,8 @@ def warm_start(
         turn: Of a loop, see `Problem` [rad].
     """
     old_times, new_times = _matched(before, keys)
-    path = path_of(found)
-    first, last = found.times[0], found.times[-1]
+    path = path_of(solved)
+    first, last = solved.times[0], solved.times[-1]
 
     def old(times: Array) -> Array:
         return path.at(np.clip(_stretched(times, new_times, old_times), first, last))
@@ -59,14 +59,14 @@ def warm_start(
     start = raw_timeline(figure, warm, raw.ends, raw.end_slope if is_clamped else None, travel, turn)
     start = Timeline(start.frames, raw.end_slope, raw.ends) if is_clamped else start
     signs = _signs(figure, start.states, was)
-    inner = np.sort(_stretched(found.times[~found.fixed.any(axis=1)], old_times, new_times))
+    inner = np.sort(_stretched(solved.times[~solved.fixed.any(axis=1)], old_times, new_times))
     inner = _placed(times, inner)
     states = _moved(figure, start, signs, was, inner, old(inner))
     frames = Frame.many(inner, states, np.zeros(states.shape, bool))
     posed = [replace(frame, posed=of.posed) for frame, of in zip(start.frames, raw.frames, strict=True)]
     slopes = np.array(start.end_slope)
     free = np.array(raw.free_slopes)[:, None]
-    slopes = np.where(free, np.array(found.end_slope) * signs[[0, -1]], slopes)
+    slopes = np.where(free, np.array(solved.end_slope) * signs[[0, -1]], slopes)
     return Timeline(tuple(posed), slopes, raw.ends).inserted(frames)
 
 

@@ -35,11 +35,11 @@ def is_long(raw: Timeline) -> bool:
 
 @dataclass(frozen=True)
 class Window:
-    """A window of segments: fixed from `held`, solved from `first` to `kept`, look-ahead from `kept` to `last`."""
+    """A window of segments: fixed from `fixed_from`, solved from `first` to `solved_to`, look-ahead up to `last`."""
 
-    held: int
+    fixed_from: int
     first: int
-    kept: int
+    solved_to: int
     last: int
 
 
@@ -66,21 +66,23 @@ class Assembly:
         """Return the whole clip at present."""
         return Timeline(tuple(self.frames), self.end_slope, self.raw.ends)
 
-    def elsewhere(self, window: Window) -> Array:
+    def outside_terms(self, window: Window) -> Array:
         """Return the contribution of the segments outside a window to the terms of E, (terms,)."""
-        return self.parts.sum(axis=0) - self.parts[window.held : window.last].sum(axis=0)
+        return self.parts.sum(axis=0) - self.parts[window.fixed_from : window.last].sum(axis=0)
 
     def opened(self, window: Window) -> Timeline:
         """Return a window as a separate clip, with its solved frames fixed."""
-        begin, first, end = (self.key_times[i] for i in (window.held, window.first, window.last))
+        begin, first, end = (self.key_times[i] for i in (window.fixed_from, window.first, window.last))
         frames = [f for f in self.frames if begin <= f.time <= end]
-        part = [Frame.key(f.time, f.state) if f.time <= first and window.held < window.first else f for f in frames]
-        if window.held > 0:
+        part = [
+            Frame.key(f.time, f.state) if f.time <= first and window.fixed_from < window.first else f for f in frames
+        ]
+        if window.fixed_from > 0:
             # a second frame near the cut also fixes the slope
             near = begin + PINNED * (frames[1].time - begin)
             part.insert(1, Frame.key(near, self.solved_path.at(np.array([near]))[0]))
         slopes = np.vstack([self.solved_path.at(np.array([begin]), 1), self.first_path.at(np.array([end]), 1)])
-        for side, at_end in enumerate((window.held == 0, window.last == len(self.key_times) - 1)):
+        for side, at_end in enumerate((window.fixed_from == 0, window.last == len(self.key_times) - 1)):
             if at_end:
                 slopes[side] = self.end_slope[side]
         return Timeline(tuple(part), slopes, self.raw.ends)
@@ -89,7 +91,7 @@ class Assembly:
         """Return a function that inserts a solved window into the present clip."""
         return partial(self._with_window, tuple(self.frames), self.end_slope, window)
 
-    def room(self, window: Window, budget: int) -> int:
+    def frame_budget(self, window: Window, budget: int) -> int:
         """Return the number of variable frames of a window, for a budget of the whole clip."""
         segments = len(self.key_times) - 1
         first, last = self.key_times[window.first], self.key_times[window.last]
@@ -111,7 +113,7 @@ class Assembly:
         last = self.key_times[window.last]
         before, after = (f for f in frames if f.time <= first), (f for f in frames if f.time > last)
         slopes = np.array(end_slope)
-        if window.held == 0:
+        if window.fixed_from == 0:
             slopes[0] = solved.end_slope[0]
         if window.last == len(self.key_times) - 1:
             slopes[1] = solved.end_slope[1]

@@ -42,30 +42,30 @@ class Capsule(Solid):
     radius: float
 
     def distance(self, points: Array) -> tuple[Array, Array]:
-        away = self._away(points)
+        away = self._from_segment(points)
         size = lengths(away)
         return size - self.radius, directions(away, size, self._across)
 
     def least(self, points: Array) -> Array:
-        return lengths(self._away(points)) - self.radius
+        return lengths(self._from_segment(points)) - self.radius
 
     def span(self, points: Array) -> tuple[Array, Array]:
         ends = [Sphere(self.name, self.centre + side * self.half * self.axis, self.radius) for side in (-1, 1)]
         (first_low, first_high), (last_low, last_high) = (end.span(points) for end in ends)
         low, high = barrel_span(points, self.centre, self.axis, self.radius)
-        low, high = (np.where(self._beside(points, z), z, np.nan) for z in (low, high))
+        low, high = (np.where(self._is_alongside(points, z), z, np.nan) for z in (low, high))
         return np.fmin(np.fmin(first_low, last_low), low), np.fmax(np.fmax(first_high, last_high), high)
 
     @cached_property
     def _across(self) -> Array:
         return across(self.axis)
 
-    def _away(self, points: Array) -> Array:
+    def _from_segment(self, points: Array) -> Array:
         """Return the vector from the nearest point of the segment, (3, p)."""
         away = points - self.centre[:, None]
         return away - np.multiply.outer(self.axis, np.clip(self.axis @ away, -self.half, self.half))
 
-    def _beside(self, points: Array, z: Array) -> Array:
+    def _is_alongside(self, points: Array, z: Array) -> Array:
         """Return whether points at heights z are between the segment's ends."""
         along = self.axis[:2] @ (points[:2] - self.centre[:2, None]) + self.axis[2] * (z - self.centre[2])
         return np.abs(along) <= self.half

@@ -26,7 +26,7 @@ def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tu
         Heights (n, S) [m], FAR if there is no surface or it is far above, and gradients (3, n, S).
     """
     height, nearest = heights(surfaces, points, radius)
-    return height, ways_up(surfaces, nearest.ravel(), points.reshape(3, -1)).reshape(points.shape)
+    return height, height_gradients(surfaces, nearest.ravel(), points.reshape(3, -1)).reshape(points.shape)
 
 
 def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Index]:
@@ -40,7 +40,7 @@ def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[
     return height, nearest
 
 
-def ways_up(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array:
+def height_gradients(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array:
     """Return the gradients (3, p) of the heights of points (3, p) above the surfaces with these indices (p,)."""
     up = np.zeros(points.shape)
     for i, surface in enumerate(surfaces):

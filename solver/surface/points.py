@@ -154,13 +154,13 @@ def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
     return []
 
 
-def placed(figure: Figure, told: Mask, points: Sequence[Point]) -> Mask:
+def placed(figure: Figure, specified: Mask, points: Sequence[Point]) -> Mask:
     """Return whether a keyframe specifies every joint from the root to a point, and so its position, (n, K).
 
     Args:
-        told: Entries of qpos that keyframes specify, (K, nq).
+        specified: Entries of qpos that keyframes specify, (K, nq).
     """
     entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
-    whole = [told[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
+    whole = [specified[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
     path = figure.tables.path[:, 1:] > 0
     return np.array([np.all(np.array(whole)[path[point.link]], axis=0) for point in points])

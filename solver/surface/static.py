@@ -88,7 +88,7 @@ def _hull(model: mujoco.MjModel, name: str, centre: Array, axes: Array, mesh: in
     first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
     vertices = centre + np.array(model.mesh_vert[first : first + count], float) @ axes.T
     if graph < 0:
-        return _fresh_hull(name, vertices, floor)
+        return _computed_hull(name, vertices, floor)
     corners, faces = int(model.mesh_graph[graph]), int(model.mesh_graph[graph + 1])
     # counts of corners and faces; per corner the start of its edges, and its vertex; the edges; three vertices per face
     at = graph + 2 + corners
@@ -107,11 +107,11 @@ def hull_of(vertices: Array, most: int = -1) -> tuple[Array, Index] | None:
     Args:
         most: The maximum number of corners; −1: no limit.
     """
-    hull = _fresh_hull("hull", vertices, -np.inf, most)
+    hull = _computed_hull("hull", vertices, -np.inf, most)
     return None if hull is None else (hull.corners, hull.faces)
 
 
-def _fresh_hull(name: str, vertices: Array, floor: float, most: int = -1) -> Hull | None:
+def _computed_hull(name: str, vertices: Array, floor: float, most: int = -1) -> Hull | None:
     """Return the hull of points (v, 3) in the world [m], for meshes of which the model contains no hull."""
     spec = mujoco.MjSpec()
     spec.add_mesh(name="hull", uservert=vertices.ravel(), maxhullvert=most)

@@ -102,7 +102,7 @@ def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
     return frozenset(pairs)
 
 
-def _way(model: mujoco.MjModel, body: int) -> list[int]:
+def _joints_to_world(model: mujoco.MjModel, body: int) -> list[int]:
     """Return the joints from a body to the world."""
     joints: list[int] = []
     while body:
@@ -114,7 +114,7 @@ def _way(model: mujoco.MjModel, body: int) -> list[int]:
 
 def _hangs(model: mujoco.MjModel, body: int) -> bool:
     """Return whether no free joint is between a body and the world."""
-    return all(model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_FREE) for joint in _way(model, body))
+    return all(model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_FREE) for joint in _joints_to_world(model, body))
 
 
 def _touches(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> bool:
@@ -125,7 +125,7 @@ def _slides_out(model: mujoco.MjModel, geom: int, solid: int) -> bool:
     """Return whether a slide separates a moving geom from a static one: a walker's from the floor, no cart from its
     rail."""
     data = mujoco.MjData(model)
-    for joint in _way(model, int(model.geom_bodyid[geom])):
+    for joint in _joints_to_world(model, int(model.geom_bodyid[geom])):
         if model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_SLIDE):
             continue
         column = int(model.jnt_qposadr[joint])

@@ -186,5 +186,5 @@ def test_the_distance_to_the_local_optimum_shrinks_as_variable_frames_are_added(
     total = [d.distance.sum() for d in found]
     assert total[0] > 3 * total[1] > 9 * total[2] > 0
     for d in found:
-        assert np.all(d.found > -1e-9)
-        assert np.all(d.gap >= 0.9 * d.found)
+        assert np.all(d.reduction > -1e-9)
+        assert np.all(d.gap >= 0.9 * d.reduction)

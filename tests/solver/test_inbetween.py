@@ -142,7 +142,7 @@ def test_nothing_is_split_in_what_is_held_and_nothing_that_promises_too_little(m
     settings = Settings(criterion=criterion, threshold=0.25, batch=0.5)
     loop = _Loop(Objective.of(hinged(), [(CovariantAcceleration(), 1.0)]), settings, None)
     loop.since, loop.until = since, until
-    loop.elsewhere = np.array([2.0])
+    loop.outside_terms = np.array([2.0])
     loop.trace = [(0, 0, 9.0, {}), (1, 0, 4.4, {})]
     timeline = split(raw_timeline(hinged(), hinge_keys()), np.array([0.25, 0.95, 1.7]))
     middles = (timeline.times[1:] + timeline.times[:-1]) / 2

@@ -224,7 +224,7 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
     if surfaces and ground.points:
         penalties.append(Contact(ground.points, surfaces))
     if surfaces and (body := ground.clear):
-        penalties.append(Contact(body, surfaces, called="collision.body"))
+        penalties.append(Contact(body, surfaces, term_name="collision.body"))
     if rests:
         penalties.append(RestPenalty(tuple(rests), surfaces))
         if figure.tables.free_links.size:

@@ -40,7 +40,7 @@ class Contact(Penalty):
     surfaces: tuple[Surface, ...]
     margin: float = 0.0
     allowed: Allowance | None = None
-    called: str = "collision.soles"
+    term_name: str = "collision.soles"
     carrier: int = 0
 
     role = Role.OBSTACLE
@@ -48,7 +48,7 @@ class Contact(Penalty):
 
     @property
     def name(self) -> str:
-        return self.called
+        return self.term_name
 
     def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Contact:
         """Return the penalty without the depth that keyframes fix, including the margin.
@@ -213,11 +213,11 @@ class Contact(Penalty):
         return flat, arms.reshape(3, -1), centres, radii.ravel()
 
 
-def neighbours(positions: Array, some: Index) -> list[Index]:
+def neighbours(positions: Array, indices: Index) -> list[Index]:
     """Return some of points (3, n) in groups of at most MOST_TOGETHER, split across their largest extent."""
-    if some.size <= MOST_TOGETHER:
-        return [some]
-    axis = int(np.argmax(np.ptp(positions[:, some], axis=1)))
-    order = some[np.argsort(positions[axis, some], kind="stable")]
+    if indices.size <= MOST_TOGETHER:
+        return [indices]
+    axis = int(np.argmax(np.ptp(positions[:, indices], axis=1)))
+    order = indices[np.argsort(positions[axis, indices], kind="stable")]
     half = order.size // 2
     return [*neighbours(positions, order[:half]), *neighbours(positions, order[half:])]

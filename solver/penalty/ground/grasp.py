@@ -40,13 +40,13 @@ class GraspPenalty(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block]:
         for grasp, at in self._during(samples.t):
             spot = grasp.spot(samples.t[at])
-            offset, spot_offset, away = _apart(samples, grasp, at, spot)
+            offset, spot_offset, away = _grasp_vectors(samples, grasp, at, spot)
             if spot is None:
                 yield _sliding(samples, grasp, at, offset, spot_offset)
                 continue
-            counted = _counted(grasp, samples.t[at], away)
+            counted = _share_beyond_slack(grasp, samples.t[at], away)
             one, two = (np.full(3 * at.size, link) for link in (grasp.point.link, grasp.link))
-            directions, when = np.concatenate(list(_residual_ways(away, counted)), axis=1), np.tile(at, 3)
+            directions, when = np.concatenate(list(_residual_rows(away, counted)), axis=1), np.tile(at, 3)
             changes = (
                 of_point(when, one, np.tile(offset, 3), directions),
                 of_point(when, two, np.tile(spot_offset, 3), -directions),
@@ -61,20 +61,20 @@ class GraspPenalty(Penalty):
                 yield grasp, at
 
 
-def _sliding(samples: Samples, grasp: Grasp, at: Index, offset: Array, own: Array) -> Block:
+def _sliding(samples: Samples, grasp: Grasp, at: Index, offset: Array, spot_offset: Array) -> Block:
     """Return the velocity of a grasp's point relative to the body's material, at samples `at` (P,)."""
     links, one, two = samples.links, np.full(at.size, grasp.point.link), np.full(at.size, grasp.link)
     spin = links.omega[:, grasp.link, at]
     slide = links.x_d[:, grasp.point.link, at] + cross(links.omega[:, grasp.point.link, at], offset)
-    slide -= links.x_d[:, grasp.link, at] + cross(spin, own)
+    slide -= links.x_d[:, grasp.link, at] + cross(spin, spot_offset)
     (when, first, axes), (_, second, _) = along_axes(at, one), along_axes(at, two)
-    arm, leg = np.tile(offset, 3), np.tile(own, 3)
+    point_offsets, spot_offsets = np.tile(offset, 3), np.tile(spot_offset, 3)
     other = cross(np.tile(spin, 3), axes)  # moving the point changes the material below it
     changes = (
-        of_velocity(samples, when, first, arm, axes),
-        of_velocity(samples, when, second, leg, -axes),
-        of_point(when, first, arm, other),
-        of_point(when, second, leg, -other),
+        of_velocity(samples, when, first, point_offsets, axes),
+        of_velocity(samples, when, second, spot_offsets, -axes),
+        of_point(when, first, point_offsets, other),
+        of_point(when, second, spot_offsets, -other),
     )
     return Block(when, slide.ravel(), changes, Thresholds.of(samples.figure).settling ** 2)
 
@@ -82,11 +82,11 @@ def _sliding(samples: Samples, grasp: Grasp, at: Index, offset: Array, own: Arra
 def slipped(samples: Samples, grasp: Grasp) -> Array:
     """Return positions (3, S) [m] of a grasp's point in the axes of the link that it grasps."""
     at = np.arange(samples.count)
-    _, spot_offset, _ = _apart(samples, grasp, at, None)
+    _, spot_offset, _ = _grasp_vectors(samples, grasp, at, None)
     return np.einsum("ijs,is->js", samples.links.rotation[:, :, grasp.link], spot_offset)
 
 
-def _apart(samples: Samples, grasp: Grasp, at: Index, spot: Array | None) -> tuple[Array, Array, Array]:
+def _grasp_vectors(samples: Samples, grasp: Grasp, at: Index, spot: Array | None) -> tuple[Array, Array, Array]:
     """Return vectors (3, P) of a grasp at samples `at` (P,). These are the offset of the point on its link, that of the
     spot (3, P) on the other link (of the point without a spot), and the displacement from the spot to the point."""
     links = samples.links
@@ -96,14 +96,14 @@ def _apart(samples: Samples, grasp: Grasp, at: Index, spot: Array | None) -> tup
     return offset, spot_offset, between - spot_offset
 
 
-def _counted(grasp: Grasp, t: Array, away: Array) -> Array:
+def _share_beyond_slack(grasp: Grasp, t: Array, displacement: Array) -> Array:
     """Return the fraction (P,) beyond the slack of displacements (3, P) from the spot."""
-    return np.maximum(1 - grasp.slack(t) / np.maximum(np.linalg.norm(away, axis=0), TINY), 0)
+    return np.maximum(1 - grasp.slack(t) / np.maximum(np.linalg.norm(displacement, axis=0), TINY), 0)
 
 
-def _residual_ways(away: Array, counted: Array | float) -> Iterator[Array]:
-    """Yield the rows (3, P) of the derivative of `counted` × `away` (3, P) by `away`."""
-    along = away / np.maximum(np.linalg.norm(away, axis=0), TINY)
-    within = np.where(np.greater(counted, 0), 1 - counted, 0.0)
+def _residual_rows(displacement: Array, share: Array | float) -> Iterator[Array]:
+    """Yield the rows (3, P) of the derivative of `share` × `displacement` (3, P) by `displacement`."""
+    along = displacement / np.maximum(np.linalg.norm(displacement, axis=0), TINY)
+    within = np.where(np.greater(share, 0), 1 - share, 0.0)
     for axis, unit in enumerate(np.eye(3)):
-        yield counted * unit[:, None] + within * along[axis] * along
+        yield share * unit[:, None] + within * along[axis] * along

@@ -18,7 +18,7 @@ from ...contacts.thresholds import Thresholds
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface import Surface
-from ...surface.heights import heights, ways_up
+from ...surface.heights import height_gradients, heights
 from ...surface.points import Point, arrays_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
@@ -73,7 +73,7 @@ class HoverPenalty(Penalty):
         value, slope = self._faded(lowest, within(self.firm, samples.t[at]))
         high = np.flatnonzero(lowest[pair] > 0)
         which, pair, share = which[high], pair[high], (share / total[pair] * slope[pair])[high]
-        up = ways_up(self.surfaces, nearest[which, pair], centre[:, which, at[pair]])
+        up = height_gradients(self.surfaces, nearest[which, pair], centre[:, which, at[pair]])
         changes = of_point(at[pair], links[which], offset[:, which, at[pair]], share * up)
         yield Block(at, value, (changes,), of=pair)
 

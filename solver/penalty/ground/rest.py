@@ -33,11 +33,11 @@ UP = np.array([0.0, 0, 1])  # normal of level ground
 class Rolling:
     """A sphere of a link that rolls on a plane: the displacement of its centre without slip.
 
-    arm   (3,) [m] from the lowest point of the sphere to its centre
-    start (4,) orientation of the link for which the displacement is zero
+    offset  (3,) [m] from the lowest point of the sphere to its centre
+    start   (4,) orientation of the link for which the displacement is zero
     """
 
-    arm: Array
+    offset: Array
     start: Array
 
     @classmethod
@@ -46,9 +46,9 @@ class Rolling:
         up = UP if rest.ground is None else rest.ground.normal
         return cls(rest.rolls * rest.point.radius * up, start)
 
-    def way(self, turned: Array) -> Array:
+    def displacement(self, turned: Array) -> Array:
         """Return displacements (3, k) [m] of the centre if the link turns to (4, k), each about a fixed axis."""
-        return cross(quat.rotation_vector(quat.product(turned.T, quat.inverse(self.start))).T, self.arm[:, None])
+        return cross(quat.rotation_vector(quat.product(turned.T, quat.inverse(self.start))).T, self.offset[:, None])
 
 
 @dataclass(frozen=True)

@@ -31,11 +31,11 @@ EDGES = 4  # of the pyramid that approximates a friction cone
 FRICTION, SOFTNESS = 0.8, 1e-4  # defaults: coefficient of friction; ε relative to the squared edges of the cones
 
 
-class _Found(NamedTuple):
+class _Evaluation(NamedTuple):
     """A wrench, its unsupplied part, the contact forces [N] that supply the rest, and the cones' edges."""
 
     wrench: RootWrench
-    left: Unsupplied
+    unsupplied: Unsupplied
     pushes: Pushes
     edges: Array
 
@@ -89,7 +89,7 @@ class Support(Penalty):
         return cls(root, tuple(footings), tuple(flights), weight(figure, root), height(figure, root), friction)
 
     @property
-    def tells(self) -> bool:
+    def has_intervals(self) -> bool:
         """Whether there is any footing or flight."""
         return bool(self.footings or self.flights)
 
@@ -102,7 +102,7 @@ class Support(Penalty):
         root."""
         out, at = np.zeros((6, samples.count)), np.flatnonzero(self.known(samples.t))
         if at.size:
-            out[:, at] = self._found(samples, at, wrench).left.rest
+            out[:, at] = self._evaluate(samples, at, wrench).unsupplied.rest
         return out
 
     def reactions(self, samples: Samples, wrench: RootWrench | None = None) -> Reactions:
@@ -113,7 +113,7 @@ class Support(Penalty):
         if not which.size:
             none = np.zeros(0, np.intp)
             return Reactions(none, none, np.zeros((3, 0)), np.zeros((3, 0)))
-        pushes = self._found(samples, supported, wrench).pushes
+        pushes = self._evaluate(samples, supported, wrench).pushes
         x, _ = samples.links.poses(pushes.link * samples.count + pushes.at)
         return Reactions(pushes.at, which, x + pushes.offset, pushes.force)
 
@@ -121,10 +121,10 @@ class Support(Penalty):
         at = np.flatnonzero(self.known(samples.t))
         if not at.size:
             return
-        solution = self._found(samples, at)
+        solution = self._evaluate(samples, at)
         value, more = np.zeros((6, samples.count)), np.zeros(samples.count)
-        value[:, at] = solution.left.rest
-        more[at] = solution.left.value - np.sum(solution.left.rest**2, axis=0)
+        value[:, at] = solution.unsupplied.rest
+        more[at] = solution.unsupplied.value - np.sum(solution.unsupplied.rest**2, axis=0)
         share = np.repeat([1.0, 1 / self.length], 3)[:, None] / self.unit
 
         def pulled_back(into: Cotangent, bar: Array) -> None:
@@ -134,14 +134,14 @@ class Support(Penalty):
         def curved(into: Curvature, scale: Array) -> None:
             pushes = replace(solution.pushes, at=np.searchsorted(at, solution.pushes.at))
             rows = wrench_rows(RootWrench(samples.select(at), self.root), pushes).reshape(at.size, 6, -1)
-            root = share * np.linalg.cholesky(projection(solution.left, solution.edges, self.softness))
+            root = share * np.linalg.cholesky(projection(solution.unsupplied, solution.edges, self.softness))
             rows = np.matmul(root.swapaxes(1, 2), rows)
             each = np.repeat(at, 6)
             into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
 
         yield Dense(value, pulled_back, curved, more)
 
-    def _found(self, samples: Samples, known: Index, wrench: RootWrench | None = None) -> _Found:
+    def _evaluate(self, samples: Samples, known: Index, wrench: RootWrench | None = None) -> _Evaluation:
         """Evaluate the samples `known` (P,)."""
         wrench = RootWrench(samples, self.root) if wrench is None else wrench
         w = np.concatenate([wrench.force[:, known], wrench.moment[:, known] / self.length]) / self.unit
@@ -159,7 +159,7 @@ class Support(Penalty):
         unsupplied_part = unsupplied(w, pyramid, self.softness)
         shares = unsupplied_part.shares.reshape(-1, EDGES, known.size)[slot, :, at]
         force = self.unit * np.einsum("ipe,pe->ip", edges_at, shares)
-        return _Found(wrench, unsupplied_part, Pushes(sample, link, offset, force), pyramid)
+        return _Evaluation(wrench, unsupplied_part, Pushes(sample, link, offset, force), pyramid)
 
     def _active(self, t: Array) -> Mask:
         """Return whether footings apply at times t (S,), (n, S)."""

@@ -66,14 +66,14 @@ class JointRange(Penalty):
 
     joints: tuple[Range, ...]
     allowed: Allowance | None = None
-    called: str = "limits.range"
+    term_name: str = "limits.range"
     hard: tuple[Range, ...] = ()
 
     role = Role.LIMIT
 
     @property
     def name(self) -> str:
-        return self.called
+        return self.term_name
 
     def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
         """Return the penalty with tolerances for joints that keyframes fix beyond their ranges."""
@@ -163,16 +163,18 @@ class JointRange(Penalty):
         joints = [self.joints[i] for i in self._which[0]]
         return np.array([samples.figure.links[joint.link].qpos + joint.column for joint in joints], np.intp)
 
-    def _limits(self, t: Array, some: Index) -> tuple[Array, Array]:
+    def _limits(self, t: Array, joints: Index) -> tuple[Array, Array]:
         """Return lower and upper bounds of joints (n,) at times t (S,), (n, S), or (n, 1) if they are constant."""
-        low, high = (bound[some, None] for bound in self._bounds)
+        low, high = (bound[joints, None] for bound in self._bounds)
         if self._is_timed:
-            first, last = (np.array([getattr(self.joints[i], end) for i in some])[:, None] for end in ("first", "last"))
+            first, last = (
+                np.array([getattr(self.joints[i], end) for i in joints])[:, None] for end in ("first", "last")
+            )
             holds = (first <= t) & (t <= last)
             low, high = np.where(holds, low, -np.inf), np.where(holds, high, np.inf)
         if self.allowed is None or not self.allowed.excess.any():
             return low, high
-        below, above = self.allowed.at(t)[:, some]
+        below, above = self.allowed.at(t)[:, joints]
         return low - below, high + above
 
     def _turned(self, samples: Samples) -> tuple[Array, Array, Array, Array]:

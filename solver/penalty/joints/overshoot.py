@@ -40,20 +40,20 @@ class OvershootPenalty(JointRange, Guide):
         frames: Times of variable frames that the spline needs to stay within the bounds [s].
     """
 
-    called: str = "limits.overshoot"
+    term_name: str = "limits.overshoot"
     frames: tuple[float, ...] = ()
     figure: Figure | None = None
 
     @classmethod
-    def of(cls, figure: Figure, held: Sequence[Range], times: Array) -> OvershootPenalty:
+    def of(cls, figure: Figure, ranges: Sequence[Range], times: Array) -> OvershootPenalty:
         """Return the penalty of held joints in a clip of keyframes at times (K,) [s]."""
         frames: set[float] = set()
-        for first, last in {(joint.first, joint.last) for joint in held}:
+        for first, last in {(joint.first, joint.last) for joint in ranges}:
             k, length = int(np.argmin(np.abs(times - first))), last - first
             beside = [times[k] - times[k - 1] if k else length, times[k + 2] - last if k + 2 < times.size else length]
             one, other = (float(min(BESIDE * length, BESIDE * span)) for span in beside)
             frames |= {first + one, last - other}
-        return cls(tuple(held), frames=tuple(sorted(frames)), figure=figure)
+        return cls(tuple(ranges), frames=tuple(sorted(frames)), figure=figure)
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline with held joints at their values, and variable frames near the ends of holds."""
@@ -106,12 +106,12 @@ class Track:
     def is_rotation(self) -> bool:
         return self.columns.size == 4
 
-    def off(self, qpos: Array, home: Array) -> Array:
+    def deviation(self, qpos: Array, home: Array) -> Array:
         """Return the deviation of configurations (..., nq) from a value (1 or 4), (..., 1 or 3) [rad, m]."""
         values = qpos[..., self.columns]
         return quat.rotation_vector(quat.product(quat.inverse(home), values)) if self.is_rotation else values - home
 
-    def held(self, home: Array, first: float, last: float) -> Range:
+    def constant_range(self, home: Array, first: float, last: float) -> Range:
         """Return the bounds that hold the coordinate at a value (1 or 4) from one time to another [s]."""
         tolerance = ROOM[self.unit]
         if self.is_rotation:
@@ -148,7 +148,7 @@ def steady(
         aloft: Flights (first, last) [s], in which a root rises and falls between two keyframes of one height.
     """
     qpos = figure.to_qpos(keys.states)
-    holds = [hold for track in tracks(figure) for hold in _held(track, keys, qpos, repeats=repeats)]
+    holds = [hold for track in tracks(figure) for hold in _held_segments(track, keys, qpos, repeats=repeats)]
     holds = [(track, k) for track, k in holds if not _flies(figure, track, keys.times[k : k + 2], aloft)]
     by_segment: dict[int, list[int]] = {}
     for i, (_, k) in enumerate(holds):
@@ -163,14 +163,16 @@ def steady(
         for row, k in zip(raw, batch.tolist(), strict=True):
             for i in by_segment[k]:
                 track = holds[i][0]
-                off = np.linalg.norm(track.off(row, qpos[k, track.columns]), axis=-1)
+                off = np.linalg.norm(track.deviation(row, qpos[k, track.columns]), axis=-1)
                 if off.max() > SWINGS[track.unit]:
                     swings.add((i, k))
     times = keys.times.tolist()
-    return tuple(holds[i][0].held(qpos[k, holds[i][0].columns], times[k], times[k + 1]) for i, k in sorted(swings))
+    return tuple(
+        holds[i][0].constant_range(qpos[k, holds[i][0].columns], times[k], times[k + 1]) for i, k in sorted(swings)
+    )
 
 
-def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterator[tuple[Track, int]]:
+def _held_segments(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterator[tuple[Track, int]]:
     """Yield the coordinate with each segment, by its first keyframe, in which keyframes hold it."""
     fixed: Mask = np.asarray(keys.fixed[:, track.columns].all(axis=1))
     both = np.flatnonzero(fixed[:-1] & fixed[1:])
@@ -187,20 +189,22 @@ def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterat
     near = np.convolve(moves, np.ones(2 * FELT + 1), "valid") > 0
     fixing = np.flatnonzero(fixed)
     for k in np.flatnonzero(is_same & near).tolist():
-        beside, length = _beside(keys, fixing, k), float(keys.times[k + 1] - keys.times[k])
+        beside, length = _neighbours(keys, fixing, k), float(keys.times[k + 1] - keys.times[k])
         lengths = [span for _, span in filter(None, beside)]
         is_long, is_brief = length >= LONG * min(lengths, default=0.0), length < BRIEF
         if is_long or not (is_brief or (repeats and _is_turning_point(track, qpos, k, beside))):
             yield track, k
 
 
-def _is_turning_point(track: Track, qpos: Array, k: int, beside: Sequence[tuple[int, float] | None]) -> bool:
+def _is_turning_point(track: Track, qpos: Array, k: int, neighbours: Sequence[tuple[int, float] | None]) -> bool:
     """Return whether a coordinate reaches keyframe k from the same side to which it leaves keyframe k + 1."""
-    off = [track.off(qpos[neighbour[0]], qpos[k, track.columns]) for neighbour in beside if neighbour is not None]
+    off = [
+        track.deviation(qpos[neighbour[0]], qpos[k, track.columns]) for neighbour in neighbours if neighbour is not None
+    ]
     return len(off) == 2 and bool(off[0] @ off[1] > 0)
 
 
-def _beside(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
+def _neighbours(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
     """The nearest keyframes before k and after k + 1 that fix a coordinate, and their distances [s]. In a loop the
     search wraps around its end."""
     times, last, place = keys.times, len(keys.times) - 1, int(np.searchsorted(fixing, k))

@@ -54,24 +54,24 @@ class Meeting:
         at: The samples, (q,).
         first: The links of the first capsules, (q,).
         last: The links of the second capsules, (q,).
-        first_arm: The first points relative to their links' origins, (3, q) [m].
-        last_arm: The second points relative to their links' origins, (3, q) [m].
+        first_offset: The first points relative to their links' origins, (3, q) [m].
+        last_offset: The second points relative to their links' origins, (3, q) [m].
         depth: The depths, negative if the capsules do not touch, (q,) [m].
-        apart: Unit vectors from the second points to the first, (3, q).
+        direction: Unit vectors from the second points to the first, (3, q).
     """
 
     at: Index
     first: Index
     last: Index
-    first_arm: Array
-    last_arm: Array
+    first_offset: Array
+    last_offset: Array
     depth: Array
-    apart: Array
+    direction: Array
 
     def select(self, which: Index) -> Meeting:
         chosen = (self.at[which], self.first[which], self.last[which])
-        vectors = (self.first_arm[:, which], self.last_arm[:, which])
-        return Meeting(*chosen, *vectors, self.depth[which], self.apart[:, which])
+        vectors = (self.first_offset[:, which], self.last_offset[:, which])
+        return Meeting(*chosen, *vectors, self.depth[which], self.direction[:, which])
 
 
 @dataclass(frozen=True)
@@ -120,8 +120,8 @@ class SelfContact(Penalty):
         if met is None:
             yield Block.joined([])
             return
-        first = of_point(met.at, met.first, met.first_arm, -met.apart)
-        last = of_point(met.at, met.last, met.last_arm, met.apart)
+        first = of_point(met.at, met.first, met.first_offset, -met.direction)
+        last = of_point(met.at, met.last, met.last_offset, met.direction)
         yield Block(met.at, met.depth, (first, last), one_sided=True)
 
     def meetings(self, samples: Samples, near: float) -> Meeting | None:
@@ -141,7 +141,7 @@ class SelfContact(Penalty):
                 results.append(met.select(np.flatnonzero(met.depth > -near)))
         if not any(met.at.size for met in results):
             return None
-        names = ("at", "first", "last", "first_arm", "last_arm", "depth", "apart")
+        names = ("at", "first", "last", "first_offset", "last_offset", "depth", "direction")
         return Meeting(*(np.concatenate([getattr(met, name) for met in results], axis=-1) for name in names))
 
     @cached_property
@@ -176,7 +176,7 @@ class SelfContact(Penalty):
         centre, axis = (np.einsum("ijk,jn->ink", rotation, local[:, bars]) for local in (centres, axes))
         return centre, axis
 
-    def _met(self, samples: Samples, at: Index, pairs: Index, room: float) -> Meeting:
+    def _met(self, samples: Samples, at: Index, pairs: Index, margin: float) -> Meeting:
         """Return the contacts of all pairs of bars of two links at samples `at` whose bounding spheres overlap."""
         links, _, _, halves, radii = self._arrays
         (a, ia), (b, ib) = (np.unique(side, return_inverse=True) for side in pairs)
@@ -184,7 +184,7 @@ class SelfContact(Penalty):
         first, last = int(links[a[0]]), int(links[b[0]])
         between = (samples.links.x[:, first] - samples.links.x[:, last]).take(at, axis=1)
         reach = np.full((a.size, b.size), -1.0)  # squared; negative for excluded pairs
-        reach[ia, ib] = (halves[a[ia]] + radii[a[ia]] + halves[b[ib]] + radii[b[ib]] + room) ** 2
+        reach[ia, ib] = (halves[a[ia]] + radii[a[ia]] + halves[b[ib]] + radii[b[ib]] + margin) ** 2
         from_last = a_arm + between[:, None]
         squared = -2 * np.einsum("ink->kni", from_last) @ np.einsum("imk->kim", b_arm)
         squared += dot(from_last, from_last).T[:, :, None] + dot(b_arm, b_arm).T[:, None, :]

@@ -24,7 +24,7 @@ from ...figure.kinematics import Samples
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Guide, Normalization, Role
-from .posture import apart
+from .posture import independent_joints
 
 FRAMES = 8  # variable frames per period that a path needs to follow a cycle
 LITTLE = np.radians(5)  # [rad] small deviation of one joint, for the normalization
@@ -55,7 +55,7 @@ class Cycle(Guide):
         child, parent = _joints(figure)
         if not child.size:
             return
-        (w, v), root = self._off(samples, target), np.sqrt(trust)
+        (w, v), root = self._deviations(samples, target), np.sqrt(trust)
         rotation = samples.links.rotation[:, :, child]
 
         def pulled_back(into: Cotangent, bar: Array) -> None:
@@ -72,22 +72,22 @@ class Cycle(Guide):
             rows = np.zeros((samples.count, child.size, 3, 3, 8))
             rows[:, :, :, 0, :4] = np.einsum("ijns,jkns->snik", moved, by_q[:, :, child])
             rows[:, :, :, 0, 4:] = -np.einsum("ijns,jkns->snik", moved, by_q[:, :, parent])
-            for group, blocks in apart(figure, tuple(child.tolist())):
+            for group, blocks in independent_joints(figure, tuple(child.tolist())):
                 into.add_blocks(blocks, rows[:, group, ..., : blocks.shape[1]], scale * trust)
 
         yield Dense((2 * root * v).reshape(-1, samples.count), pulled_back, curved if figure.is_world else None)
 
-    def off(self, samples: Samples) -> Array:
+    def deviation(self, samples: Samples) -> Array:
         """Return the angle of every joint with a quaternion to the cycle, (n, S) [rad]."""
-        w, v = self._off(samples, self._at(samples.t)[0])
+        w, v = self._deviations(samples, self._at(samples.t)[0])
         return 2 * np.arctan2(np.linalg.norm(v, axis=0), np.abs(w))
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline with variable frames on the cycle, eight per period if `most` permits it."""
         ends = timeline.times[[0, -1]]
         fixed = [frame for frame in timeline.frames if not frame.is_variable or frame.time in ends]
-        edges, apart = np.array([frame.time for frame in fixed]), self.gait_cycle.period / FRAMES
-        counts = np.ceil(np.diff(edges) / apart - ROUNDING).astype(int) - 1
+        edges, independent_joints = np.array([frame.time for frame in fixed]), self.gait_cycle.period / FRAMES
+        counts = np.ceil(np.diff(edges) / independent_joints - ROUNDING).astype(int) - 1
         present = np.histogram(timeline.times, edges)[0] - 1
         present[-1] -= 1  # the last bin includes both its edges
         counts = np.maximum(counts, present)
@@ -108,7 +108,7 @@ class Cycle(Guide):
         states = self.figure.to_state(qpos)
         for columns in self.figure.tables.quaternion_columns.T:
             states[:, columns] *= np.where(np.sum(states[:, columns] * plain[:, columns], axis=1) < 0, -1, 1)[:, None]
-        return np.where(self._is_told(times)[:, None], states, plain)
+        return np.where(self._covers(times)[:, None], states, plain)
 
     @property
     def _turns(self) -> int:
@@ -135,13 +135,13 @@ class Cycle(Guide):
         before = np.minimum(place.astype(np.intp), times.size - 2)
         share = (place - before)[:, None]
         rows = (1 - share) * self._table[before] + share * self._table[before + 1]
-        return rows[:, :-1], np.where(self._is_told(t), rows[:, -1], 0.0)
+        return rows[:, :-1], np.where(self._covers(t), rows[:, -1], 0.0)
 
-    def _is_told(self, t: Array) -> NDArray[np.bool_]:
+    def _covers(self, t: Array) -> NDArray[np.bool_]:
         """Return whether the gait cycle covers times t [s], (S,)."""
         return (t >= self.gait_cycle.times[0]) & (t <= self.gait_cycle.times[-1])
 
-    def _off(self, samples: Samples, target: Array) -> tuple[Array, Array]:
+    def _deviations(self, samples: Samples, target: Array) -> tuple[Array, Array]:
         """Return the unit quaternions from the target to the joints' rotations: w (n, S) and v (3, n, S)."""
         links, tables = samples.links, samples.figure.tables
         child, parent = _joints(samples.figure)

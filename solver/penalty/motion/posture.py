@@ -73,7 +73,7 @@ def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
     for order, part in enumerate((by_q, by_rate)):
         rows[:, :, :, order, :4] = part[:, :, child].transpose(3, 2, 0, 1)
         rows[:, :, :, order, 4:] = -part[:, :, parent].transpose(3, 2, 0, 1)
-    for group, columns in apart(figure, tuple(child.tolist())):
+    for group, columns in independent_joints(figure, tuple(child.tolist())):
         into.add_blocks(columns, rows[:, group, ..., : columns.shape[1]], 0.25 * scale)
 
 
@@ -84,7 +84,7 @@ def _joints(figure: Figure) -> tuple[Index, Index]:
 
 
 @lru_cache(maxsize=8)
-def apart(figure: Figure, child: tuple[int, ...]) -> list[tuple[Index, Index]]:
+def independent_joints(figure: Figure, child: tuple[int, ...]) -> list[tuple[Index, Index]]:
     """Return joints in groups that share no link, each with its columns (g, 8): those of the children and of the
     parents.
 

@@ -34,7 +34,7 @@ class Torque(Penalty):
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
         tables, links = samples.figure.tables, samples.links
-        inverse, balls = samples.once(InverseDynamics), tables.ball_links
+        inverse, balls = samples.cached(InverseDynamics), tables.ball_links
         moment, spin = inverse.moment[:, balls], None
         armature, parents = tables.armature[balls][:, None], tables.parents[balls]
         if armature.any():
@@ -102,11 +102,11 @@ class _Motors:
         into.buffer("turn")[:, self.links] += cross(self.axis, bar * self.source)
 
 
-def _reflected_pulled_back(into: Cotangent, own: Index, parents: Index, gradient: Array, spin: Array) -> None:
+def _reflected_pulled_back(into: Cotangent, links: Index, parents: Index, gradient: Array, spin: Array) -> None:
     """Pull back the gradient of α_c − α_p − ω_c × (ω_c − ω_p)."""
-    omega = into.samples.links.omega[:, own]
+    omega = into.samples.links.omega[:, links]
     by_spin = cross(omega, gradient)
-    into.buffer("alpha")[:, own] += gradient
-    into.buffer("omega")[:, own] += by_spin - cross(spin, gradient)
+    into.buffer("alpha")[:, links] += gradient
+    into.buffer("omega")[:, links] += by_spin - cross(spin, gradient)
     add_at(into.buffer("alpha"), parents, -gradient)
     add_at(into.buffer("omega"), parents, -by_spin)

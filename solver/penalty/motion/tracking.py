@@ -57,11 +57,11 @@ class TrackingPenalty(Guide):
     limbs' ends from their recorded positions.
 
     Attributes:
-        eased: (time, width) [s] of edits. Near these times poses have less weight, velocities and accelerations do not.
+        edits: (time, width) [s] of edits. Near these times poses have less weight, velocities and accelerations do not.
     """
 
     recorded: RecordedMotion
-    eased: tuple[tuple[float, float], ...] = ()
+    edits: tuple[tuple[float, float], ...] = ()
     _targets: dict[tuple[float, float, int], _Target] = field(default_factory=dict)
 
     name = "near"
@@ -73,7 +73,7 @@ class TrackingPenalty(Guide):
         return self.recorded.path
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        off, weights = self._off(samples)
+        off, weights = self._deviations(samples)
         columns = np.arange(samples.y.shape[1])
         for order in range(3):
             yield every(samples, columns, order, off[order], weights[order])
@@ -120,7 +120,7 @@ class TrackingPenalty(Guide):
             same[:, columns] = np.sum(y[:, columns] * states[:, columns], axis=1, keepdims=True) >= 0
         return same
 
-    def _off(self, samples: Samples) -> tuple[Array, Array]:
+    def _deviations(self, samples: Samples) -> tuple[Array, Array]:
         """Return the differences of y, y', y'' from the recording, and the weights of their squares, (3, S, N) each."""
         target = self._at(samples.t)
         motion = np.where(self._same(samples.y, target.motion[0]), target.motion, -target.motion)
@@ -148,10 +148,10 @@ class TrackingPenalty(Guide):
         pose[rec.figure.tables.position_columns] = 1 / (2 * STRAYS**2 * BACK)
         return pose
 
-    def _held(self, t: Array) -> Array:
+    def _pose_factors(self, t: Array) -> Array:
         """Return the factors on the weights of poses at times t, less near edits, (S,)."""
         out = np.ones(t.size)
-        for time, width in self.eased:
+        for time, width in self.edits:
             away = np.minimum(np.abs(t - time) / width, 1)
             out = np.minimum(out, EASED + (1 - EASED) * away**2 * (3 - 2 * away))
         return out
@@ -166,7 +166,7 @@ class TrackingPenalty(Guide):
         cached = self._targets.get(key)
         if cached is not None and np.array_equal(cached.t, t):
             return cached
-        rec, weight = self.recorded, self._held(t)
+        rec, weight = self.recorded, self._pose_factors(t)
         trust = np.stack([np.interp(t, rec.times, column) for column in rec.trust.T], axis=1)
         weights = np.empty((3, t.size, rec.figure.width))
         weights[0] = self._pose * trust * weight[:, None]

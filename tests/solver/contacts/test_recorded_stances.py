@@ -12,7 +12,14 @@ from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
 from dynsplines.solver.contacts.ground_alignment import align_to_ground
 from dynsplines.solver.contacts.point_likelihood import surprisal
-from dynsplines.solver.contacts.recorded_stances import DEAR, RecordedStance, _cut, infer_stances, unsure, white
+from dynsplines.solver.contacts.recorded_stances import (
+    DEAR,
+    RecordedStance,
+    _cut,
+    infer_stances,
+    largest_noise,
+    position_noise,
+)
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import ORDER, RecordedMotion
 from dynsplines.solver.figure.figure import Figure
@@ -192,17 +199,19 @@ def test_the_noise_of_places_is_that_of_their_samples_whatever_smooth_way_they_g
     count, sizes = 4000, np.array([0.002, 0.01, 0.0])
     noise = sizes[:, None] * rng.normal(size=(3, 3, count))
     known = np.ones(count)
-    found = white(noise, known)
+    found = position_noise(noise, known)
     np.testing.assert_allclose(found, sizes, rtol=0.06)
     t = np.linspace(-1, 1, count)
     smooth = np.polynomial.polynomial.polyval(t, rng.normal(size=(4, 3, 3)))  # of degree three
-    np.testing.assert_allclose(white(noise + smooth, known), found, atol=1e-9)
+    np.testing.assert_allclose(position_noise(noise + smooth, known), found, atol=1e-9)
     known[1000:1100] = known[2500] = 0
     wild = np.where(known > 0, noise, 100 * rng.normal(size=noise.shape))
-    np.testing.assert_allclose(white(wild, known), sizes, rtol=0.06)
-    np.testing.assert_array_equal(white(noise[..., :ORDER], known[:ORDER]), np.zeros(3))
-    np.testing.assert_array_equal(white(noise[..., :60], np.tile([1.0, 1, 0], 20)), np.zeros(3))  # no few in a row
-    assert np.all(white(noise[:, :2, : ORDER + 1], known[: ORDER + 1])[:2] > 0)
+    np.testing.assert_allclose(position_noise(wild, known), sizes, rtol=0.06)
+    np.testing.assert_array_equal(position_noise(noise[..., :ORDER], known[:ORDER]), np.zeros(3))
+    np.testing.assert_array_equal(
+        position_noise(noise[..., :60], np.tile([1.0, 1, 0], 20)), np.zeros(3)
+    )  # no few in a row
+    assert np.all(position_noise(noise[:, :2, : ORDER + 1], known[: ORDER + 1])[:2] > 0)
 
 
 def test_how_unsure_a_recording_is_of_its_points_is_the_noise_of_the_one_that_is_known_worst(rng):
@@ -210,11 +219,11 @@ def test_how_unsure_a_recording_is_of_its_points_is_the_noise_of_the_one_that_is
     qpos = np.column_stack([0.5 * times, 0.2 * np.sin(times)]) + 0.004 * rng.normal(size=(400, 2))
     recorded = RecordedMotion(SLED, times, qpos, np.ones((400, 2)))
     first = Point("first", 1, np.zeros(3))
-    low, high = unsure(recorded, [first]), unsure(recorded, [first, RUNNER])
+    low, high = largest_noise(recorded, [first]), largest_noise(recorded, [first, RUNNER])
     assert low <= high
-    seen = white(np.stack([qpos[:, 0], 0 * times, qpos[:, 1]])[:, None], np.ones(400))[0]
+    seen = position_noise(np.stack([qpos[:, 0], 0 * times, qpos[:, 1]])[:, None], np.ones(400))[0]
     assert high == pytest.approx(seen, rel=0.3)
-    assert unsure(recorded, []) == 0
+    assert largest_noise(recorded, []) == 0
     short = RecordedMotion(SLED, times[: ORDER - 1], qpos[: ORDER - 1], np.ones((ORDER - 1, 2)))
-    assert unsure(short, [RUNNER]) == 0
+    assert largest_noise(short, [RUNNER]) == 0
     assert infer_stances(short, [RUNNER], [FLOOR]) == ()

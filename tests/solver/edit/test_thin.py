@@ -74,7 +74,7 @@ def test_no_choice_of_keyframes_has_more_than_one_fewer(name, seed):
     figure = of(name)
     recorded = Recorded(figure, *recording(figure, seed, 11, bends=4 + seed % 3), WIDE)
     found = thin(recorded)
-    assert len(found.kept) <= fewest(recorded, len(found.kept)) + 1
+    assert len(found.instants) <= fewest(recorded, len(found.instants)) + 1
 
 
 @pytest.mark.slow
@@ -93,7 +93,7 @@ def test_the_bound_holds_by_mujocos_kinematics(name, seed, count, metres, degree
     distance, angle = apart_by_mujoco(figure, times, qpos, found.timeline)
     assert distance <= metres * (1 + 1e-6) + 1e-12
     assert angle <= np.radians(degrees) * (1 + 1e-6) + 1e-7
-    np.testing.assert_allclose(found.timeline.times, times[list(found.kept)])
+    np.testing.assert_allclose(found.timeline.times, times[list(found.instants)])
 
 
 def test_a_straight_motion_thins_to_two_keyframes():
@@ -102,7 +102,7 @@ def test_a_straight_motion_thins_to_two_keyframes():
     qpos = np.tile(figure.model.qpos0, (50, 1))
     qpos[:, 0] += 1.5 * times
     qpos[:, 7] += 0.4 * times  # a hinge
-    assert thin(Recorded(figure, times, qpos, Bound(1e-6, 1e-6))).kept == (0, 49)
+    assert thin(Recorded(figure, times, qpos, Bound(1e-6, 1e-6))).instants == (0, 49)
 
 
 def test_a_bound_of_next_to_nothing_keeps_every_instant():
@@ -110,7 +110,7 @@ def test_a_bound_of_next_to_nothing_keeps_every_instant():
     times, qpos = recording(figure, 1, count=12, bends=12)
     recorded = Recorded(figure, times, qpos, Bound(1e-9, 1e-9))
     found = thin(recorded)
-    assert found.kept == tuple(range(12))
+    assert found.instants == tuple(range(12))
     assert recorded.excess(found.timeline).max() < 1
 
 
@@ -146,7 +146,7 @@ def test_refining_any_in_between_ends_within_the_bound():
     found = refined(recorded, (0, 29), crooked)
     assert recorded.excess(found.timeline).max() <= 1 + 1e-9
     assert calls == sorted(calls)
-    assert calls[-1] == len(found.kept)
+    assert calls[-1] == len(found.instants)
 
 
 @pytest.mark.slow
@@ -161,8 +161,8 @@ def test_a_loop_stays_a_loop():
     recorded = Recorded(figure, times, qpos, Bound(0.02, np.radians(5)), "periodic", (2.0, 0.0, 0.0))
     found = thin(recorded)
     assert found.timeline.ends == "periodic"
-    assert {0, 12} < set(found.kept)
-    assert len(found.kept) <= fewest(recorded, len(found.kept)) + 1
+    assert {0, 12} < set(found.instants)
+    assert len(found.instants) <= fewest(recorded, len(found.instants)) + 1
     assert recorded.excess(found.timeline).max() <= 1
     start, end = (path_of(found.timeline).at([t], 1)[0] for t in (0.0, 1.0))
     np.testing.assert_allclose(start, end, atol=1e-9)
@@ -192,19 +192,19 @@ def test_what_stands_keeps_to_a_quarter_of_the_bound_and_what_moves_to_all_of_it
     swaying = times > 1.05
     assert off.max() <= 0.02 * (1 + 1e-6)
     if stands:
-        assert recorded.stands[:, swaying].all()
+        assert recorded.is_still[:, swaying].all()
         assert off[swaying].max() <= 0.005 * (1 + 1e-6)
-        assert recorded.slipped(found.timeline) == pytest.approx(off[recorded.stands[0]].max(), rel=1e-6)
+        assert recorded.slipped(found.timeline) == pytest.approx(off[recorded.is_still[0]].max(), rel=1e-6)
     else:
         assert off[swaying].max() > 0.005
-    assert not recorded.stands[:, (times > 0.2) & (times < 0.8)].any()
+    assert not recorded.is_still[:, (times > 0.2) & (times < 0.8)].any()
 
 
 def test_a_stand_of_a_moment_is_none():
     figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
     times = np.linspace(0, 1, 201)
     qpos = 0.5 * np.abs(times - 0.5)[:, None]  # turns round at once
-    assert not Recorded(figure, times, qpos, WIDE).stands.any()
+    assert not Recorded(figure, times, qpos, WIDE).is_still.any()
 
 
 def test_a_body_between_others_may_stand_or_move():
@@ -214,7 +214,7 @@ def test_a_body_between_others_may_stand_or_move():
     times = np.linspace(0, 1, 50)
     recorded = Recorded(figure, times, np.tile(figure.model.qpos0, (50, 1)), WIDE)
     parents = {link.parent for link in figure.links[1:]}
-    for row, link in zip(recorded.stands, recorded.points[1], strict=True):
+    for row, link in zip(recorded.is_still, recorded.points[1], strict=True):
         assert row.all() == (link not in parents)
 
 
@@ -248,7 +248,7 @@ def test_a_miss_counts_as_a_share_of_the_bound_and_four_times_where_a_limbs_end_
     distance, _ = recorded.worst(off)
     assert distance.value == pytest.approx(0.003)
     alone = Recorded(figure, times[:1], np.zeros((1, 1)), Bound(0.02, 0.1))
-    assert not alone.stands.any()
+    assert not alone.is_still.any()
 
 
 def test_a_turn_counts_as_a_share_of_the_bounds_angle_whatever_the_signs_of_quaternions():
@@ -297,7 +297,7 @@ def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(se
     bends = CubicSpline(np.linspace(0, 1, 5), rng.normal(size=5), bc_type="clamped" if ends == "clamped" else "natural")
     recorded = Recorded(figure, times, bends(times)[:, None], Bound(0.15, 1.0), ends)
     told: list[str] = []
-    kept = thin(recorded, told.append).kept
+    kept = thin(recorded, told.append).instants
     assert holds(recorded, kept)
     assert list(kept) == sorted(set(kept))
     assert (kept[0], kept[-1]) == (0, 8)

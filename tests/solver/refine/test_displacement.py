@@ -36,7 +36,9 @@ def shaken(rng) -> tuple[Objective, Timeline]:
 def test_every_segment_is_compared_with_its_own_optimum_between_places_and_speeds_that_are_held(variable, shaken):
     objective, timeline = shaken
     path, told = path_of(timeline), []
-    found = displacement(objective, timeline, variable=variable, tolerance=1e-12, told=lambda *each: told.append(each))
+    found = displacement(
+        objective, timeline, variable=variable, tolerance=1e-12, report_progress=lambda *each: told.append(each)
+    )
     count = timeline.times.size - 1
     assert told == [(k, count) for k in range(1, count + 1)]
     local = Objective.of(objective.figure, TERMS, quadrature=Quadrature("gauss", 5))
@@ -51,7 +53,7 @@ def test_every_segment_is_compared_with_its_own_optimum_between_places_and_speed
         apart = np.linalg.norm(path.at(t) - path_of(better).at(t), axis=1)
         saved = local.value(path_of(alone)) - local.value(path_of(better))
         assert found.distance[i] == pytest.approx(w @ apart, rel=1e-3)
-        assert found.found[i] == pytest.approx(saved, rel=1e-3)
+        assert found.reduction[i] == pytest.approx(saved, rel=1e-3)
         level = np.interp(t, density.t[i], density.size[i])
         assert found.gap[i] == pytest.approx(w @ (apart * level), rel=1e-3)
-        assert 0 < found.found[i] < found.gap[i]
+        assert 0 < found.reduction[i] < found.gap[i]

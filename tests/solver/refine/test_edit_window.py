@@ -97,7 +97,7 @@ def test_what_lies_elsewhere_costs_what_all_segments_do_but_those_of_the_part_kn
     own = np.zeros(8, bool)
     own[[i for i in range(8) if cut.begin <= KEYS[i] and KEYS[i + 1] <= cut.end]] = True
     expected = every[~own].sum(axis=0)
-    np.testing.assert_allclose(cut.elsewhere(objective, timeline, KEYS), expected, rtol=1e-9)
-    np.testing.assert_allclose(cut.elsewhere(objective, timeline, KEYS, every), expected, rtol=1e-9)
+    np.testing.assert_allclose(cut.outside_terms(objective, timeline, KEYS), expected, rtol=1e-9)
+    np.testing.assert_allclose(cut.outside_terms(objective, timeline, KEYS, every), expected, rtol=1e-9)
     late = KEYS + 5e-10  # a clip's keyframes as a file has them
     assert cut.inside(late) == cut.inside(KEYS) == cut.inside(KEYS - 5e-10)

@@ -88,15 +88,15 @@ def assert_whole(path: Path, keys: list[Frame]) -> None:
 @pytest.mark.parametrize("segments", [1, 5, 24, 25, 29, 47, 48, 49, 100, 241])
 def test_windows_keep_every_segment_once_and_overlap_their_neighbours(segments):
     found = windows(segments)
-    assert [k for window in found for k in range(window.first, window.kept)] == list(range(segments))
-    sizes = [window.kept - window.first for window in found]
+    assert [k for window in found for k in range(window.first, window.solved_to)] == list(range(segments))
+    sizes = [window.solved_to - window.first for window in found]
     assert max(sizes) <= KEPT
     assert max(sizes) - min(sizes) <= 1
     for window in found:
-        assert window.held == max(window.first - BEHIND, 0)
-        assert window.last == min(window.kept + AHEAD, segments)
+        assert window.fixed_from == max(window.first - BEHIND, 0)
+        assert window.last == min(window.solved_to + AHEAD, segments)
     for one, other in pairwise(found):
-        assert other.held < one.kept < one.last
+        assert other.fixed_from < one.solved_to < one.last
     assert found[0].first == 0
 
 
@@ -288,17 +288,17 @@ def test_a_window_begins_as_the_clip_has_it_and_put_back_unchanged_changes_nothi
     times = assembly.key_times
     opened = assembly.opened(window)
     own = path_of(opened)
-    assert own.span == (times[window.held], times[window.last])
+    assert own.span == (times[window.fixed_from], times[window.last])
     t = np.linspace(*own.span, 300)
     np.testing.assert_allclose(own.motion(t), path.motion(t), rtol=1e-7, atol=1e-7)
     free = [frame.time for frame in opened.frames if frame.is_variable]
-    beyond = times[window.first] if window.held < window.first else -np.inf
+    beyond = times[window.first] if window.fixed_from < window.first else -np.inf
     expected = [f.time for f in assembly.frames if f.is_variable and max(own.span[0], beyond) < f.time <= own.span[1]]
     assert free == expected
     held = [frame.time for frame in opened.frames if not frame.is_variable]
     within = [f.time for f in assembly.frames if own.span[0] <= f.time <= own.span[1] and f.time not in free]
-    assert len(held) == len(within) + (window.held > 0)  # one more beside a cut
-    assert held[:1] + held[1 + (window.held > 0) :] == within
+    assert len(held) == len(within) + (window.fixed_from > 0)  # one more beside a cut
+    assert held[:1] + held[1 + (window.fixed_from > 0) :] == within
     whole = assembly.around(window)(opened)
     np.testing.assert_array_equal(whole.times, assembly.timeline().times)
     t = np.linspace(times[0], times[-1], 300)
@@ -327,7 +327,7 @@ def test_a_few_steps_in_windows_lower_e_in_every_part_of_the_clip_and_are_report
     found = segment_integrals(motion.objective, motion.path, times).sum(axis=1)
     assert found.sum() < 0.95 * raw.sum()
     for window in windows(14):
-        assert found[window.first : window.kept].sum() < raw[window.first : window.kept].sum()
+        assert found[window.first : window.solved_to].sum() < raw[window.first : window.solved_to].sum()
 
 
 def test_what_a_window_holds_is_held_whole_up_to_the_keyframe_that_it_begins_to_keep():

@@ -110,7 +110,7 @@ def test_moments_of_which_nothing_is_known_cost_nothing(figure, rng):
     assert not any(g.any() for g in cotangent.gradients())
     assert not support.rest(samples).any()
     nothing = Support.of(figure, 1, (), ())
-    assert not nothing.tells
+    assert not nothing.has_intervals
     assert not nothing.evaluate(samples).any()
 
 
@@ -127,7 +127,7 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
     scale, h = rng.uniform(0.5, 2, 3), 1e-5
     phi = rng.normal(size=(3, 3, 1))
     found = assembled(curvature_of(support, samples, scale), phi)
-    shares = support._found(samples, np.arange(samples.count))
+    shares = support._evaluate(samples, np.arange(samples.count))
     direction = rng.normal(size=figure.width)
     by = np.einsum("so,n->osn", phi[:, :, 0], direction)
 
@@ -144,7 +144,9 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
 
     slope = (residual(shifted(samples, h * by)) - residual(shifted(samples, -h * by))) / (2 * h)
     expected = (
-        2 * scale * np.einsum("is,sij,js->s", slope, projection(shares.left, shares.edges, support.softness), slope)
+        2
+        * scale
+        * np.einsum("is,sij,js->s", slope, projection(shares.unsupplied, shares.edges, support.softness), slope)
     )
     np.testing.assert_allclose(np.einsum("n,snm,m->s", direction, found, direction), expected, rtol=1e-5)
 

@@ -115,7 +115,7 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
     np.testing.assert_array_equal([f.state for f in fixed], seen.keys.states)
     loose = np.array([frame.state for frame in initial_guess.frames if frame.is_variable])
     times = np.array([frame.time for frame in initial_guess.frames if frame.is_variable])
-    off = cycle.off(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
+    off = cycle.deviation(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
     assert np.degrees(off.max()) < 0.1
     assert cycle.initial_guess(seen.keys, 0).variable_count == 0
 
