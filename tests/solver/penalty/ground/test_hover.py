@@ -99,7 +99,7 @@ def test_segments_with_an_end_in_the_air_are_left_out():
     keys = [Frame.key(float(i), [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate([0.0, 0.04, 0.0, 0.3, 0.0])]
     timeline = raw_timeline(figure, keys)
     assert grounded(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
-    assert grounded(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0),)
+    assert grounded(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0), (1.0, 1.5), (1.7, 2.0))
     assert grounded(figure, timeline, (), (FLOOR,)) == grounded(figure, timeline, (FOOT,), ()) == ()
 
 
