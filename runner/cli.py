@@ -177,7 +177,7 @@ def render(
     fps: Annotated[float | None, number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
     camera: option.Camera = "side",
     slow: option.SlowMotion = 1.0,
-    at: Annotated[float | None, seconds("Time of a single frame", "all frames")] = None,
+    at: Annotated[float | None, seconds("Time of a single frame", "all frames; twelve in a picture")] = None,
     workers: option.RenderWorkers = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,

@@ -21,7 +21,7 @@ from .refine.subdivision import CRITERIA
 from .search.minimum import Optimiser
 from .search.refinement import LBFGS
 
-FEW, MORE = 2, 3  # initial variable frames per segment of a clip that is solved at once, or in windows
+FEW, MORE = 2, 3  # initial variable frames per segment: of a clip that is solved as a whole; of one solved in windows
 TINY = 0.05  # [1] longest segment without a variable frame, relative to the frame spacing of adjacent segments
 SPACING = 0.3  # [s] maximum initial spacing of frames
 # defaults of `threshold`, `max_evaluations` and `tolerance`
@@ -33,16 +33,18 @@ class Settings:
     """Settings of the search.
 
     Attributes:
-        variable: The initial number of variable frames in every segment between keyframes. None: it depends on the
-            length of the segment, see `beginning`.
-        frames: The maximum number of variable frames. None: 12 per segment between keyframes.
-        criterion: The criterion by which segments are split, see `refine.subdivision`: "weak" (predicted decrease of
-            E), "residual" (of the Euler-Lagrange equation, as in the paper), "objective" or "resolution".
-        threshold: A segment is split if its criterion exceeds this value. "weak" is relative to E divided by the number
-            of segments between keyframes.
+        variable: The initial number of variable frames (frames with no fixed entries, which the search moves) in every
+            segment between keyframes. None: it depends on the length of the segment, see `beginning`.
+        frames: The maximum number of variable frames in total. None: 12 times the number of segments between keyframes.
+            Clip files have a smaller default, see the reference of `[solve]`.
+        criterion: The criterion by which intervals between neighbouring frames are split, see `refine.subdivision`:
+            "weak" (predicted decrease of the objective E), "residual" (of the Euler-Lagrange equation, as in the
+            paper), "objective" (E of the interval) or "resolution" (change of E at twice the sampling rate).
+        threshold: An interval is split if its criterion exceeds this value. "weak" is relative to E divided by the
+            number of segments between keyframes.
         batch: The maximum share of the segments that are split in one round.
-        optimiser: The NLopt algorithm of the last stage, by name; "none": Gauss-Newton steps alone. An `Optimiser`
-            replaces the whole search.
+        optimiser: The name of the NLopt algorithm that refines the result of the Gauss-Newton steps; "none": no
+            refinement. An `Optimiser` replaces the whole search.
         max_evaluations: The maximum number of evaluations of E.
         tolerance: The last round ends when a step is predicted to reduce E by a smaller share than this.
         renormalise: Whether each term is divided by its integral over the raw spline (eq. 7).
@@ -74,8 +76,8 @@ class Settings:
     def beginning(self, times: Array, *, in_windows: bool) -> Array:
         """Return the times of the initial variable frames, (V,) [s].
 
-        If `variable` is None, a segment has 2 frames, or 3 in a long clip that is solved window by window. Segments
-        longer than 0.3 s per frame have more. Segments much shorter than their neighbours have none.
+        If `variable` is None, a segment has 2 frames, or 3 in a long clip that is solved window by window. More are
+        added where frames would be more than 0.3 s apart. Segments much shorter than their neighbours have none.
 
         Args:
             times: The times of the keyframes, (K,) [s].

@@ -1,7 +1,7 @@
 """Violations of a motion, worst first.
 
 The check is quick, on a grid fine enough for motion between video frames, whereas `report` takes some seconds.
-Violations within a keyframe are reported for the keyframe, and not again for the path next to it.
+A violation in the pose of a keyframe is reported once, for the keyframe, unless the motion next to it is worse.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Violation:
         name: Name of the point, joint or contact.
         time: Time of the largest amount [s]; None for a violation without a time.
         amount: Measured amount, in `unit`.
-        unit: "m", "m/s", "degrees", "rad/s²" or "".
+        unit: "m", "m/s", "degrees", "degrees/s", "rad/s²" or "".
         bound: Tolerated amount, in `unit`.
         keyframe: Number of the keyframe that causes it, from 1; None if the path causes it.
         text: The violation as one line.
@@ -137,9 +137,10 @@ def lines(violations: Sequence[Violation], file: object = None) -> list[str]:
 
 
 def by_name(violations: Sequence[Violation]) -> tuple[Violation, ...]:
-    """Return the worst violation of each point, joint or contact of a recording, worst first, with their count.
+    """Return the worst violation of each point, joint or contact of an imported recording, worst first.
 
-    Every sample of a recording is a keyframe; listed one by one, a single joint would fill the terminal.
+    Its text contains the number of samples with this violation. Every sample of an imported recording is a keyframe, so
+    that a list of all violations of one joint would fill the terminal.
     """
     groups: dict[tuple[str, str], list[Violation]] = {}
     for violation in violations:

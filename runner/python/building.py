@@ -30,22 +30,23 @@ Table = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Keyframe:
-    """A keyframe, complete or partial; its entries are those of the clip file.
+    """A keyframe, complete or partial. The arguments have the names of the clip file's keys.
 
-    Rotations are {"rotvec": [x, y, z]} or {"euler": [...], "order": "xyz"} in degrees, {"quat": [w, x, y, z]}, or a
-    scipy Rotation.
+    Rotations are {"rotvec": [x, y, z]} or {"euler": [...], "order": "xyz"}, both in degrees, {"quat": [w, x, y, z]}, or
+    a scipy Rotation. Euler angles are intrinsic, as in MuJoCo: "xyz" is SciPy's "XYZ".
 
     Args:
         time: Time [s].
-        root: {"position": [x, y, z], "rotation": ...} in the world, metres; any axis may be "free".
+        root: {"position": [x, y, z], "rotation": ...} in the world, metres; each of x, y and z
+            may be "free".
         joints: By name: a rotation relative to the parent (ball joint), degrees (hinge) or metres (slide), or "free".
-        sites: By name of a site, foot, geom or body: its target position [x, y, z] in the world, metres. A pose is
-            solved for all targets.
-        bodies: By name: {"flat": True}, a rotation in the world, or {"position": [x, y, z]} of the body's origin, or
-            of the point "at" in the body's axes.
+        sites: By name of a site, foot, geom or body: its target position [x, y, z] in the world, metres.
+            Inverse kinematics computes one pose that meets all targets.
+        bodies: By name: {"flat": True} (upright as in the rest pose), a rotation in the world, or {"position": [x, y,
+            z]} of the body's origin. With "at": [x, y, z], the position is that of a point in the body's axes [m].
         roots: As `root`, for further free bodies by the names of their joints.
-        others: Unspecified joints and root: "free", "rest", "previous" (as in the keyframe before), or "key:NAME" (a
-            <key> of the model).
+        others: Unspecified joints and root: "free", "rest" (as in qpos0), "previous" (as in the keyframe before), or
+            "key:NAME" (a <key> of the model).
         qpos: (nq,) complete configuration in MuJoCo's order, overridden by the other arguments.
     """
 
@@ -79,19 +80,20 @@ def build(
     """Build a clip from keyframes.
 
     Args:
-        figure: Name of a shipped figure (see `figures()`), path of an MJCF or URDF file, MJCF text, an MjSpec, or the
-            most recently compiled MjModel.
+        figure: Name of a shipped figure (see `figures()`), path of an MJCF or URDF file, MJCF text, an MjSpec, or
+            the MjModel that was compiled last (MuJoCo keeps the source of this one only).
         keyframes: Two or more, in order of time.
         name: Name of the clip and of output files.
         fps: Samples per second [1/s] of outputs.
         scene: The clip file's [scene]: {"step": {"x": 0.3, "height": 0.27}, "box": [{...}, ...]}.
-        contacts: Its [[contact]] tables: {"point": "right_heel", "from": 0.0, "to": 0.8}, times in s.
-        grasps: Its [[grasp]] tables: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}, times in s.
+        contacts: The clip file's [[contact]] tables: {"point": "right_heel", "from": 0.0, "to": 0.8}, times in s.
+        grasps: The clip file's [[grasp]] tables: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}, times
+            in s.
         penalties: Changes of the default soft constraints: {"torque": 0.1, "collision": {"weight": 100, "margin":
             0.002}}.
-        solve: Its [solve] table: {"ends": "periodic", "variable": 3}.
-        recording: Its [recording] table: {"file": "walk.npz", "blend": 0.4}, relative to the current folder; keyframes
-            then edit the recording.
+        solve: The clip file's [solve] table: {"ends": "periodic", "variable": 3}.
+        recording: The clip file's [recording] table: {"file": "walk.npz", "blend": 0.4}. The path is relative to the
+            current folder. The motion then follows the recording, and changes within `blend` [s] of a keyframe.
         custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
         allow_outside: Let the figure's model read files outside its folder.
 
@@ -99,7 +101,7 @@ def build(
         The clip, for `inbetween`.
 
     Raises:
-        UserError: For entries that do not fit the figure; one line with the keyframe and the key.
+        UserError: Entries do not fit the figure. The message is one line that names the keyframe and the argument.
     """
     with file_access.allowed(allow_outside):
         spec, called = spec_of(figure)

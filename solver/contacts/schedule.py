@@ -32,7 +32,7 @@ class Contacts:
     Attributes:
         stances: Contacts at a known position.
         rests: Contacts whose position the search determines.
-        requested: All contacts, as the clip lists them.
+        requested: All contacts of the clip, in its order, before they were divided into `stances` and `rests`.
     """
 
     stances: tuple[Stance, ...] = ()
@@ -55,6 +55,11 @@ class ContactSchedule:
     """The stances, grasps, flights and gait of a figure over time. What is not specified is inferred once, when needed.
 
     Attributes:
+        keys: The keyframes.
+        points: The sole points, or the points of the option `points` of `collision`.
+        surfaces: The floor and the obstacles.
+        contacts: The contacts that the clip specifies.
+        grasps: The grasps that the clip specifies.
         specified_footings: The points that can support the figure, each with its interval; None: inferred from stances.
         specified_flights: The intervals [s] in which nothing supports the figure; None: inferred from keyframes.
         has_cycle: Whether the keyframes form a gait cycle; None: inferred, true only if a cycle is unambiguous.
@@ -129,7 +134,7 @@ class ContactSchedule:
 
     @cached_property
     def low_points(self) -> tuple[Point, ...]:
-        """The points of the figure, on soles and body, of which the lowest one touches the ground where it stands."""
+        """The points on soles and body. Where the figure stands, the lowest of them touches the ground."""
         points = self.exclude_grasped((*self.points, *body_points(self.figure)))
         return points if self.root is None else hanging(self.figure, self.root, points)
 
@@ -142,7 +147,7 @@ class ContactSchedule:
 
     @cached_property
     def held_down(self) -> tuple[Interval, ...]:
-        """The intervals [s] beside keyframes that touch the ground but leave the root's height free, except flights."""
+        """The intervals [s] next to keyframes on the ground that do not fix the root's height, except flights."""
         if self.root is None or not self.points:
             return ()
         is_open = ~self.keys.fixed[:, self.figure.links[self.root].qpos + 2]
@@ -164,18 +169,18 @@ class ContactSchedule:
 
     @property
     def _soles(self) -> tuple[Point, ...]:
-        """The sole points of the figure, without those of other trees."""
+        """The sole points in the kinematic tree of `root`."""
         return () if self.root is None else hanging(self.figure, self.root, self.points)
 
     @property
     def _body(self) -> tuple[Point, ...]:
-        """The points of the figure's body, without those of other trees."""
+        """The points of the body in the kinematic tree of `root`."""
         return (
             () if self.root is None else hanging(self.figure, self.root, self.exclude_grasped(body_points(self.figure)))
         )
 
     @property
     def _carriers(self) -> tuple[Stance | Rest, ...]:
-        """The stances and specified contacts of the figure, without those of other trees."""
+        """The stances and specified contacts in the kinematic tree of `root`."""
         every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
         return tuple(each for each in every if self.figure.tables.path[each.point.link, self.root])

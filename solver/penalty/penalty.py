@@ -29,16 +29,16 @@ class Normalization:
 
     Attributes:
         reference: The value of f_j for a violation of 1 cm or 1° of a figure as large as an adult. For accelerations:
-            the value for 8 rad (2 m) per squared key spacing, with keyframes 1 s apart.
-        is_violation: Whether f_j is zero wherever the constraint is satisfied, e.g. a depth. Otherwise all motion has a
-            cost.
+            the value for 8 rad/s² (2 m/s²) if keyframes are 1 s apart, and for as much per squared spacing otherwise.
+        is_violation: Whether f_j is zero wherever the constraint is satisfied, as for a depth. Otherwise every motion
+            has a cost, as for an acceleration.
         length_power: The exponent p with which f_j grows to λ^p f_j for a figure λ times as large; 2 for squared
             lengths.
         time_power: The exponent p with which f_j falls to f_j / λ^p in a clip slowed by a factor λ; 4 for squared
             accelerations.
-        normalize_by: The name of a term whose divisor this term uses, if the objective contains that term. A value of
-            `reference` of this term then costs as much as a value of 1 of the other term, at equal weights.
-        raw_cap: The upper limit of the mean of f_j over the raw spline in the normalization.
+        normalize_by: The name of a term whose divisor this term uses, if the objective contains that term. At equal
+            weights, f_j = `reference` then costs as much as f = 1 of the other term.
+        raw_cap: In the normalization, the mean of f_j over the raw spline counts as at most this.
         is_sharp: Whether f_j changes abruptly in time. The curvature then uses all samples instead of a few, and
             consists of rows only.
         by_tension: The exponent of `Objective.tension` in the weight of f_j.
