@@ -182,7 +182,7 @@ def quiet() -> Progress:
 
 @pytest.mark.slow
 def test_a_search_ends_within_a_millimetre_and_is_reported():
-    problem = read(RAIL + '[solve]\ncoordinates = "joint"\n')
+    problem = read(RAIL)
     assert [p.point.name for p in problem.context.placed] == ["right_hand"]
     assert not problem.keys[1].fixed[_columns(problem, "right_shoulder")].any()
     (weight,) = [w for p, w in problem.penalties if isinstance(p, Placement)]
