@@ -66,9 +66,9 @@ def _nearest(track: Track, motion: Solution, exact: float | None) -> tuple[float
     return energy(fine), WAYS[-1]
 
 
-def _is_near(exact: float, known: float) -> bool:
+def _is_near(exact: float, minimum: float) -> bool:
     """Whether an exact path's energy can be the minimum that ours is near: a little below it."""
-    return -BELOW <= exact / known - 1 <= NEAR
+    return -BELOW <= exact / minimum - 1 <= NEAR
 
 
 def _ours(track: Track, exact: float | None) -> dict[str, Any]:

@@ -80,8 +80,10 @@ class Batch:
         """Queue every clip that is new, changed, not done, or whose output is missing; return all names."""
         entries, names = self.manifest.entries, []
         clip_of = {entry.source: entry.clip for entry in entries.values()}
-        fresh = [source for source in sources if source.place(self.folder) not in clip_of]
-        clip_of |= {source.place(self.folder): str(source.name) for source in with_unique_names(fresh, entries.keys())}
+        new_sources = [source for source in sources if source.place(self.folder) not in clip_of]
+        clip_of |= {
+            source.place(self.folder): str(source.name) for source in with_unique_names(new_sources, entries.keys())
+        }
         changed = []
         for number, source in enumerate(sources, 1):
             if number % READING_EVERY == 0:

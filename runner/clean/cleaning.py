@@ -103,27 +103,27 @@ def cleaned(
         stances = infer_stances(recorded, ground.points, ground.surfaces)
     rests = tuple(Rest(*stance, rolls=True) for stance in stances)
     near = TrackingPenalty(recorded)
-    asked = problem(near, ground, rests, near.times())
+    tracking = problem(near, ground, rests, near.times())
     is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
     if is_noisy:
-        asked = _with_soft_start(asked, near, SOFTEST, improved)
+        tracking = _with_soft_start(tracking, near, SOFTEST, improved)
         if specified is None:
-            rests = _refined_stances(ground, recorded, asked)
-            asked = replace(problem(near, ground, rests, near.times()), keys=_with_stance_ends(asked, rests))
+            rests = _refined_stances(ground, recorded, tracking)
+            tracking = replace(problem(near, ground, rests, near.times()), keys=_with_stance_ends(tracking, rests))
     if is_noisy or _is_deep(ground, recorded):
-        asked = _with_soft_start(asked, near, SOFTER, improved)
-    asked, solution = _out_of_edges(ground, asked, inbetween(asked, improved=improved), improved)
-    result = Cleaned(ground, before, recorded, rests, asked, solution)
+        tracking = _with_soft_start(tracking, near, SOFTER, improved)
+    tracking, solution = _out_of_edges(ground, tracking, inbetween(tracking, improved=improved), improved)
+    result = Cleaned(ground, before, recorded, rests, tracking, solution)
     if max_displacement is None:
         return result
     off = verdict(result).displacement
     for _ in range(TRIES):
         if off <= max_displacement:
             break
-        weights = [(p, STRICTER * w if p is near else w) for p, w in asked.penalties]
-        asked = replace(asked, penalties=tuple(weights))
+        weights = [(p, STRICTER * w if p is near else w) for p, w in tracking.penalties]
+        tracking = replace(tracking, penalties=tuple(weights))
         closer = replace(
-            result, solution=inbetween(replace(asked, keys=_from(figure, result.solution)), improved=improved)
+            result, solution=inbetween(replace(tracking, keys=_from(figure, result.solution)), improved=improved)
         )
         report = verdict(closer)
         if not report.is_sound:

@@ -81,10 +81,10 @@ def without(saved: Saved) -> Saved:
 
 
 def trim(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
-    """Report a recording's lead-in, and remove it with `skip`; return any other motion unchanged."""
-    found = of_motion(saved)
-    if found is not None:
-        progress.report(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
+    """Report the rest pose before a recorded motion, and remove it with `skip`; return any other motion unchanged."""
+    rest_pose = of_motion(saved)
+    if rest_pose is not None:
+        progress.report(f"note: {rest_pose.line}: {'left out' if skip else '--skip-rest leaves it out'}")
     elif skip:
         progress.report("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")
     return without(saved) if skip else saved

@@ -106,7 +106,7 @@ def _spots(
     centres, _, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
     setting = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
-    wanted = None if table.position is None else np.array(table.position, float)
+    target = None if table.position is None else np.array(table.position, float)
     exact = placed(figure, keys.fixed, [point])[0]
 
     def contradicts(k: int, distance: float, first: int | None) -> str:
@@ -116,9 +116,9 @@ def _spots(
             f"a contact may drift by {drift:.3g} m"
         )
 
-    agreed = agreeing(centres[:, 0], setting, exact, wanted, drift, contradicts)
+    agreed = agreeing(centres[:, 0], setting, exact, target, drift, contradicts)
     if not agreed:
-        return [] if wanted is None else [(table.start, wanted)]
+        return [] if target is None else [(table.start, target)]
     height, up = height_over(surfaces, centres, np.array([point.radius]))
     sunk = Allowance(keys.times, np.maximum(-height[0], 0.0) * exact)
     spots = [(float(keys.times[k]), centres[:, 0, k].copy()) for k in agreed]
@@ -157,11 +157,11 @@ def agreeing(
     specified = specified[np.argsort(~exact[specified], kind="stable")]
     for k in specified.tolist():
         reference = places[:, specified[0]] if target is None else target
-        apart = float(np.linalg.norm(places[:, k] - reference))
-        if apart <= drift:
+        distance = float(np.linalg.norm(places[:, k] - reference))
+        if distance <= drift:
             kept.append(k)
         elif exact[k]:
-            raise UserError(contradicts(k, apart, int(specified[0]) if target is None else None))
+            raise UserError(contradicts(k, distance, int(specified[0]) if target is None else None))
     return sorted(kept)
 
 
@@ -254,9 +254,9 @@ def _grasp_spots(figure: Figure, keys: Timeline, row: _GraspRow) -> list[Spot]:
     """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
     grasp, table, limits = row.grasp, row.table, Thresholds.of(figure)
     setting, places, exact = _grasp_places(figure, keys, grasp)
-    wanted = None
+    target = None
     if table.position is not None:
-        wanted = figure.point_on_link(moving_bodies(figure)[table.body], np.array(table.position, float))[1]
+        target = figure.point_on_link(moving_bodies(figure)[table.body], np.array(table.position, float))[1]
 
     def contradicts(k: int, distance: float, first: int | None) -> str:
         where = "the grasp's position" if first is None else f"where keyframe {first + 1} has it"
@@ -266,10 +266,10 @@ def _grasp_spots(figure: Figure, keys: Timeline, row: _GraspRow) -> list[Spot]:
         )
 
     firm = setting[exact[setting]] if exact[setting].any() else setting
-    agreed = agreeing(places, firm, exact, wanted, limits.same_spot, contradicts)
+    agreed = agreeing(places, firm, exact, target, limits.same_spot, contradicts)
     spots = {float(keys.times[k]): places[:, k].copy() for k in agreed}
-    if wanted is not None and not spots:
-        spots = {grasp.first: wanted}
+    if target is not None and not spots:
+        spots = {grasp.first: target}
     if not spots:
         return []
     there = replace(grasp, spots=tuple(Spot(*stretch) for stretch in _grasp_stretches(spots, grasp)))

@@ -43,7 +43,7 @@ class Edit:
     word: str
     motions: Callable[[Sequence[Saved], Progress], Saved]
     clip: Callable[[ClipTable, Clip], ClipTable] | None = None
-    check: Callable[[Sequence[Clip | Saved]], object] = lambda found: None
+    check: Callable[[Sequence[Clip | Saved]], object] = lambda sources: None
 
 
 def run(
@@ -112,8 +112,8 @@ def mirrored() -> Edit:
     return Edit(
         "mirrored",
         lambda saved, _: edits.mirrored(saved[0]),
-        lambda table, found: mirrored_tables(table, found.figure, edits.mirror_of(found)),
-        lambda found: edits.mirror_of(found[0]),
+        lambda table, source: mirrored_tables(table, source.figure, edits.mirror_of(source)),
+        lambda source: edits.mirror_of(source[0]),
     )
 
 
@@ -131,7 +131,7 @@ def retimed(speed: float | None, duration: float | None) -> Edit:
     return Edit(
         "retimed",
         lambda saved, _: edits.retimed(saved[0], rate(saved[0].keys)),
-        lambda table, found: edits.retimed_tables(table, rate(found.keys)),
+        lambda table, clip: edits.retimed_tables(table, rate(clip.keys)),
     )
 
 
@@ -147,7 +147,7 @@ def trimmed(first: float | None, last: float | None) -> Edit:
     return Edit(
         "trimmed",
         lambda saved, _: edits.trimmed(saved[0], *interval(saved)),
-        check=lambda found: edits.check_interval(found[0], *interval(found)),
+        check=lambda sources: edits.check_interval(sources[0], *interval(sources)),
     )
 
 
@@ -161,4 +161,4 @@ def joined(transition: float) -> Edit:
             progress.report(f"note: the scene is that of '{before.name}'")
         return edits.joined(before, after, transition, progress)
 
-    return Edit("joined", both, check=lambda found: edits.check_alike(*found))
+    return Edit("joined", both, check=lambda sources: edits.check_alike(*sources))

@@ -89,13 +89,13 @@ def configurations(
     if root is None or root.is_ambiguous:
         raise UserError(f"{where}: the format '{form}' is for one figure with a root that moves about")
     figure_joints = robot_joints(model)
-    wanted = [name for joint, names_of in layout.joints if joint in figure_joints for name in names_of]
-    if names is None and joints.shape[1] != len(wanted):
-        raise UserError(f"{where}: {joints.shape[1]} joints; the figure has {len(wanted)}: {', '.join(wanted)}")
+    expected = [name for joint, names_of in layout.joints if joint in figure_joints for name in names_of]
+    if names is None and joints.shape[1] != len(expected):
+        raise UserError(f"{where}: {joints.shape[1]} joints; the figure has {len(expected)}: {', '.join(expected)}")
     if names is not None and joints.shape[1] != len(names):
         raise UserError(f"{where}: {joints.shape[1]} columns of joints with {len(names)} names")
-    order = list(range(len(wanted))) if names is None else _order(list(names), wanted, where)
-    columns = dict(zip(wanted, joints[:, order].T, strict=True))
+    order = list(range(len(expected))) if names is None else _order(list(names), expected, where)
+    columns = dict(zip(expected, joints[:, order].T, strict=True))
     parts = []
     for joint, names_of in layout.joints:
         rest = layout.at_rest(joint)

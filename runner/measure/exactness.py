@@ -17,10 +17,10 @@ def keyframe_error(clip: Clip, timeline: Timeline) -> float:
     reached = figure.to_qpos(path_of(timeline).at(times))
     worst = 0.0
     for key, qpos in zip(clip.keys, reached, strict=True):
-        wanted = key.state.copy()
+        specified = key.state.copy()
         for columns in figure.tables.quaternion_columns.T:
-            wanted[columns] /= np.linalg.norm(wanted[columns])
-            if wanted[columns] @ qpos[columns] < 0:
-                wanted[columns] *= -1
-        worst = max(worst, float(np.abs(wanted - qpos)[key.fixed].max(initial=0.0)))
+            specified[columns] /= np.linalg.norm(specified[columns])
+            if specified[columns] @ qpos[columns] < 0:
+                specified[columns] *= -1
+        worst = max(worst, float(np.abs(specified - qpos)[key.fixed].max(initial=0.0)))
     return worst

@@ -74,11 +74,11 @@ def portable_text(spec: mujoco.MjSpec) -> str:
     undefined materials are removed: MuJoCo writes them for a nested class with material="". Before about 3.3.3 MuJoCo
     writes the elevations of a height field in reverse order, which is corrected.
     """
-    text = re.sub(r"<light [^>]*>", lambda found: _plain_light(found[0]), _precise_text(spec))
+    text = re.sub(r"<light [^>]*>", lambda match: _plain_light(match[0]), _precise_text(spec))
     materials = {material.name for material in spec.materials}
-    text = re.sub(r' material="([^"]*)"', lambda found: found[0] if found[1] in materials else "", text)
-    text = re.sub(r"<texture [^>]*>", lambda found: found[0].replace(' colorspace="auto"', ""), text)
-    return re.sub(r"<hfield [^>]*>", lambda found: _upright(found[0]), text) if _turns_height_fields() else text
+    text = re.sub(r' material="([^"]*)"', lambda match: match[0] if match[1] in materials else "", text)
+    text = re.sub(r"<texture [^>]*>", lambda match: match[0].replace(' colorspace="auto"', ""), text)
+    return re.sub(r"<hfield [^>]*>", lambda match: _upright(match[0]), text) if _turns_height_fields() else text
 
 
 def last_text(model: mujoco.MjModel) -> str:

@@ -59,8 +59,8 @@ class Placement(Momentary):
             return
         flat, offset, away = self._offsets(samples, which, at)
         axis, pair = np.nonzero(self._arrays[3][:, which])
-        at, link, arm = at[pair], flat[pair] // samples.count, offset[:, pair]
-        yield Block(at, away[axis, pair], (of_point(at, link, arm, np.eye(3)[:, axis]),))
+        at, link, point_offset = at[pair], flat[pair] // samples.count, offset[:, pair]
+        yield Block(at, away[axis, pair], (of_point(at, link, point_offset, np.eye(3)[:, axis]),))
 
     def _offsets(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
         """Return the state of p pairs of a placed point and a sample.

@@ -114,13 +114,13 @@ class Skate(Penalty):
         np.maximum(height, 0, out=height)
         root = np.sqrt(self._weight(height, samples.t))
         at, which = np.nonzero(least < root.T)
-        link, arm, share, high = links[which], arms[:, which, at], root[which, at], height[which, at]
-        velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], arm)
+        link, offset, share, high = links[which], arms[:, which, at], root[which, at], height[which, at]
+        velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], offset)
         fading = (-share * high / self.reach**2 * velocity).ravel()
         value, normals = (share * velocity).ravel(), np.tile(up[:, which, at], 3)
-        arm, share = np.tile(arm, 3), np.tile(share, 3)
+        offset, share = np.tile(offset, 3), np.tile(share, 3)
         at, link, axes = along_axes(at, link)
-        changes = of_velocity(samples, at, link, arm, share * axes), of_point(at, link, arm, fading * normals)
+        changes = of_velocity(samples, at, link, offset, share * axes), of_point(at, link, offset, fading * normals)
         yield Block(at, value, changes)
 
     def _weight(self, height: Array, t: Array) -> Array:

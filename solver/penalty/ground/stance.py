@@ -34,10 +34,12 @@ class StancePenalty(Penalty):
         links, positions, spots, drifts = self._arrays
         link, since = links[stance], samples.t[at] - self._times[0][stance]
         x, rotation = samples.links.poses(link * samples.count + at)
-        arm = applied(rotation, positions[:, stance])
-        away = x + arm - spots[:, stance] - drifts[:, stance] * since
+        offset = applied(rotation, positions[:, stance])
+        away = x + offset - spots[:, stance] - drifts[:, stance] * since
         at, link, axes = along_axes(at, link)
-        yield Block(at, away.ravel(), (of_point(at, link, np.tile(arm, 3), axes),), np.tile(self._weights[stance], 3))
+        yield Block(
+            at, away.ravel(), (of_point(at, link, np.tile(offset, 3), axes),), np.tile(self._weights[stance], 3)
+        )
 
     def _during(self, t: Array) -> tuple[Index, Index]:
         """Return the pairs of a stance and a sample within it: two index arrays (p,), for sample times t (S,) [s]."""

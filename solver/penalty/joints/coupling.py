@@ -67,9 +67,9 @@ class CouplingPenalty(Penalty):
         """Return the deviations of followers, and their slopes, (n, S) each."""
         followers, drivers = self._columns
         driven = samples.columns(drivers)
-        wanted = np.array([c.follow(q) for c, q in zip(self.couplings, driven, strict=True)])
+        determined = np.array([c.follow(q) for c, q in zip(self.couplings, driven, strict=True)])
         slope = np.array([c.slope(q) for c, q in zip(self.couplings, driven, strict=True)])
-        return samples.columns(followers) - wanted, slope
+        return samples.columns(followers) - determined, slope
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         followers, drivers = self._columns
