@@ -222,5 +222,9 @@ def test_an_error_of_the_encoder_stops_the_drawing():
 
 @pytest.mark.parametrize("count", [1, 3])
 def test_an_error_of_the_last_image_is_not_lost(count: int):
-    with pytest.raises(ZeroDivisionError):
-        _in_a_thread(lambda item: 1 / (count - 1 - item), range(count))
+    def fails_at_the_last(item: int) -> None:
+        if item == count - 1:
+            raise OSError(28, "No space left on device")
+
+    with pytest.raises(OSError, match="No space left"):
+        _in_a_thread(fails_at_the_last, range(count))
