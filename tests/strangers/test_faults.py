@@ -212,7 +212,7 @@ CLOSED = "sys = __import__('sys')\nfor number, name in (({}, '{}'),):\n    os.cl
 FULL = "os.dup2(os.open('/dev/full', os.O_WRONLY), {})\n"
 
 
-@pytest.mark.parametrize(("number", "name"), [(1, "stdout"), (2, "stderr")])
+@pytest.mark.parametrize(("number", "name"), [(0, "stdin"), (1, "stdout"), (2, "stderr")])
 def test_a_closed_stream_hinders_no_work(number: int, name: str, tried: Tried, tmp_path: Path):
     ended = tried("solve", "tiny.toml", "-o", "out.npz", before=CLOSED.format(number, name))
     assert (ended["code"], "Traceback" in ended["err"]) == (0, False), ended
