@@ -1,8 +1,8 @@
-"""The support of a figure over time, inferred from keyframes: standing feet, and flights between them.
+"""The points that can support a figure over time, inferred from its stances.
 
-A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `stances`. It is a
-flight if nothing can carry the figure there. Otherwise it is unknown, because a foot may touch down and lift off in
-between.
+A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `stance`. It is a flight
+if nothing can support the figure there, see `flight`. Otherwise its support is unknown, because a foot may touch down
+and lift off in between.
 """
 
 from __future__ import annotations
