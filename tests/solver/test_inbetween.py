@@ -334,3 +334,39 @@ def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
     late = begin.times > 2
     np.testing.assert_array_equal(found.timeline.states[late], begin.states[late])
     assert np.any(found.timeline.states[~late] != begin.states[~late])
+
+
+class Leading:
+    """What knows of a path to begin with: the timeline moved in its variable frames, told how it was asked."""
+
+    def __init__(self, by: float) -> None:
+        self.by, self.asked = by, []
+
+    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
+        self.asked.append((timeline.variable_count, most))
+        frames = (replace(f, state=f.state + self.by) if f.is_variable else f for f in timeline.frames)
+        return replace(timeline, frames=tuple(frames))
+
+
+@pytest.mark.parametrize(
+    ("settings", "asked"),
+    [({}, (6, None)), ({"variable": 1, "frames": 9}, (3, 3)), ({"variable": 0}, None)],
+)
+@pytest.mark.parametrize("is_better", [True, False])
+def test_a_search_begins_on_the_path_that_a_guide_knows_if_it_is_better(settings, asked, is_better, monkeypatch):
+    """A constant added to what runs between keyframes makes a worse path of the spline, and a better one of that."""
+    module, begun = import_module("dynsplines.solver.inbetween"), []
+    guide = Leading(0.5 if not is_better else -0.5)
+    monkeypatch.setattr(module, "guide_of", lambda objective: guide)
+    monkeypatch.setattr(_Loop, "searched", lambda loop, begin, *told: begun.append((begin, *told)) or begin)
+    if is_better:
+        plain = module.split
+        monkeypatch.setattr(module, "split", lambda *told: Leading(0.5).initial_guess(plain(*told), None))
+    problem = Problem(hinged(), hinge_keys(), PENALTIES, Settings(**settings))
+    inbetween(problem)
+    ((begin, segments, budget),) = begun
+    assert guide.asked == ([] if asked is None else [asked])
+    assert segments == 3
+    assert budget == settings.get("frames")
+    raw = path_of(problem.raw)
+    np.testing.assert_allclose(begin.states, raw.at(begin.times), atol=1e-12)
