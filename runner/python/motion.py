@@ -341,7 +341,8 @@ class Motion(Renames):
 
         Args:
             path: Output file.
-            to: Name of a format, default by the ending of `path`; or a custom writer, an object with write(trajectory, path).
+            to: Name of a format, default by the ending of `path`; or a custom writer, an object with
+                write(trajectory, path).
             fps: Samples per second [1/s]; default: the motion's.
             columns: Of a table: "velocities", "torques", "wrench", "ground", several of these, or "all".
             simulate: Of MJCF: write a scene for simulation, with collisions, and actuators on every joint whose
