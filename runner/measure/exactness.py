@@ -11,7 +11,7 @@ from ..clip.build import Clip
 
 
 def keyframe_error(clip: Clip, timeline: Timeline) -> float:
-    """Return the largest error of a fixed entry of qpos at its key time."""
+    """Return the largest error of a fixed entry of qpos at its key time: [m] or [rad]; quaternions have no unit."""
     figure = clip.figure
     times = np.array([key.time for key in clip.keys])
     reached = figure.to_qpos(path_of(timeline).at(times))

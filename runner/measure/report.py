@@ -1,4 +1,4 @@
-"""The report on a motion before and after, on a 1 kHz grid, thus also *between* the samples of the optimiser.
+"""The report on a motion before and after solving, on a 1 kHz grid, thus also *between* the samples of the optimiser.
 
 The data are plain dicts for JSON, the motion file and the terminal.
 """
@@ -41,11 +41,12 @@ def report(
 ) -> dict[str, Any]:
     """Return the full report of a solved clip.
 
-    seconds  duration of the solve, if known;  told  receives the progress of the local solves
+    seconds  duration of the solve, if known
+    report_progress  receives the progress of the local solves
 
-    Ctrl-C omits only the segments, which take longest. A recording is measured once for both sides; it has no segments
-    and no remaining decrease, because nothing is optimised. A motion that follows a recording has no segments either,
-    since its frames are not keyframes.
+    Ctrl-C omits only the segments, which take longest. An imported recording is measured once for both columns. It has
+    no segments and no remaining decrease, because nothing is optimised. A motion that follows a
+    recording has no segments either, since its frames are not keyframes.
     """
     searched = not motion.is_raw
     before = Side.of(clip, motion.objective, motion.raw, motion.raw)

@@ -1,4 +1,4 @@
-"""A short summary of a solve, with its violations, without long measurements."""
+"""A short summary of a solve, with its violations, without measurements that take long."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Violations of a motion, worst first.
 
 The check is quick, on a grid fine enough for motion between video frames, whereas `report` takes some seconds.
-A violation in the pose of a keyframe is reported once, for the keyframe, unless the motion next to it is worse.
+A violation in the pose of a keyframe is reported once, with the number of the keyframe. The motion next to it is
+reported too only if it is worse.
 """
 
 from __future__ import annotations
@@ -80,7 +81,7 @@ class ViolationTable(TypedDict):
 def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """Return the violations of a timeline of a clip, worst first.
 
-    raw   the raw spline through its keyframes, the reference for whips
+    raw   the raw spline through its keyframes, the reference for angular accelerations
     stop  why the search ended
     """
     return violations_of(Measurement.of(clip, timeline, raw), stop)
@@ -196,7 +197,7 @@ def _largest(hits: Hits, label: Index) -> list[int]:
 
 
 def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
-    """Return the row to name for the worst hit of a group: a sole point, if one is about as deep."""
+    """Return the row that is named for the worst hit of a group: one in `check.named` if it is about as large."""
     if check.named is not None:
         beside = (hits.at == hits.at[worst]) & (group == group[worst]) & check.named[hits.row]
         beside &= hits.amount >= hits.amount[worst] - SAME_DEPTH
@@ -206,7 +207,7 @@ def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
 
 
 def _drifts(motion: Measurement) -> Iterator[Violation]:
-    """Yield keyframes that move a resting point from where the previous keyframe has it."""
+    """Yield the keyframes in which a resting point is not at its position in the previous keyframe."""
     worst: dict[tuple[str, int, int], tuple[float, Row, float]] = {}
     for stay, group in motion.contact_targets:
         stance = stay.stance
