@@ -1,4 +1,4 @@
-"""Clips without a file: keyframes as Python objects, with the keys of the clip file, and `build`."""
+"""Clips without a file: keyframes as Python objects, with the field names of the clip file, and `build`."""
 
 from __future__ import annotations
 

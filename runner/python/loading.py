@@ -33,7 +33,8 @@ def load(
 
     Args:
         source: Name of a shipped clip (see `clips()`), path of a .toml file or of an MJCF file with <keyframe>
-            elements, or the text of either; TOML text contains a line break.
+            elements, or the text of either. A string with a line break is taken as TOML text, not
+            as a path.
         fps: Samples per second [1/s] of outputs, instead of the clip's.
         custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
         allow_outside: Let the model read files outside its folder.
@@ -42,7 +43,7 @@ def load(
         The clip, for `inbetween`.
 
     Raises:
-        UserError: For an invalid clip; one line with the file, the keyframe and the key.
+        UserError: For an invalid clip. The message is one line that names the file, the keyframe and the key.
     """
     if not isinstance(source, str | os.PathLike):
         raise UserError(
@@ -106,7 +107,7 @@ def import_motion(
         The motion.
 
     Raises:
-        UserError: For an invalid file, or one that does not fit the figure; one line.
+        UserError: For an invalid file, or one that does not fit the figure. The message is one line.
     """
     from ..clean import rest_pose_trim
     from ..exchange.motion_import import import_recording

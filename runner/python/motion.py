@@ -83,15 +83,15 @@ class Report(dict[str, Any]):
 
 @dataclass(frozen=True)
 class MotionDifference:
-    """The largest differences of two motions.
+    """The largest differences between two motions at equal times.
 
     Attributes:
-        distance: Largest distance of a body's origin or a site [m].
+        distance: Largest distance [m] between the positions of a body's origin, or of a site, in the two motions.
         where: Name of this body or site.
         time: Time of the largest distance [s].
-        angle: Largest rotation of a body [degrees].
-        turned: Name of this body.
-        turned_time: Time of the largest rotation [s].
+        angle: Largest angle [degrees] between the orientations of a body in the two motions.
+        turned: Name of the body with the largest angle.
+        turned_time: Time of the largest angle [s].
     """
 
     distance: float
@@ -113,7 +113,7 @@ class Motion(Renames):
     """A motion of a figure over time, with its keyframes and its scene.
 
     Attributes:
-        saved: The content of its file.
+        saved: What the motion file contains.
     """
 
     saved: Saved
@@ -174,7 +174,7 @@ class Motion(Renames):
 
     @cached_property
     def clip(self) -> Clip:
-        """The clip that was solved. A warning lists its custom soft constraints, which files do not store."""
+        """The clip that was solved. A file does not store custom penalties: a warning lists them."""
         if self._solved is not None:
             return self._solved.clip
         if names := self.saved.search.get("custom penalties"):
