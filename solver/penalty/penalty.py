@@ -1,7 +1,8 @@
 """The interface of soft constraints: functions f_j ≥ 0 of samples (y, y', y'') with exact gradients (eq. 1).
 
-A penalty does not depend on unknowns, knots, masks or weights, so the optimiser and the Euler-Lagrange residual use the
-same object. A new soft constraint needs one subclass, one Taylor test, and one row in the runner's table of penalties.
+A penalty depends only on samples, not on the parameters of the path, on which entries are fixed, or on weights. The
+optimiser and the Euler-Lagrange residual therefore use the same object. A new soft constraint needs one subclass, one
+Taylor test, and one row in the runner's table of penalties.
 """
 
 from __future__ import annotations
@@ -114,7 +115,7 @@ class Penalty(ABC):
         )
 
     def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
-        """Return the residuals for a model of E, including one-sided residuals that may become active in a step."""
+        """Return the residuals for the quadratic model of E, with one-sided ones that may become active in a step."""
         return self.residuals(samples)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
