@@ -1,4 +1,4 @@
-"""Motion relative to the ground without a reason: figures that stay above it without falling, and sliding feet."""
+"""Figures that stay above the ground although they neither fall nor touch anything, and feet that slide on it."""
 
 from __future__ import annotations
 
@@ -24,13 +24,14 @@ from .measurement import Measurement, feet_of
 from .swings import runs
 
 RATE = 60.0  # [1/s] of the samples
-CARRIED = 0.5  # least fraction of the weight that something must carry; in free fall it is zero
+# [1] smallest mean share of the weight that an unknown support would have to carry; in free fall this share is zero
+CARRIED = 0.5
 
 Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
 
 
 def airborne(motion: Measurement) -> Iterator[Excess]:
-    """Yield figures above the ground without a reason, and feet that slide on it."""
+    """Yield figures that float above the ground, and feet that slide on it."""
     context, figure = motion.clip.context, motion.clip.figure
     if not context.surfaces or not np.any(figure.gravity):
         return
@@ -52,7 +53,7 @@ def _heights(surfaces: Sequence[Surface], points: Sequence[Point], samples: Samp
 
 
 def _floating(motion: Measurement, samples: Samples, at: Index, root: int, height: Array) -> Iterator[Excess]:
-    """Yield intervals in which the tree of a root is above the ground and something would have to carry it.
+    """Yield intervals in which a tree is above the ground, but does not fall as a body without support would.
 
     samples  S samples of the motion;  at  (S,) their indices among its times
     root     index of the tree's root link;  height  (S,) [m] of its lowest point

@@ -11,6 +11,9 @@ class Bound:
 
     most  largest tolerated amount in `unit`: "m", "m/s", "degrees", "degrees/s", "rad/s²", or "" for none
     why   the reason for this size
+
+    A whip is a sudden swing of a limb: a large angular acceleration of a link relative to its parent. "length" is that
+    of quaternions, which should be 1.
     """
 
     kind: str
@@ -50,5 +53,5 @@ BOUNDS = {
         Bound("search", 1.0, "", "the search ended before it was done"),
     )
 }
-WHIP_SHARE = 4.0  # of the raw spline's largest angular acceleration
-SPEED_SHARE = 0.05  # of a limit of speed
+WHIP_SHARE = 4.0  # [1] multiple of the raw spline's largest angular acceleration that is tolerated
+SPEED_SHARE = 0.05  # [1] share of a speed limit by which it may be exceeded

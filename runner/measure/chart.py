@@ -1,4 +1,4 @@
-"""Charts of a motion: foot height, unit magnitude, Euler-Lagrange deviation over tenths, penalties per evaluation."""
+"""Charts of a motion: foot height, unit magnitude, Euler-Lagrange deviation, penalties per evaluation."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 ENDINGS = (".png", ".svg", ".pdf")
 BEFORE, AFTER = "#b5541c", "#1f6f8b"
 INK = "#22303a"
-COLOURS, STROKES = 10, ("-", "--", ":")  # number of matplotlib's colours; strokes after these are used up
+COLOURS, STROKES = 10, ("-", "--", ":")  # number of matplotlib's colours; the stroke changes after each 10 lines
 
 
 def check_target(target: Path) -> None:

@@ -1,6 +1,7 @@
-"""Checks of a motion: for each kind of violation its rows, and the amounts by which they are violated at samples.
+"""Checks of a motion, one for each kind of violation.
 
-If there is a penalty, the residuals are the penalty's, without the allowances of the search for keyframes.
+A check measures several quantities, its rows, such as the depths of many points. An amount is the value of a row at a
+sample. Where a penalty exists, its residuals are the amounts; the search's tolerance near keyframes is not subtracted.
 """
 
 from __future__ import annotations
@@ -38,12 +39,17 @@ from .depths import bunches, depths
 from .overlaps import Overlaps
 
 SELF_STRIDE = 8  # samples of the grid per check for overlapping bodies, which is done at 30 Hz
-SAME_DEPTH = 0.002  # [m] most excess in depth of another point of the foot for which a sole point is still named
+SAME_DEPTH = 0.002  # [m] a sole point is named although another point of the foot is deeper, if by at most this
 
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity: kind of bound, name, and a sentence with {} for the amount; other: a surface or body."""
+    """A measured quantity of a check.
+
+    kind   kind of violation, a key of `BOUNDS`
+    name   name of the point, joint or body;  other  name of the surface or of the second body
+    text   the message, with {} for the amount;  bound  largest tolerated amount, in `unit`
+    """
 
     kind: str
     name: str
@@ -58,7 +64,7 @@ class Row:
 
 @dataclass(frozen=True, eq=False)
 class Hits:
-    """Amounts (m,) of rows (m,) at samples (m,)."""
+    """Large amounts: `amount` (m,) of the rows `row` (m,) at the samples `at` (m,), in the unit of the row."""
 
     row: Index
     at: Index
@@ -66,7 +72,7 @@ class Hits:
 
     @classmethod
     def of(cls, amounts: Array, least: float = 0.0) -> Hits:
-        """Return the hits among amounts (n, S) above a bound."""
+        """Return the amounts (n, S) of n rows at S samples that exceed `least`."""
         row, at = np.nonzero(amounts > least)
         return cls(row, at, amounts[row, at])
 
@@ -82,16 +88,17 @@ class Hits:
 
 @dataclass(frozen=True, eq=False)
 class Check:
-    """Rows of which the worst of a group is reported.
+    """A kind of violation with n rows. Only the worst row of a group is reported, such as the deepest point of a foot.
 
-    hits      returns the amounts in samples; those below the bounds are for the report
-    row       returns a row by its number
+    hits      function that returns the amounts in samples; also amounts below the bounds, for the report
+    row       function that returns a row by its index
     bounds    (n,) amounts above which there is a violation
-    groups    (n,)
-    is_fixed  returns whether keyframes (m,) determine the amounts of rows (m,), so that they cause the violation
-    named     (n,) rows named instead of others of their group that are hardly worse
-    stride    samples of the grid from one evaluation to the next
-    is_once_per_group  whether keyframes that cause it count as one violation per group, instead of one each
+    groups    (n,) group of each row, as a number
+    is_fixed  function of indices of rows (m,) and keyframes (m,): whether the keyframe determines the amount of the
+              row, so that it causes the violation
+    named     (n,) whether the row is named even if another row of its group is slightly worse; None: no row
+    stride    only every stride-th sample of the grid is evaluated
+    is_once_per_group  whether all keyframes that violate a group are reported in one line, instead of one line each
     """
 
     name: str
@@ -113,8 +120,11 @@ class Check:
         fixed: Mask | None = None,
         groups: Index | None = None,
     ) -> Check:
-        """Return the check of listed rows, each its own group unless `groups` is given; fixed: (n, K) or None for no
-        key."""
+        """Return the check of a list of rows.
+
+        fixed   (n, K) whether a keyframe causes the amounts of a row; None: none does
+        groups  (n,) as in `Check`; None: each row is a group
+        """
 
         def is_fixed(row: Index, key: Index) -> Mask:
             return np.zeros(row.size, bool) if fixed is None else fixed[row, key]
@@ -125,7 +135,7 @@ class Check:
 
 @dataclass(frozen=True, eq=False)
 class Fixed:
-    """Entries of a figure that keyframes fix: masks (K, N) of the state, and (L, K) of the links' poses."""
+    """What keyframes fix: entries of the state, `states` (K, N), and whole poses of links, `places` (L, K)."""
 
     figure: Figure
     states: Mask
@@ -133,24 +143,27 @@ class Fixed:
 
     @classmethod
     def of(cls, figure: Figure, states: Mask) -> Fixed:
-        """Return the entries for masks (K, N) of keyframes."""
+        """Return what keyframes with the masks `states` (K, N) fix."""
         return cls(
             figure, states, placed(figure, states, [Point("", i, np.zeros(3)) for i in range(len(figure.links))])
         )
 
     def joints(self, links: Sequence[int]) -> Mask:
-        """Return which keyframes fix the joints of n links, (n, K), for free joints the rotation."""
+        """Return which keyframes fix the joints of n links, (n, K). Of a free joint, only the rotation counts."""
         columns = [quaternion_columns(self.figure.links[i]) or self.figure.links[i].qpos for i in links]
         return np.array([np.atleast_2d(self.states[:, column].T).all(axis=0) for column in columns])
 
 
 def row_of(kind: str, name: str, text: str, bound: float | None = None, other: str = "") -> Row:
-    """Return a row with the bound of its kind."""
+    """Return a row; by default its bound is that of its kind."""
     return Row(kind, name, text, BOUNDS[kind].most if bound is None else bound, other)
 
 
 def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
-    """Return the check of knees and elbows bent backward, sideways or twisted; bound: None for those of the kinds."""
+    """Return the check of knees and elbows that bend backward or sideways, or twist.
+
+    bound  largest tolerated angle [degrees]; None: that of the kind of violation
+    """
     rows = [
         row_of(kind, joint.name, f"{joint.name} {text}", bound)
         for kind, text in (
@@ -170,7 +183,12 @@ def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
 
 
 def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Mask | None = None) -> Check:
-    """Return the check of joint ranges; kinds: of hinges and balls, and of slides; text: with fields of `Range`."""
+    """Return the check of joint ranges.
+
+    kinds  kind of violation of hinges and ball joints, and that of slides
+    text   the message, a format string with the fields of the `Range` as {joint.name} and so on
+    fixed  (n, K) whether a keyframe fixes a joint; None: no keyframe causes violations
+    """
     limits, slides = JointRange(tuple(joints)), np.array([joint.kind is JointKind.SLIDE for joint in joints])
     rows = [
         row_of(kinds[int(slide)], joint.name, text.format("{}", joint=joint))

@@ -16,10 +16,10 @@ from ..clip.build import Clip
 from ..motion import samples_at
 
 RATE = 250.0  # [1/s] of the samples, finer than the resolution of a chart
-TENTHS = 10  # of the path, as in the paper's figure 10
+TENTHS = 10  # number of equal parts of the clip's duration, as in the paper's figure 10
 
 
-SideCurves = TypedDict(  # of one timeline: heights [m] by contact point, lengths of quaternions, EL deviation by tenth
+SideCurves = TypedDict(  # of a timeline: heights [m] by contact point, lengths of quaternions, EL deviation by part
     "SideCurves",
     {
         "time": list[float],
@@ -32,14 +32,14 @@ SideCurves = TypedDict(  # of one timeline: heights [m] by contact point, length
 
 
 class Curves(TypedDict):
-    """The curves of both motions."""
+    """The curves of the raw spline, `before`, and of the solved motion, `after`."""
 
     before: SideCurves
     after: SideCurves
 
 
 def curves(clip: Clip, motion: Solution) -> Curves:
-    """Return foot heights, quaternion lengths and Euler-Lagrange deviation over tenths of both motions, as lists."""
+    """Return heights, quaternion lengths and Euler-Lagrange deviation of the raw spline and the motion, as lists."""
     before = _side(clip, motion, motion.raw)
     return {"before": before, "after": before if motion.is_raw else _side(clip, motion, motion.timeline)}
 

@@ -1,7 +1,8 @@
 """Depths of a figure's points in surfaces, for many points at many times.
 
-Only spheres of links near a surface are evaluated. Distances to planes, boxes and other signed distance fields are
-exact. The distance to a height field is that to the nearest exit, to first order.
+A point is the centre of a sphere. Points of links whose bounding sphere is far from a surface are omitted. Distances to
+planes, boxes and other signed distance fields are exact. The depth in a height field is the distance to its nearest
+exit, to first order.
 """
 
 from __future__ import annotations
@@ -64,7 +65,7 @@ def depths(nearby: Sequence[Bunch], surface: Surface, samples: Samples) -> Itera
 
 
 def depth(surface: Surface, centres: Array, radii: Array) -> Array:
-    """Return the depths (p, k) [m] of spheres in a surface, at most 0 outside: centres (3, p, k), radii (p,)."""
+    """Return the depths (p, k) [m] of spheres with centres (3, p, k) and radii (p,) in a surface, at most 0 outside."""
     if isinstance(surface, Box):
         return radii[:, None] - _from_box(surface, centres)
     deep, direction = surface.depth(centres, radii)

@@ -1,6 +1,7 @@
-"""Lines of a report for the terminal: of every quantity its label, and its value before and after.
+"""Lines of a report for the terminal: each has the label of a quantity, and its values before and after solving.
 
-Names include units: "penetration, m" is shown in millimetres, as is everything that it contains.
+The unit is part of a name. Entries whose name ends in ", m", and the entries that they contain, are shown in
+millimetres.
 """
 
 from __future__ import annotations
@@ -12,12 +13,12 @@ from .swings import swing_text as swing_words
 
 Line = tuple[str, str, str]  # label, before, after
 HIDDEN = ("geoms", "unit")  # entries without lines: too many, or shown with their quantity
-FEW = 4  # most numbers of a quantity in one line
+FEW = 4  # most numbers of a quantity that are shown in one line
 SPAN = ("from, s", "to, s")
 
 
 def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
-    """Yield the lines of two sides; `before` may lack entries in a report of an older version."""
+    """Yield the lines for the quantities of two columns. In a report of an older version, `before` may lack entries."""
     for name, value in after.items():
         yield from _rows(name, before.get(name), value)
 

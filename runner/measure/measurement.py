@@ -44,10 +44,10 @@ ROUNDING = 1e-9  # [s] tolerance at the ends of intervals
 class Measurement:
     """The amounts of all checks along a timeline of a clip.
 
-    clip    with the specified keyframes, for a recording also the first and the last
+    clip    the clip; if it follows a recording, its frames are only the specified keyframes, the first and the last
     time    (T,) [s] of the grid;  key_at  (K,) indices of the keyframes in it
-    checks  each with its amounts
-    contact_targets  points that must stay in their places, each with the number of its foot and interval
+    checks  each with the amounts of its rows
+    contact_targets  points that must not move in an interval, each with the number of its group: of a foot and interval
     """
 
     clip: Clip
@@ -59,7 +59,7 @@ class Measurement:
 
     @classmethod
     def of(cls, clip: Clip, timeline: Timeline, raw: Timeline) -> Measurement:
-        """Measure a timeline; `raw` is the spline through the clip's keyframes, the reference for whips."""
+        """Measure a timeline; `raw` is the raw spline, whose angular accelerations are the reference for whips."""
         clip, path = _as_keyed(clip), path_of(timeline)
         key_times = np.clip([key.time for key in clip.keys], *path.span)
         stays = tuple(_contact_targets(clip, timeline))
@@ -81,7 +81,7 @@ class Measurement:
         return cls(clip, timeline, time, key_at, amounts, stays)
 
     def largest(self, name: str) -> dict[int, tuple[float, float]]:
-        """Return the largest amount of every row with one, in the checks of a name, and its time [s]."""
+        """Return, by the index of a row of the checks of a name, its largest amount and the time [s] of it."""
         out = {}
         for check, hits in self.checks:
             if check.name == name:
@@ -111,7 +111,7 @@ class Measurement:
 
 
 def _as_keyed(clip: Clip) -> Clip:
-    """Return a recording's clip with the first frame, the last one and the keyframes only."""
+    """Return a clip with few frames if it follows a recording: the keyframes, and the first and the last frame."""
     key_times, ends = {key.time for key in clip.authored_keys}, (0, len(clip.keys) - 1)
     nothing = np.zeros(clip.figure.width, bool)
     keys = tuple(
@@ -178,7 +178,7 @@ def bend_limits(clip: Clip) -> BendLimits:
 
 
 def _parts(clip: Clip) -> Iterator[Penalty]:
-    """Yield the soft constraints, with the parts of sums one by one."""
+    """Yield the soft constraints. Of a `Sum`, yield its parts instead."""
     for penalty, _ in clip.penalties:
         yield from penalty.parts if isinstance(penalty, Sum) else (penalty,)
 
@@ -198,7 +198,7 @@ def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, .
 
 
 def feet_of(figure: Figure, points: Sequence[Point]) -> Index:
-    """Return the link (L,) that represents a foot: the first of foot and toes with sole points."""
+    """Return for each link (L,) the link that represents it: of toes the foot, of any other link itself."""
     feet, soles = np.arange(len(figure.links)), {point.link for point in points}
     for i, link in enumerate(figure.links[1:], start=1):
         if i in soles and link.parent in soles:

@@ -1,8 +1,8 @@
-"""Overlaps of moving bodies, by MuJoCo's collision detection with its filters, whatever the clip penalizes.
+"""Overlaps of moving bodies, by MuJoCo's collision detection with its filters, whether or not the clip penalizes them.
 
 The model determines which bodies collide: contype and conaffinity, <exclude>, <pair>, and no parent with its child. In
 a model without collisions, all geoms count. Bodies at most two joints apart that overlap at rest do so by design, such
-as a hip in the abdomen, and are excluded. The overlap of other connected bodies counts beyond that at rest.
+as a hip in the abdomen, and are excluded. For other connected bodies, the depth at rest is subtracted.
 """
 
 from __future__ import annotations
@@ -25,7 +25,11 @@ BITS = 31  # of contype
 
 @dataclass(frozen=True, eq=False)
 class Overlap:
-    """Overlaps of pairs of geoms at samples `at` (m,): links (2, m), the lower first, geoms (2, m), depth (m,) [m]."""
+    """Overlaps of pairs of geoms.
+
+    at     (m,) indices of samples;  geoms  (2, m) indices of the overlapping geoms;  depth  (m,) [m]
+    links  (2, m) indices of their links, the smaller index first
+    """
 
     at: Index
     links: Index
@@ -38,7 +42,7 @@ class Overlaps:
     """The bodies of a figure that can overlap.
 
     model    a copy in which only moving geoms collide
-    at_rest  (L, L) [m] depth of two links in each other at rest, the lower first; infinite if excluded
+    at_rest  (L, L) [m] depth of two links in each other at rest, the smaller index first; infinite if excluded
     """
 
     figure: Figure
@@ -59,7 +63,7 @@ class Overlaps:
         return cls(figure, model, at_rest)
 
     def met(self, samples: Samples) -> Overlap:
-        """Return the overlaps in samples, with the depth beyond that at rest."""
+        """Return the overlaps in samples; depths are reduced by those at rest."""
         overlap = _overlaps(self.figure, self.model, self.figure.to_qpos(samples.y), np.arange(samples.count))
         depth = overlap.depth - self.at_rest[tuple(overlap.links)]
         deeper = np.flatnonzero(depth > 0)
@@ -101,8 +105,11 @@ def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
 
 
 def _exclude(model: mujoco.MjModel, body_link: Index, excluded: Mask) -> None:
-    """Exclude pairs of links (L, L) from collision in a model with uniform flags, which takes a quarter of the time.
-    Every body has a bit in contype, and the bits of those with which it collides in conaffinity."""
+    """Exclude pairs of links (L, L) from collisions of a model in which all flags are equal.
+
+    Every body gets its own bit in contype, and the bits of the bodies with which it collides in conaffinity. Collision
+    detection then takes a quarter of the time.
+    """
     bodies = np.flatnonzero(model.body_contype)
     if bodies.size > BITS or not excluded.any():
         return
@@ -118,7 +125,7 @@ def _exclude(model: mujoco.MjModel, body_link: Index, excluded: Mask) -> None:
 
 
 def _steps(figure: Figure) -> Array:
-    """Return the number of bodies between two links (L, L), infinite if one moves freely from the other."""
+    """Return the number of bodies from one link to another, (L, L): 1 to a child, infinite between free trees."""
     bodies, path = np.array([link.body for link in figure.links]), figure.tables.path
     first = np.append(True, bodies[1:] != bodies[:-1])  # a body's other joints do not count
     depth, shared = path[:, first].sum(axis=1), path[:, first] @ path[:, first].T

@@ -1,6 +1,7 @@
-"""Quantities of one side of a report, by name, with their units.
+"""Quantities of one column of a report, by name, with their units.
 
-Those related to violations come from the same measurement; others are measured on a grid of 1 kHz.
+Quantities that are also checked for violations come from the `Measurement` that the violations use. Others are measured
+on a grid of 1 kHz.
 """
 
 from __future__ import annotations
@@ -38,13 +39,13 @@ from .measurement import Measurement, bend_limits, inferred
 from .swings import swings
 
 RATE = 1000.0  # [1/s] of the samples, finer than those of the optimiser
-HIGHEST = 1.0  # [m] height from which heights of a foot are not distinguished
-STIFF = 1e-7  # `Support.softness`, so small that the remaining wrench is only what contacts cannot supply
+HIGHEST = 1.0  # [m] upper limit of the lift of a foot in a stance, in the report
+STIFF = 1e-7  # `Support.softness`: almost zero, so that contacts supply all that they can and only the rest is reported
 
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """One side of a report: a clip's timeline, its measurement and E."""
+    """One column of a report: the raw spline or the solved motion of a clip, with its measurement and E."""
 
     clip: Clip
     objective: Objective
@@ -184,7 +185,7 @@ def _heights(clip: Clip, samples: Samples) -> Array:
 
 
 def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
-    """Return the horizontal path of each contact point while close to its surface, and its mean speed there."""
+    """Return the horizontal distance that each contact point travels while close to its surface, and its mean speed."""
     if not clip.context.points or not clip.context.surfaces:
         return {}
     centres, _, _ = places_of(clip.context.points, samples)
@@ -225,7 +226,7 @@ def _stances(clip: Clip, timeline: Timeline) -> list[Entry]:
 
 
 def _contacts(clip: Clip, timeline: Timeline) -> list[Entry]:
-    """Return every contact of the clip, with the largest distance from its mid-contact position and the path."""
+    """Return every contact of the clip, with its largest distance from mid-contact and the length of its path."""
     out: list[Entry] = []
     for rest in clip.context.schedule.contacts.requested:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))

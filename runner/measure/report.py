@@ -32,8 +32,9 @@ from .quantities import Side
 from .violation import ViolationTable, plain, violations_of
 
 LOCAL_EVALUATIONS: int = 25  # most evaluations of a local solve that estimates the remaining decrease of a segment
-LOCAL_TOLERANCE = 1e-4  # relative to a segment's E: the decrease within 10 %, in a quarter of the time of 1e-7
-DRIFT = "centre of mass off before, m"
+# [1] relative to a segment's E: yields the decrease to within 10 %, in a quarter of the time that 1e-7 takes
+LOCAL_TOLERANCE = 1e-4
+DRIFT = "centre of mass off before, m"  # distance between the centres of mass before and after solving
 
 
 def report(
@@ -78,9 +79,9 @@ def report(
 def _cycle_report(clip: Clip) -> dict[str, float]:
     """Return the gait cycle of the cycle penalty, and its confidence; empty if there is none.
 
-    gain   log-likelihood of the keyframes minus that of the best smooth motion, per given number
+    gain   log-likelihood of the keyframes as a cycle minus that as the best smooth motion, per specified number
     slip   mean speed of low feet along the cycle, relative to the travel speed; omitted without travel
-    trust  ratio of the spline's variance about the cycle to the cycle's variance
+    trust  uncertainty of the raw spline relative to that of the cycle: the ratio of their variances
     """
     gait_cycle = next((penalty.gait_cycle for penalty, _ in clip.penalties if isinstance(penalty, Cycle)), None)
     if gait_cycle is None:
@@ -97,7 +98,7 @@ def _centre_of_mass(samples: Samples) -> Array:
 
 
 def _far_from_trouble(clip: Clip, before: Samples, margin: float = 0.25) -> Mask:
-    """Return the times at least `margin` [s] away from any at which the raw motion is in a box."""
+    """Return whether samples (S,) are more than `margin` [s] from any time at which a raw foot is in a box."""
     boxes = [surface for surface in clip.context.surfaces if isinstance(surface, Box)]
     inside = np.zeros(before.t.size, bool)
     if boxes and clip.context.points:
@@ -113,7 +114,7 @@ def _far_from_trouble(clip: Clip, before: Samples, margin: float = 0.25) -> Mask
 
 
 def _remaining_decrease(motion: Solution) -> dict[str, float]:
-    """Return the estimated remaining decrease of E: the sum for frames in the middle of all segments (weak form)."""
+    """Return the estimated decrease of E by one more frame in every interval between frames (weak form)."""
     promised = float(by_weak_form(motion.objective, motion.timeline).sum())
     value = motion.objective.value(motion.path)
     return {"objective": promised, "share": promised / value if value > 0 else 0.0}
@@ -122,7 +123,11 @@ def _remaining_decrease(motion: Solution) -> dict[str, float]:
 def _segments(
     clip: Clip, motion: Solution, report_progress: Callable[[int, int], None] | None
 ) -> list[dict[str, float]]:
-    """Return per segment between keyframes EL deviation before and after, δ and decrease by a local solve (app. C)."""
+    """Return the rows of the table of segments between keyframes.
+
+    Each has the Euler-Lagrange deviation before and after solving, and from a local solve (appendix C of the paper) the
+    displacement δ and the decrease of E.
+    """
     try:
         remaining = displacement(
             motion.objective,

@@ -1,4 +1,4 @@
-"""Swings of feet: from when a foot's last point leaves the ground to when one is back."""
+"""Swings of feet. A swing begins when all points of a foot have left the ground and ends when one touches it again."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from dynsplines.solver.surface.points import places_of
 
 from ..clip.build import Clip
 
-MOST_SHOWN = 6  # most swings of a foot that a table lists one by one
+MOST_SHOWN = 6  # most swings of a foot whose heights a table lists one by one
 
 
 def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:

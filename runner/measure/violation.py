@@ -140,8 +140,8 @@ def lines(violations: Sequence[Violation], file: object = None) -> list[str]:
 def by_name(violations: Sequence[Violation]) -> tuple[Violation, ...]:
     """Return the worst violation of each point, joint or contact of an imported recording, worst first.
 
-    Its text contains the number of samples with this violation. Every sample of an imported recording is a keyframe, so
-    that a list of all violations of one joint would fill the terminal.
+    Its text contains the number of samples with this violation. Every sample of an imported recording is a keyframe. A
+    list of all violations of one joint would fill the terminal.
     """
     groups: dict[tuple[str, str], list[Violation]] = {}
     for violation in violations:
