@@ -55,6 +55,7 @@ class ContactSchedule:
     """The stances, grasps, flights and gait of a figure over time. What is not specified is inferred once, when needed.
 
     Attributes:
+        figure: The figure.
         keys: The keyframes.
         points: The sole points, or the points of the option `points` of `collision`.
         surfaces: The floor and the obstacles.
@@ -134,7 +135,7 @@ class ContactSchedule:
 
     @cached_property
     def low_points(self) -> tuple[Point, ...]:
-        """The points on soles and body. Where the figure stands, the lowest of them touches the ground."""
+        """The points on soles and body, without grasped objects. A keyframe is grounded if the lowest one is."""
         points = self.exclude_grasped((*self.points, *body_points(self.figure)))
         return points if self.root is None else hanging(self.figure, self.root, points)
 
@@ -147,7 +148,7 @@ class ContactSchedule:
 
     @cached_property
     def held_down(self) -> tuple[Interval, ...]:
-        """The intervals [s] next to keyframes on the ground that do not fix the root's height, except flights."""
+        """The intervals [s] next to keyframes on the ground that leave the root's height free, except flights."""
         if self.root is None or not self.points:
             return ()
         is_open = ~self.keys.fixed[:, self.figure.links[self.root].qpos + 2]
