@@ -1,4 +1,8 @@
-"""The in-betweening problem: keyframes of a figure, soft constraints with their weights, settings of the search."""
+"""The in-betweening problem: keyframes of a figure, soft constraints with their weights, settings of the search.
+
+"The paper" is R. Ramamoorthi, C. Ball, A. H. Barr, Dynamic Splines with Constraints for Animation, also in all other
+modules of this package. Equations, figures and sections without a source are those of the paper.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +25,8 @@ from .refine.subdivision import CRITERIA
 from .search.minimum import Optimiser
 from .search.refinement import LBFGS
 
-FEW, MORE = 2, 3  # initial variable frames per segment: of a clip that is solved as a whole; of one solved in windows
+# default initial number of variable frames per segment: FEW if the clip is solved as a whole, MORE if in windows
+FEW, MORE = 2, 3
 TINY = 0.05  # [1] longest segment without a variable frame, relative to the frame spacing of adjacent segments
 SPACING = 0.3  # [s] maximum initial spacing of frames
 # defaults of `threshold`, `max_evaluations` and `tolerance`
@@ -112,8 +117,8 @@ class Problem:
             fixed entries.
         penalties: The soft constraints f with their weights α.
         ends: The end conditions: "free", "clamped", "clamped start", "clamped end" or "periodic".
-        end_slope: The velocities of the state at the start and the end, (2, N). Rows of ends that are not clamped have
-            no effect. None: zero.
+        end_slope: The time derivatives y' of the N entries of the state at the start and the end, (2, N) [1/s times
+            their units]. Rows of ends that are not clamped have no effect. None: zero.
         travel: The displacement of a loop's root per period, (3,) [m]. None: that from the first to the last keyframe
             in x and y, and zero in z.
         turn: The rotation of a loop's root about the vertical axis per period [rad]. None: that from the first to the
@@ -146,10 +151,11 @@ class Problem:
 
 
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
-    """Return E with every term divided by its integral over the raw path (eq. 7), see `Objective.renormalised`.
+    """Return E with every term divided by its integral over the raw spline (eq. 7), see `Objective.renormalised`.
 
     If a penalty provides an initial guess, divisors of terms other than violations are at least their integrals over
-    that path. `Objective.tension` is used if the posture has a penalty.
+    the initial guess. If there is a `Posture` penalty, weights depend on the time between keyframes, see
+    `Objective.tension`.
     """
     guide = guide_of(objective)
     out = objective.renormalised(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))

@@ -31,17 +31,17 @@ class Normalization:
     Attributes:
         reference: The value of f_j for a violation of 1 cm or 1° of a figure as large as an adult. For accelerations:
             the value for 8 rad/s² (2 m/s²) if keyframes are 1 s apart, and for as much per squared spacing otherwise.
-        is_violation: Whether f_j is zero wherever the constraint is satisfied, as for a depth. Otherwise every motion
-            has a cost, as for an acceleration.
+        is_violation: Whether f_j is zero wherever the constraint is satisfied, as for a depth. Otherwise almost
+            every motion has a cost, as for an acceleration.
         length_power: The exponent p with which f_j grows to λ^p f_j for a figure λ times as large; 2 for squared
             lengths.
         time_power: The exponent p with which f_j falls to f_j / λ^p in a clip slowed by a factor λ; 4 for squared
             accelerations.
-        normalize_by: The name of a term whose divisor this term uses, if the objective contains that term. At equal
-            weights, f_j = `reference` then costs as much as f = 1 of the other term.
+        normalize_by: The name of another term, whose divisor this term also uses if the objective contains it. At equal
+            weights, f_j = `reference` then costs as much as a value of 1 of the other term.
         raw_cap: In the normalization, the mean of f_j over the raw spline counts as at most this.
-        is_sharp: Whether f_j changes abruptly in time. The curvature then uses all samples instead of a few, and
-            consists of rows only.
+        is_sharp: Whether f_j changes abruptly in time. The search then computes its curvature at all samples
+            instead of a few, and uses only what `Curvature.add_rows` adds, no blocks or diagonals.
         by_tension: The exponent of `Objective.tension` in the weight of f_j.
     """
 
@@ -130,7 +130,7 @@ class Penalty(ABC):
         return tuple(self.residuals(samples)) if type(self).evaluate is Penalty.evaluate else None
 
     def model_blocks(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
-        """Return the blocks of `nearby`; `known`, the result of `blocks`, if the class does not override `nearby`."""
+        """Return the blocks of `nearby`: `known`, the result of `blocks`, unless the class overrides `nearby`."""
         return known if known is not None and type(self).nearby is Penalty.nearby else self.nearby(samples)
 
     def curvature(
@@ -200,7 +200,8 @@ def _one_sided(blocks: Iterable[Block | Dense], samples: Samples) -> OneSidedRes
 class Momentary(Penalty):
     """A soft constraint evaluated only at given instants: E contains Σ f_j over `instants` instead of an integral.
 
-    f_j is zero at all other times and depends on y only. Its curvature consists of rows only.
+    f_j is zero at all other times and depends on y only. Of its curvature, only what
+    `Curvature.add_rows` adds is used.
     """
 
     @property
