@@ -28,7 +28,7 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and 
 
 COMMAND = "from dynsplines.cli import main; main()"
 INJECTED = (
-    "import deeds; from dynsplines.batch import dispatch; dispatch.run.__kwdefaults__['solve_task'] = deeds.told; "
+    "import deeds; from dynsplines.batch import dispatch; dispatch.run.__kwdefaults__['solve_task'] = deeds.perform; "
     + COMMAND
 )
 CLUSTER = """
