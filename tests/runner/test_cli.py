@@ -10,7 +10,6 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -19,7 +18,6 @@ import crew
 import nlopt
 import numpy as np
 import pytest
-import tiny
 from command import Command, Done, commanded, refusal
 from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
@@ -27,9 +25,7 @@ from typer.main import get_command
 
 from dynsplines import cli, models, solving
 from dynsplines.clip.kinds import KINDS
-from dynsplines.picture import film, show
-from dynsplines.picture.graphics import Graphics
-from dynsplines.system.workers import MOST_WORKERS, cores
+from dynsplines.picture import show
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
@@ -121,11 +117,9 @@ def test_a_clip_is_also_an_mjcf_or_a_figure_with_arrays(run, tmp_path):
         np.testing.assert_array_equal(one["qpos"], two["qpos"])
 
 
-@pytest.mark.parametrize("name", ["UPPER.TOML", "bom.toml", "crlf.toml"])
-def test_clips_from_other_editors_are_read(run, tmp_path, name):
-    text = CLIP.replace("\n", "\r\n") if name == "crlf.toml" else CLIP
-    (tmp_path / name).write_bytes(text.encode("utf-8-sig" if name == "bom.toml" else "utf-8"))
-    assert run("solve", name, "-o", "m.npz").code == 0
+def test_clips_from_other_editors_are_read(run, tmp_path):
+    (tmp_path / "UPPER.TOML").write_bytes(CLIP.replace("\n", "\r\n").encode("utf-8-sig"))
+    assert run("solve", "UPPER.TOML", "-o", "m.npz").code == 0
 
 
 def test_report_of_a_motion_does_not_solve(run, motion_file, solving_forbidden):
@@ -144,42 +138,20 @@ def test_plot_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, tm
     assert size_of(tmp_path / "tiny.png") == (1440, 864)
 
 
-@pytest.mark.parametrize("only", ["", "before", "after", "keys"])
-def test_render_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, tmp_path, only):
-    done = run("render", motion_file, *SMALL, *(["--only", only] if only else []), "--fps", 5)
+@pytest.mark.parametrize(
+    ("ending", "only", "at", "magic"),
+    [("mp4", "", 4, b"ftyp"), ("gif", "before", 0, b"GIF8"), ("webm", "after", 0, b"\x1aE\xdf\xa3"),
+     ("png", "keys", 0, b"\x89PNG")],
+)  # fmt: skip
+def test_the_ending_selects_what_is_rendered_and_a_motion_is_not_solved(
+    run, motion_file, solving_forbidden, tmp_path, ending, only, at, magic
+):
+    words = ("--only", only, "-o", f"tiny.{ending}") if only else ()
+    done = run("render", motion_file, *SMALL, "--fps", 5, *words)
     assert (done.code, done.out) == (0, "")
     assert done.err.splitlines()[0].startswith("renderer: ")
-    assert told_last(done) == "wrote tiny.mp4"
-    assert (tmp_path / "tiny.mp4").read_bytes()[4:8] == b"ftyp"
-
-
-@pytest.mark.parametrize(
-    ("ending", "magic"), [("gif", b"GIF8"), ("webm", b"\x1aE\xdf\xa3"), ("png", b"\x89PNG"), ("mp4", b"")]
-)
-def test_the_ending_selects_what_is_rendered(run, motion_file, tmp_path, ending, magic):
-    assert run("render", motion_file, "-o", f"film.{ending}", *SMALL, "--fps", 5).code == 0
-    assert (tmp_path / f"film.{ending}").read_bytes().startswith(magic)
-
-
-@pytest.mark.slow
-def test_a_contact_sheet_draws_only_the_images_that_it_shows(run, motion_file, saved, tmp_path, monkeypatch):
-    look = show.Look(32, 32, 100.0)
-    every = list(show.images(saved, look, Graphics("software", "")))
-    film.write(tmp_path / "all.png", [every[i] for i in film.sheet_picks(len(every))], 100)
-    drawn: list[show.Shot] = []
-    draw = show._drawn
-
-    def watched(stage: Any, shot: show.Shot) -> Any:
-        drawn.append(shot)
-        return draw(stage, shot)
-
-    monkeypatch.setattr(show, "_drawn", watched)
-    done = run("render", motion_file, "-o", "few.png", *SMALL, "--fps", 100)
-    assert (done.code, told_last(done)) == (0, "wrote few.png")
-    assert len(every) == 42
-    assert len(drawn) == film.SHEET_PICTURES
-    with Image.open("few.png") as few, Image.open("all.png") as all_:
-        np.testing.assert_array_equal(np.array(few), np.array(all_))
+    assert told_last(done) == f"wrote tiny.{ending}"
+    assert (tmp_path / f"tiny.{ending}").read_bytes()[at:].startswith(magic)
 
 
 def test_a_clip_that_ships_is_shown_to_be_changed(run, tmp_path):
@@ -197,32 +169,6 @@ def test_a_bound_says_its_unit(run, motion_file):
 def test_ghosts_make_a_still_of_the_requested_size(run, motion_file, tmp_path):
     assert run("render", motion_file, "--ghosts", "--size", "48x40", "--camera", "high").code == 0
     assert size_of(tmp_path / "tiny.png") == (48, 40)
-
-
-@pytest.mark.slow
-def test_a_film_is_the_same_whatever_the_number_of_workers(run, motion_file, tmp_path, monkeypatch):
-    monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
-    films = []
-    for workers in (1, 2):
-        name = f"by_{workers}.mp4"
-        assert run("render", motion_file, *SMALL, "--fps", 10, "--workers", workers, "-o", name).code == 0
-        films.append((tmp_path / name).read_bytes())
-    assert films[0] == films[1]
-
-
-@pytest.mark.slow
-def test_without_a_word_rays_are_drawn_by_a_process_a_core(run, motion_file, monkeypatch):
-    asked: list[int] = []
-    images = show.images
-
-    def watched(*words: Any, workers: int, **more: Any) -> Any:
-        asked.append(workers)
-        return images(*words, **more)
-
-    monkeypatch.setattr(show, "images", watched)
-    for words in ([], ["--workers", "2"]):
-        assert run("render", motion_file, *SMALL, "--fps", 5, *words).code == 0
-    assert asked == [min(cores(), MOST_WORKERS), 2]
 
 
 @pytest.mark.slow
@@ -300,18 +246,8 @@ def test_help_is_quick_because_it_imports_nothing_heavy():
     assert done.stdout.splitlines()[-1] == "[]"
 
 
-def in_a_fresh_process(folder: Path, script: str, **settings: str) -> str:
-    """The last line that a script prints in that folder, whatever the environment says otherwise."""
-    done = subprocess.run(
-        [sys.executable, "-c", script],
-        check=True, cwd=folder, capture_output=True, text=True, env={**os.environ, **settings},
-    )  # fmt: skip
-    return done.stdout.splitlines()[-1]
-
-
 @pytest.mark.slow
-def test_what_draws_nothing_imports_nothing_that_draws_and_needs_no_graphics(tmp_path):
-    written(tmp_path)
+def test_what_draws_nothing_needs_no_graphics_and_the_threads_requested_change_no_byte(run, tmp_path):
     script = (
         "import sys; from dynsplines import cli\nimported = []\n"
         "for words in (['solve', 'tiny.toml'], ['report', 'tiny.npz'], ['plot', 'tiny.npz']):\n"
@@ -320,17 +256,13 @@ def test_what_draws_nothing_imports_nothing_that_draws_and_needs_no_graphics(tmp
         "    imported.append(sorted({'glfw', 'OpenGL', 'matplotlib', 'av', 'PIL'} & set(sys.modules)))\n"
         "print(imported)"
     )
-    assert in_a_fresh_process(tmp_path, script, MUJOCO_GL="nonsense") == "[[], [], ['PIL', 'matplotlib']]"
-
-
-@pytest.mark.slow
-def test_what_is_imported_while_the_renderer_is_looked_for_is_not_mujoco(tmp_path):
-    script = (
-        "import importlib, sys; from dynsplines import cli\n"
-        "for name in cli.BEFORE_MUJOCO: importlib.import_module(name, 'dynsplines')\n"
-        "print('mujoco' in sys.modules)"
-    )
-    assert in_a_fresh_process(tmp_path, script) == "False"
+    settings = os.environ | {"MUJOCO_GL": "nonsense", "OMP_NUM_THREADS": "4", "OPENBLAS_NUM_THREADS": "4"}
+    command = [sys.executable, "-c", script]
+    done = subprocess.run(command, cwd=tmp_path, env=settings, check=True, capture_output=True, text=True)
+    assert done.stdout.splitlines()[-1] == "[[], [], ['PIL', 'matplotlib']]"
+    of_four_threads = (tmp_path / "tiny.npz").read_bytes()
+    assert run("solve", "tiny.toml").code == 0
+    assert (tmp_path / "tiny.npz").read_bytes() == of_four_threads
 
 
 # mistakes in the clip
@@ -340,7 +272,6 @@ BAD_CLIPS = {
     "an empty file": ("", ["the clip is empty"]),
     "only a comment": ("# nothing\n", ["the clip is empty"]),
     "no keyframes": ('figure = "tiny.xml"\n', ["no keyframes"]),
-    "an empty list of keyframes": ('figure = "tiny.xml"\nkeyframe = []\n', ["no keyframes"]),
     "one keyframe": (CLIP.split("[[keyframe]]\ntime = 0.2")[0], ["1 keyframe", "at least two"]),
     "keyframes that are a number": ('figure = "tiny.xml"\nkeyframe = 3\n', ["[[keyframe]] tables", "not 3"]),
     "keyframes that are numbers": ('figure = "tiny.xml"\nkeyframe = [3, 4]\n', ["keyframe 1: must be a table"]),
@@ -353,87 +284,49 @@ BAD_CLIPS = {
     "a figure over two lines": (changed("tiny.xml", r"a\nb"), [r"'a\nb'"]),
     "an unknown joint": (changed("joints.left_knee = {rotvec = [0, 40", "joints.left_kne = {rotvec = [0, 40"),
         [KEY_2, "no joint 'left_kne'", "did you mean 'left_knee'?"]),
-    "an unknown penalty": (CLIP + '[[penalty]]\nkind = "colision"\n', ["penalty 1", "'collision'?"]),
     "a penalty without a kind": (CLIP + "[[penalty]]\nweight = 1\n", ["penalty 1", "'kind' is missing"]),
     "a penalty twice": (CLIP + 2 * '[[penalty]]\nkind = "unit"\n', ["penalty 2", "'unit'", "already by penalty 1"]),
-    "one [penalty]": (CLIP + '[penalty]\nkind = "unit"\n', ["[[penalty]] tables"]),
-    "a weight that is text": (CLIP + '[[penalty]]\nkind = "unit"\nweight = "1"\n', ["penalty 1: weight", "not '1'"]),
     "a weight that is true": (CLIP + '[[penalty]]\nkind = "unit"\nweight = true\n', ["penalty 1: weight", "not true"]),
-    "a negative weight": (CLIP + '[[penalty]]\nkind = "unit"\nweight = -1\n', ["penalty 1: weight", "at least 0"]),
     "a weight that is nan": (CLIP + '[[penalty]]\nkind = "unit"\nweight = nan\n', ["weight", "finite", "nan"]),
     "an enormous weight": (CLIP + '[[penalty]]\nkind = "unit"\nweight = 1e300\n', ["weight", "at most"]),
-    "an option of another kind": (CLIP + '[[penalty]]\nkind = "unit"\nreach = 1\n', ["'reach' is not for"]),
-    "an unknown site": (CLIP + '[[penalty]]\nkind = "collision"\npoints = ["left_to"]\n', ["no site", "'left_toe'?"]),
-    "sites that are one word": (CLIP + '[[penalty]]\nkind = "collision"\npoints = "a"\n', ["a list of names"]),
     "an unknown joint of bend": (CLIP + '[[penalty]]\nkind = "limits"\nbend_joints = ["left_kne"]\n', ["'left_knee'?"]),
-    "joints of bend in a table": (CLIP + '[[penalty]]\nkind = "limits"\nbend_joints = {a = 1}\n', ["a list of names"]),
     "an unknown key": ("fsp = 3\n" + CLIP, ["no key 'fsp'", "did you mean 'fps'?"]),
-    "an unknown key of scene": (CLIP + "[scene]\nstpe = {x = 1, height = 1}\n", ["scene: no key 'stpe'", "'step'?"]),
-    "an unknown key of step": (
-        CLIP + "[scene]\nstep = {x = 1, height = 1, hieght = 1}\n", ["scene.step: no key 'hieght'", "'height'?"]),
     "an unknown key of solve": (changed("evaluations", "evalutions"), ["solve: no key 'evalutions'", "'evaluations'?"]),
-    "an unknown key of penalty": (CLIP + '[[penalty]]\nkind = "unit"\nwieght = 1\n', ["penalty 1", "'weight'?"]),
     "an unknown key of keyframe": (changed("time = 0.2", "time = 0.2\nrot = 1"), [KEY_2, "no key 'rot'", "'root'?"]),
     "an unknown key of root": (changed("root.position = [0.1", "root.postion = [0.1"), [KEY_2, "root: no key"]),
     "an unknown key of rotation": (changed("{rotvec = [0, 40", "{rotvek = [0, 40"), [KEY_2, "left_knee", "'rotvec'?"]),
-    "an unknown key of root.rotation": (changed("{rotvec", "{rotvek"), ["keyframe 1", "root.rotation", "'rotvec'?"]),
     "a step without a height": (CLIP + "[scene]\nstep = {x = 1}\n", ["scene.step.height", "missing"]),
-    "a step that is a number": (CLIP + "[scene]\nstep = 3\n", ["scene.step must be a table"]),
-    "a step below the floor": (CLIP + "[scene]\nstep = {x = 1, height = -1}\n", ["scene.step.height", "above 0"]),
-    "a step at infinity": (CLIP + "[scene]\nstep = {x = inf, height = 1}\n", ["scene.step.x", "finite"]),
     "a scene that is a number": ("scene = 3\n" + CLIP, ["scene must be a table"]),
     "fps of zero": (changed("fps = 20", "fps = 0"), ["fps must be at least"]),
-    "negative fps": (changed("fps = 20", "fps = -1"), ["fps must be at least"]),
     "fps in quotes": (changed("fps = 20", 'fps = "20"'), ["fps must be a number, not '20'"]),
-    "fps that are true": (changed("fps = 20", "fps = true"), ["fps must be a number, not true"]),
-    "fps that are nan": (changed("fps = 20", "fps = nan"), ["fps must be a finite number"]),
     "no evaluations": (changed("evaluations = 8", "evaluations = 0"), ["solve.evaluations must be at least 1"]),
     "half an evaluation": (changed("evaluations = 8", "evaluations = 0.5"), ["solve.evaluations", "whole number"]),
     "too many evaluations": (changed("evaluations = 8", f"evaluations = {10**20}"), ["evaluations", "at most"]),
-    "an unknown optimiser": (changed("frames = 2", 'optimiser = "lbfgss"'), ["lbfgss", "lbfgs"]),
-    "an unknown criterion": (changed("frames = 2", 'criterion = "weka"'), ["did you mean 'weak'?"]),
     "unknown ends": (changed("frames = 2", 'ends = "periodc"'), ["solve.ends", "'periodic'"]),
     "too many samples": (changed("frames = 2", "samples = 5000"), ["samples"]),
     "time missing": (changed("time = 0.2", ""), ["keyframe 2: 'time' is missing"]),
     "time in quotes": (changed("time = 0.2", 'time = "0.2"'), ["keyframe 2: time must be a number, not '0.2'"]),
-    "a time that is true": (changed("time = 0.2", "time = true"), ["keyframe 2: time must be a number, not true"]),
     "a time that is nan": (changed("time = 0.2", "time = nan"), ["keyframe 2", "finite"]),
-    "a time at infinity": (changed("time = 0.2", "time = inf"), ["keyframe 2", "finite"]),
     "a time too far": (changed("time = 0.41", "time = 601"), ["601 s", "over 600 s"]),
     "times out of order": (changed("time = 0.2", "time = 0.5"),
         ["keyframe 3 (t = 0.41 s) is not after keyframe 2 (t = 0.5 s)"]),
-    "a time repeated": (changed("time = 0.41", "time = 0.2"), ["keyframe 3 (t = 0.2 s) is not after keyframe 2"]),
     "times too near": (changed("time = 0.2", "time = 1e-12"), ["keyframe 2", "less than 0.001 s after keyframe 1"]),
     "two coordinates": (changed('[0.1, 0, "free"]', "[0.1, 0]"), [KEY_2, "root.position must be [x, y, z]"]),
-    "a coordinate in quotes": (changed('[0.1, 0, "free"]', '[0.1, 0, "1"]'), [KEY_2, "root.position", "not '1'"]),
-    "a coordinate that is true": (changed('[0.1, 0, "free"]', "[0.1, 0, true]"), [KEY_2, "root.position", "true"]),
-    "a coordinate that is nan": (changed('[0.1, 0, "free"]', "[0.1, 0, nan]"), [KEY_2, "root.position", "finite"]),
     "a coordinate too large": (changed('[0.1, 0, "free"]', "[0.1, 0, 1e300]"), [KEY_2, "root.position", "at most"]),
     "a misspelt free": (changed('"free"', '"fre"'), [KEY_2, "root.position", "not 'fre'"]),
     "two angles": (changed("[0, 40, 0]", "[0, 40]"), [KEY_2, "joints.left_knee.rotvec must be three", "[0, 40]"]),
-    "four angles": (changed("[0, 40, 0]", "[0, 40, 0, 0]"), [KEY_2, "joints.left_knee.rotvec must be three"]),
-    "an angle in quotes": (changed("[0, 40, 0]", '[0, "40", 0]'), [KEY_2, "joints.left_knee.rotvec", "not '40'"]),
-    "an angle that is inf": (changed("[0, 40, 0]", "[0, inf, 0]"), [KEY_2, "joints.left_knee.rotvec", "finite"]),
     "an enormous angle": (changed("[0, 40, 0]", "[0, 1e308, 0]"), [KEY_2, "joints.left_knee.rotvec", "at most"]),
     "a zero quaternion": (changed("{rotvec = [0, 40, 0]}", "{quat = [0, 0, 0, 0]}"), [KEY_2, "quaternion is zero"]),
-    "a zero quaternion of the root": (changed("{rotvec", "{quat = [0, 0, 0, 0]}#"), ["keyframe 1", "root.rotation"]),
     "a quaternion of three": (changed("{rotvec = [0, 40, 0]}", "{quat = [1, 0, 0]}"), [KEY_2, "[w, x, y, z]"]),
-    "an enormous quaternion": (changed("{rotvec = [0, 40, 0]}", "{quat = [1e200, 0, 0, 0]}"), [KEY_2, "at most"]),
-    "an unknown axis": (changed("{rotvec = [0, 40, 0]}", '{euler = [1, 2, 3], order = "xyw"}'), [KEY_2, "xyw"]),
     "angles for no axis": (changed("{rotvec = [0, 40, 0]}", "{euler = [1, 2]}"), [KEY_2, "2 angles"]),
     "no angles": (changed("{rotvec = [0, 40, 0]}", '{euler = [], order = ""}'), [KEY_2, "0 angles"]),
     "an order of nothing": (changed("{rotvec = [0, 40, 0]}", '{rotvec = [0, 4, 0], order = "x"}'), [KEY_2, "order"]),
     "two rotations in one": (changed("[0, 40, 0]}", "[0, 40, 0], quat = [1, 0, 0, 0]}"), [KEY_2, "exactly one"]),
-    "an empty rotation": (changed("{rotvec = [0, 40, 0]}", "{}"), [KEY_2, "exactly one"]),
     "a number for a ball": (changed("{rotvec = [0, 40, 0]}", "40"), [KEY_2, "joints.left_knee", "not a number"]),
     "a word for a ball": (changed("{rotvec = [0, 40, 0]}", '"fre"'), [KEY_2, "joints.left_knee", "'fre'"]),
-    "true for a ball": (changed("{rotvec = [0, 40, 0]}", "true"), [KEY_2, "joints.left_knee", "true"]),
     "a list for a ball": (changed("{rotvec = [0, 40, 0]}", "[0, 40, 0]"), [KEY_2, "joints.left_knee"]),
     "the root among the joints": (changed("joints.left_knee", "joints.root"), ["keyframe 1", "root.position"]),
     "joints that are a number": (changed(KNEE, "joints = 3"), ["keyframe 1", "joints must be a table"]),
-    "a root that is a number": (changed("root.position = [0, 0, 1]\nroot.rotation = {rotvec = [0, 0, 0]}", "root = 3"),
-        ["keyframe 1", "root must be a table"]),
-    "a joint of two lines": (changed("joints.left_knee", r'joints."a\nb"'), [r"'a\nb'"]),
     "a rotation for a hinge": (
         'figure = "hinge.xml"\n[[keyframe]]\ntime = 0\njoints.swing = {rotvec = [0, 0, 0]}\n[[keyframe]]\ntime = 1\n',
         ["keyframe 1", "joints.swing", "hinge", "number (degrees)"]),
@@ -441,8 +334,6 @@ BAD_CLIPS = {
         'figure = "hinge.xml"\n[[keyframe]]\ntime = 0\nroot.position = [0, 0, 0]\n[[keyframe]]\ntime = 1\n',
         ["keyframe 1", "root.position: 'rail' moves on 'slide' alone"]),
     "malformed TOML": ("figure = = 3\n", ["not valid TOML", "line 1"]),
-    "an open string": ('figure = "tiny.xml\n', ["not valid TOML", "line 1"]),
-    "a key twice": ("fps = 3\n" + CLIP, ["not valid TOML"]),
     "lists nested too deeply": ("a = " + 5000 * "[" + 5000 * "]" + "\n", ["not valid TOML", "too deeply"]),
 }  # fmt: skip
 
@@ -465,11 +356,7 @@ def test_text_that_is_not_utf_8_is_reported_as_such(run, tmp_path):
 TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'
 BAD_FIGURES = {
     "malformed": ("<mujoco", "MuJoCo cannot read it"),
-    "empty": ("", "MuJoCo cannot read it"),
-    "a page": ("<html></html>", "MuJoCo cannot read it"),
     "without keyframes": (HINGE.format(keys=""), "no <keyframe> elements"),
-    "with one keyframe": (HINGE.format(keys='<keyframe><key time="0"/></keyframe>'), "1 keyframe"),
-    "without times": (HINGE.format(keys='<keyframe><key/><key qpos="1 1"/></keyframe>'), "times must rise"),
     "with keyframes of another figure": (
         HINGE.format(keys='<keyframe><key time="0" qpos="1 2 3"/><key time="1"/></keyframe>'), "invalid qpos size"),
     "with a keyframe that is too short": (
@@ -526,8 +413,6 @@ MOTION = "MOTION"
 BAD_WORDS = [
     (["render"], ["name a clip"]),
     (["solve"], ["name a clip"]),
-    (["report"], ["name a clip"]),
-    (["plot"], ["name a clip"]),
     (["solve", ""], ["name a clip"]),
     (["rendr"], ["rendr", "render"]),
     (["render", "--foo"], ["--foo", "dynsplines render --help"]),
@@ -535,10 +420,8 @@ BAD_WORDS = [
     (["solve", "tiny.toml", "-o"], ["-o"]),
     (["solve", "run_and_stp"], ["no clip 'run_and_stp'", "did you mean 'run_and_step'?"]),
     (["solve", "none.toml"], ["no file 'none.toml'"]),
-    (["solve", "none.xml"], ["no file 'none.xml'"]),
     (["report", "none.npz"], ["no file 'none.npz'"]),
     (["solve", "."], ["'.' is a folder"]),
-    (["report", "folder"], ["'folder' is a folder"]),
     (["report", "folder.npz"], ["'folder.npz' is a folder"]),
     (["solve", "tiny.txt"], ["tiny.txt", ".toml"]),
     (["solve", "a\nb"], [r"a\nb"]),
@@ -550,29 +433,19 @@ BAD_WORDS = [
     (["solve", "tiny.toml", "-o", "none/m.npz"], ["no folder 'none'"]),
     (["solve", "tiny.toml", "-o", "x" * 300 + ".npz"], ["cannot write"]),
     (["plot", MOTION, "-o", "p.jpg"], [".png, .svg, .pdf"]),
-    (["plot", MOTION, "-o", "none/p.png"], ["no folder 'none'"]),
-    (["plot", "tiny.toml", "-o", "folder"], ["folder", "endings"]),
     (["render", MOTION, "-o", "film.avi"], [".avi", ".mp4"]),
-    (["render", MOTION, "-o", "film"], [".mp4"]),
     (["render", MOTION, "-o", "none/film.mp4"], ["does not exist"]),
     (["render", MOTION, "--size", "33x32"], ["33x32", "34x32"]),
     (["render", MOTION, "--size", "33x32", "-o", "f.gif"], ["even width"]),
-    (["render", MOTION, "--size", "32x33"], ["32x34"]),
-    *((["render", MOTION, "--size", size], ["--size"]) for size in ("0x0", "big", "1280", "1280x", "-1x-1", "²x²", "")),
+    *((["render", MOTION, "--size", size], ["--size"]) for size in ("0x0", "big", "1280x", "²x²")),
     (["render", MOTION, "--size", "99999x99999"], ["3840x2160"]),
     (["render", MOTION, *SMALL, "--fps", "1000", "--slow", "1000"], ["images", "lower"]),
     *((["render", MOTION, *SMALL, "--at", at], ["--at"]) for at in ("-1", "0.5")),
     (["render", MOTION, *SMALL, "--only", "all"], ["--only 'all'", "'before', 'after', 'keys'"]),
     (["render", MOTION, *SMALL, "--camera", "sidee"], ["no camera 'sidee'", "did you mean 'side'?", "high"]),
-    (["render", MOTION, *SMALL, "--camera", ""], ["no camera ''"]),
-    (["render", MOTION, *SMALL, "--camera", "sidee", "--ghosts"], ["no camera 'sidee'"]),
-    (["solve", "--model", "tiny.xml"], ["--model and --keys go together"]),
-    (["solve", "--keys", "poses.npz"], ["--model and --keys go together"]),
-    (["report", MOTION, "--model", "tiny.xml"], ["--model and --keys go together"]),
-    (["solve", "tiny.toml", "--model", "tiny.xml", "--keys", "poses.npz"], ["not both"]),
     (["solve", "--model", "none.xml", "--keys", "poses.npz"], ["no file 'none.xml'"]),
-    (["solve", "--model", "humn", "--keys", "poses.npz"], ["did you mean 'human'?"]),
-    (["solve", "--model", "tiny.xml", "--keys", "none.npz"], ["no file 'none.npz'"]),
+    (["solve", "--model", "tiny.xml"], ["--model and --keys go together"]),
+    (["solve", "tiny.toml", "--model", "tiny.xml", "--keys", "poses.npz"], ["not both"]),
     (["report", "--model", "tiny.xml", "--keys", "folder"], ["'folder' is a folder"]),
     (["solve", "--model", "tiny.xml", "--keys", "tiny.toml"], ["not an .npz file"]),
     (["solve", "--model", "tiny.xml", "--keys", "poses.npz"], ["poses.npz", "(K, 11)"]),
@@ -593,7 +466,12 @@ def test_a_mistake_on_the_command_line_is_one_line_and_writes_nothing(
 
 
 UNITS = ("HZ", "N", "SECONDS", "FACTOR", "MB", "DEGREES", "METRES", "PORT")
-NUMBERS = [(name, each) for name in COMMANDS for each in COMMANDS[name].params if each.metavar in UNITS]
+NUMBERS = {  # one command of each option with one range
+    (each.opts[-1], (each.help or "").rpartition(", ")[2]): (name, each)
+    for name in COMMANDS
+    for each in COMMANDS[name].params
+    if each.metavar in UNITS
+}.values()
 
 
 @pytest.mark.parametrize(("name", "option"), NUMBERS, ids=lambda v: v if isinstance(v, str) else v.opts[0])
@@ -601,11 +479,11 @@ def test_a_number_that_is_none_or_out_of_its_range_is_refused(run, tmp_path, nam
     """The range is read from the help."""
     span = re.search(r"(?:, (\S+) (?:to (\S+)|or more))?$", option.help)
     assert span is not None
-    wrong = ["nan", "-inf", "many", "1" * 5000]
+    wrong = ["nan", "many"]
     if span[1] is not None:
         wrong += [str(float(span[1]) - 1e-6), *([f"{2 * float(span[2]):.0f}"] if span[2] else [])]
     if option.metavar in ("N", "PORT"):
-        wrong += ["1.5", "2e0"]
+        wrong += ["2e0"]
     with nothing_written(tmp_path):
         for word in wrong:
             assert re.match(rf"{option.opts[-1]} .*: give a (whole )?number", refusal(run(name, option.opts[-1], word)))
@@ -617,8 +495,11 @@ def test_a_camera_is_looked_for_before_solving(run, monkeypatch, tmp_path):
         assert_refused(run("render", "tiny.toml", *SMALL, "--camera", "hihg"), "did you mean 'high'?")
 
 
-@pytest.mark.parametrize("command", ["report", "plot", "render"])
-@pytest.mark.parametrize("content", [b"", b"nonsense" * 300, None])
+@pytest.mark.parametrize(
+    ("command", "content"),
+    [("report", b""), ("plot", b"nonsense" * 300), ("render", None)],
+    ids=["empty", "no", "cut"],
+)
 def test_a_file_that_is_no_motion_is_one_line(run, tmp_path, motion_file, command, content):
     (tmp_path / "m.npz").write_bytes(motion_file.read_bytes()[:-9] if content is None else content)
     with nothing_written(tmp_path):
@@ -633,8 +514,10 @@ def test_a_motion_that_was_never_measured_is_measured_when_asked(run, tmp_path, 
     assert json.loads(done.out)["after"]["keyframe error"] < 1e-9
 
 
-@pytest.mark.parametrize("command", ["report", "plot"])
-@pytest.mark.parametrize("content", ['{"before": {}, "curves": {}}', '{"before": 1, "after": 2, "curves": 3}'])
+@pytest.mark.parametrize(
+    ("command", "content"),
+    [("report", '{"before": {}, "curves": {}}'), ("plot", '{"before": 1, "after": 2, "curves": 3}')],
+)
 def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, command, content):
     with np.load(motion_file) as data:
         np.savez(tmp_path / "m.npz", **{**data, "report": content})  # type: ignore[arg-type]
@@ -642,142 +525,52 @@ def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, com
         assert_refused(run(command, "m.npz"), "m.npz", "its report is not complete")
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("fault", "told"), [(crew.leaves, "a worker process ended with code 3"), (crew.locked, "locked")]
-)
-def test_what_went_wrong_in_a_worker_is_reported_and_nothing_is_written(
-    run, tmp_path, motion_file, monkeypatch, fault, told
-):
-    monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
-    monkeypatch.setattr(show, "_stage" if fault is crew.locked else "_drawn", fault)
+def test_what_went_wrong_in_drawing_is_reported_and_nothing_is_written(run, tmp_path, motion_file, monkeypatch):
+    monkeypatch.setattr(show, "_stage", crew.locked)
     with nothing_written(tmp_path):
-        done = run("render", motion_file, *SMALL, "--workers", 2)
-    assert (done.code, done.out) == (2, "")
-    assert done.err.splitlines()[-1].startswith("dynsplines: ")
-    assert told in done.err.splitlines()[-1]
-    assert "Traceback" not in done.err
+        done = run("render", motion_file, *SMALL)
+    assert (done.code, done.out, done.err.splitlines()[-1]) == (2, "", "dynsplines: the bench is locked")
 
 
-def test_ctrl_c_during_an_import_is_ctrl_c(run, monkeypatch):
+@pytest.mark.parametrize("is_importing", [True, False])
+def test_ctrl_c_ends_with_130(run, monkeypatch, is_importing):
     def interrupted(*_: object, **__: object) -> None:
         try:
             raise KeyboardInterrupt
         except KeyboardInterrupt as error:
-            raise ImportError("initialization failed") from error
+            if is_importing:
+                raise ImportError("initialization failed") from error
+            raise
 
-    monkeypatch.setattr(cli, "app", interrupted)
+    monkeypatch.setattr(*((cli, "app") if is_importing else (models, "clips")), interrupted)
     done = run("clips")
     assert (done.code, done.err) == (130, "dynsplines: stopped\n")
-
-
-@pytest.mark.parametrize("command", ["solve", "plot", "render"])
-def test_what_was_there_before_survives_a_failure(run, tmp_path, monkeypatch, command):
-    target = tmp_path / {"solve": "m.npz", "plot": "m.png", "render": "m.mp4"}[command]
-    target.write_bytes(b"before")
-
-    def full(*_: object, **__: object) -> None:
-        raise OSError(28, "No space left on device", "disk")
-
-    monkeypatch.setattr(np, "savez_compressed", full)
-    monkeypatch.setattr("matplotlib.figure.Figure.savefig", full)
-    monkeypatch.setattr("av.open", full)
-    with nothing_written(tmp_path):
-        done = run(command, "tiny.toml", "-o", target.name, *(SMALL if command == "render" else ()))
-    assert done.code == 2
-    assert done.out == ""
-    assert "No space left on device" in done.err.splitlines()[-1]
-    assert "Traceback" not in done.err
-
-
-def test_a_clip_that_ends_at_once_under_ctrl_c_ends_with_130(run, monkeypatch, tmp_path):
-    def stop(*_: object, **__: object) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(importlib.import_module("dynsplines.measure.report"), "report", stop)
-    with nothing_written(tmp_path):
-        done = run("report", "tiny.toml")
-    assert done.code == 130
-    assert done.err.splitlines()[-1] == "dynsplines: stopped"
 
 
 LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
 
 
-@pytest.fixture
-def long_solve(tmp_path, request: pytest.FixtureRequest) -> Iterator[subprocess.Popen[str]]:
-    """A command, `solve` unless a test says another, as a process of its own, at work on a clip that takes for ever."""
-    words = getattr(request, "param", ["solve", "tiny.toml"])
+@pytest.mark.slow
+@POSIX
+def test_a_second_ctrl_c_only_cuts_the_measuring_short(tmp_path):
     written(tmp_path, LONG)
     script = (
         "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        "from dynsplines.cli import main; sys.argv = sys.argv[1:]; main()"
+        "from dynsplines.cli import main; sys.argv = ['dynsplines', 'report', 'tiny.toml', '--json']; main()"
     )
     process = subprocess.Popen(
-        [sys.executable, "-c", script, "dynsplines", *words],
-        cwd=tmp_path,
-        stderr=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        text=True,
+        [sys.executable, "-c", script], cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     )
-    assert process.stderr is not None
-    assert "solving" in process.stderr.readline()
-    yield process
-    process.kill()
-    process.communicate()
-
-
-@pytest.mark.slow
-@POSIX
-def test_ctrl_c_while_rendering_stops_at_once_and_leaves_nothing(tmp_path, motion_file):
-    script = (
-        "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        f"from dynsplines.cli import main; sys.argv = ['dynsplines', 'render', {str(motion_file)!r},"
-        " '--workers', '2', '--slow', '500', '--size', '160x90', '-o', 'film.mp4']; main()"
-    )
-    process = subprocess.Popen(
-        [sys.executable, "-c", script], cwd=tmp_path, stderr=subprocess.PIPE, text=True, start_new_session=True,
-        env={**os.environ, "DYNSPLINES_RENDERER": "software"},
-    )  # fmt: skip
-    assert process.stderr is not None
-    assert "renderer" in process.stderr.readline()
-    assert "rendering" in process.stderr.readline()
-    os.killpg(process.pid, signal.SIGINT)
-    _, said = process.communicate(timeout=60)
-    assert process.returncode == 130
-    assert said.splitlines()[-1] == "dynsplines: stopped"
-    assert "Traceback" not in said
-    assert names(tmp_path) == []
-
-
-@pytest.mark.slow
-@POSIX
-def test_ctrl_c_while_solving_keeps_the_best_path_and_writes_it(long_solve, tmp_path):
-    time.sleep(0.3)
-    long_solve.send_signal(signal.SIGINT)
-    out, err = long_solve.communicate(timeout=60)
-    assert long_solve.returncode == 0
-    assert out == ""
-    assert "the best path so far is kept" in err
-    with np.load(tmp_path / "tiny.npz") as data:
-        assert "interrupted" in json.loads(str(data["search"]))["stopped because"]
-        trace = json.loads(str(data["trace"]))
-    assert trace[-1][2] < trace[0][2]
-
-
-@pytest.mark.slow
-@POSIX
-@pytest.mark.parametrize("long_solve", [["report", "tiny.toml", "--json"]], indirect=True)
-def test_a_second_ctrl_c_only_cuts_the_measuring_short(long_solve, tmp_path):
-    time.sleep(0.3)
-    long_solve.send_signal(signal.SIGINT)
-    assert long_solve.stderr is not None
-    for line in long_solve.stderr:
-        if "the best path so far is kept" in line:
-            break
-    long_solve.send_signal(signal.SIGINT)
-    out, err = long_solve.communicate(timeout=60)
-    assert long_solve.returncode == 0
+    try:
+        assert process.stderr is not None
+        assert "solving" in process.stderr.readline()
+        process.send_signal(signal.SIGINT)
+        assert any("the best path so far is kept" in line for line in process.stderr)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+    finally:
+        process.kill()
+    assert process.returncode == 0
     assert "Traceback" not in err
     assert json.loads(out)["after"]["keyframe error"] < 1e-12
     assert names(tmp_path) == ["hinge.xml", "tiny.toml", "tiny.xml"]
@@ -895,17 +688,17 @@ def sinking(run: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Co
 
 
 @pytest.mark.parametrize(
-    ("words", "wrote"),
+    ("words", "wrote", "code"),
     [
-        (["solve", "sinks.toml"], "sinks.npz"),
-        (["render", "sinks.toml", *SMALL, "--fps", 5, "-o", "sinks.gif"], "sinks.gif"),
-        (["render", "sinks.toml", *SMALL, "--at", 0.2], "sinks.png"),
+        (["solve", "sinks.toml"], "sinks.npz", 0),
+        (["solve", "sinks.toml", "--strict"], "sinks.npz", 3),
+        (["render", "sinks.toml", *SMALL, "--fps", 5, "-o", "sinks.gif", "--strict"], "sinks.gif", 3),
+        (["render", "sinks.toml", *SMALL, "--at", 0.2], "sinks.png", 0),
     ],
 )
-@pytest.mark.parametrize("strict", [False, True])
-def test_what_is_wrong_is_reported_last_and_only_strict_minds(sinking, tmp_path, words, wrote, strict):
-    done = sinking(*words, *(["--strict"] if strict else []))
-    assert (done.code, done.out) == (3 if strict else 0, "")
+def test_violations_are_reported_last_and_only_strict_makes_them_an_error(sinking, tmp_path, words, wrote, code):
+    done = sinking(*words)
+    assert (done.code, done.out) == (code, "")
     lines = done.err.splitlines()
     assert lines[lines.index(f"wrote {wrote}") + 1].startswith(SUNK)
     assert (tmp_path / wrote).stat().st_size > 100
@@ -957,28 +750,6 @@ def test_the_report_begins_with_what_is_wrong(run, tmp_path):
     assert SUNK.endswith(told["violations"][0]["text"])
     assert told["evaluations"] > 0
     assert "seconds" not in told  # a file knows no clock
-
-
-@pytest.mark.slow
-def test_the_same_command_writes_the_same_bytes_whatever_threads_are_requested(tmp_path):
-    tiny.written(tmp_path)
-    seen = set()
-    for threads in ("1", "4"):
-        script = "from dynsplines.cli import main; main()"
-        command = [sys.executable, "-c", script, "solve", "tiny.toml", "-o", f"{threads}.npz", "--fresh"]
-        asked = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), threads)
-        subprocess.run(command, cwd=tmp_path, env=os.environ | asked, check=True, capture_output=True)
-        seen.add((tmp_path / f"{threads}.npz").read_bytes())
-    assert len(seen) == 1
-
-
-def test_a_report_of_an_older_file_has_its_problems_too(run, tmp_path, motion_file):
-    with np.load(motion_file) as data:
-        old = json.loads(str(data["report"]))
-        del old["violations"]
-        np.savez(tmp_path / "m.npz", **{**data, "report": json.dumps(old), "search": "{}"})  # type: ignore[arg-type]
-    told = json.loads(run("report", "m.npz", "--json").out)
-    assert [each["name"] for each in told["violations"]] == ["root", "left_knee"]
 
 
 def flat(data: Any, place: str = "") -> dict[str, Any]:

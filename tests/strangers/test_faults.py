@@ -136,6 +136,7 @@ WRITING = {
     "meshes": ("export", "motion.npz", "-o", "out.glb", "--overwrite"),
     "pickle": ("export", "motion.npz", "-o", "out.gmr.pkl", "--overwrite"),
     "clip": ("thin", "motion.npz", "-o", "out.toml", "--overwrite"),
+    "film": ("render", "motion.npz", "--size", "64x48", "--at", "0.2", "-o", "out.png"),
 }
 
 
