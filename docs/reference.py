@@ -126,27 +126,33 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "at": "the start of the used part, in seconds of the clip; default: as in the recording",
             "speed": "the speed factor",
             "times": "pairs of a time in the recording and a time in the clip, instead of `at` and `speed`",
-            "weight": "the weight of the recording, relative to the soft constraints",
-            "blend": "the time before and after a keyframe in which the recording changes, in seconds",
+            "weight": "a factor of the weights that keep the motion near the recording",
+            "blend": "how long before and after a keyframe the motion leaves the recording, in seconds; default: "
+            "always",
         },
     ),
     "[solve]": (
         table.SolveTable,
         {
-            "coordinates": "the coordinates of the spline",
-            "ends": "the ends of the motion, see [ends](#ends)",
+            "coordinates": 'what rotations of the spline are relative to, the world or the parent joint; "auto" is '
+            '"world" for a figure with ball joints',
+            "ends": "the ends of the motion; if not set, as in [ends](#ends)",
             "travel": "the displacement of the root in one cycle of a loop, in metres; default: as in the keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
             "variable": "variable frames in each segment at the start of the search; default 2, or 3 in a long clip",
             "frames": "the maximum number of variable frames; default: 3 per segment, or 10 per second if that is more",
-            "criterion": 'where frames are inserted: "weak" (the default), "residual", "objective" or "resolution"',
+            "criterion": 'how the solver finds the segments into which it inserts frames: "weak" (the default) by the '
+            'predicted decrease of the objective, "residual" by the Euler-Lagrange residual; see '
+            "[the method](method.md)",
             "threshold": "the value of the criterion below which no frame is inserted; default 0.001",
-            "optimiser": 'the NLopt algorithm of the last stage: "lbfgs" (the default), "slsqp", "ccsaq", "tnewton", '
-            '"var2", or "none"',
-            "evaluations": "the maximum number of evaluations of the objective in each round; default 250",
+            "optimiser": 'the NLopt algorithm that refines the motion at the end: "lbfgs" (the default), "slsqp", '
+            '"ccsaq", "tnewton", "var2", or "none"',
+            "evaluations": "the maximum number of evaluations of the objective after an insertion of frames; "
+            "default 250",
             "tolerance": "the relative decrease of the objective at which the search ends; default 0.001",
             "quadrature": "the quadrature rule of the objective",
-            "samples": 'samples per panel, default 3; with "uniform" in the whole clip, default 100',
+            "samples": 'samples between two neighbouring frames, default 3; with "uniform": samples in the whole clip, '
+            "default 100",
         },
     ),
 }

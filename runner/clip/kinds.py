@@ -91,7 +91,7 @@ class CollisionOptions(Options):
     """The distance from surfaces, the points of the soles, and whether limbs collide with each other."""
 
     margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(
-        default=None, description="distance to keep, m; of body and self"
+        default=None, description="distance to keep, m; for the parts body and self"
     )
     points: list[str] | None = Field(default=None, description="sites instead of heels and toes")
     self: StrictBool | None = Field(default=None, description="true or false")
@@ -436,7 +436,7 @@ KINDS = {
             "acceleration",
             (
                 Part(
-                    1.0, "angular acceleration of every body (of every joint in joint coordinates)",
+                    1.0, "angular acceleration of every body; of every joint if coordinates = 'joint'",
                     lambda context, options: CovariantAcceleration(), "angular",
                 ),
                 Part(
@@ -549,7 +549,7 @@ KINDS = {
             (
                 Part(
                     1.0,
-                    "joint torques from inertia, gravity and armature, without contact and passive forces",
+                    "joint torques of inertia, gravity and armature; ground reaction and passive forces are ignored",
                     lambda context, options: Torque(),
                 ),
             ),
