@@ -1,6 +1,7 @@
 """Software rendering of a MuJoCo scene: triangles in a depth buffer, four samples per pixel, and shadow maps.
 
-The lighting is that of MuJoCo's renderer without highlights: ambient, diffuse (Lambert), and haze in the distance.
+The lighting is that of MuJoCo's renderer without reflections and highlights: ambient, diffuse (Lambert), and haze in
+the distance. Colours are red, green and blue in [0, 1], float32.
 """
 
 from __future__ import annotations
@@ -11,14 +12,11 @@ from typing import Any, NamedTuple
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from ..scene.mujoco_versions import Lamp, drawn_lamp
-from ..scene.triangles import MESHES, Triangles, joined, piece_of, triangles
+from ..scene.triangles import MESHES, half_extent, picture_repeat, piece_of, texels, triangles
 from .depth_buffer import Eye, Faces
 from .lights import Light
-from .shading import Pattern, Sky, texture_tint
 
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
@@ -35,51 +33,30 @@ AT_ONCE = 30_000  # samples shaded at once, few enough for the processor's cache
 SHADOW_DETAIL = 1.6  # texels of a shadow map for each pixel of the picture's longer side
 SHADOW_MARGIN = 1.3  # radius of the region with shadows, relative to that of the region in view
 HAZE_START, HAZE_LENGTH = 9.0, 28.0  # [m] distance at which haze begins, and length scale of its increase
+HAZE_RISE = 0.05  # sine of the angle above the horizon within which the haze thins
+DAYLIGHT = np.array([[0.62, 0.72, 0.86], [0.9, 0.93, 0.97]], np.float32)  # zenith and horizon of the default sky
+OFF_EDGES = 1e-6  # [1] of a texture, so that rounding does not decide about pixels on the edge of a texel
 
 
 class Surface(NamedTuple):
-    """Triangles of a scene.
-
-    Attributes:
-        points: The corners, (m, 3, 3).
-        normals: The normals at the corners, (m, 3, 3).
-        patch: The smooth patch of each, (m,).
-        geom: The index of each in a list of geoms, (m,).
-    """
+    """Triangles: corners (m, 3, 3), normals at the corners (m, 3, 3), and index of each in a list of geoms (m,)."""
 
     points: Array
     normals: Array
-    patch: Ints
     geom: Ints
-
-
-class Hits(NamedTuple):
-    """Surface points (n, 3) in a picture, unit normals, unit rays from the eye, distances, and indices of geoms."""
-
-    points: Array
-    normals: Floats
-    rays: Floats
-    distance: Array
-    geom: Ints
-
-
-class Materials(NamedTuple):
-    """Materials by geom: colour (k, 3), emission (k,) ...; for textured planes index, position, frame, tint, pattern"""
-
-    colour: Floats
-    emission: Floats
-    is_still: NDArray[np.bool_]
-    patterns: list[tuple[int, Array, Array, Floats, Pattern]]
 
 
 class View(NamedTuple):
-    """The inputs of a picture."""
+    """The inputs of a picture; by geom: colour (k, 3), emission (k,), whether it is part of the static scene (k,)."""
 
     eye: Eye
     surface: Surface
     faces: Faces
-    materials: Materials
     lights: list[Light]
+    geoms: list[Any]
+    colour: Floats
+    emission: Floats
+    is_still: NDArray[np.bool_]
 
 
 class Raster:
@@ -90,24 +67,21 @@ class Raster:
         self._model, self._width, self._height = model, width, height
         self._sky = Sky(model)
         self._shape = cache(self._shape_of)
-        self._pattern = cache(lambda geom: Pattern.of(model, piece_of(model, geom)))
-        self._tint = cache(lambda material: texture_tint(model, material))
+        self._pattern = cache(lambda geom: Pattern(model, geom))
+        self._tint = cache(lambda material: _texture_tint(model, material))
 
     def close(self) -> None:
         """Do nothing; there are no resources to release."""
 
     def render(self) -> Picture:
         """Return the present scene, (height, width, 3)."""
-        geoms = [geom for geom in self.scene.geoms[: self.scene.ngeom] if geom.type in DRAWN and geom.rgba[3] > 0]
-        eye, surface = self._eye(), self._surface(geoms)
-        faces = Faces(eye, surface.points)
-        closeness, face = (np.stack(part) for part in zip(*(faces.cover(at) for at in SAMPLES), strict=True))
-        patch = np.append(surface.patch[faces.number], -1)[face]
-        is_edge = (patch != patch[0]).any(axis=0)
+        view = self._view()
+        closeness, face = (np.stack(part) for part in zip(*(view.faces.cover(at) for at in SAMPLES), strict=True))
+        geom = np.append(view.surface.geom[view.faces.number], -1)[face]
+        is_edge = (geom != geom[0]).any(axis=0)
         inner, edge = np.flatnonzero(~is_edge), np.flatnonzero(is_edge)
         pixel = np.concatenate([inner, np.tile(edge, len(SAMPLES))])
         sample = np.repeat([0, *range(len(SAMPLES))], [len(inner)] + len(SAMPLES) * [len(edge)])
-        view = View(eye, surface, faces, self._materials(geoms), self._lights(eye, surface, geoms))
         colour = np.empty((len(pixel), 3), np.float32)
         for start in range(0, len(pixel), AT_ONCE):
             part = slice(start, start + AT_ONCE)
@@ -119,22 +93,14 @@ class Raster:
         image[edge] = colour[len(inner) :].reshape(len(SAMPLES), len(edge), 3).mean(axis=0)
         return np.rint(image.clip(0, 1) * 255).astype(np.uint8).reshape(self._height, self._width, 3)
 
-    def _colour(self, view: View, x: Array, y: Array, face: Ints, closeness: Array) -> Floats:
-        """Return colours at pixels (n, 3), of the visible face, or of the sky where its index is negative."""
-        rays = view.eye.rays(x, y)
-        length = np.linalg.norm(rays, axis=1)
-        rays /= length[:, None]
-        met, empty = np.flatnonzero(face >= 0), np.flatnonzero(face < 0)
-        out = np.empty((len(face), 3), np.float32)
-        out[empty] = self._sky.colour(rays[empty])
-        face, rays, distance = face[met], rays[met], length[met] / closeness[met]
-        number = view.faces.number[face]
-        normals = np.einsum("nk,nki->ni", view.faces.weights(face, x[met], y[met]), view.surface.normals[number])
-        normals /= np.linalg.norm(normals, axis=1, keepdims=True) + 1e-9
-        points = view.eye.position + rays * distance[:, None]
-        hits = Hits(points, normals.astype(np.float32), rays.astype(np.float32), distance, view.surface.geom[number])
-        out[met] = self._shade(hits, view)
-        return out
+    def _view(self) -> View:
+        geoms = [geom for geom in self.scene.geoms[: self.scene.ngeom] if geom.type in DRAWN and geom.rgba[3] > 0]
+        eye, surface = self._eye(), self._surface(geoms)
+        colour = np.array([g.rgba[:3] * self._tint(g.matid) for g in geoms], np.float32).reshape(-1, 3)
+        emission = np.array([g.emission for g in geoms], np.float32)
+        is_still = np.array([g.category == mujoco.mjtCatBit.mjCAT_STATIC for g in geoms], bool)
+        lights = self._lights(eye, surface, geoms, is_still)
+        return View(eye, surface, Faces(eye, surface.points), lights, geoms, colour, emission, is_still)
 
     def _eye(self) -> Eye:
         """Return the camera of the scene, midway between its two stereo cameras."""
@@ -145,34 +111,23 @@ class Raster:
         axes = np.stack([np.cross(forward, up), -up, forward])
         return Eye(position, axes, focus, self._width, self._height, float(left_eye.frustum_near))
 
-    def _shape_of(self, geom: int) -> Surface:
-        """Return a geom of the model in its frame."""
+    def _shape_of(self, geom: int) -> tuple[Array, Array]:
+        """Return the corners and normals (m, 3, 3) of a geom's triangles in its frame."""
         shape = triangles(self._model, piece_of(self._model, geom), FAR)
-        if self._model.geom_type[geom] == _KINDS.mjGEOM_HFIELD:
-            field = self._model.geom_dataid[geom]
-            depth = float(self._model.hfield_size[field][3])
-            shape = joined([shape, _sides(shape.points.reshape(-1, int(self._model.hfield_ncol[field]), 3), depth)])
-        faces, count = shape.faces.astype(int), len(shape.points)
-        ends = faces[:, [0, 0]].ravel(), faces[:, 1:].ravel()
-        patches = connected_components(coo_array((np.ones(len(ends[0])), ends), (count, count)), directed=False)[1]
-        geoms = np.zeros(len(faces), int)
-        return Surface(shape.points[faces], shape.normals[faces], patches[faces[:, 0]].astype(int), geoms)
+        return shape.points[shape.faces], shape.normals[shape.faces]
 
     def _surface(self, geoms: list[Any]) -> Surface:
         """Return all triangles of the scene, in the world."""
-        parts, patches = [Surface(*(np.empty((0, 3, 3)),) * 2, *(np.empty(0, int),) * 2)], 0
+        parts = [Surface(*(np.empty((0, 3, 3)),) * 2, np.empty(0, int))]
         for index, geom in enumerate(geoms):
-            shape, turn = self._shape(geom.objid), np.asarray(geom.mat, float).T
-            points = shape.points @ turn + geom.pos
-            parts.append(Surface(points, shape.normals @ turn, shape.patch + patches, shape.geom + index))
-            patches += len(shape.patch)
+            (points, normals), turn = self._shape(geom.objid), np.asarray(geom.mat, float).T
+            parts.append(Surface(points @ turn + geom.pos, normals @ turn, np.full(len(points), index)))
         return Surface(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
-    def _lights(self, eye: Eye, surface: Surface, geoms: list[Any]) -> list[Light]:
+    def _lights(self, eye: Eye, surface: Surface, geoms: list[Any], is_still: NDArray[np.bool_]) -> list[Light]:
         """Return the active lights, with shadows of objects near the figures."""
-        moves = np.array([geom.category == mujoco.mjtCatBit.mjCAT_DYNAMIC for geom in geoms], bool)
         solid = np.array([geom.type != PLANE for geom in geoms], bool)[surface.geom]
-        figures = surface.points[moves[surface.geom]].reshape(-1, 3)
+        figures = surface.points[~is_still[surface.geom]].reshape(-1, 3)
         if not len(figures):
             figures = (eye.position + eye.axes[2] * self._model.stat.extent)[None]
         low, high = figures.min(axis=0), figures.max(axis=0)
@@ -186,40 +141,89 @@ class Raster:
             if drawn_lamp(light) is not Lamp.IMAGE
         ]
 
-    def _materials(self, geoms: list[Any]) -> Materials:
-        emission = np.array([g.emission for g in geoms], np.float32)
-        colour = np.array([g.rgba[:3] * self._tint(g.matid) for g in geoms], np.float32).reshape(-1, 3)
-        is_still = np.array([g.category == mujoco.mjtCatBit.mjCAT_STATIC for g in geoms], bool)
-        patterns = [
-            (i, g.pos, g.mat, g.rgba[:3], self._pattern(g.objid))
-            for i, g in enumerate(geoms)
-            if g.type == PLANE and piece_of(self._model, g.objid).picture >= 0
-        ]
-        return Materials(colour, emission, is_still, patterns)
-
-    def _shade(self, hits: Hits, view: View) -> Floats:
-        looks = view.materials
-        base = looks.colour[hits.geom]
-        for index, origin, frame, tint, pattern in looks.patterns:
-            on = np.flatnonzero(hits.geom == index)
-            local, rays = (hits.points[on] - origin) @ frame, hits.rays[on] @ frame
-            base[on] = tint * pattern.colour(local, rays, hits.distance[on] / view.eye.focus)
-        energy = np.repeat(looks.emission[hits.geom, None], 3, axis=1)
+    def _colour(self, view: View, x: Array, y: Array, face: Ints, closeness: Array) -> Floats:
+        """Return colours at pixels (n, 3), of the visible face, or of the sky where its index is negative."""
+        rays = view.eye.rays(x, y)
+        length = np.linalg.norm(rays, axis=1)
+        rays /= length[:, None]
+        met, empty = np.flatnonzero(face >= 0), np.flatnonzero(face < 0)
+        out = np.empty((len(face), 3), np.float32)
+        out[empty] = self._sky.colour(rays[empty])
+        face, rays, distance = face[met], rays[met], length[met] / closeness[met]
+        number = view.faces.number[face]
+        points, geom = view.eye.position + rays * distance[:, None], view.surface.geom[number]
+        normals = np.einsum("nk,nki->ni", view.faces.weights(face, x[met], y[met]), view.surface.normals[number])
+        normals = (normals / (np.linalg.norm(normals, axis=1, keepdims=True) + 1e-9)).astype(np.float32)
+        base = view.colour[geom]
+        for index in np.unique(geom):
+            plane = view.geoms[index]
+            if plane.type == PLANE and piece_of(self._model, plane.objid).picture >= 0:
+                on = np.flatnonzero(geom == index)
+                local, ahead = (points[on] - plane.pos) @ plane.mat, rays[on] @ plane.mat
+                spacing = distance[on] / view.eye.focus
+                base[on] = plane.rgba[:3] * self._pattern(plane.objid).colour(local, ahead, spacing)
+        energy = np.repeat(view.emission[geom, None], 3, axis=1)
         for light in view.lights:
-            energy += light.ambient + light.diffuse * light.shine(hits.points, hits.normals)[:, None]
-        full = np.minimum(base * energy, 1)
-        depth = np.where(looks.is_still[hits.geom], np.maximum(hits.distance - HAZE_START, 0), 0)
+            energy += light.ambient + light.diffuse * light.shine(points, normals)[:, None]
+        depth = np.where(view.is_still[geom], np.maximum(distance - HAZE_START, 0), 0)
         clear = np.exp(-depth.astype(np.float32) / np.float32(HAZE_LENGTH))[:, None]
-        return self._sky.haze + clear * (full - self._sky.haze)
+        out[met] = self._sky.haze + clear * (np.minimum(base * energy, 1) - self._sky.haze)
+        return out
 
 
-def _sides(grid: Array, depth: float) -> Triangles:
-    """Return the sides of a height field with points (rows, columns, 3), down to a depth [m] below its zero."""
-    rim = np.concatenate([grid[0], grid[1:, -1], grid[-1, -2::-1], grid[-2:0:-1, 0]])  # counterclockwise from above
-    after, down = np.roll(rim, -1, axis=0), [1.0, 1.0, 0.0]
-    low, low_after = rim * down - [0, 0, depth], after * down - [0, 0, depth]
-    normals = np.cross(after * down - rim * down, [0.0, 0, 1])
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    faces = 4 * np.arange(len(rim))[:, None, None] + [[0, 1, 2], [0, 2, 3]]
-    points = np.stack([low, low_after, after, rim], axis=1).reshape(-1, 3)
-    return Triangles(points, np.repeat(normals, 4, axis=0), faces.reshape(-1, 3).astype(np.uint32))
+def _texture_tint(model: mujoco.MjModel, material: int) -> Array:
+    """Return the mean colour of a material's texture, (3,); white without a texture."""
+    texture = model.mat_texid[material, int(mujoco.mjtTextureRole.mjTEXROLE_RGB)] if material >= 0 else -1
+    return texels(model, texture).mean(axis=(0, 1)) / 255 if texture >= 0 else np.ones(3)
+
+
+class Pattern:
+    """The repeated texture of a plane, averaged over about the area of a pixel (mipmaps)."""
+
+    def __init__(self, model: mujoco.MjModel, geom: int) -> None:
+        plane = piece_of(model, geom)
+        self._repeat = picture_repeat(model, plane, half_extent(plane, 1.0))
+        self._levels = [(texels(model, plane.picture) / 255).astype(np.float32)]
+        while min(height := self._levels[-1].shape[0] // 2, width := self._levels[-1].shape[1] // 2):
+            finer = self._levels[-1][: 2 * height, : 2 * width]
+            self._levels.append(finer.reshape(height, 2, width, 2, 3).mean(axis=(1, 3)))
+
+    def colour(self, local: Array, rays: Array, spacing: Array) -> Floats:
+        """Return the colours of the texels as large as the patches that the pixels cover, (n, 3).
+
+        local (n, 3) [m] are points where unit rays (n, 3) meet the plane, in its frame. spacing (n,) [m] is the
+        distance of neighbouring rays there, perpendicular to them.
+        """
+        side = spacing / np.sqrt(np.maximum(np.abs(rays[:, 2]), 1e-4))  # geometric mean of the patch's sides
+        covered = side * self._repeat.max() * max(self._levels[0].shape[:2])  # [texels]
+        level = np.clip(np.rint(np.log2(np.maximum(covered, 1.0))), 0, len(self._levels) - 1).astype(int)
+        place = (local[:, :2] * self._repeat + OFF_EDGES) % 1
+        colour = np.empty((len(local), 3), np.float32)
+        for number in np.unique(level):
+            texture, of_level = self._levels[number], level == number
+            height, width = texture.shape[:2]
+            column, row = (place[of_level] * [width, height]).astype(int).T
+            colour[of_level] = texture[row % height, column % width]
+        return colour
+
+
+class Sky:
+    """The colour above the horizon, from the model's skybox or of daylight; haze (3,): that of the distance."""
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        self._zenith, self.haze = DAYLIGHT
+        boxes = np.flatnonzero(model.tex_type == mujoco.mjtTexture.mjTEXTURE_SKYBOX)
+        self._horizon = self.haze
+        if len(boxes):
+            self.haze = model.vis.rgba.haze[:3].astype(np.float32)
+            picture = (texels(model, int(boxes[0])) / 255).astype(np.float32)
+            faces = picture.reshape(-1, picture.shape[1], picture.shape[1], 3)
+            side = faces[4 if len(faces) == 6 else 0].mean(axis=1)  # of the box, from top to bottom
+            self._zenith, self._horizon = side[0], side[len(side) // 2]
+
+    def colour(self, directions: Array) -> Floats:
+        """Return the colours of unit directions, by their elevation, with haze at the horizon, (n, 3)."""
+        rise = np.maximum(directions[:, 2].astype(np.float32), 0)[:, None]
+        steep = np.minimum(rise / np.sqrt(np.maximum(1 - rise**2, 1e-6)), 1)
+        sky = self._horizon + steep * (self._zenith - self._horizon)
+        return sky + np.exp(-rise / HAZE_RISE) * (self.haze - sky)
