@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from .exchange.skeleton import maps
     from .measure import chart, summary, violation
     from .measure import report as reports
-    from .picture import film, rendering, show
+    from .picture import film, show
     from .studio import launch, sources
     from .system import progress as terminal
 else:
@@ -62,7 +62,7 @@ else:
         ".exchange", "formats motion_import quantities trajectory skeleton.maps"
     )
     chart, summary, violation, reports = _lazy(".measure", "chart summary violation report")
-    film, rendering, show = _lazy(".picture", "film rendering show")
+    film, show = _lazy(".picture", "film show")
     launch, sources = _lazy(".studio", "launch sources")
 
 VIOLATED = 3  # the exit code of --strict
@@ -204,7 +204,7 @@ def render(
         progress.report(renderer.line)
         is_solved = only not in ("keys", "before")
         saved, violations = inputs.solved(clip, progress, repeat, solve=is_solved, no_cache=no_cache)
-        rendering.draw(saved, look, renderer, target, workers, progress)
+        show.draw(saved, look, renderer, target, workers, progress)
         _conclude(progress, target, violations, source)
     _judge(violations, strict)
 

@@ -1,15 +1,12 @@
 """Rendering of motions, by OpenGL or by the CPU alone, to videos and pictures.
 
-rendering     a motion drawn into a file, with every failure raised as a UserError
 film          video frames into a video, an animated GIF or a contact sheet
-show          a motion as images: before and after side by side, one of them, the keyframes, or the paper's figure 6
+show          a motion as images or a file: before and after side by side, the keyframes, or the paper's figure 6
 stage         pictures of a figure in its scene, the same by OpenGL and by the CPU
 graphics      selection of the renderer: EGL, OSMesa, a display, or the CPU alone
 raster        software rendering: depth buffer, four samples per pixel, shadow maps
 depth_buffer  the nearest triangle in every pixel, seen from a camera or a light
 lights        lights of a scene, and their shadows
-shading       colours of surfaces and of the sky
 camera        a camera that follows the figure smoothly
-ghost         a figure drawn in a lighter shade
 layout        pictures side by side, and captions
 """

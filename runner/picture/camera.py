@@ -72,7 +72,7 @@ def plan(
     paths = _paths(root_path)
     if view in cameras:
         return (_through(view),) * paths.shape[1]
-    azimuth, elevation = _angles(view, cameras)
+    azimuth, elevation = ANGLES[view]
     lookat = np.empty(paths.shape[1:])
     lookat[:, :2] = smoothed(paths.mean(axis=0)[:, :2], fps)
     lookat[:, 2] = _middle(paths, height)
@@ -93,7 +93,7 @@ def still(
     paths = _paths(root_path)
     if view in cameras:
         return _through(view)
-    azimuth, elevation = _angles(view, cameras)
+    azimuth, elevation = ANGLES[view]
     low, high = paths.min(axis=(0, 1)), paths.max(axis=(0, 1))
     lookat = np.array([*(low[:2] + high[:2]) / 2, _middle(paths, height)])
     distance = _distance(_corners(paths, height) - lookat, aspect, azimuth, elevation, fovy)
@@ -124,18 +124,9 @@ def axes(azimuth: float, elevation: float) -> Array:
 
 
 def _paths(root_path: ArrayLike) -> Array:
+    """Return the positions of one or more figures as (n, T, 3)."""
     paths = np.asarray(root_path, dtype=np.float64)
-    if paths.ndim == 2:
-        paths = paths[None]
-    if paths.ndim != 3 or paths.shape[2] != 3 or paths.size == 0:
-        raise ValueError(f"a root path is (T, 3) or (n, T, 3) with T >= 1, not {np.shape(root_path)}")
-    return paths
-
-
-def _angles(view: str, cameras: Collection[str]) -> tuple[float, float]:
-    if view not in ANGLES:
-        raise ValueError(f"no view '{view}'; views: {', '.join([*ANGLES, *cameras])}")
-    return ANGLES[view]
+    return paths[None] if paths.ndim == 2 else paths
 
 
 def _through(name: str) -> View:

@@ -72,21 +72,17 @@ def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float) -
     On failure, an existing file is unchanged and no temporary file remains.
 
     Args:
-        images: Frames, each (H, W, 3), all of one size.
+        images: One or more frames, each (H, W, 3), all of one size.
         fps: Frames per second [1/s].
     """
     if not (math.isfinite(fps) and fps > 0):
         raise FilmError(f"{path}: {fps} images a second; it must be a positive number")
     source = iter(images)
-    first = next(source, None)
-    if first is None:
-        raise FilmError(f"{path}: there are no images to write")
-    _check_image(Path(path), first, first.shape)
+    first = next(source)
     check_target(path, first.shape[1], first.shape[0])
     target = Path(path)
-    checked = _checked(target, chain([first], source), first.shape)
     with Replacement(target) as partial:
-        _WRITERS[target.suffix.lower()](partial, checked, fps)
+        _WRITERS[target.suffix.lower()](partial, chain([first], source), fps)
 
 
 def _check_size(target: Path, width: int, height: int) -> None:
@@ -97,19 +93,6 @@ def _check_size(target: Path, width: int, height: int) -> None:
         raise FilmError(
             f"{target}: {width}x{height} pixels; {target.suffix} needs even sizes: take {even}, or write .gif"
         )
-
-
-def _check_image(target: Path, image: Picture, shape: tuple[int, ...]) -> None:
-    if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3:
-        raise FilmError(f"{target}: an image is (H, W, 3) of uint8, not {image.shape} of {image.dtype}")
-    if image.shape != shape:
-        raise FilmError(f"{target}: images change size from {shape[1]}x{shape[0]} to {image.shape[1]}x{image.shape[0]}")
-
-
-def _checked(target: Path, images: Iterable[Picture], shape: tuple[int, ...]) -> Iterator[Picture]:
-    for image in images:
-        _check_image(target, image, shape)
-        yield np.ascontiguousarray(image)
 
 
 def _write_mp4(path: Path, images: Iterator[Picture], fps: float) -> None:
@@ -269,8 +252,6 @@ def _tile(image: Picture) -> Picture:
     if scale >= 1:
         return image
     size = max(1, round(width * scale)), max(1, round(height * scale))
-    if (width, height) == (2 * size[0], 2 * size[1]):  # the size of `show.for_tiles`; this is faster and as smooth
-        return np.asarray(Image.fromarray(image).reduce(2))
     return np.asarray(Image.fromarray(image).resize(size, Image.Resampling.LANCZOS))
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 Picture = NDArray[np.uint8]
-Place = Literal["top left", "top", "top right", "bottom left", "bottom", "bottom right"]
+Place = Literal["top", "bottom right"]
 
 _PAPER = (250, 251, 252)  # red, green, blue
 _INK = (24, 30, 38)  # red, green, blue
@@ -20,8 +20,6 @@ _SUPERSAMPLING = 4  # samples per pixel, in either direction, for the round corn
 
 def side_by_side(left: Picture, right: Picture) -> Picture:
     """Return two pictures of equal height as one, (H, Wl + Wr, 3), with a fine line between them."""
-    if left.shape[0] != right.shape[0]:
-        raise ValueError(f"pictures side by side need one height, not {left.shape[0]} and {right.shape[0]}")
     both = np.concatenate([left, right], axis=1)
     seam = left.shape[1]
     half = 1 if both.shape[1] >= 200 else 0
@@ -29,25 +27,24 @@ def side_by_side(left: Picture, right: Picture) -> Picture:
     return both
 
 
-def caption(image: Picture, text: str, *, place: Place = "top", size: int | None = None) -> Picture:
+def caption(image: Picture, text: str, *, place: Place = "top") -> Picture:
     """Return the picture with a word on a rounded plate, such as "before" or "0.80 s".
 
-    `size` is the height of the letters [pixels], by default 1/30 of the picture's. Text that is too long is smaller.
+    The height of the letters is 1/30 of the picture's, and less for long text.
     """
     height, width = image.shape[:2]
     if not text.strip() or min(height, width) < 24:
         return image.copy()
     margin = max(2, round(height / 40))
-    letters = size if size is not None else max(9, round(height / 30))
+    letters = max(9, round(height / 30))
     pill = _pill(text, letters)
     while letters > 6 and (pill.shape[1] > width - 2 * margin or pill.shape[0] > height - 2 * margin):
         letters -= 1
         pill = _pill(text, letters)
     pill = pill[: height - 2 * margin, : width - 2 * margin]
     rows, columns = pill.shape[:2]
-    top = margin if place.startswith("top") else height - margin - rows
-    across = place.partition(" ")[2]
-    x0 = {"left": margin, "right": width - margin - columns}.get(across, (width - columns) // 2)
+    is_top = place == "top"
+    top, x0 = (margin, (width - columns) // 2) if is_top else (height - margin - rows, width - margin - columns)
     out = image.copy()
     under = out[top : top + rows, x0 : x0 + columns].astype(np.float32)
     alpha = pill[..., 3:]

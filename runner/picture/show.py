@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import TypedDict
 
 import mujoco
@@ -17,16 +19,15 @@ from ..errors import UserError, unknown
 from ..motion import Saved, sampled
 from ..scene.assets import Scene
 from ..scene.framing import height, middles
-from ..system.workers import in_order
-from . import layout
+from ..system.progress import Progress
+from ..system.workers import MOST_WORKERS, cores, in_order
+from . import film, layout
 from .camera import ANGLES, View, plan, still
-from .ghost import Ghost
 from .graphics import Graphics
-from .stage import Picture, Stage
+from .stage import Ghost, Picture, Stage
 
 KEY_SECONDS = 0.5  # [s] duration of a keyframe in a video of keyframes
 PIXELS_OF_A_PROCESS = 4_000_000  # minimum number of pixels per process; drawing them takes twice its starting time
-SMOOTHING = 2  # [1] size of drawn pictures relative to tiles, which smooths edges like multisampling
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25  # of ghosts
 MAX_FRAMES = 100_000  # maximum number of video frames, an hour at 30 frames per second
@@ -47,7 +48,6 @@ class Look:
         camera: The view or camera, see `camera.plan`.
         slow: Slow-motion factor.
         at: The time of a single frame [s].
-        shrunk: The factor by which it is shown smaller than drawn.
     """
 
     width: int = 1280
@@ -58,7 +58,6 @@ class Look:
     camera: str = "side"
     slow: float = 1.0
     at: float | None = None
-    shrunk: float = 1.0
 
     def check(self, model: mujoco.MjModel, first: float, last: float, *, flags: str = "") -> None:
         """Raise UserError for a camera, time or number of frames that is invalid for a motion from `first` to `last`
@@ -104,6 +103,32 @@ class Lens(TypedDict):
     cameras: list[str]
 
 
+def draw(
+    saved: Saved, look: Look, graphics: Graphics, target: Path, max_workers: int | None, progress: Progress
+) -> None:
+    """Write .mp4, .webm, .gif or .png by up to `max_workers` processes; None: one, or without OpenGL one per core.
+
+    Raises UserError if the file cannot be written.
+    """
+    still = target.suffix.lower() == ".png"
+    workers = max_workers or (min(cores(), MOST_WORKERS) if graphics.kind == "software" else 1)
+    try:
+        if look.ghosts and still:
+            film.write(target, [figure_six(saved, look, graphics)], look.fps)
+            return
+        count, picks = image_count(saved, look, still_keys=still), None
+        if still:
+            picks = film.sheet_picks(count)
+            count = len(picks)
+        drawn = images(saved, look, graphics, still_keys=still, workers=workers, picks=picks)
+        with contextlib.closing(drawn) as pictures:
+            film.write(target, progress.over(pictures, "rendering", count), look.fps)
+    except ValueError as error:
+        raise UserError(str(error)) from None
+    except OSError as error:
+        raise UserError(f"cannot write '{target}': {error.strerror or error}") from None
+
+
 def root_path(saved: Saved, qpos: Array) -> Array:
     """Return the positions of the figure, (T, 3): its free root, or the middle of its bodies if it is fixed."""
     return middles(saved.figure, qpos)
@@ -119,19 +144,6 @@ def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
     if look.only == "keys":
         return len(saved.keys) * (1 if still_keys else max(1, round(KEY_SECONDS * look.fps)))
     return 1 if look.at is not None else len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
-
-
-def for_tiles(look: Look, tile: int, graphics: Graphics) -> Look:
-    """Return the look at the size of the tiles of a contact sheet.
-
-    `tile` is a tile's longer side [pixels]. Pictures of OpenGL are drawn twice as large, to smooth their edges.
-    """
-    longest = max(look.width, look.height)
-    times = 1 if graphics.kind == "software" else SMOOTHING
-    if longest <= times * tile:
-        return replace(look, shrunk=max(1.0, longest / tile))
-    width, height = (times * max(1, round(side * tile / longest)) for side in (look.width, look.height))
-    return replace(look, width=width + width % 2, height=height, shrunk=float(times))
 
 
 def images(
@@ -161,7 +173,7 @@ def images(
 
 
 def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int) -> Stage:
-    return Stage(scene, look.width // panes, look.height, graphics, shrunk=look.shrunk)
+    return Stage(scene, look.width // panes, look.height, graphics)
 
 
 def _drawn(stage: Stage, shot: Shot) -> Picture:

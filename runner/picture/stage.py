@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from types import TracebackType
 from typing import Self
 
@@ -14,16 +14,27 @@ from numpy.typing import ArrayLike, NDArray
 from ..scene.assets import Scene
 from ..scene.mujoco_versions import Lamp, drawn_lamp, without_shadow
 from .camera import View
-from .ghost import Ghost
 from .graphics import Graphics
 
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
 
-SMOOTH = 2.0  # [1] reduction from which multisampling is unnecessary, because four pixels become one
-FULL = 720  # [pixels] height of pictures from which the full quality is used
-LEAST_SLICES, LEAST_STACKS = 9, 6  # minimum facets of round shapes, around and along; fewer are visible on heads
 _SUN_DISTANCE = 6.0  # [m] distance of a directional light from the camera's target, around which it casts shadows
+
+
+@dataclass(frozen=True)
+class Ghost:
+    """One more figure in a picture, as in the paper's figure 6: keyframes darkest, in-betweens lightest.
+
+    Attributes:
+        qpos: The configuration, (nq,).
+        shade: 0 for the model's colours, 1 for white.
+        opacity: 0 for invisible, 1 for opaque.
+    """
+
+    qpos: Array = field(repr=False)
+    shade: float = 0.0
+    opacity: float = 1.0
 
 
 class Stage:
@@ -35,12 +46,8 @@ class Stage:
     Call `graphics.choose` before the first import of mujoco, and hence of this file.
     """
 
-    def __init__(self, scene: Scene, width: int, height: int, graphics: Graphics, *, shrunk: float = 1.0) -> None:
-        """Open the renderer.
-
-        width, height  of the pictures [pixels]; shrunk  factor by which they are shown smaller, so that detail is
-        omitted
-        """
+    def __init__(self, scene: Scene, width: int, height: int, graphics: Graphics) -> None:
+        """Open the renderer of pictures of this size [pixels]."""
         if width < 1 or height < 1:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
         self.model = scene.spec().compile()
@@ -55,7 +62,6 @@ class Stage:
 
             self._renderer: mujoco.Renderer | Raster = Raster(self.model, height, width, max_geom=most)
         else:
-            _simplify(self.model.vis, height, shrunk)
             window = self.model.vis.global_
             window.offwidth, window.offheight = width, height  # larger buffers are slow to clear
             self._renderer = mujoco.Renderer(self.model, height, width, max_geom=most)
@@ -142,17 +148,3 @@ class Stage:
         camera.lookat[:] = view.lookat
         camera.distance, camera.azimuth, camera.elevation = view.distance, view.azimuth, view.elevation
         return camera
-
-
-def _simplify(vis: mujoco.MjVisual, height: int, shrunk: float) -> None:
-    """Reduce the quality of pictures of this height [pixels] that are shown smaller. Shrinking smooths edges like
-    multisampling, which is the most expensive part of software rendering. On small figures, round shapes need fewer
-    facets, and shadows fewer texels."""
-    if shrunk < SMOOTH:
-        return
-    quality, share = vis.quality, min(1.0, height / shrunk / FULL)
-    quality.offsamples = 0
-    quality.numslices = max(min(quality.numslices, LEAST_SLICES), round(share * quality.numslices))
-    quality.numstacks = max(min(quality.numstacks, LEAST_STACKS), round(share * quality.numstacks))
-    if quality.shadowsize > 0:
-        quality.shadowsize = 2 ** math.floor(math.log2(max(1.0, share * quality.shadowsize)))

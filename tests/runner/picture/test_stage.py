@@ -5,9 +5,8 @@ import numpy as np
 import pytest
 
 from dynsplines.picture.camera import View, axes
-from dynsplines.picture.ghost import Ghost
 from dynsplines.picture.graphics import Graphics, choose
-from dynsplines.picture.stage import Stage
+from dynsplines.picture.stage import Ghost, Stage
 from dynsplines.scene.assets import Scene
 
 SCENE = """
@@ -155,19 +154,6 @@ def test_a_figure_that_surrounds_the_camera_does_no_harm():
 
 
 @pytest.mark.slow
-def test_a_picture_that_is_drawn_to_be_shrunk_is_the_same_when_it_is(gl: Graphics):
-    shrunk = []
-    for times in (1.0, 2.0):
-        with Stage(Scene(SCENE), 192, 128, gl, shrunk=times) as stage:
-            assert stage.model.vis.quality.offsamples == (0 if times == 2 else 4)
-            picture = stage.picture(moved(0.3), SIDE).astype(float)
-        shrunk.append(picture.reshape(64, 2, 96, 2, 3).mean(axis=(1, 3)))
-    off = np.abs(shrunk[0] - shrunk[1]).max(axis=-1)
-    assert np.percentile(off, 95) < 4
-    assert off.mean() < 2
-
-
-@pytest.mark.slow
 def test_figures_stand_where_their_states_say_and_the_scene_is_there_without_one(graphics: Graphics):
     left, right, none = (redness(drawn(SCENE, q, graphics=graphics)) for q in (moved(-1), moved(1), None))
     assert np.nonzero(left > 40)[1].mean() < 40
@@ -243,11 +229,8 @@ def test_every_kind_of_lamp_lights_the_floor(kind: str):
     assert (lit - dark).min() > 20
 
 
-def test_a_state_a_camera_and_a_shade_that_make_no_sense_are_refused():
+def test_a_state_and_a_camera_that_make_no_sense_are_refused():
     with pytest.raises(ValueError, match=r"this model's is \(7,\)"):
         drawn(SCENE, np.zeros(3))
     with pytest.raises(ValueError, match=r"no camera 'low'; .*: high"):
         drawn(SCENE, HERE, View((0.0, 0.0, 0.0), 1.0, 0.0, 0.0, fixed="low"))
-    for shade, opacity in ((-0.1, 1.0), (1.1, 1.0), (0.0, 2.0), (float("nan"), 1.0)):
-        with pytest.raises(ValueError, match="between 0 and 1"):
-            Ghost(HERE, shade, opacity)
