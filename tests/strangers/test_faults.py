@@ -50,7 +50,7 @@ MOMENTS = list(zip(COMMANDS, cycle(CODES), cycle(SHARES), strict=False))
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tried]:
     """Runs the command in a folder with the tiny clip and its motion in it."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(TESTS), str(SUPPORT)]), "MUJOCO_GL": "disable"}
-    environment["OMP_NUM_THREADS"] = "1"
+    environment |= {"OMP_NUM_THREADS": "1", "DYNSPLINES_RENDERER": "software"}
     process = subprocess.Popen(
         [sys.executable, str(SUPPORT / "faulty.py")],
         env=environment,
@@ -136,7 +136,7 @@ WRITING = {
     "meshes": ("export", "motion.npz", "-o", "out.glb", "--overwrite"),
     "pickle": ("export", "motion.npz", "-o", "out.gmr.pkl", "--overwrite"),
     "clip": ("thin", "motion.npz", "-o", "out.toml", "--overwrite"),
-    "film": ("render", "motion.npz", "--size", "64x48", "--at", "0.2", "-o", "out.png"),
+    "film": ("render", "motion.npz", "--size", "64x48", "--fps", "2", "-o", "out.gif"),
 }
 
 
