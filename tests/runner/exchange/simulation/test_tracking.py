@@ -62,7 +62,6 @@ def test_a_figure_that_begins_in_the_air_falls_as_far_as_the_note_reports(tmp_pa
     free = fallen < 0.4
     np.testing.assert_allclose(tracking.length[free, 2], fallen[free], atol=0.01)
     assert "leaves the motion: 'root' by 5 cm after 0.10 s" in line
-    assert "it begins 50 cm above the ground" in line and "nothing balances it" in line
 
 
 def test_what_the_motion_has_in_the_floor_is_named(tmp_path):
@@ -124,10 +123,3 @@ def test_a_light_link_in_fast_motion_gets_a_small_time_step(tmp_path):
     written = mujoco.MjModel.from_xml_string(ElementTree.tostring(simulation.root, encoding="unicode"))
     assert written.opt.timestep == simulation.model.opt.timestep
     assert f"time steps of {written.opt.timestep:g} s" in simulation.notes[-1]
-
-
-def test_a_joint_beyond_its_range_is_a_reason(tmp_path):
-    text = SLIDER.replace('name="rootx"', 'name="rootx" range="-.1 .1"').replace("<geom", '<geom contype="0"')
-    qpos = [[0, 0, 0, 0], [0.3, 0, 0, 0.5], [0, 0, 0, 0], [-0.3, 0, 0, 0]]
-    _, tracking, line = simulated(tmp_path, text, qpos, 0.05)
-    assert not tracking.is_within and "the motion has 'rootx' 19 cm beyond its range" in line
