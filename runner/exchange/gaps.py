@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -43,35 +43,8 @@ class Gaps:
     most     number of samples to use of each array; None for all
     """
 
-    missing: Mask | None = field(default=None)
+    missing: Mask | None = None
     most: int | None = None
-
-    def bridged(self, array: Array) -> Array | None:
-        """Return an array with each sample (first axis) that is not finite replaced by the one before, and note these
-        samples.
-
-        None if no sample is finite, or if the number of samples differs from that of earlier arrays.
-        """
-        bad = np.asarray(~np.isfinite(array.reshape(len(array), -1)).all(axis=1))
-        if bad.all() or (self.missing is not None and self.missing.size != bad.size):
-            return None
-        self.missing = bad if self.missing is None else np.asarray(self.missing | bad)
-        good = np.flatnonzero(~bad)
-        return array[good[np.maximum(np.searchsorted(good, np.arange(bad.size), side="right") - 1, 0)]]
-
-    def without_missing(self, recording: Recording, where: object) -> Recording:
-        """Return a recording without the noted samples."""
-        if self.missing is None or not self.missing.any():
-            return recording
-        if self.missing.size != recording.time.size:
-            raise UserError(f"{where}: some of its numbers are not finite, and no single samples can be removed")
-        count, first = int(self.missing.sum()), float(recording.time[self.missing][0])
-        many = "samples hold" if count > 1 else "sample holds"
-        note = f"{count} {many} no numbers, first at {first:.3f} s: left out"
-        is_present = ~self.missing
-        return replace(
-            recording, time=recording.time[is_present], qpos=recording.qpos[is_present], notes=(*recording.notes, note)
-        )
 
 
 _now: ContextVar[Gaps | None] = ContextVar("gaps", default=None)
@@ -93,15 +66,34 @@ def are_allowed() -> bool:
 
 
 def bridged(array: Array) -> Array | None:
-    """Return `Gaps.bridged` where gaps are allowed, else None."""
+    """Return an array with each sample (first axis) that is not finite replaced by the one before, and note these
+    samples.
+
+    None if gaps are not allowed, if no sample is finite, or if the number of samples differs from earlier arrays.
+    """
     gaps = _now.get()
-    return None if gaps is None or array.ndim == 0 or not len(array) else gaps.bridged(array)
+    if gaps is None or array.ndim == 0 or not len(array):
+        return None
+    bad = np.asarray(~np.isfinite(array.reshape(len(array), -1)).all(axis=1))
+    if bad.all() or (gaps.missing is not None and gaps.missing.size != bad.size):
+        return None
+    gaps.missing = bad if gaps.missing is None else np.asarray(gaps.missing | bad)
+    good = np.flatnonzero(~bad)
+    return array[good[np.maximum(np.searchsorted(good, np.arange(bad.size), side="right") - 1, 0)]]
 
 
 def without_missing(recording: Recording, where: object) -> Recording:
-    """Return `Gaps.left_out` where gaps are allowed."""
+    """Return a recording without the samples noted by `bridged`."""
     gaps = _now.get()
-    return recording if gaps is None else gaps.without_missing(recording, where)
+    if gaps is None or gaps.missing is None or not gaps.missing.any():
+        return recording
+    is_present = ~gaps.missing
+    if is_present.size != recording.time.size:
+        raise UserError(f"{where}: some of its numbers are not finite, and no single samples can be removed")
+    count, first = int(gaps.missing.sum()), float(recording.time[gaps.missing][0])
+    many = "samples hold" if count > 1 else "sample holds"
+    notes = (*recording.notes, f"{count} {many} no numbers, first at {first:.3f} s: left out")
+    return replace(recording, time=recording.time[is_present], qpos=recording.qpos[is_present], notes=notes)
 
 
 def samples_used(count: int) -> int:
