@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import base64
-from typing import NotRequired, TypedDict
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -25,33 +25,11 @@ KINDS = {
 }
 
 
-class DrawnPiece(TypedDict):
-    """A geom in the axes of its body, lengths in metres; `mesh` and `picture` are indices in `Drawn`."""
+def drawn(model: mujoco.MjModel, reach: float) -> dict[str, Any]:
+    """Return the visible parts of a model, with the meshes and textures that they refer to by index.
 
-    name: str
-    body: int
-    kind: str
-    size: list[float]
-    position: list[float]
-    rotation: list[float]
-    colour: list[float]
-    gloss: float
-    still: bool
-    picture: NotRequired[int]
-    repeat: NotRequired[list[float]]
-    mesh: NotRequired[int]
-
-
-class Drawn(TypedDict):
-    """The visible parts of a model, with the meshes and textures that they refer to by index."""
-
-    pieces: list[DrawnPiece]
-    meshes: list[dict[str, str]]
-    pictures: list[str]
-
-
-def drawn(model: mujoco.MjModel, reach: float) -> Drawn:
-    """Return the visible parts of a model; reach [m]: distance from its middle to which infinite planes are drawn."""
+    reach [m]: distance from the model's middle to which infinite planes are drawn
+    """
     meshes: dict[int, int] = {}
     pictures: dict[int, int] = {}
     visible = pieces(model)
@@ -74,9 +52,9 @@ def _short(array: Array) -> list[float]:
 
 def _piece(
     model: mujoco.MjModel, piece: Piece, reach: float, meshes: dict[int, int], pictures: dict[int, int]
-) -> DrawnPiece:
-    """Return a geom; a mesh or texture that it uses first is added to `meshes` or `pictures`."""
-    out: DrawnPiece = {
+) -> dict[str, Any]:
+    """Return a geom in its body's axes; a mesh or texture that it uses first is added to `meshes` or `pictures`."""
+    out: dict[str, Any] = {
         "name": piece.name, "body": piece.body, "kind": KINDS.get(piece.kind, "mesh"), "size": _short(piece.size),
         "position": _short(piece.position), "rotation": _short(hierarchy.xyzw(piece.rotation)),
         "colour": _short(piece.colour), "gloss": round(piece.gloss, 4), "still": is_still(model, piece),

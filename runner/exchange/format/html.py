@@ -12,12 +12,13 @@ import json
 import re
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from ...motion import sampled
 from ...scene.triangles import is_still, pieces
-from ..model_json import Drawn, drawn, packed
+from ..model_json import drawn, packed
 from ..skeleton import hierarchy
 from ..trajectory import Bodies, SampledTrajectory
 
@@ -44,21 +45,7 @@ def page(trajectory: SampledTrajectory) -> str:
     return re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found[1]], frame)
 
 
-class Page(Drawn):
-    """The data of a page: the model, and its motion before and after solving."""
-
-    name: str
-    fps: float
-    count: int
-    keys: list[dict[str, float | bool]]
-    bodies: list[str]
-    after: dict[str, str]
-    before: dict[str, str] | None
-    extent: float
-    size: float
-
-
-def content(trajectory: SampledTrajectory) -> Page:
+def content(trajectory: SampledTrajectory) -> dict[str, Any]:
     """Return the page's data; lengths in metres, z up, quaternions xyzw, times from 0."""
     model, start = trajectory.model, float(trajectory.time[0])
     raw = sampled(trajectory.figure, trajectory.saved.raw, trajectory.fps)
