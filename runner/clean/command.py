@@ -29,7 +29,7 @@ from ..exchange.skeleton import maps
 from ..motion import Saved
 from ..scene import file_access
 from ..scene.assets import Scene
-from ..scene.compose import Step, compose
+from ..scene.compose import compose
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress
 from .cleaning import Cleaned, cleaned
@@ -202,9 +202,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
         raise UserError(f"'{source.file}': its format is already one of the figure's joints; a map says nothing of it")
     if source.map is not None and source.writes_map:
         _write_map(source.map, met[0], progress)
-    step_table = around.scene.step
-    step = None if step_table is None else Step(**step_table.model_dump())
-    scene = compose(take.spec, step, obstacles(around.scene), bare=take.model)
+    scene = compose(take.spec, obstacles(around.scene), bare=take.model)
     return _Read(take.name, scene, take.time, take.qpos, take.fps)
 
 

@@ -24,7 +24,7 @@ from ..errors import UserError, unknown
 from ..motion import Saved, read_arrays
 from ..motion import load as read_motion
 from ..scene.assets import Scene, taken_along
-from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
+from ..scene.compose import compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
 from .contacts import requested_grasps, requested_rests
@@ -142,7 +142,6 @@ def scene_of(source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec
         UserError: For a figure or obstacles that do not compile, and for keyframes with unknown joints or <key>s.
     """
     table, where = source.table, source.where
-    step = table.scene.step
     try:
         spec = figure_spec(figure_file or table.figure, source.folder) if spec is None else spec
     except UserError as error:
@@ -150,7 +149,7 @@ def scene_of(source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec
     _check_joints(table.keyframe, spec, where)
     keys = _model_keys(table.keyframe, spec, where)
     try:
-        return compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene), keys=keys)
+        return compose(spec, obstacles(table.scene), keys=keys)
     except UserError as error:
         raise UserError(f"{where}: {error}") from None
 

@@ -12,15 +12,22 @@ from dynsplines.solver.contacts import ROUNDING
 
 from ..scene.obstacle import KINDS, Obstacle
 from .posing.rotation import quaternion_of
-from .table import BarTable, BoxTable, ClipTable, KeyframeTable, RootTable, SceneTable, SphereTable
+from .table import BarTable, BoxTable, ClipTable, KeyframeTable, RootTable, SceneTable, SphereTable, StepTable
 
 FREE = RootTable(position="free", rotation="free")
 
 
 def obstacles(scene: SceneTable) -> tuple[Obstacle, ...]:
-    """Return the obstacles of a scene's tables, in the order of their kinds."""
+    """Return the obstacles of a scene's tables: the step, and the others in the order of their kinds."""
     numbered = ((kind, pair) for kind in KINDS for pair in enumerate(getattr(scene, kind), start=1))
-    return tuple(_obstacle(kind, table.name or f"{kind} {number}", table) for kind, (number, table) in numbered)
+    others = (_obstacle(kind, table.name or f"{kind} {number}", table) for kind, (number, table) in numbered)
+    return (*(() if scene.step is None else (_step(scene.step),)), *others)
+
+
+def _step(table: StepTable) -> Obstacle:
+    """Return a step: its front face is at x, its top at its height, its bottom on the ground."""
+    half = (table.length / 2, table.width / 2, table.height / 2)
+    return Obstacle("step", "box", half, np.array([table.x + half[0], table.y, half[2]]), np.array([1.0, 0, 0, 0]))
 
 
 def _obstacle(kind: str, name: str, table: BoxTable | SphereTable | BarTable) -> Obstacle:

@@ -6,7 +6,6 @@ import contextlib
 import io
 import warnings
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
@@ -16,7 +15,7 @@ import numpy as np
 from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import names_of_joints
-from dynsplines.solver.surface.touch import SCENERY, grounds
+from dynsplines.solver.surface.touch import grounds
 
 from ..errors import UserError, unknown
 from ..system import mujoco_warnings
@@ -24,25 +23,13 @@ from . import mjcf_size
 from .appearance import dress
 from .assets import Assets, Scene, check_places, taken_along
 from .framing import STANDING, is_of_people_size, rest_box, size_of
-from .lighting import is_well_lit
 from .model_files import is_there, models_in
-from .mujoco_versions import attach, geom_named, keep_visuals, portable_text, remove, size_of_pictures
+from .mujoco_versions import Lamp, attach, geom_named, keep_visuals, lamp, portable_text, remove, size_of_pictures
 from .obstacle import Obstacle, add_bodies
 
 PREFIX = "stage_"
 BURIED = 0.005  # [m] depth in the floor that is permitted for a fixed figure
 BELOW = 0.02  # [1] distance of an added floor below the figure's lowest point, relative to the figure's size
-
-
-@dataclass(frozen=True)
-class Step:
-    """A box as a step: its front face at x, its top at `height`; all in metres."""
-
-    x: float
-    height: float
-    length: float = 3.0
-    width: float = 2.4
-    y: float = 0.0
 
 
 @contextlib.contextmanager
@@ -92,7 +79,6 @@ def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
 
 def compose(
     spec: mujoco.MjSpec,
-    step: Step | None = None,
     obstacles: Sequence[Obstacle] = (),
     *,
     bare: mujoco.MjModel | None = None,
@@ -122,8 +108,6 @@ def compose(
                 attach(spec, stage, PREFIX)
             if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
                 geom_named(spec, PREFIX + "floor").name = "floor"
-            if step is not None:
-                _add_step(spec, step)
             add_bodies(spec, obstacles)
             for obstacle in obstacles:
                 obstacle.add_to(spec, PREFIX + "step")
@@ -148,17 +132,18 @@ def _with_keys(text: str, poses: Mapping[str, Array], bare: mujoco.MjModel, mode
 
 
 def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> mujoco.MjSpec:
-    """Return the parts of the stage that a model lacks. A model without enough light gets only the stage's lights."""
+    """Return the parts of the stage that a model lacks. A model that no directional
+    light lights from above gets only the stage's lights: others leave most of a figure's surroundings dark."""
     stage = mujoco.MjSpec.from_string(models.stage_text())
-    has_light = is_well_lit(bare)
+    has_light = is_lit(bare)
     has_sky = any(texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in spec.textures)
     skies = [texture for texture in stage.textures if texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX]
     for unwanted, present in ((list(stage.geoms), has_floor), (list(stage.lights), has_light), (skies, has_sky)):
         for element in unwanted if present else []:
             remove(stage, element)
     if not has_light:
-        for lamp in spec.lights:
-            lamp.active = False
+        for light in spec.lights:
+            light.active = False
         spec.visual, spec.stat = stage.visual, stage.stat
         if not is_of_people_size(bare):
             spec.stat.extent *= size_of(bare) / STANDING
@@ -171,6 +156,12 @@ def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> muj
     return stage
 
 
+def is_lit(model: mujoco.MjModel) -> bool:
+    """Return whether a directional light shines from above."""
+    kinds = [lamp(model, light) for light in np.flatnonzero(model.light_active & (model.light_dir[:, 2] < 0)).tolist()]
+    return Lamp.DIRECTIONAL in kinds
+
+
 def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
     spec.assets = dict(assets)
     try:
@@ -180,21 +171,6 @@ def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
         raise UserError(f"MuJoCo cannot compile the model: {first_line(error)}") from None
     finally:
         spec.assets = {}  # otherwise MuJoCo warns about attached models without assets
-
-
-def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
-    if any(geom.name == "step" for geom in spec.geoms):
-        raise UserError("the scene contains a step, but the model already has a geom named 'step'")
-    half = [step.length / 2, step.width / 2, step.height / 2]
-    spec.worldbody.add_geom(
-        name="step",
-        type=mujoco.mjtGeom.mjGEOM_BOX,
-        size=half,
-        pos=[step.x + half[0], step.y, half[2]],
-        material=PREFIX + "step",
-        contype=0,
-        conaffinity=1 | SCENERY,
-    )
 
 
 def first_line(error: Exception) -> str:

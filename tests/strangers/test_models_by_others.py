@@ -26,8 +26,7 @@ from dynsplines.clip.starter import starter
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.picture.show import Look, images
 from dynsplines.scene import file_access
-from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.scene.lighting import is_well_lit
+from dynsplines.scene.compose import compose, figure_spec, is_lit
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.system.progress import Progress
 
@@ -148,5 +147,5 @@ def test_a_robot_by_others_squats(path):
 @pytest.mark.parametrize("path", [*SQUATTERS, "mjlab/asset_zoo/robots/i2rt_yam/xmls/yam.xml"])
 def test_a_robot_by_others_without_good_lamps_is_seen_in_the_stages_light(path):
     spec = figure_spec(str(model_file(path)))
-    assert not is_well_lit(spec.compile())
-    assert is_well_lit(compose(figure_spec(str(model_file(path)))).model())
+    assert not is_lit(spec.compile())
+    assert is_lit(compose(figure_spec(str(model_file(path)))).model())

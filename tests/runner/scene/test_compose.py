@@ -8,9 +8,10 @@ import pytest
 from tiny import FIGURE, HINGE, names
 
 from dynsplines import models
+from dynsplines.clip.obstacles import obstacles
+from dynsplines.clip.table import SceneTable, StepTable
 from dynsplines.errors import UserError
-from dynsplines.scene.compose import Step, compose, figure_spec, quietly
-from dynsplines.scene.lighting import brightness
+from dynsplines.scene.compose import compose, figure_spec, quietly
 
 OWN_STAGE = """<worldbody>
   <light name="lamp" directional="true" dir="0 0 -1"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""
@@ -20,8 +21,9 @@ def spec_of(text: str) -> mujoco.MjSpec:
     return mujoco.MjSpec.from_string(text)
 
 
-def composed(text: str, step: Step | None = None) -> mujoco.MjModel:
-    return compose(spec_of(text), step).model()
+def composed(text: str, **step: float) -> mujoco.MjModel:
+    scene = SceneTable(step=StepTable(**step) if step else None)
+    return compose(spec_of(text), obstacles(scene)).model()
 
 
 def named(model: mujoco.MjModel, kind: str) -> set[str]:
@@ -50,7 +52,7 @@ def test_a_model_that_brings_floor_and_light_keeps_its_own_and_a_wall_is_no_floo
 
 
 def test_a_stage_changes_nothing_about_how_a_figure_moves():
-    bare, staged = mujoco.MjModel.from_xml_string(FIGURE), composed(FIGURE, Step(1.0, 0.2))
+    bare, staged = mujoco.MjModel.from_xml_string(FIGURE), composed(FIGURE, x=1.0, height=0.2)
     assert (bare.nq, bare.nv, bare.nbody) == (staged.nq, staged.nv, staged.nbody)
     np.testing.assert_allclose(staged.body_mass, bare.body_mass, rtol=1e-6)
     np.testing.assert_allclose(staged.opt.gravity, bare.opt.gravity)
@@ -66,7 +68,7 @@ def test_a_stage_changes_nothing_about_how_a_figure_moves():
 
 
 def test_a_step_has_its_front_at_x_and_its_top_at_its_height():
-    geom = composed(FIGURE, Step(x=2.9, height=0.35, length=1.0, width=2.0, y=0.5)).geom("step")
+    geom = composed(FIGURE, x=2.9, height=0.35, length=1.0, width=2.0, y=0.5).geom("step")
     np.testing.assert_allclose(geom.pos - geom.size, [2.9, -0.5, 0.0], atol=1e-6)
     np.testing.assert_allclose(geom.pos + geom.size, [3.9, 1.5, 0.35], atol=1e-6)
 
@@ -95,7 +97,7 @@ def test_keyframes_of_the_model_do_not_come_along():
     [
         (
             FIGURE.replace("<worldbody>", '<worldbody><geom name="step" size="1"/>', 1),
-            "already has a geom named 'step'",
+            "has a box 'step', but the model already has a geom",
         ),
         (
             FIGURE.replace("<worldbody>", '<asset><material name="stage_step"/></asset><worldbody>', 1),
@@ -106,7 +108,7 @@ def test_keyframes_of_the_model_do_not_come_along():
 )
 def test_a_model_whose_names_are_the_stages_or_that_cannot_be_compiled_is_refused_in_one_line(text, told):
     with pytest.raises(UserError, match=told) as caught:
-        compose(spec_of(text), Step(1.0, 0.2))
+        composed(text, x=1.0, height=0.2)
     assert "\n" not in str(caught.value)
 
 
@@ -160,22 +162,6 @@ def test_a_figure_in_the_dark_or_in_a_cone_of_light_is_seen_in_the_stages_light_
     assert lit == {"stage_key", "stage_fill"}
     stage = mujoco.MjModel.from_xml_string(models.stage_text())
     np.testing.assert_allclose(model.vis.headlight.ambient, stage.vis.headlight.ambient)
-
-
-def test_light_is_measured_as_it_falls_on_the_ground_about_a_figure():
-    ball = '<body pos="0 0 1"><freejoint/><geom size=".5"/></body>'
-    head = '<visual><headlight ambient=".1 .1 .1" diffuse=".2 .2 .2"/></visual>'
-    level = '<light directional="true" dir="1 0 -1" diffuse=".6 .6 .6"/>'
-    slanted = brightness(spec_of(f"<mujoco>{head}<worldbody>{level}{ball}</worldbody></mujoco>").compile())
-    np.testing.assert_allclose(slanted, 0.1 + 0.5 * 0.2 + 0.6 * np.sqrt(0.5))
-    cone = '<light pos="0 0 2.5" dir="0 0 -1" cutoff="60" exponent="3" diffuse=".6 .6 .6"/>'
-    below, beside = brightness(spec_of(f"<mujoco>{head}<worldbody>{cone}{ball}</worldbody></mujoco>").compile())[:2]
-    assert below == pytest.approx(0.2 + 0.6)
-    assert beside == pytest.approx(0.2 + 0.6 * np.sqrt(0.5) * np.sqrt(0.5) ** 3)  # two metres aside, two below the lamp
-    narrow = cone.replace("60", "40")
-    assert brightness(spec_of(f"<mujoco>{head}<worldbody>{narrow}{ball}</worldbody></mujoco>").compile())[1] == (
-        pytest.approx(0.2)
-    )
 
 
 GREY = """<mujoco><asset><material name="own" rgba="1 0 0 1"/></asset><worldbody>

@@ -6,7 +6,7 @@ import mujoco
 
 from dynsplines.clip.obstacles import obstacles
 from dynsplines.clip.table import SceneTable
-from dynsplines.scene.compose import Step, compose
+from dynsplines.scene.compose import compose
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.touch import bolted, counts_all, grounds, movers, solids
 
@@ -101,7 +101,8 @@ def test_a_figure_that_collides_with_nothing_in_a_room_that_does_is_kept_clear_w
 def test_what_a_clip_adds_is_in_the_way_whether_or_not_anything_else_collides():
     for skin in (SEEN, ""):
         text = ROOM.format(hull=SEEN, bench=SEEN, skin=skin, more="")
-        table = SceneTable.model_validate({"sphere": [{"name": "ball", "radius": 0.1, "position": [1, 0, 0.1]}]})
-        model = compose(mujoco.MjSpec.from_string(text), Step(1.0, 0.2), obstacles(table)).model()
+        ball = {"name": "ball", "radius": 0.1, "position": [1, 0, 0.1]}
+        table = SceneTable.model_validate({"step": {"x": 1.0, "height": 0.2}, "sphere": [ball]})
+        model = compose(mujoco.MjSpec.from_string(text), obstacles(table)).model()
         assert {"ground", "step", "ball"} <= set(named(model, solids(model)))
         assert ("hull" in named(model, solids(model))) == (skin == SEEN)
