@@ -177,7 +177,7 @@ def render(
     fps: Annotated[float | None, number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
     camera: option.Camera = "side",
     slow: option.SlowMotion = 1.0,
-    at: Annotated[float | None, seconds("Time of a single frame", "all frames; twelve in a picture")] = None,
+    at: Annotated[float | None, seconds("Render one frame, at this time", "all; twelve in a picture")] = None,
     workers: option.RenderWorkers = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,
@@ -246,7 +246,7 @@ def list_models() -> None:
 @app.command("penalties", rich_help_panel="Create")
 def list_penalties(as_json: option.AsJson = False) -> None:
     """List the soft constraints, their weights and options.
-    A clip configures them in [[penalty]] tables. The weights are the default ones; options have their units."""
+    A clip configures them in [[penalty]] tables. The list shows default weights, and the units of options."""
     if as_json:
         print(json.dumps([kind.described() for kind in kinds.KINDS.values()], indent=2))
         return
@@ -263,8 +263,8 @@ def list_penalties(as_json: option.AsJson = False) -> None:
 @app.command(rich_help_panel="Edit")
 def mirror(
     source: option.Source,
-    output: option.Edited = None,
-    overwrite: option.OverSource = False,
+    output: option.Mirrored = None,
+    overwrite: option.Overwrite = False,
     no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
@@ -276,10 +276,10 @@ def mirror(
 @app.command(rich_help_panel="Edit")
 def retime(
     source: option.Source,
-    output: option.Edited = None,
+    output: option.Retimed = None,
     speed: Annotated[float | None, number("FACTOR", "Speed factor, e.g. 1.5", default="none")] = None,
     duration: Annotated[float | None, seconds("New duration", "none")] = None,
-    overwrite: option.OverSource = False,
+    overwrite: option.Overwrite = False,
     no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
@@ -291,10 +291,10 @@ def retime(
 @app.command(rich_help_panel="Edit")
 def trim(
     source: option.Source,
-    output: option.Edited = None,
+    output: option.Trimmed = None,
     first: Annotated[float | None, seconds("Start of the interval", "the start", "--from")] = None,
     last: Annotated[float | None, seconds("End of the interval", "the end", "--to")] = None,
-    overwrite: option.OverSource = False,
+    overwrite: option.Overwrite = False,
     no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
@@ -307,9 +307,9 @@ def trim(
 def join(
     first: option.Source,
     second: option.Source,
-    output: option.Edited = None,
+    output: option.Joined = None,
     transition: Annotated[float, seconds("Duration of the transition")] = 0.4,
-    overwrite: option.OverSource = False,
+    overwrite: option.Overwrite = False,
     no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:

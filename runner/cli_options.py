@@ -121,7 +121,7 @@ Ghosts = Annotated[
     bool,
     flag(
         "--ghosts",
-        "Draw one picture with the figure at all keyframes, darkest, and at the frames that the solver inserted",
+        "Draw one picture with the figure at all keyframes (darkest), inserted frames, and in-betweens (lightest)",
     ),
 ]
 AsJson = Annotated[bool, flag("--json", "Print the result as JSON")]
@@ -131,7 +131,9 @@ Rate = Annotated[float | None, number("HZ", "Samples per second of the output", 
 Figure = Annotated[
     str | None,
     value(
-        "MODEL", "Figure that the recording moves: name of a shipped figure, or MJCF file", "the one in the recording"
+        "MODEL",
+        "Figure of the recording: name of a shipped figure, or MJCF file",
+        "the one in the recording",
     ),
 ]
 Format = Annotated[
@@ -158,19 +160,17 @@ Contacts = Annotated[
     Path | None,
     value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
 ]
-WriteMap = Annotated[
-    bool, flag("--write-map", "Infer the bone map, and also write it to the file of --map instead of reading that file")
-]
+WriteMap = Annotated[bool, flag("--write-map", "Infer the bone map, and write it to the file that --map names")]
 Model = Annotated[
     str | None, value("MODEL", "Figure of the keyframes in --keys: name of a shipped figure, or MJCF file", "none")
 ]
 Keys = Annotated[
     str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
 ]
-Edited = Annotated[Path | None, output("name of the input with the suffix _mirrored, _retimed, _trimmed or _joined")]
-OverSource = Annotated[
-    bool, flag("--overwrite", "Allow -o to be the input file; any other existing file is overwritten in any case")
-]
+Mirrored = Annotated[Path | None, output("name of the input with the suffix _mirrored")]
+Retimed = Annotated[Path | None, output("name of the input with the suffix _retimed")]
+Trimmed = Annotated[Path | None, output("name of the input with the suffix _trimmed")]
+Joined = Annotated[Path | None, output("name of the first input with the suffix _joined")]
 Map = Annotated[
     Path | None,
     value(
@@ -199,7 +199,7 @@ StudioSource = Annotated[
 Host = Annotated[str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")]
 AllowRemote = Annotated[bool, flag("--allow-remote", "Allow other machines to edit the clip and write files")]
 ThinSolve = Annotated[
-    bool, flag("--solve", "Also keep the motion that results from solving the thinned clip within the error bound")
+    bool, flag("--solve", "Apply the error bound also to the motion that solving the thinned clip gives")
 ]
 Exact = Annotated[
     bool,

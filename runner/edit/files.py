@@ -1,4 +1,4 @@
-"""Edits of files: motions or clips in, a new one out. The source is overwritten only on request."""
+"""Edits of files: motions or clips in, a new one out."""
 
 from __future__ import annotations
 
@@ -56,7 +56,9 @@ def run(
     direct = edit.clip is not None and not motion.is_motion(sources[0])
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
     target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
-    _check_target(target, sources, overwrite)
+    if target.suffix not in (".npz", ".toml"):
+        raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
+    check_target(target, overwrite=overwrite)
     inputs = [load_motion(Path(item)) if motion.is_motion(item) else recordings.load(item) for item in sources]
     edit.check(inputs)
     one, is_clip = inputs[0], target.suffix == ".toml"
@@ -85,15 +87,6 @@ def _is_sampled(source: Clip | Saved) -> bool:
         return source.has_recording
     follows = bool(source.text) and table_of(source.text, source.name).recording is not None
     return follows or violation.is_recording(source)
-
-
-def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
-    if target.suffix not in (".npz", ".toml"):
-        raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
-    check_target(target)
-    for source in sources:
-        if target.exists() and Path(source).exists() and target.samefile(source) and not overwrite:
-            raise UserError(f"'{target}' is the input file; give another -o, or --overwrite")
 
 
 def _write_clip(table: ClipTable, source: str, target: Path) -> None:

@@ -87,8 +87,6 @@ def run(
     source = Path(recording.source)
     target = target or Path(f"{stem(source)}_thin.toml")
     thinning.check(target)
-    if target.exists() and source.exists() and target.samefile(source) and not overwrite:
-        raise UserError(f"'{target}' is the input file; give another -o, or --overwrite")
     check_target(target, overwrite=overwrite)
     saved = recording.read(progress)
     result = thinning.thinned(saved, *bound, solve=solve, progress=progress)

@@ -664,7 +664,7 @@ def test_edits_that_cannot_be_are_reported_in_one_line(run, motion_file, tmp_pat
         assert_refused(run("mirror", "lopsided.toml", "-o", "out.npz"), refusal)
         assert_refused(run("join", motion_file, motion_file, "--transition", 0), "a transition lasts")
         assert_refused(run("join", motion_file, "run_and_step"), "of different figures; they differ in")
-        assert_refused(run("trim", "tiny.toml", "--to", 0.3, "-o", "tiny.toml"), "is the input file", "--overwrite")
+        assert_refused(run("trim", "tiny.toml", "--to", 0.3, "-o", "tiny.toml"), "already exists", "--overwrite")
         assert_refused(run("retime", "none.npz", "--speed", 2), "no file 'none.npz'")
 
 

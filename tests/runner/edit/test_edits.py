@@ -280,7 +280,7 @@ def test_a_retimed_clip_has_other_times_and_nothing_else(tmp_path):
     for a, b in zip(after.keys, before.keys, strict=True):
         np.testing.assert_array_equal(a.state, b.state)
     assert after.settings == before.settings
-    edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=False, progress=progress())
+    edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=True, progress=progress())
     assert clip.load(str(target)).keys[-1].time == pytest.approx(3)
 
 
@@ -289,7 +289,7 @@ def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
     motion.save(saved, source)
     was = source.read_bytes()
     edit = edit_files.trimmed(0.1, None)
-    with pytest.raises(UserError, match="is the input file; give another -o, or --overwrite"):
+    with pytest.raises(UserError, match="already exists; give another -o, or --overwrite"):
         edit_files.run([str(source)], edit, source, overwrite=False, progress=progress())
     with pytest.raises(UserError, match=r"as a motion, \.npz, or as a clip, \.toml"):
         edit_files.run([str(source)], edit, tmp_path / "out.mp4", overwrite=False, progress=progress())

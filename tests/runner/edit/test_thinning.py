@@ -180,14 +180,6 @@ def test_plain_arrays_are_a_recording_by_their_ending(straight, tmp_path):
     assert len(clip.load(str(target)).keys) < 16
 
 
-def test_what_is_read_is_not_written_over(motion_file, tmp_path):
-    copy = tmp_path / "own.npz"
-    copy.write_bytes(motion_file.read_bytes())
-    with pytest.raises(UserError, match="is the input file"):
-        run(copy, copy)
-    run(copy, copy, overwrite=True)
-
-
 @pytest.mark.parametrize("ending", [".npz", ".toml"])
 def test_a_file_that_is_there_stays_by_default(motion_file, tmp_path, ending):
     target = tmp_path / f"kept{ending}"
