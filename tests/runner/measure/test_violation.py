@@ -558,4 +558,4 @@ def test_the_bounds_of_the_page_are_those_of_the_code():
         for kind, bound in BOUNDS.items()
     }
     assert told == said | {"search": "–"}
-    assert f"{WHIP_SHARE:g} times the raw spline's" in page
+    assert f"{WHIP_SHARE:g} times the largest one in the raw spline" in page
