@@ -34,7 +34,7 @@ from .violation import ViolationTable, plain, violations_of
 LOCAL_EVALUATIONS: int = 25  # most evaluations of a local solve that estimates the remaining decrease of a segment
 # [1] relative to a segment's E: yields the decrease to within 10 %, in a quarter of the time that 1e-7 takes
 LOCAL_TOLERANCE = 1e-4
-DRIFT = "centre of mass off before, m"  # distance between the centres of mass before and after solving
+DRIFT = "centre of mass displacement, m"  # distance between the centres of mass before and after solving
 
 
 def report(

@@ -60,7 +60,7 @@ def test_feet_cross_the_edge_of_the_step_close_above_it_and_limbs_do_not_whip(me
     assert all(0 < height <= 0.12 for height in heights.values())
     before, after = (measured[side]["angular acceleration, rad/s²"]["peak"] for side in ("before", "after"))
     assert after <= 1.5 * before
-    assert measured["after"]["centre of mass off before, m"]["largest"] <= 0.10
+    assert measured["after"]["centre of mass displacement, m"]["largest"] <= 0.10
     lengths = measured["after"]["unit deviation"]
     assert 0.8 <= lengths["shortest"] <= lengths["longest"] <= 1.25
 

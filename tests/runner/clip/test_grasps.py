@@ -200,7 +200,7 @@ def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_i
     time = np.linspace(0.0, 2.1, 60)
     found = in_carried(clip, time, motion.at(time))
     assert found["deepest"] <= 0.03 and "crate" in found["where"]
-    assert sides[0]["in what is carried, m"]["deepest"] == pytest.approx(found["deepest"], abs=0.003)
+    assert sides[0]["penetration of held objects, m"]["deepest"] == pytest.approx(found["deepest"], abs=0.003)
     assert in_carried(clips.from_text(lift(hands=()), name="none"), time, motion.at(time)) == {}
 
 

@@ -193,8 +193,8 @@ def test_a_search_ends_within_a_millimetre_and_is_reported():
     assert off < 1e-3
     np.testing.assert_allclose(data.site("left_hand").xpos, [0.4, 0.35, 1.0], atol=MET)
     told = report(problem, solved.motion, 0.0)
-    assert told["after"]["off their places, m"] == {"right_hand at 0.8 s": pytest.approx(off, rel=1e-3)}
-    assert told["before"]["off their places, m"]["right_hand at 0.8 s"] < 1e-6  # the search begins there
+    assert told["after"]["target distance, m"] == {"right_hand at 0.8 s": pytest.approx(off, rel=1e-3)}
+    assert told["before"]["target distance, m"]["right_hand at 0.8 s"] < 1e-6  # the search begins there
     assert told["after"]["keyframe error"] < 1e-9
     assert max(abs(bend["backward"]) for bend in told["after"]["bends, degrees"].values()) < 1
 

@@ -236,7 +236,7 @@ def test_every_segment_between_keyframes_has_its_row(solved: Solved):
 def test_times_near_a_step_that_was_hit_count_as_trouble(tmp_path):
     head = "[scene]\nstep = {x = 1, height = 0.3, length = 0.4}"
     solved = unsolved(tmp_path, [(0, 0, 0, 0.2), (3, 3, 0, 0.2)], head)
-    drift = side(solved)["centre of mass off before, m"]
+    drift = side(solved)["centre of mass displacement, m"]
     assert drift == {"largest": 0.0, "away from trouble": 0.0}
     samples = Side.of(solved.clip, solved.motion.objective, solved.motion.raw, solved.motion.raw).samples
     far = samples.t[_far_from_trouble(solved.clip, samples)]
