@@ -68,7 +68,7 @@ class Wrenches:
 
     @property
     def orders(self) -> int:
-        """The number of orders of y, y', y'' that the rows depend on."""
+        """1 if the residuals depend only on y, 2 if also on y', and 3 if also on y''."""
         if self.torque_dd is not None:
             return 3
         return 1 if self.force_d is None and self.torque_d is None else 2
@@ -176,7 +176,8 @@ def of_velocity(
         link: Links (P,).
         offset: Offsets (3, P) of the points from the links' origins, in world axes [m].
         direction: Directions (3, P).
-        turning: Part (3, P) of the offsets that rotates with the links; default: all of them.
+        turning: Part (3, P) of the offsets that rotates with the links; default: all of them. For the lowest point
+            of a sphere, it is the offset of the centre.
 
     Returns:
         P wrenches.
@@ -205,7 +206,9 @@ def along_axes(at: Index, link: Index) -> tuple[Index, Index, Array]:
 
 
 def every_axis(links: Index, count: int) -> tuple[Index, Index, Array]:
-    """Return samples, links and axes of the components of vectors (3, n, S), for n links at all samples.
+    """Return the sample, the link and the world axis of every component of an array of vectors (3, n, S).
+
+    The array has a vector for each of n links and S samples.
 
     Args:
         links: Links (n,).

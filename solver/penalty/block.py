@@ -53,7 +53,7 @@ class Entries:
 
     @property
     def orders(self) -> int:
-        """The number of orders of y, y', y'' that the rows depend on."""
+        """1 if the residuals depend only on y, 2 if also on y', and 3 if also on y''."""
         return self.order + 1
 
     def rows(self, samples: Samples) -> Array:
@@ -63,7 +63,7 @@ class Entries:
         return out
 
     def pull_back(self, into: Cotangent, bar: Array) -> None:
-        """Add the gradient of Σ bar r to `into`, bar (P,)."""
+        """Add the gradient of Σ_p bar[p] · r[p] to `into`, bar (P,)."""
         buffer = into.buffer(OF_THE_STATE[self.order][0])
         flat = self.at * buffer.shape[1] + self.column
         buffer += np.bincount(flat, bar * self.slope, buffer.size).reshape(buffer.shape)
@@ -79,10 +79,11 @@ class Block:
     Attributes:
         at: Indices of the residuals' samples, (P,).
         value: Residuals, (P,).
-        changes: Summands of the derivative; each contains a wrench or an entry for every residual, in order.
+        changes: `Wrenches` or `Entries`, whose sum is the derivative. Each has an item per residual, in the same order.
         weight: Weights of the squared residuals, (P,).
         one_sided: Whether only positive residuals count.
-        of: Index of the residual of each of Q wrenches, (Q,), if residuals have several wrenches; otherwise None.
+        of: If residuals have several wrenches each: for each of the Q wrenches, the index of its residual, (Q,).
+            Otherwise None.
     """
 
     at: Index
@@ -94,7 +95,7 @@ class Block:
 
     @classmethod
     def joined(cls, parts: Sequence[Block]) -> Block:
-        """Return the concatenated blocks of one-sided residuals with one wrench each; an empty block without parts."""
+        """Concatenate blocks of one-sided residuals with one wrench each. Without parts, the block is empty."""
         none = np.zeros(0, np.intp)
         if not parts:
             return cls(none, np.zeros(0), (Wrenches(none, none, np.zeros((3, 0))),), one_sided=True)
@@ -153,7 +154,10 @@ class Block:
         return total
 
     def one_sided_residuals(self, samples: Samples) -> OneSidedResiduals:
-        """Return the residuals scaled to unit weights, with gradients with respect to y only, for a model of E."""
+        """Return the residuals, each times the square root of its weight, with their gradients with respect to y.
+
+        Derivatives with respect to y' and y'' are ignored. The quadratic model of E uses these residuals.
+        """
         root = np.sqrt(self.weight)
         block = self if np.all(root == 1) else replace(self, value=root * self.value, changes=self._scaled(root))
         return OneSidedResiduals(block.at, block.value, (block._side_rows(samples),))
@@ -196,14 +200,15 @@ class Block:
 
 @dataclass(frozen=True, eq=False)
 class Dense:
-    """R residuals at each of S samples, whose gradients are given by a function. f is the sum of their squares.
+    """R residuals at each of S samples, with a function for their gradients. f is the sum of their squares and `more`.
 
     Attributes:
         value: Residuals, (R, S).
-        pulled_back: pulled_back(cotangent, bar) adds the gradient of Σ bar r to the cotangent, bar (R, S).
+        pulled_back: pulled_back(cotangent, bar) adds the gradient of Σ bar[i, s] · r[i, s] to the cotangent, bar
+            (R, S). For f, bar is 2 scale r.
         curved: curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,). If
             None, they are computed by an adjoint sweep of the kinematics for every residual.
-        more: Summand of f in addition to the squares, (S,); `pulled_back` includes its gradient.
+        more: Summand of f in addition to the squares, (S,). `pulled_back` must also add its gradient.
     """
 
     value: Array

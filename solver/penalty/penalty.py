@@ -30,18 +30,19 @@ class Normalization:
 
     Attributes:
         reference: The value of f_j for a violation of 1 cm or 1° of a figure as large as an adult. For accelerations:
-            the value for 8 rad/s² (2 m/s²) if keyframes are 1 s apart, and for as much per squared spacing otherwise.
+            the value for 8 rad/s² or 2 m/s² if keyframes are 1 s apart. If they are T seconds apart, it is divided by
+            T to the power `time_power`.
         is_violation: Whether f_j is zero wherever the constraint is satisfied, as for a depth. Otherwise almost
             every motion has a cost, as for an acceleration.
         length_power: The exponent p with which f_j grows to λ^p f_j for a figure λ times as large; 2 for squared
             lengths.
         time_power: The exponent p with which f_j falls to f_j / λ^p in a clip slowed by a factor λ; 4 for squared
             accelerations.
-        normalize_by: The name of another term, whose divisor this term also uses if the objective contains it. At equal
-            weights, f_j = `reference` then costs as much as a value of 1 of the other term.
-        raw_cap: In the normalization, the mean of f_j over the raw spline counts as at most this.
-        is_sharp: Whether f_j changes abruptly in time. The search then computes its curvature at all samples
-            instead of a few, and uses only what `Curvature.add_rows` adds, no blocks or diagonals.
+        normalize_by: The name of another term. If the objective contains it, f_j is divided by `reference` and by the
+            divisor of the other term, instead of its own integral over the raw spline.
+        raw_cap: Upper limit of the mean of f_j over the raw spline, by which f_j is divided.
+        is_sharp: Whether f_j changes abruptly in time. The search then computes its curvature at all samples instead
+            of a few. The curvature must consist of rows (`Curvature.add_rows`), as that of wrenches does.
         by_tension: The exponent of `Objective.tension` in the weight of f_j.
     """
 
@@ -94,11 +95,13 @@ class Penalty(ABC):
 
     @property
     def obstructs(self) -> bool:
-        """Whether the constraint is an obstacle that the figure may pass on another side; not a floor or a step."""
+        """Whether the constraint is an obstacle that the figure can go around. False for a floor or a step."""
         return False
 
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
-        """Return the residuals whose sum of squares is f_j. Inactive one-sided residuals may be omitted.
+        """Return the residuals whose sum of squares is f_j.
+
+        Of one-sided residuals, only positive ones count. The others may be omitted.
 
         A penalty that is not a sum of squares overrides `evaluate` instead; its curvature uses finite differences of
         the gradient.
@@ -115,7 +118,10 @@ class Penalty(ABC):
         )
 
     def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
-        """Return the residuals for the quadratic model of E, with one-sided ones that may become active in a step."""
+        """Return the residuals for the quadratic model of the objective E.
+
+        They include one-sided residuals that may become positive in the next step of the optimiser.
+        """
         return self.residuals(samples)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
@@ -130,7 +136,7 @@ class Penalty(ABC):
         return tuple(self.residuals(samples)) if type(self).evaluate is Penalty.evaluate else None
 
     def model_blocks(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
-        """Return the blocks of `nearby`: `known`, the result of `blocks`, unless the class overrides `nearby`."""
+        """Return the result of `nearby`. Without an override of it, this is `known`, the result of `blocks`."""
         return known if known is not None and type(self).nearby is Penalty.nearby else self.nearby(samples)
 
     def curvature(
@@ -150,7 +156,14 @@ class Penalty(ABC):
         self._add_two_sided(self.model_blocks(samples, known), samples, into, scale)
 
     def active_curvature(self, samples: Samples, into: Curvature, scale: Array, one_sided_scale: Array) -> None:
-        """Do the same, and add the matrices of active one-sided residuals, whose weights are one_sided_scale (S,)."""
+        """Add what `curvature` adds, and the matrices of the active one-sided residuals.
+
+        Args:
+            samples: S samples of the motion.
+            into: The matrices to which those of f_j are added.
+            scale: The weights of the samples for two-sided residuals, (S,).
+            one_sided_scale: The weights of the samples for one-sided residuals, (S,).
+        """
         if type(self).residuals is Penalty.residuals:
             self.curvature(samples, into, scale)
             return

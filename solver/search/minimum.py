@@ -47,7 +47,7 @@ class StopSearch(Exception):
 
 
 class Optimiser(Protocol):
-    """A function that lowers E over the unknowns of one timeline."""
+    """A function that minimises E over the unknowns of a timeline: keyframes and variable frames at fixed times."""
 
     def __call__(
         self,
