@@ -212,13 +212,13 @@ Columns = Annotated[
     str,
     value(
         "COLUMNS",
-        "Further columns of csv: velocities,torques,wrench (at the root),ground (force at each foot) or all",
+        "Further columns of csv, separated by commas: velocities, torques, wrench (of the root), ground; or all",
         "none",
         "--with",
     ),
 ]
 Simulate = Annotated[
-    bool, flag("--simulate", "Only for the format mjcf: add actuators, so that the model can be simulated")
+    bool, flag("--simulate", "Only for the format mjcf: add actuators that follow the motion in a simulation")
 ]
 ImportSource = Annotated[
     Path, typer.Argument(metavar="FILE", help="Recording in a format that `dynsplines formats` lists")

@@ -44,7 +44,7 @@ NEXT = 1e-6  # [s] maximum difference of a saved keyframe from its time in the t
 
 @dataclass(frozen=True, repr=False)
 class Clip(Renames):
-    """A problem ready to solve, with the inputs of its reports.
+    """A problem that is ready to solve, with the data that reports on its motion need.
 
     Attributes:
         name: Name of the clip and of output files.
@@ -95,7 +95,7 @@ class Clip(Renames):
 
     @property
     def stances(self) -> list[dict[str, object]]:
-        """The stances of a clip that follows a recording, as stored in a motion's file; empty for other clips."""
+        """The stances of the recording that the clip follows, in the format of motion files; empty for other clips."""
         return stances_of(self.context.schedule.contacts.requested) if self.has_recording else []
 
     @property

@@ -87,7 +87,7 @@ class SampledTrajectory:
 
     @property
     def is_wrapped(self) -> bool:
-        """Whether a format can mark the motion as a loop; adds a note for a loop that ends rotated."""
+        """As `is_loop`, but a loop that ends rotated adds a note that it is written as one cycle."""
         if self.turns:
             self.notes.append("the format has no loops that rotate: one period is written, without a loop")
         return self.is_loop
@@ -181,7 +181,7 @@ class Recording:
         loops: Whether the file is marked as a loop: its last sample is the first again, translated.
         assets: The files that `mjcf` refers to, by name.
         bodies: Body poses that the file also contains, to verify `qpos`.
-        layout: Differences of the layout from the documented one.
+        layout: How the file differs from the documented layout of its format, such as "quaternions xyzw".
         others: The same file read in other layouts.
     """
 

@@ -43,7 +43,7 @@ class Violation:
         amount: Measured amount, in `unit`.
         unit: "m", "m/s", "degrees", "degrees/s", "rad/s²" or "".
         bound: Tolerated amount, in `unit`.
-        keyframe: Number of the keyframe that causes it, from 1; None if the path causes it.
+        keyframe: Number of the keyframe that causes it, from 1; None if the motion between keyframes causes it.
         text: The violation as one line.
     """
 

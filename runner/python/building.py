@@ -42,11 +42,12 @@ class Keyframe:
         joints: By name: a rotation relative to the parent (ball joint), degrees (hinge) or metres (slide), or "free".
         sites: By name of a site, foot, geom or body: its target position [x, y, z] in the world, metres.
             Inverse kinematics computes one pose that meets all targets.
-        bodies: By name: {"flat": True} (upright as in the rest pose), a rotation in the world, or {"position": [x, y,
-            z]} of the body's origin. With "at": [x, y, z], the position is that of a point in the body's axes [m].
-        roots: As `root`, for further free bodies by the names of their joints.
+        bodies: By name: {"flat": True} (as level as in the rest pose, with any heading), a rotation in the world, or
+            {"position": [x, y, z]} of the body's origin. With "at": [x, y, z], the position is that of a point in the
+            body's axes [m].
+        roots: As `root`, for other free bodies, by the name of their free joint or body, such as `body` of a scene.
         others: Unspecified joints and root: "free", "rest" (as in qpos0), "previous" (as in the keyframe before), or
-            "key:NAME" (a <key> of the model).
+            "key:NAME" (a <key> of the model). Inverse kinematics still moves the limbs of targets.
         qpos: (nq,) complete configuration in MuJoCo's order, overridden by the other arguments.
     """
 

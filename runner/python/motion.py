@@ -113,7 +113,7 @@ class Motion(Renames):
     """A motion of a figure over time, with its keyframes and its scene.
 
     Attributes:
-        saved: What the motion file contains.
+        saved: The data that `save` writes to a motion file (.npz).
     """
 
     saved: Saved
@@ -222,7 +222,9 @@ class Motion(Renames):
         return files.sampled(self.saved.figure, self.saved.timeline, fps or self.fps)
 
     def report(self) -> Report:
-        """Return measurements before and after the search, also between the samples of the search.
+        """Return measurements of the raw spline ("before") and of the solution ("after").
+
+        The motion is sampled more finely than in the search.
 
         The first call takes some seconds; the result is cached.
 
@@ -304,7 +306,8 @@ class Motion(Renames):
             size: Width and height [pixels].
             fps: Video frames per second [1/s]; default: the motion's.
             slow: Slow-motion factor.
-            ghosts: Draw all frames into one .png: keyframes darkest, variable frames lighter, in-betweens lightest.
+            ghosts: Draw all frames into one .png: keyframes darkest, frames that the solver inserted lighter, other
+                samples lightest.
             at: Render a single frame at this time [s].
             workers: Number of render processes; with more than one, a script needs `if __name__ == "__main__":`.
             progress: Print progress on stderr.
@@ -343,9 +346,10 @@ class Motion(Renames):
             to: Name of a format, default by the ending of `path`; or a custom writer, an object with
                 write(trajectory, path).
             fps: Samples per second [1/s]; default: the motion's.
-            columns: Of a table: "velocities", "torques", "wrench", "ground", several of these, or "all".
-            simulate: Of MJCF: write a scene for simulation, with collisions, and actuators on every joint whose
-                targets are the motion. A path that ends in .simulate.xml implies it.
+            columns: Only for tables: additional columns, "velocities", "torques", "wrench" (at the root), "ground"
+                (force at each foot), several of these, or "all".
+            simulate: Only for MJCF: write a scene for simulation, with collisions. Every joint has an actuator, and
+                the target of the actuator follows the motion. A path that ends in .simulate.xml implies it.
 
         Returns:
             The path of the file.
@@ -370,8 +374,11 @@ class Motion(Renames):
 
         Args:
             path: Output file.
-            exact: Write a [solve] table that reproduces this spline; otherwise solving the clip searches.
-            overwrite: Overwrite a different scene next to the clip.
+            exact: Only for .toml: write a [solve] table with which solving the clip gives this spline. Otherwise,
+                solving it runs the search again, and the result may differ.
+            overwrite: Only for .toml: the scene of a clip is written to a file in the same folder. If a different file
+                has its name, overwrite it instead of raising UserError. The clip or motion itself is overwritten in
+                any case.
 
         Returns:
             The path of the file.
@@ -485,11 +492,11 @@ class Motion(Renames):
         """Return a cleaned recording: repaired, smoothed by its estimated noise, with planted feet.
 
         Args:
-            max_displacement: Maximum displacement of hands, feet and pelvis, where their stances allow it: "3cm",
-                "30mm", or metres.
+            max_displacement: Maximum displacement of hands, feet and pelvis from the recording: "3cm", "30mm", or
+                metres. Feet that stand may be displaced further.
 
         Returns:
-            The cleaned motion; its `before` is the recording.
+            The cleaned motion. In its report and in `render`, "before" is the recording.
 
         Raises:
             UserError: For a motion that cannot be cleaned, or an invalid length.
