@@ -21,6 +21,7 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from .. import gaps
+from ..tables.table_text import is_cut as is_number_cut
 from .roles import lineage, roles
 
 AXES = "XYZ"
@@ -286,6 +287,10 @@ def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ..
         if is_cut and (None in row or len(row) < width or (i + 1 < count and not lines.is_ended)):
             break  # the file ends within this line
         hint = "; `dynsplines clean` uses the frames before it" if is_last and 1 < i < count else ""
+        if is_last and i + 1 == count and not lines.is_ended and _is_last_number_cut(words, row, rest):
+            if is_strict:
+                raise lines.wrong(f"the file ends within the number {words[-1]}{hint}; if it is complete, end its line")
+            break
         if None in row:
             raise lines.wrong(f"'{shown(words[row.index(None)])}' is no number{hint if row[-1] is None else ''}")
         if len(row) != width:
@@ -298,6 +303,14 @@ def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ..
     many = f"the file has {len(rows)} frames, 'Frames:' declares {count}: all are used"
     notes = () if len(rows) == count else (few if len(rows) < count else many,)
     return np.array(rows), notes
+
+
+def _is_last_number_cut(words: list[str], row: list[float | None], rest: Sequence[tuple[int, str]]) -> bool:
+    above = [line.split()[-1] for _, line in rest[:-1]]
+    last = row[-1]
+    return last is not None and is_number_cut(
+        words[-1], last, [(word, _number(word, is_strict=False)) for word in above]
+    )
 
 
 def _number(word: str, *, is_strict: bool) -> float | None:

@@ -97,3 +97,16 @@ def test_a_file_cut_to_one_frame_is_refused(tmp_path):
     (tmp_path / "a.bvh").write_text(text(rows(1), declared=12))
     with gaps.allowed(), pytest.raises(UserError, match="the file ends after 1 images; 'Frames:' declares 12"):
         bvh_file.read(tmp_path / "a.bvh")
+
+
+@pytest.mark.parametrize(("last", "count"), [("24.500000", 8), ("24.50", 7), ("2", 7)])
+def test_the_last_number_of_a_file_without_an_end_of_line_may_be_cut(last, count, tmp_path):
+    some = [f"{row.rpartition(' ')[0]} {17.5 + i:.6f}" for i, row in enumerate(rows())]
+    (tmp_path / "a.bvh").write_text(text([*some[:-1], f"{some[-1].rpartition(' ')[0]} {last}"], end=""))
+    with gaps.allowed():
+        assert len(bvh_file.read(tmp_path / "a.bvh")[0].values) == count
+    if count == 8:
+        assert len(bvh_file.read(tmp_path / "a.bvh")[0].values) == 8
+    else:
+        with pytest.raises(UserError, match=f"the file ends within the number {last}; `dynsplines clean` uses"):
+            bvh_file.read(tmp_path / "a.bvh")

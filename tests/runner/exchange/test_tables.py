@@ -152,7 +152,7 @@ def test_degrees_are_read_where_ranges_leave_no_doubt(tmp_path):
         ("# nothing\n", "the file is empty"),
         ("time;root\na;b\n", "a table with no numbers"),
         ("1;2;3\n4;5\n6;7;8\n", "row 2 does not hold 3 numbers, separated by semicolons"),
-        ("1,5;2,5\n1,5;x\n1,5;2,5\n", "row 2 does not hold 2 numbers, separated by semicolons, with decimal commas"),
+        ("1,5;2,5\n1,5;x\n", "row 2 does not hold 2 numbers, separated by semicolons, with decimal commas"),
         ("a,b\n1,2,3\n1,2,3\n", "2 names for 3 columns, separated by commas"),
         ("1|2|3\n4|5|6\n", "whose cells commas, semicolons, tabs or spaces separate"),
         (b"time,x\n\xff\xfe1", "not a table of text"),
