@@ -90,6 +90,7 @@ def test_load_takes_it_too_and_other_keyframes_keep_it(tmp_path: Path) -> None:
     assert [penalty.name for penalty, _ in clip.penalties][-1] == "calm"
     again = clips.with_keys(clip, clip.keys)
     assert again.custom_penalties == clip.custom_penalties and again.penalties[-1] == (Calm(), 0.1)
+    assert swing(custom_penalties=[(Calm(), 0)]).custom_penalties == ()
 
 
 def test_the_former_name_of_the_argument_gives_the_present_one() -> None:
@@ -113,17 +114,10 @@ def test_a_motion_of_version_0_2_is_read_with_present_names(calm: Motion, tmp_pa
     assert "own penalties" not in present
 
 
-def test_without_a_weight_it_is_not_there() -> None:
-    assert swing(custom_penalties=[(Calm(), 0)]).custom_penalties == ()
-
-
 @pytest.mark.parametrize(
     ("custom_penalties", "says"),
     [
         ([Calm()], "every entry is (penalty, weight)"),
-        ([("calm", 1.0)], "every entry is (penalty, weight)"),
-        ([(Calm(), -1.0)], "the weight of 'calm' is a number from 0 on, not -1.0"),
-        ([(Calm(), float("nan"))], "the weight of 'calm'"),
         ([(Calm(), "much")], "the weight of 'calm' is a number from 0 on, not 'much'"),
         ([(Calm("torque"), 1.0)], "called 'torque' already exists"),
         ([(Calm(), 1.0), (Calm(), 2.0)], "called 'calm' already exists"),
@@ -135,15 +129,11 @@ def test_what_is_none_is_refused(custom_penalties: object, says: str) -> None:
     assert says in str(error.value)
 
 
-@pytest.mark.parametrize("ending", ["npz", "toml"])
-def test_saving_says_that_no_file_holds_it(calm: Motion, tmp_path: Path, ending: str) -> None:
-    with pytest.warns(UserWarning, match="custom penalties are not stored: calm; pass them again as custom_penalties="):
-        calm.save(tmp_path / f"up.{ending}")
-
-
-def test_loading_it_warns_once_its_clip_is_requested(calm: Motion, tmp_path: Path) -> None:
-    with pytest.warns(UserWarning):
-        calm.save(tmp_path / "up.npz")
+def test_saving_and_loading_warn_that_no_file_holds_it(calm: Motion, tmp_path: Path) -> None:
+    for name in ("up.npz", "up.toml"):
+        not_stored = "custom penalties are not stored: calm; pass them again as custom_penalties="
+        with pytest.warns(UserWarning, match=not_stored):
+            calm.save(tmp_path / name)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         found = load_motion(tmp_path / "up.npz")

@@ -45,15 +45,39 @@ def soles(figure: Figure) -> list[str]:
     return [point.name for point in sole_points(figure, np.zeros((0, figure.width)))]
 
 
-def test_a_quadruped_stands_on_its_spheres():
-    figure = figure_of(FOUR, SPHERE)
-    points = sole_points(figure, np.zeros((0, figure.width)))
-    assert [point.name for point in points] == ["fl_foot", "fr_foot", "bl_foot", "br_foot"]
-    assert all(point.radius == 0.04 for point in points)
+PLANE = '<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint axis="0 1 0"/>'
+BESIDE = '<body name="ball" pos="1 0 .1"><freejoint name="ball"/><geom name="ball" size=".1"/></body>'
+OTHER = """<body pos="0 2 .4"><freejoint/><geom type="box" size=".1 .1 .05"/>
+  <body><joint axis="0 1 0"/><geom name="peg" type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body>{}</body>"""
+OTHER_LEG = '<body><joint axis="0 1 0"/><geom name="leg" type="capsule" size=".02" fromto="0 .1 0 0 .1 -.3"/></body>'
+FEET = {
+    "spheres of four legs": (figure_of(FOUR, SPHERE), ["fl_foot", "fr_foot", "bl_foot", "br_foot"]),
+    "corners of soles": (figure_of(TWO, BOX), [f"{side}_sole {k}" for side in "lr" for k in (1, 2, 3, 4)]),
+    "sites called toe or heel first": (figure_of(TWO, SITE), ["l_toe", "r_toe"]),
+    "a mark on top of a toe is no sole": (
+        figure_of(TWO, SPHERE + '<site name="{name}_toe" pos="0 0 -.2"/>'), ["l_foot", "r_foot"]),
+    "sliding in a plane": (figure_of(TWO, SPHERE, PLANE), ["l_foot", "r_foot"]),
+    "hinged to the world": (figure_of(TWO, SPHERE, '<joint axis="0 1 0"/>'), []),
+    "bolted to the world": (figure_of(TWO, SPHERE, ""), []),
+    "a ball beside a robot": (figure_of(TWO, SPHERE, extra=BESIDE), ["l_foot", "r_foot"]),
+    "two robots": (figure_of(TWO, SPHERE, extra=OTHER.format(OTHER_LEG)), ["l_foot", "r_foot", "peg", "leg"]),
+    "what hangs does not stand": (figure_of(TWO, SPHERE, extra=OTHER.format("")), ["l_foot", "r_foot"]),
+    "named after bodies": (figure_of(TWO, '<geom size=".04" pos="0 0 -.3"/>'), ["l_shin", "r_shin"]),
+    "corners named after bodies": (
+        figure_of(TWO, BOX.replace('name="{name}_sole"', "")),
+        [f"{side}_ankle {k}" for side in "lr" for k in (1, 2, 3, 4)]),
+}  # fmt: skip
 
 
-def test_a_humanoid_of_hinges_stands_on_the_corners_of_its_soles():
-    assert soles(figure_of(TWO, BOX)) == [f"{side}_sole {k}" for side in "lr" for k in (1, 2, 3, 4)]
+@pytest.mark.parametrize("case", FEET)
+def test_figures_of_many_makes_stand_on_their_feet(case):
+    figure, expected = FEET[case]
+    assert soles(figure) == expected
+
+
+def test_points_of_spheres_are_as_thick_as_they():
+    for figure in (figure_of(FOUR, SPHERE), figure_of(TWO, IN_SPHERE)):
+        assert {point.radius for point in sole_points(figure, np.zeros((0, figure.width)))} == {0.04}
 
 
 def test_who_is_tallest_on_the_tips_of_his_toes_stands_on_his_soles():
@@ -74,25 +98,6 @@ def test_feet_with_round_edges_stand_on_what_touches_the_floor():
     assert np.ptp([point.position[0] for point in points]) == pytest.approx(0.21)
 
 
-def test_sites_that_are_called_toe_or_heel_go_first():
-    assert soles(figure_of(TWO, SITE)) == ["l_toe", "r_toe"]
-
-
-def test_a_site_in_the_middle_of_a_sphere_is_as_thick_as_that():
-    figure = figure_of(TWO, IN_SPHERE)
-    assert [point.radius for point in sole_points(figure, np.zeros((0, figure.width)))] == [0.04, 0.04]
-
-
-def test_a_walker_that_slides_about_in_a_plane_has_feet_too():
-    joints = '<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint axis="0 1 0"/>'
-    assert soles(figure_of(TWO, SPHERE, joints)) == ["l_foot", "r_foot"]
-
-
-@pytest.mark.parametrize("joint", ['<joint axis="0 1 0"/>', '<joint type="ball"/>', ""])
-def test_what_is_bolted_to_the_world_has_none(joint):
-    assert soles(figure_of(TWO, SPHERE, joint)) == []
-
-
 def test_a_figure_that_lies_on_its_belly_has_none_but_where_a_keyframe_stands_it_up():
     figure = figure_of(TWO, SPHERE)
     lying = Figure(figure.model)
@@ -109,19 +114,6 @@ def test_a_figure_that_lies_on_its_belly_has_none_but_where_a_keyframe_stands_it
     assert [point.name for point in sole_points(lying, standing[None])] == ["l_foot", "r_foot"]
 
 
-def test_a_ball_beside_a_robot_has_no_feet():
-    ball = '<body name="ball" pos="1 0 .1"><freejoint name="ball"/><geom name="ball" size=".1"/></body>'
-    assert soles(figure_of(TWO, SPHERE, extra=ball)) == ["l_foot", "r_foot"]
-
-
-def test_two_robots_stand_on_the_feet_of_both():
-    other = """<body pos="0 2 .4"><freejoint/><geom type="box" size=".1 .1 .05"/>
-      <body><joint axis="0 1 0"/><geom name="peg" type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body>{}</body>"""
-    leg = '<body><joint axis="0 1 0"/><geom name="leg" type="capsule" size=".02" fromto="0 .1 0 0 .1 -.3"/></body>'
-    assert soles(figure_of(TWO, SPHERE, extra=other.format(leg))) == ["l_foot", "r_foot", "peg", "leg"]
-    assert soles(figure_of(TWO, SPHERE, extra=other.format(""))) == ["l_foot", "r_foot"]  # what hangs does not stand
-
-
 def test_a_clip_calls_found_feet_by_their_names():
     figure = figure_of(FOUR, SPHERE)
     keys = raw_timeline(figure, [Frame.key(float(t), figure.model.qpos0) for t in range(3)])
@@ -131,17 +123,6 @@ def test_a_clip_calls_found_feet_by_their_names():
     assert [rest.point.name for rest in found.requested] == ["bl_foot"]
     with pytest.raises(UserError, match="did you mean 'bl_foot'"):
         contacts(figure, keys, [table.model_copy(update={"point": "bl_fot"})], "clip", points)
-
-
-def test_feet_without_a_name_are_called_after_their_bodies():
-    foot = '<geom size=".04" pos="0 0 -.3"/>'
-    assert soles(figure_of(FOUR, foot)) == ["fl_shin", "fr_shin", "bl_shin", "br_shin"]
-    box = BOX.replace('name="{name}_sole"', "")
-    assert soles(figure_of(TWO, box)) == [f"{side}_ankle {k}" for side in "lr" for k in (1, 2, 3, 4)]
-
-
-def test_a_mark_on_top_of_a_toe_is_no_sole():
-    assert soles(figure_of(TWO, SPHERE + '<site name="{name}_toe" pos="0 0 -.2"/>')) == ["l_foot", "r_foot"]
 
 
 def test_of_a_kick_the_feet_are_found_in_a_pose_that_stands_on_both():

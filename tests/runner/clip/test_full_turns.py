@@ -33,7 +33,7 @@ def turned(problem: Clip) -> float:
     return float(np.degrees(np.unwrap(heading)[-1] - heading[0]))
 
 
-@pytest.mark.parametrize(("last", "way"), [(360, 0), (270, -90), (-200, 160), (720, 0)])
+@pytest.mark.parametrize(("last", "way"), [(360, 0), (-200, 160)])
 def test_a_heading_more_than_a_half_turn_on_is_reported(last: int, way: int) -> None:
     problem = read("root.rotation = {heading = 0}", f"root.rotation = {{heading = {last}}}")
     (note,) = problem.notes
@@ -43,12 +43,15 @@ def test_a_heading_more_than_a_half_turn_on_is_reported(last: int, way: int) -> 
     assert turned(problem) == pytest.approx(way, abs=1)
 
 
-def test_the_keyframes_that_the_note_advises_make_the_turn() -> None:
+def test_keyframes_between_as_the_note_advises_make_turns_of_any_angle() -> None:
     (note,) = read("root.rotation = {heading = 0}", "root.rotation = {heading = 360}").notes
     between = note.rpartition("such as ")[2].split(", ")
     problem = read(*(f"root.rotation = {{heading = {angle}}}" for angle in ("0", *between, "360")))
     assert problem.notes == ()
     assert turned(problem) == pytest.approx(360, abs=1)
+    spin = read(*(f"root.rotation = {{heading = {angle}}}" for angle in (0, 160, 350, 540)))
+    assert spin.notes == ()
+    assert turned(spin) == pytest.approx(540, abs=1)
 
 
 def test_rotations_of_joints_and_bodies_and_turns_from_rest_are_reported_too() -> None:
@@ -58,13 +61,7 @@ def test_rotations_of_joints_and_bodies_and_turns_from_rest_are_reported_too() -
     assert read("", "root.rotation = {euler = [0, 5, 170]}", "root.rotation = {euler = [0, 5, 340]}").notes == ()
 
 
-def test_a_spin_past_a_half_turn_is_not_reported() -> None:
-    problem = read(*(f"root.rotation = {{heading = {angle}}}" for angle in (0, 160, 350, 540)))
-    assert problem.notes == ()
-    assert turned(problem) == pytest.approx(540, abs=1)
-
-
-@pytest.mark.parametrize("place", [(0.6, -0.3), (-0.5, 0.2), (-0.3, -0.6), (0.1, 0.3)])
+@pytest.mark.parametrize("place", [(0.6, -0.3), (-0.3, -0.6)])
 def test_hinges_are_posed_in_the_winding_of_the_keyframe_before(tmp_path: Path, place: tuple[float, float]) -> None:
     (tmp_path / "arm.xml").write_text(ARM, encoding="utf-8")
     keys = ["joints = {turn = 350, bend = 20}", f"sites.tip = [{place[0]}, {place[1]}, 1]"]

@@ -93,41 +93,37 @@ def parts(clip: clips.Clip, name: str) -> list:
     return [part for penalty in found for part in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
 
 
-def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely():
-    clip = clips.from_text(lift(), name="lift")
-    model = clip.figure.model
+@pytest.fixture(scope="module")
+def lifted() -> clips.Clip:
+    return clips.from_text(lift(), name="lift")
+
+
+def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely(lifted):
+    model = lifted.figure.model
     crate = model.body("crate")
     assert crate.mass == pytest.approx(5) and crate.jntnum == 1 and crate.geomnum == 2
     assert model.joint("crate").type == mujoco.mjtJoint.mjJNT_FREE
-    assert "crate's walls" not in {surface.name for surface in clip.context.surfaces}
+    assert "crate's walls" not in {surface.name for surface in lifted.context.surfaces}
 
 
-@pytest.mark.slow
-def test_a_grasp_is_where_the_keyframes_have_the_site_on_the_body():
-    clip = clips.from_text(lift(), name="lift")
-    assert [grasp.name for grasp in clip.context.schedule.grasps] == ["left_hand on crate", "right_hand on crate"]
-    for grasp, y in zip(clip.context.schedule.grasps, (0.17, -0.17), strict=True):
-        assert (grasp.first, grasp.last, clip.figure.links[grasp.link].name) == (0.6, 1.5, "crate")
+def test_a_grasp_is_where_the_keyframes_have_the_site_on_the_body_and_arms_left_free_begin_there(lifted):
+    grasps = lifted.context.schedule.grasps
+    assert [grasp.name for grasp in grasps] == ["left_hand on crate", "right_hand on crate"]
+    arm = lifted.figure.model.joint("left_shoulder").qposadr[0]
+    for grasp, y in zip(grasps, (0.17, -0.17), strict=True):
+        assert (grasp.first, grasp.last, lifted.figure.links[grasp.link].name) == (0.6, 1.5, "crate")
         np.testing.assert_allclose(spot_of(grasp, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
-    (holding,) = parts(clip, "attach.grasp")
-    assert isinstance(holding, GraspPenalty) and [w for p, w in clip.penalties if p is holding] == [750]
+        for key in lifted.keys[2:4]:
+            np.testing.assert_allclose(place(lifted, key.state, grasp.point.name), [0, y, 0], atol=1e-5)
+            assert not key.fixed[arm : arm + 4].any() and key.known[arm : arm + 4].all()
+    (holding,) = parts(lifted, "attach.grasp")
+    assert isinstance(holding, GraspPenalty) and [w for p, w in lifted.penalties if p is holding] == [750]
 
 
-@pytest.mark.slow
-def test_arms_that_keyframes_leave_free_begin_where_the_hands_hold():
-    clip = clips.from_text(lift(), name="lift")
-    for key in clip.keys[2:4]:
-        for hand, y in (("left_hand", 0.17), ("right_hand", -0.17)):
-            np.testing.assert_allclose(place(clip, key.state, hand), [0, y, 0], atol=1e-5)
-        arm = clip.figure.model.joint("left_shoulder").qposadr[0]
-        assert not key.fixed[arm : arm + 4].any() and key.known[arm : arm + 4].all()
-
-
-def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach():
-    near, far = (lift().replace("[0.36, 0, 1.2]", f"[{x}, 0, 1.2]") for x in (0.36, 0.98))
+def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach(lifted):
     told = {}
-    for name, text in {"near": near, "far": far}.items():
-        clip = clips.from_text(text, name=name)
+    far = clips.from_text(lift().replace("[0.36, 0, 1.2]", "[0.98, 0, 1.2]"), name="far")
+    for name, clip in {"near": lifted, "far": far}.items():
         key, grasp = clip.keys[2], next(each for each in clip.context.schedule.grasps if each.point.name == "left_hand")
         arm = clip.figure.model.joint("left_shoulder").qposadr[0]
         assert key.known[arm : arm + 4].all() and not key.fixed[arm : arm + 4].any()
@@ -140,18 +136,14 @@ def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach():
     np.testing.assert_allclose(told["far"][1], np.array([0, 0.5, 1.0]) * told["far"][0], atol=1e-6)
 
 
-@pytest.mark.slow
-def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
-    clip = clips.from_text(lift(), name="lift")
-    own = slice(clip.figure.model.joint("crate").qposadr[0], None)
-    assert [bool(key.fixed[own].all()) for key in clip.keys] == [True, True, True, True, True]
-    np.testing.assert_array_equal(clip.keys[4].state[own], clip.keys[3].state[own])
-    stances = [
-        stance for part in parts(clip, "attach.stance") if isinstance(part, StancePenalty) for stance in part.stances
-    ]
+def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after(lifted):
+    own = slice(lifted.figure.model.joint("crate").qposadr[0], None)
+    assert all(key.fixed[own].all() for key in lifted.keys)
+    np.testing.assert_array_equal(lifted.keys[4].state[own], lifted.keys[3].state[own])
+    stances = [s for part in parts(lifted, "attach.stance") if isinstance(part, StancePenalty) for s in part.stances]
     assert {(s.first, s.last) for s in stances if s.point.name == "crate"} == {(0.0, 0.6), (1.5, 2.1)}
     late = clips.from_text(lift().replace(AT, "", 1), name="late")
-    np.testing.assert_array_equal(late.keys[0].state[own], clip.keys[0].state[own])
+    np.testing.assert_array_equal(late.keys[0].state[own], lifted.keys[0].state[own])
     assert late.keys[0].fixed[own].all()
     free = lift().replace(CRATE.format(x=0.36, z=1.2, pitch=15), 'others = "previous"')
     assert not clips.from_text(free, name="free").keys[2].fixed[own].any()
@@ -167,41 +159,30 @@ def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
         np.testing.assert_allclose(place(clip, clip.keys[2].state, hand), [0, y, 0], atol=1e-5)
 
 
-@pytest.fixture(scope="module")
-def solved():
-    clip = clips.from_text(lift(), name="lift")
-    settings = replace(clip.settings, variable=1, frames=8)
-    return clip, inbetween(replace(clip.problem, settings=settings))
-
-
 @pytest.mark.slow
-def test_the_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate(solved):
-    clip, motion = solved
-    time = np.linspace(0.6, 1.5, 200)
-    for timeline, most in ((motion.raw, None), (motion.timeline, 0.003)):
-        moved = []
-        for hand in ("left_hand", "right_hand"):
-            track = np.array([place(clip, clip.figure.to_qpos(y), hand) for y in path(timeline).at(time)])
-            moved.append(np.linalg.norm(track - track[0], axis=1).max())
-        assert max(moved) > 0.006 if most is None else max(moved) <= most
-    assert not [each for each in violations(clip, motion.timeline, motion.raw) if each.kind == "grasp"]
-    assert {each.name for each in violations(clip, motion.raw, motion.raw) if each.kind == "grasp"}
-
-
-@pytest.mark.slow
-def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_it_carries(solved):
-    clip, motion = solved
+def test_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate_and_the_report_says_so(lifted):
+    clip = lifted
+    motion = inbetween(replace(clip.problem, settings=replace(clip.settings, variable=1, frames=8)))
     timelines = motion.timeline, motion.raw
     sides: list[dict[str, Any]]
     sides = [Side.of(clip, motion.objective, timeline, motion.raw).quantities() for timeline in timelines]
-    (left, right), (raw, _) = (side["grasps"] for side in sides)
-    assert (left["hand"], right["hand"], left["body"]) == ("left_hand", "right_hand", "crate")
-    assert left["moved, m"] <= 0.003 < raw["moved, m"]
+    for timeline, side, is_raw in zip(timelines, sides, (False, True), strict=True):
+        assert [(row["hand"], row["body"]) for row in side["grasps"]] == [
+            ("left_hand", "crate"),
+            ("right_hand", "crate"),
+        ]
+        states = clip.figure.to_qpos(path(timeline).at(np.linspace(0.6, 1.5, 200)))
+        for row in side["grasps"]:
+            track = np.array([place(clip, qpos, row["hand"]) for qpos in states])
+            moved = np.linalg.norm(track - track[0], axis=1).max()
+            assert row["moved, m"] == pytest.approx(moved, abs=3e-4)
+            assert moved > 0.006 if is_raw else moved <= 0.003
+        lost = {each.name for each in violations(clip, timeline, motion.raw) if each.kind == "grasp"}
+        assert bool(lost) == is_raw
     time = np.linspace(0.0, 2.1, 60)
     found = in_carried(clip, time, motion.at(time))
     assert found["deepest"] <= 0.03 and "crate" in found["where"]
     assert sides[0]["penetration of held objects, m"]["deepest"] == pytest.approx(found["deepest"], abs=0.003)
-    assert in_carried(clips.from_text(lift(hands=()), name="none"), time, motion.at(time)) == {}
 
 
 @pytest.mark.slow
@@ -230,11 +211,6 @@ MISTAKES = {
     "backwards": (HOLD.format(hand="left", start=1, end=0.5), ["from = 1 s is not before to = 0.5 s"]),
     "outside": (HOLD.format(hand="left", start=1, end=3), ["outside the clip"]),
     "two at once": (HOLD.format(hand="left", start=0, end=1) * 2, ["grasp 2", "overlaps grasp 1", "one thing"]),
-    "no end": ('[[grasp]]\nhand = "left_hand"\nbody = "crate"\nfrom = 1\n', ["grasp 1", "'to' is missing"]),
-    "an unknown key": (HOLD.format(hand="left", start=0, end=1) + "hnad = 1\n", ["grasp 1", "key 'hnad'", "'hand'?"]),
-    "a number for a body": (
-        '[[grasp]]\nhand = "left_hand"\nbody = 3\nfrom = 0\nto = 1\n', ["grasp 1", "body must be a name in quotes"]
-    ),
     "keyframes that contradict it": (
         HOLD.format(hand="left", start=0, end=0.6), ["keyframe 2", "m from where keyframe 1 has it on the body"]
     ),
@@ -255,23 +231,16 @@ def test_every_error_is_reported_in_one_line_that_names_it(case):
         assert word in str(caught.value)
 
 
-@pytest.mark.slow
-def test_a_mirrored_clip_holds_with_the_other_hand():
-    clip = clips.from_text(lift(hands=("left",)), name="lift")
-    figure = clip.figure
-    table = mirrored_tables(table_of(clip.text, "lift"), figure, Mirror.of(figure))
-    other = clips.from_text(written(table), name="other")
-    (grasp,) = other.context.schedule.grasps
-    assert grasp.name == "right_hand on crate"
-    np.testing.assert_allclose(
-        grasp.spots[0].start, clip.context.schedule.grasps[0].spots[0].start * [1, -1, 1], atol=1e-6
-    )
-
-
-def test_several_hold_one_thing_one_after_the_other_and_at_once():
+def test_a_mirrored_clip_holds_with_the_other_hand_and_both_may_hold_one_thing():
     both = lift(hands=("left",)) + HOLD.format(hand="right", start=0.6, end=1.0)
-    grasps: tuple[Grasp, ...] = clips.from_text(both, name="both").context.schedule.grasps
-    assert [(grasp.point.name, grasp.last) for grasp in grasps] == [("left_hand", 1.5), ("right_hand", 1.0)]
+    clip = clips.from_text(both, name="both")
+    mirrored = mirrored_tables(table_of(both, "both"), clip.figure, Mirror.of(clip.figure))
+    other = clips.from_text(written(mirrored), name="other")
+    one, two = ([(each.name, each.last) for each in made.context.schedule.grasps] for made in (clip, other))
+    assert one == [("left_hand on crate", 1.5), ("right_hand on crate", 1.0)]
+    assert two == [("right_hand on crate", 1.5), ("left_hand on crate", 1.0)]
+    starts = (made.context.schedule.grasps[0].spots[0].start for made in (other, clip))
+    np.testing.assert_allclose(next(starts), next(starts) * [1, -1, 1], atol=1e-6)
 
 
 @pytest.mark.slow

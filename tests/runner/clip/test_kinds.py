@@ -76,23 +76,22 @@ def test_every_part_is_a_term_of_its_name_or_there_is_nothing_to_penalise():
     assert set(found) <= set(terms)
 
 
-def test_a_number_scales_all_parts_and_a_table_sets_some():
+def test_a_number_scales_all_parts_a_table_sets_some_and_options_alone_leave_the_defaults():
     default = weights()
     assert (default["collision.soles"], default["collision.body"]) == (30, 30)
-    twice = weights('kind = "collision"\nweight = 60\nself = true')
-    assert [twice[f"collision.{part}"] for part in ("soles", "body", "self")] == [60, 60, 60]
-    assert weights('kind = "collision"\nweight = {body = 7}') == default | {"collision.body": 7}
-    speed = weights('kind = "limits"\nweight = 3\nspeed = 300')
-    assert (speed["limits.bend"], speed["limits.speed"]) == (3, 300)
-    assert weights('kind = "attach"\nweight = 0') == {k: w for k, w in default.items() if k != "attach.stance"}
-
-
-def test_options_alone_leave_the_default_weights():
-    default = weights()
-    assert weights('kind = "collision"\nmargin = 0.01') == default
-    assert weights('kind = "limits"\nleast_bend = 4') == default
-    assert weights('kind = "torque"') == default | {"torque": 1}
-    assert weights('kind = "upright"\nbodies = ["chest"]') == default | {"upright.bodies": 30}
+    assert (default["limits.bend"], default["attach.stance"]) != (3, 0)
+    found = weights(
+        'kind = "collision"\nweight = 60\nself = true\n[[penalty]]\nkind = "limits"\nweight = 3\nspeed = 300\n'
+        '[[penalty]]\nkind = "torque"\n[[penalty]]\nkind = "attach"\nweight = 0'
+    )
+    assert [found[f"collision.{part}"] for part in ("soles", "body", "self")] == [60, 60, 60]
+    assert (found["limits.bend"], found["limits.speed"], found["torque"]) == (3, 300, 1)
+    assert "attach.stance" not in found
+    some = weights(
+        'kind = "collision"\nweight = {body = 7}\n[[penalty]]\nkind = "limits"\nleast_bend = 4\n'
+        '[[penalty]]\nkind = "upright"\nbodies = ["chest"]'
+    )
+    assert some == default | {"collision.body": 7, "upright.bodies": 30}
 
 
 @pytest.mark.parametrize(
@@ -101,27 +100,19 @@ def test_options_alone_leave_the_default_weights():
         ('kind = "limits"\nsideway = 3', "penalty 1: no key 'sideway'; did you mean 'sideways'?"),
         ('kind = "limits"\nsideways = "x"', "penalty 1: sideways must be a number, not 'x'"),
         ('kind = "limits"\nsideways = 0', "penalty 1: sideways must be above 0, not 0"),
-        ('kind = "limits"\nspeed = -1', "penalty 1: speed must be above 0, not -1"),
-        ('kind = "limits"\nrange = "hrd"', "penalty 1: range must be 'soft' or 'hard', not 'hrd'"),
         ('kind = "limits"\nweight = -1', "penalty 1: weight must be at least 0, not -1"),
-        ('kind = "limits"\nweight = {bend = -1}', "penalty 1: weight.bend must be at least 0, not -1"),
-        ('kind = "limits"\nweight = {bend = "x"}', "penalty 1: weight.bend must be a number, not 'x'"),
         ('kind = "limits"\nweight = {bnd = 1}', "penalty 1: weight: no part 'bnd'; did you mean 'bend'?"),
         ('kind = "limits"\nweight = {speed = 1}', "penalty 1: weight.speed needs speed = ... (degrees/s)"),
         ('kind = "collision"\nweight = {self = 1}', "penalty 1: weight.self needs self = ... (true or false)"),
-        ('kind = "collision"\nself = 1', "penalty 1: self must be true or false, not 1"),
         ('kind = "collision"\nself = false\nweight = {self = 1}', "penalty 1: weight.self needs self = ..."),
         ('kind = "flight"\nweight = {a = 1}', "penalty 1: weight must be a number, not a table: 'flight' is one term"),
         ('kind = "limits"\nmargin = 0', "'margin' is not for kind 'limits', which takes: weight, bend_joints, least_"),
         ('kind = "limits"\nleast = 4', "penalty 1: 'least' is called 'least_bend' in kind 'limits'"),
         ('kind = "limits"\nlimit = 4', "penalty 1: 'limit' is called 'range' or 'speed' in kind 'limits'"),
-        ('kind = "unit"\nform = "square"', "penalty 1: no key 'form'. Keys: weight"),
         ('kind = "limit"', "no penalty 'limit'; did you mean 'limits'?"),
         ('kind = "flight"\nintervals = [[0]]', "penalty 1: intervals must be a list of [from, to] in seconds"),
-        ('kind = "upright"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),
         ('kind = "upright"\nbodies = ["chets"]', "no body 'chets'"),
         ('kind = "upright"\nbodies = []', "penalty 'upright' needs bodies = [...]"),
-        ('kind = "upright"\naxis = [0, 0, 1]', "penalty 'upright' needs bodies = [...]"),
         ('kind = "upright"\nbodies = ["chest"]\naxis = [0, 0, 0]', "axis is [0, 0, 0], which points nowhere"),
         (
             'kind = "upright"\nbodies = ["chest"]\naxis = [0, 1]',
@@ -158,9 +149,6 @@ def test_an_older_kind_is_refused_with_the_table_that_replaces_it(kind):
     assert {parsed[new.options[name]] for name in before if name not in ("joints", "bodies", "points", "axis")} == {
         value for name, value in before.items() if name not in ("joints", "bodies", "points", "axis")
     }
-    if kind not in ("range", "coupled", "closed"):  # ranges that are hard need a figure with some
-        term = KINDS[new.kind].term(next(p for p in KINDS[new.kind].parts if p.name == new.part))
-        assert weights(table).get(term, kept) == kept
 
 
 def test_older_kinds_that_are_one_now_are_replaced_by_one_table():

@@ -46,14 +46,11 @@ def assert_same(found: Rotation, wanted: Rotation, tolerance: float = 1e-12) -> 
     ("entry", "wanted"),
     [
         ("{rotvec = [10, -20, 30.5]}", Rotation.from_rotvec([10, -20, 30.5], degrees=True)),
-        ("{rotvec = [0, 0, 0]}", Rotation.identity()),
         ("{rotvec = [0, 350, 0]}", Rotation.from_rotvec([0, 350, 0], degrees=True)),
         ("{euler = [0, -40, 5]}", Rotation.from_euler("XYZ", [0, -40, 5], degrees=True)),
-        ('{euler = [10, -40, 5], order = "xyz"}', Rotation.from_euler("XYZ", [10, -40, 5], degrees=True)),
         ('{euler = [10, -40, 5], order = "zyx"}', Rotation.from_euler("ZYX", [10, -40, 5], degrees=True)),
         ('{euler = [10, -40, 5], order = "zxz"}', Rotation.from_euler("ZXZ", [10, -40, 5], degrees=True)),
         ('{euler = [25], order = "y"}', Rotation.from_euler("Y", 25, degrees=True)),
-        ("{quat = [1, 2, -3, 4]}", Rotation.from_quat([1, 2, -3, 4], scalar_first=True)),
         ("{quat = [-0.1, 0, 0, 0.2]}", Rotation.from_quat([-0.1, 0, 0, 0.2], scalar_first=True)),
     ],
 )
@@ -86,16 +83,12 @@ def test_what_a_keyframe_leaves_out_is_free(tmp_path):
     assert first.is_key and third.is_key
     assert second.fixed.tolist() == [True, True, False] + 4 * [False] + 4 * [True]
     np.testing.assert_array_equal(second.state[:2], [0.1, 0])
+    text = changed("joints.left_knee = {rotvec = [0, 40, 0]}", 'joints.left_knee = "free"')
+    for free in ('root.position = "free"', 'root.position = ["free", "free", "free"]'):
+        assert loaded(tmp_path, changed('root.position = [0.1, 0, "free"]', free, text)).keys[1].is_variable
 
 
-@pytest.mark.parametrize("free", ['root.position = "free"', 'root.position = ["free", "free", "free"]', ""])
-def test_a_whole_position_or_a_joint_can_be_free(tmp_path, free):
-    text = changed('root.position = [0.1, 0, "free"]', free)
-    text = changed("joints.left_knee = {rotvec = [0, 40, 0]}", 'joints.left_knee = "free"', text)
-    assert loaded(tmp_path, text).keys[1].is_variable
-
-
-def test_hinges_are_degrees_and_slides_metres(tmp_path):
+def test_hinges_are_degrees_and_slides_metres_and_only_free_and_ball_joints_are_solved_in_the_world(tmp_path):
     text = 'figure = "hinge.xml"\n'
     for i, (swing, slide) in enumerate([(0, 0), (90, 0.25)]):
         text += f"[[keyframe]]\ntime = {i}\njoints.swing = {swing}\njoints.slide = {slide}\n"
@@ -103,9 +96,6 @@ def test_hinges_are_degrees_and_slides_metres(tmp_path):
     np.testing.assert_allclose(problem.keys[1].state, [0.25, np.pi / 2])
     assert problem.keys[1].is_key
     assert problem.figure.coordinates == "joint"
-
-
-def test_free_and_ball_joints_are_solved_in_world_coordinates_by_default(tmp_path):
     assert loaded(tmp_path).figure.is_world
     assert not loaded(tmp_path, changed("[solve]", '[solve]\ncoordinates = "joint"')).figure.is_world
 
@@ -118,34 +108,22 @@ def test_a_figure_is_found_next_to_its_clip_wherever_the_command_runs(tmp_path, 
     assert clip.load("../tiny.toml").name == "tiny"
 
 
-def test_a_shipped_clip_comes_by_its_name():
-    assert "run_and_step" in models.clips()
-    problem = clip.load("run_and_step")
-    assert problem.name == "run_and_step"
-    assert problem.figure.model.nq == 51
-    assert {point.name for point in problem.context.points} >= {"left_heel", "right_toe"}
-
-
 def by_name(problem: Clip) -> dict[str, tuple[object, float]]:
     return {penalty.name: (penalty, weight) for penalty, weight in problem.penalties}
 
 
-def test_without_penalties_in_the_file_the_defaults_are_the_papers(tmp_path):
-    found = by_name(loaded(tmp_path))
-    kinds = {type(penalty) for penalty, _ in found.values()}
-    assert {CovariantAcceleration, RootAcceleration, UnitMagnitude} < kinds
-    assert {weight for penalty, weight in found.values() if type(penalty) in (RootAcceleration, UnitMagnitude)} == {1.0}
-    assert next(p for p, _ in found.values() if isinstance(p, CovariantAcceleration)).form == "intrinsic"
-
-
-def test_a_penalty_in_the_file_changes_adds_or_takes_away_a_default(tmp_path):
+def test_without_penalties_in_the_file_the_defaults_are_the_papers_and_each_may_change(tmp_path):
+    plain = by_name(loaded(tmp_path))
+    names = {type(penalty): name for name, (penalty, _) in plain.items()}
+    covariant = plain[names[CovariantAcceleration]][0]
+    assert isinstance(covariant, CovariantAcceleration) and covariant.form == "intrinsic"
+    unit, root = names[UnitMagnitude], names[RootAcceleration]
+    assert (plain[unit][1], plain[root][1]) == (1, 1)
     entries = (
         '[[penalty]]\nkind = "unit"\nweight = 7\n[[penalty]]\nkind = "torque"\n'
         '[[penalty]]\nkind = "acceleration"\nweight = {linear = 0}\n'
     )
-    plain, told = by_name(loaded(tmp_path)), by_name(loaded(tmp_path, CLIP + entries))
-    unit = next(name for name, (penalty, _) in plain.items() if isinstance(penalty, UnitMagnitude))
-    root = next(name for name, (penalty, _) in plain.items() if isinstance(penalty, RootAcceleration))
+    told = by_name(loaded(tmp_path, CLIP + entries))
     assert told[unit][1] == 7
     assert set(told) - set(plain) == {"torque"}
     assert set(plain) - set(told) == {root}
@@ -177,7 +155,7 @@ def test_static_geoms_that_collide_with_anything_are_surfaces_and_so_is_what_the
     assert {surface.name for surface in problem.context.surfaces} == {"ground", "ball", "welded", "step"}
 
 
-@pytest.mark.parametrize("name", ["left_toe", "R_HEEL_2", "mytoes"])
+@pytest.mark.parametrize("name", ["R_HEEL_2", "mytoes"])
 def test_sites_named_heel_or_toe_are_contact_points(tmp_path, name):
     written(tmp_path)
     (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", name), encoding="utf-8")
@@ -248,24 +226,10 @@ def test_an_mjcf_with_keyframes_is_a_clip(tmp_path):
     np.testing.assert_array_equal([key.state for key in problem.keys], [[0, 0], [0.1, 0.2]])
     assert all(key.is_key for key in problem.keys)
     assert problem.fps == 30
-
-
-def test_keyframes_of_an_mjcf_keep_their_order_and_all_their_digits(tmp_path):
-    keys = (
-        '<keyframe><key name="z"/><key time="0.123456789012" qpos="0.123456789012 0"/>'
-        '<key name="a" time="1"/></keyframe>'
-    )
-    problem = clip.load(mjcf(tmp_path, keys))
-    assert [key.time for key in problem.keys] == [0, 0.123456789012, 1]
-    assert problem.keys[1].state[0] == 0.123456789012
-
-
-def test_a_zero_quaternion_in_an_mjcf_is_an_error(tmp_path):
-    path = tmp_path / "zero.xml"
-    keys = '<keyframe><key time="0" qpos="0 0 1 0 0 0 0 1 0 0 0"/><key time="1"/></keyframe></mujoco>'
-    path.write_text(FIGURE.replace("</mujoco>", keys), encoding="utf-8")
-    with pytest.raises(UserError, match=r"zero.xml: keyframe 1 .*'root' is zero"):
-        clip.load(str(path))
+    keys = '<keyframe><key name="z"/><key time="0.123456789012" qpos="0.123456789012 0"/><key time="1"/></keyframe>'
+    digits = clip.load(mjcf(tmp_path, keys))
+    assert [key.time for key in digits.keys] == [0, 0.123456789012, 1]
+    assert digits.keys[1].state[0] == 0.123456789012
 
 
 def arrays(folder: Path, **content: Any) -> Clip:
@@ -294,19 +258,15 @@ def test_keyframes_of_a_motion_file_win_over_its_samples(tmp_path):
     [
         ({"qpos": np.zeros((3, 2))}, "no array 'time'; it holds: qpos"),
         ({"time": np.arange(3.0), "qpos": np.zeros((3, 3))}, r"\(K, 2\)"),
-        ({"time": np.arange(3.0), "qpos": np.zeros(3)}, r"\(K, 2\)"),
-        ({"time": np.array(1.0), "qpos": np.array(1.0)}, r"\(K, 2\)"),
         ({"time": np.array(["a", "b"]), "qpos": np.zeros((2, 2))}, "'time' holds str"),
-        ({"time": np.arange(2.0), "qpos": np.zeros((2, 2), complex)}, "'qpos' holds complex"),
         ({"time": np.arange(2.0), "qpos": np.array([[0, 0], [0, np.nan]])}, r"keyframe 2 \(t = 1 s\)"),
-        ({"time": np.array([0, np.inf]), "qpos": np.zeros((2, 2))}, "keyframe 2"),
         ({"time": np.arange(2.0), "qpos": np.full((2, 2), 1e9)}, "keyframe 1 .* too large"),
         ({"time": np.zeros(1), "qpos": np.zeros((1, 2))}, "1 keyframe; a clip needs at least two"),
         ({"time": np.zeros(0), "qpos": np.zeros((0, 2))}, "no keyframes"),
         ({"time": np.array([0, 1.0, 1.0]), "qpos": np.zeros((3, 2))}, r"keyframe 3 .* not after keyframe 2"),
         ({"time": np.array([{}, {}], object), "qpos": np.zeros((2, 2))}, "pickled"),
     ],
-    ids=range(13),
+    ids=range(9),
 )
 def test_arrays_that_are_no_keyframes_are_refused_in_one_line(tmp_path, content, words):
     with pytest.raises(UserError, match=words) as caught:
@@ -315,13 +275,17 @@ def test_arrays_that_are_no_keyframes_are_refused_in_one_line(tmp_path, content,
     assert "\n" not in str(caught.value)
 
 
-def test_a_zero_quaternion_in_arrays_names_its_keyframe(tmp_path):
+def test_a_zero_quaternion_is_refused_with_its_keyframe(tmp_path):
     written(tmp_path)
     qpos = np.tile([0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0], (2, 1)).astype(float)
     qpos[1, 7] = 0
     np.savez(tmp_path / "keys.npz", time=np.arange(2.0), qpos=qpos)
     with pytest.raises(UserError, match=r"keyframe 2 .*'left_knee' is zero"):
         clip.load("", model=str(tmp_path / "tiny.xml"), keys=str(tmp_path / "keys.npz"))
+    keys = '<keyframe><key time="0" qpos="0 0 1 0 0 0 0 1 0 0 0"/><key time="1"/></keyframe></mujoco>'
+    (tmp_path / "zero.xml").write_text(FIGURE.replace("</mujoco>", keys), encoding="utf-8")
+    with pytest.raises(UserError, match=r"zero.xml: keyframe 1 .*'root' is zero"):
+        clip.load(str(tmp_path / "zero.xml"))
 
 
 OTHERS = """
@@ -338,28 +302,19 @@ joints.left_knee = {rotvec = [0, 30, 0]}
 """
 
 
-def test_others_at_rest_fixes_what_the_keyframe_leaves_out():
+def test_others_are_at_rest_or_as_in_the_keyframe_before():
     problem = clip.from_text(OTHERS, name="others")
-    first = problem.keys[0]
-    hip = problem.figure.model.joint("left_hip").qposadr[0]
+    first, second = problem.keys
+    hip, knee = (problem.figure.model.joint(f"left_{name}").qposadr[0] for name in ("hip", "knee"))
     np.testing.assert_array_equal(first.state, problem.figure.model.qpos0)
     assert not first.fixed[hip : hip + 4].any()
     assert first.fixed.sum() == problem.figure.width - 4
-
-
-def test_others_held_takes_what_the_keyframe_before_says():
-    problem = clip.from_text(OTHERS, name="others")
-    first, second = problem.keys
-    knee = problem.figure.model.joint("left_knee").qposadr[0]
     changed = np.zeros(problem.figure.width, bool)
     changed[[0, knee, knee + 2]] = True
     np.testing.assert_array_equal(first.state[~changed], second.state[~changed])
     assert second.state[0] == 1
     assert not second.fixed[1]
     np.testing.assert_array_equal(np.delete(first.fixed, 1), np.delete(second.fixed, 1))
-
-
-def test_the_first_keyframe_has_no_previous_one():
     with pytest.raises(UserError, match=r"keyframe 1 \(t = 0 s\).*previous"):
         clip.from_text(OTHERS.replace('"rest"', '"previous"'), name="others")
 
@@ -376,19 +331,8 @@ def test_joints_without_names_of_their_own_go_by_their_bodys_and_a_number(tmp_pa
         clip.from_text('figure = "two.xml"\n' + keys.replace("a_1", "a"), name="two", folder=tmp_path)
 
 
-HOVER = """
-[[keyframe]]
-time = 0
-root.position = [0, 0, 1]
-root.rotation = {rotvec = [0, 0, 0]}
-joints.left_knee = {rotvec = [0, 0, 0]}
-
-[[keyframe]]
-time = 0.4
-root.position = [0, 0, 1]
-root.rotation = {rotvec = [0, 0, 0]}
-joints.left_knee = {rotvec = [0, 0, 0]}
-"""
+STILL = "root.position = [0, 0, 1]\nroot.rotation = {rotvec = [0, 0, 0]}\njoints.left_knee = {rotvec = [0, 0, 0]}\n"
+HOVER = f"[[keyframe]]\ntime = 0\n{STILL}[[keyframe]]\ntime = 0.4\n{STILL}"
 
 
 def hovering(tmp_path, penalties: str = "") -> Clip:
@@ -439,7 +383,6 @@ def test_an_optimiser_that_does_nothing_with_so_many_unknowns_is_reported():
     standing = 'figure = "human"\n' + "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in range(5))
     dense = clip.from_text(standing + '[solve]\nends = "free"\noptimiser = "slsqp"', name="dense")
     assert "optimiser 'slsqp' is dense: with some 612 unknowns, over 300" in dense.notes[-1]
-    assert not clip.from_text(standing + '[solve]\nends = "free"\noptimiser = "lbfgs"', name="sparse").notes
 
 
 LYING = """<mujoco><compiler angle="degree"/><worldbody>

@@ -15,14 +15,10 @@ def notes(keyframes: list[tuple[float, float, float]], more: str = "") -> list[s
     return [note for note in clips.from_text(text + more, name="steps").notes if "steps" in note]
 
 
-@pytest.mark.parametrize("distance", [0.5, -0.8, 2.0])
-def test_a_figure_that_moves_on_both_feet_has_one(distance):
-    (note,) = notes([(0, 0, 0), (0.5, 0, 0), (1.1, distance, 0), (1.6, distance, 0)])
+def test_figures_that_move_on_both_feet_have_one_about_the_longest_way():
+    (note,) = notes([(0, 0, 0), (0.5, 0, 0), (1.1, -0.8, 0), (1.6, -0.8, 0)])
     assert note.startswith("keyframes 2 and 3, 0.6 s apart, form no gait cycle")
-    assert f"every foot moves {abs(distance):.2g} m;" in note
-
-
-def test_several_pairs_of_keyframes_have_one_note_about_the_longest_way():
+    assert "every foot moves 0.8 m;" in note
     (note,) = notes([(0, 0, 0), (0.6, 0.5, 0), (1.4, 1.3, 0)])
     assert note.startswith("keyframes 2 and 3")
     assert "0.8 m, as for 1 more pair of keyframes;" in note

