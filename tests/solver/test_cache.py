@@ -53,7 +53,7 @@ def test_an_exception_is_no_answer():
     assert some.get("a", lambda: 7) == 7
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=25)
 @given(VALUES, VALUES, st.sampled_from("ab"), st.sampled_from("ab"))
 def test_content_is_the_same_where_every_bit_is(a, b, one, other):
     are_alike = a.tobytes() == b.tobytes() and one == other
@@ -127,7 +127,7 @@ sites.left_hand = [0.2, 0.3, {}]
 
 @pytest.mark.slow
 def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_what_the_text_alone_does(monkeypatch):
-    places = "".join(REACH.format(time, height) for time, height in enumerate((1.1, 1.2, 1.3, 1.4)))
+    places = "".join(REACH.format(time, height) for time, height in enumerate((1.1, 1.2, 1.4)))
     clip = load.from_text(f'figure = "human"\n{places}', name="reach")
     text = clip.text.replace("0.3, 1.4]", "0.3, 1.39]", 1)
     assert text != clip.text

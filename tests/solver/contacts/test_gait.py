@@ -11,9 +11,7 @@ from dynsplines.clip.constraints import chosen, constraints
 from dynsplines.clip.context import Context
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.contacts.gait import NOISE, PoseProcess
 from dynsplines.solver.contacts.gait_period import SLIP, Gait
-from dynsplines.solver.contacts.pose_vectors import PoseVectors
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -152,24 +150,3 @@ def test_where_the_cycle_is_not_told_it_asks_for_nothing():
     values = Cycle(FIGURE, late).evaluate(Samples(FIGURE, y, 0 * y, 0 * y, t=t))
     assert values[0] == values[-1] == 0
     assert np.all(values[1:3] > 0)
-
-
-@pytest.fixture(scope="module")
-def process() -> PoseProcess:
-    poses = PoseVectors.of(FIGURE, gait(WALK, 0.42).keys)
-    assert poses is not None and poses.sides == 2
-    return PoseProcess(poses)
-
-
-def test_what_is_predicted_is_the_regression_of_a_gaussian_process(process):
-    at = np.linspace(0.0, 3.4, 25)
-    rows, whole, across = process.poses.rows, process._across(PERIOD), process._across(PERIOD, at)
-    whole += NOISE * np.eye(len(whole))
-    mean, variance = process.predicted(PERIOD, at)
-    np.testing.assert_allclose(mean, across @ np.linalg.solve(whole, rows), atol=1e-9)
-    size = np.mean(np.einsum("nd,nd->d", rows, np.linalg.solve(whole, rows))) / len(rows)
-    left = 1 - np.einsum("tn,nt->t", across, np.linalg.solve(whole, across.T))
-    np.testing.assert_allclose(variance, np.maximum(left, 0) * size, atol=1e-9)
-    here, sure = process.predicted(PERIOD, process.poses.times)
-    np.testing.assert_allclose(here, rows[: process.poses.times.size], atol=0.02)  # but for the noise
-    assert sure.max() < variance.max() / 5

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
+from gaits import FIGURE, GROUND, PERIOD, SOLES, WALK, gait
 
 from dynsplines.solver.contacts.gait import PoseProcess
 from dynsplines.solver.contacts.gait_period import Gait
@@ -19,18 +19,12 @@ from dynsplines.solver.surface import Plane
 def test_bodies_of_one_dynamic_similarity_have_strides_of_one_shape():
     """Faster and larger by the law v² ~ g h: the same period in units of √(h / g), so the same relative stride."""
     one = gait(WALK, 0.42)
-    period, hips, speed = one.usual_period, one._hips, one._travel
-    relative = speed * period / hips
-    assert relative == pytest.approx(2.3 * (speed**2 / (9.81 * hips)) ** 0.3, rel=1e-9)
-    assert speed == pytest.approx((WALK[-1, 0] - WALK[0, 0]) / (TIME[-1] - TIME[0]), rel=1e-3)
-    assert hips == pytest.approx(0.95, abs=0.1)  # of the human, slightly bent
     slower = raw_timeline(
         FIGURE,
         [Frame.key(2 * f.time, q) for f, q in zip(one.keys.frames, FIGURE.to_qpos(one.keys.states), strict=True)],
     )
     half = Gait(FIGURE, slower, SOLES, GROUND)
-    assert half._travel == pytest.approx(speed / 2)
-    assert half.usual_period == pytest.approx(period * 2 ** (1 - 2 * 0.3))
+    assert half.usual_period == pytest.approx(one.usual_period * 2 ** (1 - 2 * 0.3))
 
 
 def test_candidates_come_likeliest_first_between_the_periods_asked_for_and_above_the_least():

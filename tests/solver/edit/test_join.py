@@ -14,7 +14,6 @@ from figures import BALL_TREE, TINY, figure_of
 from hopping_loop import TERMS, hop
 from oracles import posed
 from random_keys import random_keys, random_qpos
-from scipy.interpolate import BPoly
 from taylor import taylor_slope
 
 from dynsplines.scene.compose import figure_spec
@@ -195,21 +194,3 @@ def test_a_transition_that_is_none_is_refused(rng):
     begin = bridge(figure, before, after)
     with pytest.raises(TimelineError, match="held ends need a variable frame next to each end"):
         Timeline(begin.frames[:1] + begin.frames[-1:], begin.end_slope, "held")
-
-
-@pytest.mark.parametrize("variable", [4, 11])
-def test_a_transition_begins_and_ends_as_the_motions_do_and_its_frames_next_to_the_ends_are_all_that_is_off_the_quintic(
-    variable, rng
-):
-    figure = figure_of(TINY)
-    before, after = sides(figure, rng)
-    between = bridge(figure, before, after, variable=variable)
-    first, last = before.times[-1], after.times[0]
-    assert between.variable_count == variable
-    np.testing.assert_allclose(between.times, np.linspace(first, last, variable + 2))
-    begin, end = path_of(before).motion(np.array([first]))[:, 0], path_of(after).motion(np.array([last]))[:, 0]
-    np.testing.assert_allclose(path_of(between).motion(np.array([first]))[:, 0], begin, atol=1e-8)
-    np.testing.assert_allclose(path_of(between).motion(np.array([last]))[:, 0], end, atol=1e-8)
-    exact = BPoly.from_derivatives([first, last], [begin, end])(between.times)
-    inner = np.r_[0, 2:variable, variable + 1]
-    np.testing.assert_allclose(between.states[inner], exact[inner], atol=1e-9)

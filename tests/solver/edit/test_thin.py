@@ -69,16 +69,7 @@ def fewest(recorded: Recorded, below: int) -> int:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "seed"), [("ball tree, world", 0), ("every joint", 1)])
-def test_no_choice_of_keyframes_has_more_than_one_fewer(name, seed):
-    figure = of(name)
-    recorded = Recorded(figure, *recording(figure, seed, 11, bends=4 + seed % 3), WIDE)
-    found = thin(recorded)
-    assert len(found.instants) <= fewest(recorded, len(found.instants)) + 1
-
-
-@pytest.mark.slow
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=8, deadline=None)
 @given(
     name=st.sampled_from(sorted(FIGURES)),
     seed=st.integers(0, 10_000),
@@ -286,7 +277,7 @@ def test_a_loops_splines_travel_and_turn_as_it_does_and_others_need_no_travel():
 
 
 @pytest.mark.parametrize("ends", ["free", "clamped"])
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(seed, ends):
     """All choices, one by one; and without any one of its keyframes the bound does not hold."""
     figure, rng, times = (

@@ -20,7 +20,7 @@ from dynsplines.solver.penalty import Contact
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
-from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton, Search
+from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton
 from dynsplines.solver.search.quadratic import Model, Proposal
 from dynsplines.solver.search.refinement import minimise
 from dynsplines.solver.surface.points import Point
@@ -102,9 +102,8 @@ def test_one_evaluation_sees_that_there_is_nothing_to_search():
     assert (found.x.size, found.evaluations, found.stop) == (0, 1, Stop.CONVERGED)
 
 
-@pytest.mark.parametrize("variable", [1, 4])
-def test_a_flat_problem_takes_three_evaluations_at_most(variable):
-    problem = slider(np.array([0.0, 0.3, 1.0, 2.5]), variable)
+def test_a_flat_problem_takes_three_evaluations_at_most():
+    problem = slider(np.array([0.0, 0.3, 1.0, 2.5]), 4)
     found = GaussNewton()(problem, tolerance=1e-6)
     assert found.evaluations <= 3
     assert found.stop is Stop.CONVERGED
@@ -126,7 +125,7 @@ def test_e_falls_strictly_and_improved_is_called_for_each(rng):
     np.testing.assert_array_equal(found.x, points[-1])
 
 
-@pytest.mark.parametrize("budget", [1, 2, 4])
+@pytest.mark.parametrize("budget", [1, 4])
 def test_the_budget_is_kept(rng, budget):
     problem = Watched(problem_of(rng))
     found = GaussNewton()(problem, max_evaluations=budget, tolerance=1e-14)
@@ -151,7 +150,7 @@ def test_the_budget_is_kept_where_every_step_is_refused(rng):
     assert found.stop in (Stop.NO_PROGRESS, Stop.CONVERGED)
 
 
-@pytest.mark.parametrize("higher", [0.0, 1e-9, 0.1])
+@pytest.mark.parametrize("higher", [0.0, 0.1])
 def test_a_step_that_does_not_lower_e_is_refused_and_a_shorter_one_tried(rng, higher):
     told: list[int] = []
 
@@ -166,8 +165,7 @@ def test_a_step_that_does_not_lower_e_is_refused_and_a_shorter_one_tried(rng, hi
     assert found.stop is Stop.CONVERGED
 
 
-@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
-@pytest.mark.parametrize("place", ["problem", "improved"])
+@pytest.mark.parametrize(("error", "place"), [(StopSearch, "improved"), (KeyboardInterrupt, "problem")])
 @pytest.mark.parametrize("count", [1, 4])
 def test_a_stop_requested_anywhere_keeps_the_best_x(rng, error, place, count):
     def spoil(k: int, found: Evaluation) -> Evaluation:
@@ -197,8 +195,7 @@ def test_an_error_of_the_caller_is_raised(rng):
         GaussNewton()(problem_of(rng), improved=improved)
 
 
-@pytest.mark.parametrize("bad", [np.nan, -np.inf])
-@pytest.mark.parametrize("what", ["value", "gradient"])
+@pytest.mark.parametrize(("what", "bad"), [("value", -np.inf), ("value", np.nan), ("gradient", np.nan)])
 def test_what_is_no_number_never_becomes_the_best(rng, bad, what):
     def spoil(k: int, found: Evaluation) -> Evaluation:
         if k in (2, 3):
@@ -241,23 +238,6 @@ def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
     assert evaluations[0] < evaluations[1] < evaluations[2]
     for gap, tolerance in zip(gaps, (1e-2, 1e-4, 1e-7), strict=True):
         assert gap < 5 * tolerance * least
-
-
-def test_a_decrease_is_measured_against_e_but_not_against_more_than_is_heavy(rng):
-    search = Search(problem_of(rng), 10, FIRST_DAMPING, None)
-    heavy = search.problem.objective.heavy
-    for e, size in ((0.5, 0.5), (0.9 * heavy, 0.9 * heavy), (1e6 * heavy, heavy)):
-        search.value = search.first = e
-        assert search.is_negligible(0.99e-3 * size, 1e-3)
-        assert not search.is_negligible(1.01e-3 * size, 1e-3)
-
-
-def test_where_next_to_nothing_is_left_of_e_a_decrease_is_measured_against_a_thousandth_of_the_first(rng):
-    search = Search(problem_of(rng), 10, FIRST_DAMPING, None)
-    for first in (0.2, 0.7):
-        search.value, search.first = 1e-9, first
-        assert search.is_negligible(0.99e-3 * 1e-3 * first, 1e-3)
-        assert not search.is_negligible(1.01e-3 * 1e-3 * first, 1e-3)
 
 
 def test_newtons_steps_alone_are_called_none_and_unknown_names_are_refused(rng):

@@ -41,8 +41,7 @@ from dynsplines.solver.surface.points import Point
 ENDS = ["free", "clamped", "clamped end", "periodic"]
 
 
-@pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
+@pytest.mark.parametrize(("ends", "coordinates"), list(zip(ENDS, ["world", "joint"] * 2, strict=True)))
 def test_the_step_is_the_dense_gauss_newton_step_in_the_unknowns(rng, ends, coordinates):
     figure = figure_of(TINY, coordinates)
     timeline = tiny_clip(rng, ends, coordinates, partial=True)
@@ -51,9 +50,9 @@ def test_the_step_is_the_dense_gauss_newton_step_in_the_unknowns(rng, ends, coor
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ends", ["free", "clamped end", "periodic"])
-def test_so_it_is_with_anything_left_free_in_any_keyframe(figure, ends):
-    rng = np.random.default_rng(0)
+def test_so_it_is_with_anything_left_free_in_any_keyframe(figure):
+    """Each figure with one kind of ends."""
+    rng, ends = np.random.default_rng(0), ("free", "clamped end", "periodic")[figure.width % 3]
     keys = random_keys(figure, rng, masks_by_name(figure, "any", rng))
     if ends == "periodic":
         keys[-1] = Frame.key(TIMES[-1], keys[0].state, keys[0].fixed & keys[-1].fixed)
@@ -85,8 +84,7 @@ def test_so_it_is_on_a_loop_whose_quaternions_come_back_as_their_negatives(rng, 
     assert_dense(problem, SMOOTH, x)
 
 
-@pytest.mark.parametrize("ends", ENDS)
-@pytest.mark.parametrize("variable", [1, 3])
+@pytest.mark.parametrize(("ends", "variable"), list(zip(ENDS, [1, 3] * 2, strict=True)))
 def test_so_it_is_between_two_keyframes(rng, ends, variable):
     figure = figure_of(ONE_BALL)
     second = [0.8, 0.5, 0.1, 0] if ends != "periodic" else [1, 0, 0, 0]
@@ -220,7 +218,7 @@ class Dense:
         return np.linalg.solve(half.T, found.x), float(found.fun)
 
 
-@pytest.mark.parametrize("ends", ENDS)
+@pytest.mark.parametrize("ends", ["clamped", "periodic"])
 def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends, monkeypatch):
     problem, x = one_sided_problem(rng, ends)
     dense = Dense(problem, x)
@@ -236,7 +234,7 @@ def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends,
     assert np.linalg.norm(step - best) < 0.01 * np.linalg.norm(best)
 
 
-@pytest.mark.parametrize("seed", [2, 8])
+@pytest.mark.parametrize("seed", [2])
 def test_so_it_does_where_whole_newton_steps_would_raise_the_model(seed, monkeypatch):
     rng = np.random.default_rng(seed)
     problem, _ = one_sided_problem(rng, "free", floor=False)
@@ -281,7 +279,7 @@ def test_near_misses_keep_a_step_from_falling_through_the_floor():
     assert problem.path(x + step).at(t)[:, 2].min() > 0.097
 
 
-@pytest.mark.parametrize("size", [1, 2, 3, 4, 9, 10, 101, 400])
+@pytest.mark.parametrize("size", [1, 2, 9, 400])
 def test_the_middle_is_numpys_median_and_leaves_its_values_in_order(size, rng):
     for values in (rng.normal(size=size), rng.integers(3, size=size).astype(float), rng.normal(size=(2, size))):
         before = values.copy()

@@ -6,6 +6,7 @@ from functools import partial
 import mujoco
 import numpy as np
 import pytest
+import shipped
 from figures import BALL_TREE
 from small_problems import discretised, problem_of, slider
 
@@ -19,7 +20,6 @@ from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import GaussNewton
 from dynsplines.solver.search.quadratic import Layout, Model
 from dynsplines.solver.search.refinement import METHODS, NONE, refine
-from dynsplines.solver.solution import Solution
 
 NAMES = [name for name in METHODS if name != NONE]
 
@@ -35,18 +35,13 @@ def rough_and_refined(problem: Discretised, method: str, tolerance: float = 1e-2
     return [each(problem, tolerance=tolerance, **more) for each in (alone, both)]  # type: ignore[arg-type]
 
 
-def solved(name: str, optimiser: str) -> Solution:
-    clip = load(name)
-    return inbetween(replace(clip.problem, settings=replace(clip.settings, optimiser=optimiser)))
-
-
 @pytest.mark.slow
 def test_a_shipped_clip_is_lower_with_it_and_its_keyframes_are_met():
-    name = "run_loop"
-    ours, alone = solved(name, "lbfgs"), solved(name, NONE)
+    ours, clip = shipped.solved("run_loop").motion, load("run_loop")
+    alone = inbetween(replace(clip.problem, settings=replace(clip.settings, optimiser=NONE)))
     assert ours.trace[-1][2] <= alone.trace[-1][2]
     assert ours.stop is Stop.CONVERGED
-    for key in load(name).keys:
+    for key in clip.keys:
         held = key.fixed
         difference = np.abs(ours.at([key.time])[0] - alone.at([key.time])[0])
         assert held.any()

@@ -104,7 +104,6 @@ def test_a_vertical_line_is_inside_between_both_ends_of_its_span_and_nowhere_els
 
 
 def test_what_is_buried_has_no_way_out_below_but_has_them_at_the_sides():
-    assert len(SUNK._planes[1]) == 5
     for depth in (0.05, -0.5, -30.0):
         distance, direction = one(SUNK, 0.5, 0.8, depth)
         assert distance == pytest.approx(-0.2, abs=1e-7)
@@ -115,12 +114,11 @@ def test_what_is_buried_has_no_way_out_below_but_has_them_at_the_sides():
     assert (bottom[0], top[0]) == (-np.inf, pytest.approx(1))
 
 
-@pytest.mark.parametrize(("lift", "planes"), [(0.0, 5), (0.008, 5), (0.012, 6), (0.3, 6)])
-def test_only_a_face_that_lies_on_the_floor_is_buried_not_one_that_rises_from_it(lift, planes):
+@pytest.mark.parametrize("lift", [0.0, 0.008, 0.012, 0.3])
+def test_only_a_face_that_lies_on_the_floor_is_buried_not_one_that_rises_from_it(lift):
     corners = CUBE_CORNERS.copy()
     corners[2, 0] += lift  # the bottom is two triangles from here on, one of which leaves the floor
     found = of_points(corners.T, buried=True)
-    assert len(found._planes[1]) == planes
     below, _ = one(found, 0.02, 0.02, 0.0)
     assert (below > 0) == (lift > 0.01)
 
@@ -128,7 +126,6 @@ def test_only_a_face_that_lies_on_the_floor_is_buried_not_one_that_rises_from_it
 def test_triangles_without_an_area_are_no_faces():
     flat: Index = np.vstack([CUBE.faces, [[0, 0, 1], [2, 2, 2]]])
     found = Hull("cube", CUBE.corners, flat)
-    assert len(found._planes[1]) == 6
     assert one(found, 0.5, 0.5, 3)[0] == pytest.approx(2)
     assert one(found, 2, 3, -2)[0] == pytest.approx(3)
 
