@@ -13,9 +13,11 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from types import FunctionType
+from typing import Any
 
 import griffe
 import pytest
@@ -24,6 +26,8 @@ from sybil import Example, Sybil
 from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser
 
 from dynsplines import cli
+from dynsplines.motion import Saved
+from dynsplines.picture import show
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs").glob("*.md"))
@@ -40,14 +44,12 @@ def compare_output(example: Example) -> str | None:
 
 
 def run_commands(example: Example) -> None:
-    """Run a block of shell and print violations, and all output of `clean` and grep. Videos are rendered small."""
+    """Run a block of shell and print violations, and all output of `clean` and grep."""
     for line in str(example.parsed).strip().splitlines():
         name, *words = shlex.split(line)
         if name != "dynsplines":
             print(other_command(name, words))
             continue
-        if words[0] == "render":
-            words += ["--size", "96x54", "--fps", "4"]  # of several the last one counts
         output = io.StringIO()
         with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(output):
             patch.setattr(sys, "argv", ["dynsplines", *words])
@@ -67,6 +69,11 @@ def other_command(name: str, words: list[str]) -> str:
         pytest.skip(f"no package index: {done.stderr.strip().splitlines()[-1]}")
     assert not done.returncode, done.stderr
     return done.stdout if name == "grep" else ""
+
+
+def draw_small(draw: Callable[..., None], saved: Saved, look: show.Look, *more: Any) -> None:
+    """Draw one small frame a second."""
+    draw(saved, dataclasses.replace(look, width=32, height=18, fps=1.0), *more)
 
 
 def write_file(example: Example) -> None:
@@ -91,6 +98,7 @@ SYBIL = Sybil(
 def test_the_blocks_of_a_page_run(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     shipped.share(monkeypatch)
+    monkeypatch.setattr(show, "draw", partial(draw_small, show.draw))
     document = SYBIL.parse(page)
     ran = 0
     for example in document.examples():
