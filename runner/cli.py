@@ -37,7 +37,6 @@ class _Lazy:
 if TYPE_CHECKING:
     from . import batch as batches
     from . import inputs, motion
-    from .batch import recordings
     from .clean import command as clean_command
     from .clean import rest_pose_trim
     from .clip import kinds, starter
@@ -55,7 +54,7 @@ else:
         return [_Lazy(f"{package}.{name}") for name in names.split()]
 
     inputs, motion, terminal = _lazy("", "inputs motion system.progress")
-    batches, recordings, kinds, starter = _lazy("", "batch batch.recordings clip.kinds clip.starter")
+    batches, kinds, starter = _lazy("", "batch clip.kinds clip.starter")
     files, thin_files = _lazy(".edit", "files thin_files")
     clean_command, rest_pose_trim = _lazy(".clean", "command rest_pose_trim")
     formats, motion_import, quantities, trajectory, maps = _lazy(
@@ -529,21 +528,11 @@ def batch(
 ) -> None:
     """Solve many clips in parallel.
     It uses all cores or a Dask cluster. To resume an interrupted batch, repeat the command."""
-    cleaning = recordings.cleaning_source(
+    cleaning = option.cleaning_source(
         clean=clean_all, robot=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, max_displacement=within
     )
-    options = batches.Options(
-        listed,
-        workers,
-        scheduler,
-        to,
-        fps,
-        batches.Limits(limit_time, limit_memory),
-        measure,
-        retry_failed,
-        cleaning,
-        within,
-    )
+    limits = batches.Limits(limit_time, limit_memory)
+    options = batches.Options(listed, workers, scheduler, to, fps, limits, measure, retry_failed, cleaning, within)
     with terminal.Progress() as progress:
         tally = batches.run(clips or [], output, progress, options)
     if tally.failed:

@@ -6,12 +6,16 @@ Annotations are objects, because typer evaluates annotations in text slowly. Mod
 import math
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from .errors import UserError, unknown
 from .picture import graphics
 from .scene import file_access
+
+if TYPE_CHECKING:
+    from .clean.command import Source as Cleaning
 
 
 def flag(*words: str, **more: Any) -> Any:
@@ -86,6 +90,46 @@ def _prepare(context: typer.Context, allow: bool) -> bool:
     if context.command.name != "render":
         graphics.do_without()
     return allow
+
+
+def cleaning_source(
+    *,
+    clean: bool,
+    robot: str | None,
+    figure: str | None,
+    map_file: Path | None,
+    kind: str | None,
+    scene: Path | None,
+    max_displacement: float | None,
+) -> "Cleaning | None":
+    """Return the recording to clean, but for its file; None for clips. Raises UserError for contradicting options."""
+    from dynsplines import models
+
+    from .clean.command import Source  # on first use, as above
+    from .exchange.skeleton.maps import map_of
+
+    if clean and robot is not None:
+        raise UserError("--clean and --retarget: give one of them; --retarget also cleans")
+    files = {"--scene": scene, "--map": map_file}
+    more = {"--figure": figure, "--map": map_file, "--from": kind, "--scene": scene}
+    options = [name for name, value in (more | {"--max-displacement": max_displacement}).items() if value is not None]
+    if not clean and robot is None:
+        if options:
+            raise UserError(f"{' and '.join(options)}: of recordings; give --clean or --retarget MODEL, too")
+        return None
+    if robot is not None and figure is not None:
+        raise UserError(f"--figure {figure}: the figure is the one to --retarget to, '{robot}'")
+    files["--map"] = map_of(map_file)
+    if clean and map_file is not None:
+        raise UserError("--map: a bone map is used for retargeting only; add --retarget MODEL")
+    model = robot if robot is not None else figure
+    if model is not None and model not in models.figures() and not Path(model).is_file():
+        raise UserError(f"no file '{model}'" if Path(model).suffix else unknown("figure", model, models.figures()))
+    for word, place in files.items():
+        if place is not None and not place.is_file():
+            raise UserError(f"{word}: no file '{place}'")
+    is_retargeted = robot is not None
+    return Source(Path(), model, kind, scene=scene, map=files["--map"], avoids_self_collision=is_retargeted)
 
 
 Part = StrEnum("Part", ["before", "after", "keys"])

@@ -1,12 +1,11 @@
 """Batches: thousands of clips, solved by processes of this machine or by the workers of a Dask cluster.
 
 inputs      the clips that a command names, and the files that each needs
-task        a clip as it is sent to a worker, the options and limits of the batch, and the outcome
+task        a clip as it is sent to a worker, the options of the batch, and the outcome
 manifest    the state of every clip, in a file that survives the end of the program
 solving     the work on a clip: its files in, the files of its motion out
 worker      worker processes with limits, and those of this machine as an executor
 cluster     the workers of a Dask cluster, as an executor
-recordings  the options of batches of recordings
 dispatch    the assignment of clips to workers
 tally       the results of a batch at its end
 """
@@ -24,7 +23,6 @@ if TYPE_CHECKING:
     from .tally import Tally
 
 __all__ = ["Limits", "Options", "run"]
-PACKAGES = ("psutil", "distributed", "dask")
 
 
 def run(words: list[str], folder: Path, progress: Progress, options: Options) -> Tally:
@@ -35,7 +33,7 @@ def run(words: list[str], folder: Path, progress: Progress, options: Options) ->
         if options.scheduler is not None:
             from . import cluster  # noqa: F401
     except ModuleNotFoundError as error:
-        if error.name not in PACKAGES:
+        if error.name not in ("psutil", "distributed", "dask"):
             raise
         raise missing_package("dynsplines batch", error.name, "batch") from None
     tally = dispatch.run(words, folder, options, progress)

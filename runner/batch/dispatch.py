@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from asyncio import CancelledError
 from collections import Counter, deque
-from collections.abc import Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import fields, replace
 from pathlib import Path, PurePosixPath
@@ -59,7 +58,7 @@ def run(
                     batch.solve(workers)
         finally:
             batch.manifest.close()
-        return Tally(tuple(batch.manifest.entries[name] for name in names), batch.solved)
+        return Tally(tuple(batch.manifest.entries[name] for name in names), batch.ended["done"])
 
 
 class Batch:
@@ -72,47 +71,46 @@ class Batch:
         self.waiting: deque[tuple[str, Source]] = deque()
         self.running: dict[Future[Outcome], tuple[str, Source]] = {}
         self.tries: Counter[str] = Counter()
-        self.written: dict[str, str] = {}
-        self.solved = self.failed = self.total = 0
-        self.begin = time.monotonic()
+        self.ended: Counter[str] = Counter()  # the number of clips of this run by their state
+        self.written: dict[str, str] = {}  # hashes of files by name
+        self.total, self.begin = 0, time.monotonic()
 
     def plan(self, sources: list[Source]) -> list[str]:
         """Queue every clip that is new, changed, not done, or whose output is missing; return all names."""
         entries, names = self.manifest.entries, []
         clip_of = {entry.source: entry.clip for entry in entries.values()}
         new_sources = [source for source in sources if source.place(self.folder) not in clip_of]
-        clip_of |= {
-            source.place(self.folder): str(source.name) for source in with_unique_names(new_sources, entries.keys())
-        }
-        changed = []
+        named = with_unique_names(new_sources, entries.keys())
+        clip_of |= {source.place(self.folder): str(source.name) for source in named}
+        queued = []
         for number, source in enumerate(sources, 1):
             if number % READING_EVERY == 0:
                 self.progress.step("reading", number / len(sources), f"{number} of {len(sources)} clips")
             place = source.place(self.folder)
-            name = clip_of[place]
-            names.append(name)
+            names.append(name := clip_of[place])
             try:
                 digest = self.options.digest(files_of(source, self.figures, self.options.cleaning))
             except (OSError, UserError):  # reported when it is the clip's turn
                 digest = ""
-            before = entries.get(name) or Entry(clip=name, source=place)
-            is_same = before.input == digest and name in entries
-            if is_same and before.state != "failed" and before.is_intact(self.folder):
-                changed += [replace(before, state="done")] * (before.state != "done")  # the last line was not written
-            elif not is_same or not self._is_final(before):
-                attempts = before.attempts if is_same else 0
-                changed.append(Entry(clip=name, source=place, input=digest, attempts=attempts))
+            before = entries.get(name)
+            if before is not None and before.input != digest:
+                before = None
+            if before is None or not self._is_final(before):
+                attempts = 0 if before is None else before.attempts
+                queued.append(Entry(clip=name, source=place, input=digest, attempts=attempts))
                 self.waiting.append((name, source))
-        if changed:
-            self.manifest.record(changed)
+        if queued:
+            self.manifest.record(queued)
         self.total = len(self.waiting)
         done = (entry for entry in entries.values() if entry.state == "done")
         self.written = {name: value for entry in done for name, value in entry.hashes.items()}
         return names
 
     def _is_final(self, before: Entry) -> bool:
-        """Return whether a failed clip would fail again: not if its process was lost, or its limit has changed."""
-        if before.state != "failed" or before.cause == "lost" or self.options.retry_failed:
+        """Return whether a clip is done, or would fail again: not if its process was lost, or its limit has changed."""
+        if before.state != "failed":
+            return before.state == "done" and before.is_intact(self.folder)
+        if before.cause == "lost" or self.options.retry_failed:
             return False
         if before.cause == "time":
             return before.bound == self.options.limits.seconds
@@ -158,51 +156,48 @@ class Batch:
         self.running[workers.submit(self.solve_task, task, options.limits)] = name, source
         digest = options.digest(files)  # the clip may have changed since it was queued
         begun = replace(entry, input=digest, state="running", attempts=entry.attempts + 1)
-        self.manifest.record([begun], firmly=False)
+        self.manifest.record([begun])
 
     def _finish(self, name: str, outcome: Outcome) -> None:
-        """Write the files of a solved clip, and record its state. The manifest contains the hashes before the files are
-        written. If the program is killed in between, the next run recognises the files."""
+        """Write the files of a solved clip, and record its state."""
         above = PurePosixPath(name).parent
         files = {(above / name).as_posix(): content for name, content in outcome.files.items()}
+        hashes = {path: digest_of(content) for path, content in files.items()}
         try:
-            self._check(files)
+            self._check(list(hashes.items())[1:])
         except UserError as error:
-            files, outcome = {}, replace(outcome, files={}, cause="error", error=one_line(error))
-        hashes = {name: digest_of(content) for name, content in files.items()}
+            files, hashes, outcome = {}, {}, replace(outcome, cause="error", error=one_line(error))
+        for path, content in reversed(files.items()):
+            _write(self.folder / path, content)
+        self.written |= hashes
         output = next(iter(files), "")
-        entry = replace(
+        done = replace(
             self.manifest.entries[name],
+            state="failed" if outcome.cause else "done",
             output=output,
             size=len(files.get(output, b"")),
             sha256=hashes.pop(output, ""),
             companions=hashes,
             **{member.name: getattr(outcome, member.name) for member in fields(Result)},
         )
-        if not outcome.cause:
-            self.manifest.record([entry], firmly=False)
-            for name, content in reversed(files.items()):
-                _write(self.folder / name, content)
-            self.written |= entry.hashes
-        self.manifest.record([replace(entry, state="failed" if outcome.cause else "done")])
-        self.solved += not outcome.cause
-        self.failed += bool(outcome.cause)
+        self.manifest.record([done])
+        self.ended[done.state] += 1
 
-    def _check(self, files: Mapping[str, bytes]) -> None:
+    def _check(self, hashes: list[tuple[str, str]]) -> None:
         """Raise UserError if a file differs from another clip's file of its name, or a link leaves the folder."""
-        for name, content in list(files.items())[1:]:
+        for name, value in hashes:
             check_below(self.folder, name)
-            if self.written.get(name, digest_of(content)) != digest_of(content):
+            if self.written.get(name, value) != value:
                 raise UserError(f"'{name}' already exists, where a file of this motion's figure would be written")
 
     def _report_progress(self, note: str = "", *, force: bool = False) -> None:
-        over, spent = self.solved + self.failed, time.monotonic() - self.begin
-        text = f"{self.solved} done, {self.failed} failed, {len(self.running)} running of {self.total}"
+        over, spent = self.ended.total(), time.monotonic() - self.begin
+        counts = f"{self.ended['done']} done, {self.ended['failed']} failed, {len(self.running)} running"
         if over:
             remaining = round((self.total - over) * spent / over)
             pace = f"{over / spent:.1f} clips/s" if over >= spent else f"{spent / over:.1f} s a clip"
             note = f", {pace}, {remaining // 3600}:{remaining // 60 % 60:02}:{remaining % 60:02} left"
-        self.progress.step("batch", over / self.total, text + note, force=force)
+        self.progress.step("batch", over / self.total, f"{counts} of {self.total}{note}", force=force)
 
 
 def _write(target: Path, content: bytes) -> None:

@@ -8,17 +8,16 @@ import sys
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from dynsplines import models
 
-from ..clip import parse as clip
+from ..clip.parse import files_read
 from ..errors import UserError, unknown
 from ..exchange import formats
-from ..scene import file_access
-from ..scene.file_access import lies_in
-from ..scene.model_files import is_there, paths_read
+from ..scene.model_files import paths_read
 from .task import Files
 
 if TYPE_CHECKING:
@@ -79,15 +78,12 @@ def with_unique_names(new_sources: list[Source], used_names: Collection[str]) ->
 
     `used_names` are names in use; case is ignored, as on some disks.
     """
-    names, growing = [source.name for source in new_sources], True
-    while growing:
-        count = Counter(str(name).casefold() for name in names)
-        longer = {i: _above(new_sources[i], name) for i, name in enumerate(names) if count[str(name).casefold()] > 1}
-        growing = any(longer.values())
-        for i, name in longer.items():
-            names[i] = name or names[i]
-    used = {name.casefold() for name in used_names}
-    out: list[Source] = []
+    names, shorter = [source.name for source in new_sources], list[PurePosixPath]()
+    while names != shorter:
+        count, shorter = Counter(str(name).casefold() for name in names), names
+        pairs = zip(new_sources, names, strict=True)
+        names = [_above(source, name) if count[str(name).casefold()] > 1 else name for source, name in pairs]
+    used, out = {name.casefold() for name in used_names}, list[Source]()
     for source, name in zip(new_sources, names, strict=True):
         number, free = 1, name
         while str(free).casefold() in used:
@@ -96,6 +92,13 @@ def with_unique_names(new_sources: list[Source], used_names: Collection[str]) ->
         used.add(str(free).casefold())
         out.append(replace(source, name=free))
     return out
+
+
+def _above(source: Source, name: PurePosixPath) -> PurePosixPath:
+    """Return a name with one more of the folders above the source, if there is one."""
+    parts = () if source.path is None else source.path.with_suffix("").parts[1:]  # without the root
+    count = len(name.parts) + 1
+    return PurePosixPath(*parts[-count:]) if count <= len(parts) else name
 
 
 def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording | None = None) -> Files:
@@ -117,7 +120,7 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording 
     elif path.suffix.lower() == ".xml":
         files = _model(path, figures)
     else:
-        files, figure = _clip_files(path, figures, ())
+        files, figure = files_read(path, partial(_model, figures=figures))
         others = {} if figure is None else {"figure": figure}
     root = Path(os.path.commonpath([file.parent for file in files]))
 
@@ -126,24 +129,6 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording 
 
     packed = {below(file): data for file, data in files.items()}
     return Files(below(path), packed, {role: below(file) for role, file in others.items()})
-
-
-def _clip_files(path: Path, figures: dict[Path, Contents], before: tuple[Path, ...]) -> tuple[Contents, Path | None]:
-    """Return a clip with its figure and the recording or clip that it follows; and the figure if its path is absolute.
-    `before` are the clips that follow this one."""
-    files, absolute = {path: path.read_bytes()}, None
-    named, recording = clip.references(files[path].decode("utf-8", errors="replace"))
-    if named is not None and named not in models.figures():
-        figure = Path(os.path.normpath(path.parent / named))
-        if is_there(figure):
-            files |= _model(figure, figures)
-            absolute = figure if Path(named).is_absolute() else None
-    if recording is not None and recording not in models.clips():
-        file = Path(os.path.normpath(path.parent / recording))
-        if is_there(file) and file not in (path, *before) and (file_access.is_allowed() or lies_in(file, path.parent)):
-            is_clip = file.suffix == ".toml"
-            files |= _clip_files(file, figures, (path, *before))[0] if is_clip else {file: file.read_bytes()}
-    return files, absolute
 
 
 def _model(path: Path, figures: dict[Path, Contents]) -> Contents:
@@ -173,13 +158,9 @@ def _named(word: str, recordings: bool) -> Iterator[Source]:
             raise UserError(f"'{word}': a clip is a .toml file, an MJCF .xml with keyframes, or a shipped name")
         yield _source(path, path.parent, recordings)
     elif path.is_dir() or glob.has_magic(word):
-        endings = ENDINGS[: 1 if path.is_dir() else 2]
         files = path.rglob("*") if path.is_dir() else Path(path.anchor).glob(str(path.relative_to(path.anchor)))
-        chosen = [
-            file
-            for file in sorted(files)
-            if (_is_recording(file) if recordings else file.suffix.lower() in endings) and file.is_file()
-        ]
+        endings = ENDINGS[: 1 if path.is_dir() else 2]
+        chosen = [file for file in sorted(files) if file.is_file() and _is_input(file, endings, recordings)]
         if not chosen and recordings:
             raise UserError(f"'{word}': it contains no recordings; `dynsplines formats` lists the endings")
         if not chosen:
@@ -196,19 +177,13 @@ def _source(file: Path, root: Path, recordings: bool) -> Source:
     return Source(_absolute(file), PurePosixPath(file.relative_to(root)).with_name(stem))
 
 
-def _is_recording(file: Path) -> bool:
-    """Return whether the extension is that of a motion, or of a format that can be read."""
-    form = formats.by_ending(file)
-    return form.reads if form is not None else file.suffix.lower() == ".npz"
+def _is_input(file: Path, endings: Collection[str], recordings: bool) -> bool:
+    """Return whether the extension is that of a clip; of recordings, that of a motion or of a format that can be
+    read."""
+    form = formats.by_ending(file) if recordings else None
+    return form.reads if form is not None else file.suffix.lower() in ((".npz",) if recordings else endings)
 
 
 def _absolute(path: Path) -> Path:
     """Return an absolute path without following links: a clip that is a link is named after the link."""
     return Path(os.path.normpath(path.absolute()))
-
-
-def _above(source: Source, name: PurePosixPath) -> PurePosixPath | None:
-    """Return a name with one more of the folders above the source; None if there is none."""
-    parts = () if source.path is None else source.path.with_suffix("").parts[1:]  # without the root
-    count = len(name.parts) + 1
-    return PurePosixPath(*parts[-count:]) if count <= len(parts) else None

@@ -15,7 +15,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, AliasChoices, Field, TypeAdapter, ValidationError
+from pydantic import AfterValidator, TypeAdapter, ValidationError
 
 from ..errors import UserError
 from ..scene.file_access import lies_in
@@ -48,8 +48,7 @@ class Entry(Result):
         source: Its path relative to the manifest's folder; "shipped:NAME" for a shipped clip.
         input: A hash of everything on which the output depends; "" before it has been read.
         attempts: The number of attempts.
-        output: The file in the manifest's folder.
-        size: The size of this file [bytes].
+        output: The file in the manifest's folder, of `size` bytes.
         companions: Further files of the output, with their hashes; several clips may share one.
     """
 
@@ -61,10 +60,7 @@ class Entry(Result):
     output: Below = ""
     size: int = 0
     sha256: str = ""
-    companions: Annotated[
-        Mapping[Below, str],
-        Field(validation_alias=AliasChoices("companions", "beside")),  # its former name, in older manifests
-    ] = field(default_factory=dict)
+    companions: Mapping[Below, str] = field(default_factory=dict)
 
     def line(self) -> str:
         """Return the entry as JSON, without empty fields."""
@@ -114,21 +110,14 @@ class Manifest:
         path = folder / NAME
         return cls(path, _read(path) if path.exists() else {})
 
-    def record(self, entries: Iterable[Entry], *, firmly: bool = True) -> None:
-        """Append a line for each entry.
-
-        With `firmly`, wait until the lines are on the disk. Other lines survive the end of this program, not of the
-        machine.
-        """
+    def record(self, entries: Iterable[Entry]) -> None:
+        """Append a line for each entry."""
         if not self._is_complete:
             self.rewrite()
         entries = list(entries)
         try:
             with self.path.open("ab") as stream:
                 stream.write("".join(entry.line() for entry in entries).encode())
-                stream.flush()
-                if firmly:
-                    os.fsync(stream.fileno())
         except OSError as error:
             self._is_complete = False
             raise UserError(f"cannot write '{self.path}': {error.strerror}") from None

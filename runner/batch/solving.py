@@ -37,34 +37,28 @@ def solved(task: Task, folder: Path) -> Outcome:
 
 
 def _solved(task: Task, folder: Path) -> Outcome:
-    from rich.console import Console
-
     from .. import recordings, solving
     from ..measure.violation import plain
-    from ..system.progress import Progress
+    from ..system.progress import silent
 
     source, figure = task.files.clip, task.files.others.get("figure")
     where = str(folder / source) if Path(source).suffix else source
     problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.options.fps)
-    progress = Progress(Console(quiet=True))
-    result = solving.solve(problem, progress)
-    saved = result.saved(progress, with_report=task.options.report)
+    result = solving.solve(problem, silent())
+    saved = result.saved(silent(), with_report=task.options.report)
     return replace(_written(saved, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
 
 def _cleaned(task: Task, cleaning: Source, folder: Path) -> Outcome:
-    from rich.console import Console
-
     from ..clean import command
     from ..clean.comparison import Comparison
-    from ..system.progress import Progress
+    from ..system.progress import silent
 
-    options, recording = task.options, folder / task.files.clip
-    others = {word: folder / path for word, path in task.files.others.items()}
+    options, others = task.options, {word: folder / path for word, path in task.files.others.items()}
     figure = str(others["figure"]) if "figure" in others else cleaning.figure
-    scene, bone_map = others.get("scene"), others.get("map")
-    source = replace(cleaning, file=recording, figure=figure, fps=options.fps, scene=scene, map=bone_map)
-    result, saved = command.clean_recording(source, options.max_displacement, Progress(Console(quiet=True)))
+    files = {"file": folder / task.files.clip, "scene": others.get("scene"), "map": others.get("map")}
+    source = replace(cleaning, figure=figure, fps=options.fps, **files)
+    result, saved = command.clean_recording(source, options.max_displacement, silent())
     comparison = Comparison(result)
     outcome = _written(saved, task, folder, None)
     return replace(outcome, violations=tuple(comparison.violations), figures=comparison.figures)

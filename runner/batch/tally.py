@@ -49,10 +49,8 @@ class Tally:
         if are_recordings:
             if measured := [entry for entry in good if entry.figures]:
                 progress.console.print(_table(measured))
-            lines_of_clips = [
-                f"{entry.clip}: {'; '.join(each['text'] for each in entry.violations)}" for entry in wrong
-            ]
-            lines = _first(lines_of_clips, MOST_VIOLATIONS, " with violations")
+            texts = [f"{entry.clip}: {'; '.join(each['text'] for each in entry.violations)}" for entry in wrong]
+            lines = _first(texts, MOST_VIOLATIONS, " with violations")
         else:
             share = f"{len(wrong)} of {len(good)} clips {'has' if len(wrong) == 1 else 'have'} violations"
             lines = [f"{share}; worst: {entry.clip}: {entry.violations[0]['text']}" for entry in wrong[:1]]

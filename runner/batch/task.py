@@ -1,4 +1,4 @@
-"""A clip as it is sent to a worker, the options and limits of the batch, and the outcome."""
+"""A clip as it is sent to a worker, the options of a batch, and the outcome."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from functools import cache
 from importlib import metadata
 from typing import TYPE_CHECKING, Annotated, Any
 
-from pydantic import AfterValidator, AliasChoices, Field
+from pydantic import AfterValidator
 
 from ..errors import UserError
 from ..exchange import formats
@@ -17,17 +17,13 @@ from ..exchange import formats
 if TYPE_CHECKING:
     from ..clean.command import Source as Recording
 
-FORMER_QUANTITIES = {  # names in older manifests, and the present ones
-    "deepest in anything [mm]": "deepest penetration [mm]",
-    "slip of a stance, most [mm]": "largest stance slip [mm]",
-    "sole at rest, off the ground [mm]": "largest sole height in a stance [mm]",
-    "joint beyond its range [°]": "largest joint range excess [°]",
-    "joint speed, most [rad/s]": "largest joint speed [rad/s]",
-    "joint acceleration, most [rad/s²]": "largest joint acceleration [rad/s²]",
-    "jerk of bodies, mean [m/s³]": "mean body jerk [m/s³]",
-    "force nothing supplies, mean [weight]": "mean unsupported force [weight]",
-}
 NPZ = "npz"
+
+
+@cache
+def program() -> str:
+    """Return the version of this program."""
+    return metadata.version("dynamic-splines")
 
 
 @dataclass(frozen=True)
@@ -48,19 +44,15 @@ class Files:
         """Return a hash of the files and the options on which the motion depends."""
         digest = hashlib.sha256(repr((self.clip, *sorted(self.others.items()), *options)).encode())
         for name, data in sorted(self.files.items()):
-            digest.update(f"\n{name}\n{len(data)}\n".encode())
-            digest.update(data)
+            digest.update(f"\n{name}\n{len(data)}\n".encode() + data)
         return digest.hexdigest()[:32]
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of one clip.
+    """Limits of one clip: wall-clock time [s] and resident memory [MB], of which an idle process has about 220.
 
-    Attributes:
-        seconds: Wall-clock time [s].
-        megabytes: Resident memory [MB], of which an idle process has about 220. None: an equal share of the memory of
-            the machine or the Dask worker.
+    With `megabytes` None, the limit is an equal share of the memory of the machine or the Dask worker.
     """
 
     seconds: float = 3600.0
@@ -69,18 +61,10 @@ class Limits:
 
 @dataclass(frozen=True)
 class Options:
-    """The options of a batch. Raises UserError for invalid ones.
+    """The options of the command, in its units, with their defaults as None. Raises UserError for invalid ones.
 
     Attributes:
-        listed: A file with more clips, one per line.
-        workers: The number of processes of this machine; None: one per core.
-        scheduler: The address of a Dask cluster to use instead.
-        to: The format of the output.
-        fps: Samples per second [1/s]; None: those of the clip.
-        report: Whether to measure every motion in full.
-        retry_failed: Whether to solve unchanged clips again that have failed.
         cleaning: A recording to clean, but for its file; None for clips.
-        max_displacement: The largest displacement of hands, feet and pelvis [m].
     """
 
     listed: str | None = None
@@ -125,7 +109,7 @@ class Task:
     output: str
     options: Options = Options()
     allow_outside: bool = False
-    program: str = field(default_factory=lambda: program())
+    program: str = field(default_factory=program)
 
 
 def _violation(table: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -134,11 +118,6 @@ def _violation(table: Mapping[str, Any]) -> Mapping[str, Any]:
     if not isinstance(table.get("text"), str) or not all(isinstance(x, int | float) and x > 0 for x in numbers):
         raise ValueError(f"'violations' has {table!r}")
     return table
-
-
-def _present_quantities(figures: Mapping[str, tuple[float, float]]) -> Mapping[str, tuple[float, float]]:
-    """Return measurements by their present names."""
-    return {FORMER_QUANTITIES.get(name, name): values for name, values in figures.items()}
 
 
 @dataclass(frozen=True)
@@ -159,13 +138,8 @@ class Result:
     bound: float | None = None
     seconds: float = 0.0
     worker: str = ""
-    violations: Annotated[
-        tuple[Annotated[Mapping[str, Any], AfterValidator(_violation)], ...],
-        Field(validation_alias=AliasChoices("violations", "problems")),  # its former name, in older manifests
-    ] = ()
-    figures: Annotated[Mapping[str, tuple[float, float]], AfterValidator(_present_quantities)] = field(
-        default_factory=dict
-    )
+    violations: tuple[Annotated[Mapping[str, Any], AfterValidator(_violation)], ...] = ()
+    figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
 
 
@@ -174,12 +148,3 @@ class Outcome(Result):
     """A result, and the files of the motion by name: the output first, then files that belong to it, such as meshes."""
 
     files: Mapping[str, bytes] = field(default_factory=dict)
-
-
-@cache
-def program() -> str:
-    """Return the version of this program."""
-    try:
-        return metadata.version("dynamic-splines")
-    except metadata.PackageNotFoundError:
-        return "unknown"

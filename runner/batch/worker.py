@@ -6,96 +6,58 @@ import ctypes
 import gc
 import os
 import tempfile
-import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import psutil
 
 from ..errors import UserError, one_line
+from ..system import workers
 from ..system.scratch import scratch
 from ..system.threads import THREADS
-from ..system.workers import Worker, WorkerEnded
+from ..system.workers import LimitExceeded, WorkerEnded
 from .task import Limits, Outcome
 
 SolveTask = Callable[[Any, Path], Outcome]
-Process = Worker[None, tuple[SolveTask, object, Path], Outcome]
 
-READY = Outcome()
-START = Limits(120.0)  # limits of a process while it imports its modules
-WATCH_SECONDS = 0.1  # [s] interval of checks of time and memory
 IDLE_SECONDS = 120.0  # [s] without a clip after which a process ends, because its batch may have been killed
 CGROUP = ("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes")  # a container's limits
 
 
 class Pool:
-    """Worker processes, one for every thread that calls `run` at the same time. Each serves one clip after another.
+    """Worker processes of clips, with their files in a folder.
 
-    Attributes:
+    Args:
+        folder: A folder for temporary files.
         megabytes: The memory limit of a clip whose limits specify none [MB].
     """
 
     def __init__(self, folder: Path, megabytes: float | None = None) -> None:
         self._folder, self._megabytes = folder, megabytes
-        self._idle: list[Process] = []
-        self._stopped = threading.Event()
+        self._workers = workers.Pool(partial(_prepared, folder), _outcome, IDLE_SECONDS, folder)
 
     def run(self, solve_task: SolveTask, task: object, limits: Limits) -> Outcome:
-        """Return the outcome of do(task, empty folder) in a process."""
-        if limits.megabytes is None:
-            limits = replace(limits, megabytes=self._megabytes)
+        """Return the outcome of solve_task(task, empty folder) in a process."""
+        megabytes = self._megabytes if limits.megabytes is None else limits.megabytes
         with tempfile.TemporaryDirectory(dir=self._folder, ignore_cleanup_errors=True) as place:
-            outcome, process = READY, self._idle_process()
-            if process is None:
-                errors = tempfile.NamedTemporaryFile(dir=self._folder)  # noqa: SIM115, `stop` closes it
-                process = Worker(partial(_prepared, self._folder), _outcome, IDLE_SECONDS, errors)
-                outcome = self._received(process, START, (_ready, None, Path(place)))
-            begin = time.monotonic()
-            if outcome == READY:
-                outcome = self._received(process, limits, (solve_task, task, Path(place)))
-        if outcome.cause in ("", "error") and not self._stopped.is_set():
-            self._idle.append(process)
-        else:
-            process.stop()
-        return replace(outcome, seconds=round(time.monotonic() - begin, 3))
+            try:
+                outcome = self._workers.run((solve_task, task, Path(place)), limits.seconds, megabytes)
+            except LimitExceeded as error:
+                return Outcome(error.kind, str(error), error.bound)
+            except WorkerEnded as error:
+                return Outcome("lost", f"its process {error}")
+        return replace(outcome, bound=megabytes) if outcome.cause == "memory" else outcome
 
     def stop(self) -> None:
-        """End all processes: idle ones now, the others within WATCH_SECONDS with the outcome "lost"."""
-        self._stopped.set()
-        while process := self._idle_process():
-            process.stop()
-
-    def _idle_process(self) -> Process | None:
-        with suppress(IndexError):
-            while not (process := self._idle.pop()).process.is_alive():
-                process.stop()
-            return process
-        return None
-
-    def _received(self, process: Process, limits: Limits, clip: tuple[SolveTask, object, Path]) -> Outcome:
-        """Return the outcome of a clip, or the limit that it exceeds."""
-        process.give(clip)
-        end, megabytes = time.monotonic() + limits.seconds, limits.megabytes
-        while not process.line.poll(max(0.0, min(WATCH_SECONDS, end - time.monotonic()))):
-            if self._stopped.is_set():
-                return Outcome("lost", "the batch is over")
-            if time.monotonic() >= end:
-                return Outcome("time", f"it took longer than {limits.seconds:g} s", limits.seconds)
-            with suppress(psutil.Error):
-                if megabytes is not None and psutil.Process(process.process.pid).memory_info().rss > megabytes * 2**20:
-                    return Outcome("memory", f"it took more memory than {megabytes:g} MB", megabytes)
-        try:
-            outcome = process.result()
-        except WorkerEnded as error:
-            return Outcome("lost", f"its process {error}")
-        return replace(outcome, bound=megabytes) if outcome.cause == "memory" else outcome
+        """End all processes, at once or within a tenth of a second with the outcome "lost"."""
+        self._workers.stop()
 
 
 @contextmanager
@@ -109,15 +71,12 @@ def _prepared(folder: Path) -> Iterator[None]:
     yield
 
 
-def _ready(task: object, folder: Path) -> Outcome:
-    return READY
-
-
 def _outcome(_: None, clip: tuple[SolveTask, Any, Path]) -> Outcome:
-    """Return the outcome of do(task, folder), also if it raises an error, and release its memory."""
-    do, task, folder = clip
+    """Return the outcome of solve_task(task, folder), also if it raises an error, and release its memory."""
+    solve_task, task, folder = clip
+    begin = time.monotonic()
     try:
-        outcome = do(task, folder)
+        outcome = solve_task(task, folder)
     except MemoryError as error:
         outcome = Outcome("memory", f"it took more memory than there is ({one_line(error)})")
     except UserError as error:
@@ -129,17 +88,14 @@ def _outcome(_: None, clip: tuple[SolveTask, Any, Path]) -> Outcome:
     gc.collect()
     if hasattr(libc := ctypes.CDLL(None), "malloc_trim"):
         libc.malloc_trim(0)  # otherwise glibc retains twice the used memory
-    return outcome
+    return replace(outcome, seconds=round(time.monotonic() - begin, 3))
 
 
-@dataclass(frozen=True)
-class Workers:
-    """An executor of clips.
+class Workers(NamedTuple):
+    """An executor of clips: submit(solve_task, task, limits) returns a future outcome.
 
-    Attributes:
-        submit: (do, task, limits) -> future outcome.
-        count: Returns the number of clips to submit at a time, 0 while there are no workers. Raises UserError if they
-            are lost.
+    `count` returns the number of clips to submit at a time, 0 while there are no workers. It raises UserError if they
+    are lost.
     """
 
     submit: Callable[..., Future[Outcome]]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
@@ -19,11 +20,13 @@ from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import check_method
 
 from ..errors import UserError, unknown
-from .constraints import chosen, replaced
+from ..scene import file_access
+from ..scene.file_access import lies_in
+from ..scene.model_files import is_there
+from .constraints import chosen
 from .kinds import Options
 from .table import ClipTable, SolveTable, Table
 from .table_errors import describe
-from .text import tables, written
 from .tracking.penalties import WEIGHTS
 
 Tables = TypeVar("Tables", bound=Table)
@@ -157,20 +160,6 @@ def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
         raise UserError(f"{where}: {describe(error, raw, root=kind)}") from None
 
 
-def renewed(text: str) -> str:
-    """Return a clip's text with older names of tables, values and kinds of penalty replaced by present ones."""
-    try:
-        raw = tomllib.loads(text)
-        penalties = replaced(raw.get("penalty", []))
-        keys = [row | {"others": "previous"} if row.get("others") == "hold" else row for row in raw.get("keyframe", [])]
-    except (ValueError, TypeError, AttributeError, RecursionError):  # damaged text is reported by the parser
-        return text
-    now = {("grasp" if key == "hold" else key): value for key, value in raw.items()}
-    now |= {"keyframe": keys} if keys else {}
-    now |= {} if penalties is None else {"penalty": [tables(entry) for entry in penalties]}
-    return text if now == raw else written(now)
-
-
 def references(text: str) -> tuple[str | None, str | None]:
     """Return the figure and the recording that a clip's TOML text names, or None for each."""
     try:
@@ -180,6 +169,32 @@ def references(text: str) -> tuple[str | None, str | None]:
     figure, recording = raw.get("figure"), raw.get("recording")
     file = recording.get("file") if isinstance(recording, dict) else None
     return figure if isinstance(figure, str) else None, file if isinstance(file, str) else None
+
+
+def files_read(
+    path: Path, model_files: Callable[[Path], dict[Path, bytes]], before: tuple[Path, ...] = ()
+) -> tuple[dict[Path, bytes], Path | None]:
+    """Return the contents of a clip's file, of its figure's, and of the recording or clip that it follows.
+
+    Missing files are omitted. The second value is the figure if its path is absolute. Raises OSError.
+
+    Args:
+        model_files: Returns the contents of all files of a model.
+        before: The clips that follow this one.
+    """
+    files, absolute = {path: path.read_bytes()}, None
+    named, recording = references(files[path].decode("utf-8", errors="replace"))
+    if named is not None and named not in models.figures():
+        figure = Path(os.path.normpath(path.parent / named))
+        if is_there(figure):
+            files |= model_files(figure)
+            absolute = figure if Path(named).is_absolute() else None
+    if recording is not None and recording not in models.clips():
+        file = Path(os.path.normpath(path.parent / recording))
+        if is_there(file) and file not in (path, *before) and (file_access.is_allowed() or lies_in(file, path.parent)):
+            is_clip = file.suffix == ".toml"
+            files |= files_read(file, model_files, (path, *before))[0] if is_clip else {file: file.read_bytes()}
+    return files, absolute
 
 
 def _misplaced(table: ClipTable) -> Iterator[str]:

@@ -34,7 +34,7 @@ from ..motion import Sampled, Saved
 from ..solving import Solved
 from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
-from ..system.progress import Progress
+from ..system.progress import Progress, silent
 from ..system.quantity import length
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
     """
     from .loading import load  # imported here: it imports this module
 
-    heard = Progress() if progress else _silent()
+    heard = Progress() if progress else silent()
     solved = solving.solve(clip if isinstance(clip, Clip) else load(clip), heard)
     return Motion(solved.saved(heard, with_report=False), solved)
 
@@ -238,9 +238,9 @@ class Motion(Renames):
     def _report(self) -> Report:
         data = self.saved.report
         if not data and self._solved is not None:
-            data = self._solved.saved(_silent()).report
+            data = self._solved.saved(silent()).report
         elif not data:
-            data = edits.measured(self.saved, _silent(), "not searched").report
+            data = edits.measured(self.saved, silent(), "not searched").report
         return Report(data)
 
     @property
@@ -326,7 +326,7 @@ class Motion(Renames):
         look = Look(*size, fps or self.fps, only, ghosts, camera, slow, at)
         look.check(self.model, self.start, self.end)
         target = Path(path) if path is not None else Path(f"{self.name}.{'png' if ghosts or at is not None else 'mp4'}")
-        draw(self.saved, look, choose(), target, workers or 1, Progress() if progress else _silent())
+        draw(self.saved, look, choose(), target, workers or 1, Progress() if progress else silent())
         return target
 
     @as_python_warnings()
@@ -484,7 +484,7 @@ class Motion(Renames):
         Raises:
             UserError: For another figure, or an invalid duration.
         """
-        return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
+        return self._edited(edits.joined(self.saved, other.saved, transition, silent()))
 
     @as_python_warnings()
     @renamed_arguments(within="max_displacement")
@@ -504,7 +504,7 @@ class Motion(Renames):
         from ..clean.command import clean_motion
 
         bound = None if max_displacement is None else length(max_displacement, "max_displacement")
-        return Motion(clean_motion(self.saved, bound, _silent()))
+        return Motion(clean_motion(self.saved, bound, silent()))
 
     @as_python_warnings()
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:
@@ -525,7 +525,7 @@ class Motion(Renames):
         if not 0 < max_angle <= 180:
             raise UserError(f"max_angle = {max_angle:g}: give degrees, above 0 and up to 180")
         bound = length(max_error, "max_error ="), float(np.radians(max_angle))
-        return self._edited(thinning.thinned(self.saved, *bound, solve=solve, progress=_silent()).motion)
+        return self._edited(thinning.thinned(self.saved, *bound, solve=solve, progress=silent()).motion)
 
     def _edited(self, saved: Saved) -> Motion:
         return Motion(replace(saved, trace=[], report={}, search={}))
@@ -539,7 +539,3 @@ class Motion(Renames):
         inside = html.escape(page(SampledTrajectory.of(self.saved)))
         style = f"width: 100%; height: {PLAYER_HEIGHT}px; border: 0"
         return f'<iframe title="{html.escape(self.name)}" style="{style}" srcdoc="{inside}"></iframe>'
-
-
-def _silent() -> Progress:
-    return Progress(Console(quiet=True))

@@ -65,3 +65,8 @@ class Progress:
         for i, item in enumerate(items):
             yield item
             self.step(work, (i + 1) / max(count, 1), f"{i + 1} of {count}", force=i + 1 == count)
+
+
+def silent() -> Progress:
+    """Return a progress that prints nothing."""
+    return Progress(Console(quiet=True))

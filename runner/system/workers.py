@@ -6,15 +6,21 @@ its parent, even during an item.
 
 from __future__ import annotations
 
+import math
 import multiprocessing
 import os
 import pickle
 import signal
 import sys
+import tempfile
 import threading
+import time
 import traceback
+from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator
-from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
+from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import wait as wait_for
+from contextlib import AbstractContextManager, contextmanager, suppress
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import IO, Any, Generic, TypeVar
@@ -30,6 +36,8 @@ Work = Callable[[Tool, Item], Result]
 
 MOST_WORKERS = 60  # maximum number of processes for which Windows can wait
 GRACE_SECONDS = 5.0  # [s] time in which a process should end
+START_SECONDS = 120.0  # [s] time in which a process should start and open its tool
+WATCH_SECONDS = 0.1  # [s] interval of checks of limits
 AHEAD = 2  # results per process that may wait for an earlier one
 
 
@@ -44,71 +52,46 @@ def in_order(
     """Yield work(tool, item) for every item, in order, computed by this process or by `workers` others.
 
     Few results are computed ahead, so that a long video is never in memory. Raises the errors of the work, and
-    UserError if a process ends. For several workers see `Worker`.
+    UserError if a process ends. For several workers see `Pool`.
     """
-    if workers > 1:
-        yield from _by_several(opened, work, items, workers)
+    if workers == 1:
+        with opened() as tool:
+            for item in items:
+                yield work(tool, item)
         return
-    with opened() as tool:
-        for item in items:
-            yield work(tool, item)
+    pool, futures = Pool(opened, work), deque[Future[Result]]()
+    with ThreadPoolExecutor(workers) as threads:
+        try:
+            for item in items:
+                futures.append(threads.submit(pool.run, item))
+                if len(futures) >= AHEAD * workers:
+                    yield _result(futures.popleft())
+            while futures:
+                yield _result(futures.popleft())
+        except WorkerEnded as error:
+            raise UserError(f"a worker process {error}; --workers 1 does without") from None
+        finally:
+            pool.stop()
+            threads.shutdown(cancel_futures=True)
 
 
-def _by_several(
-    opened: Opened[Tool], work: Work[Tool, Item, Result], items: Iterable[Item], count: int
-) -> Generator[Result, None, None]:
-    remaining = enumerate(items)
-    results: dict[int, Result] = {}
-    shown = 0
-    idle: list[Worker[Tool, Item, Result]] = []
-    busy: dict[Any, tuple[int, Worker[Tool, Item, Result]]] = {}
-    try:
-        for _ in range(count):
-            idle.append(Worker(opened, work))
-        while True:
-            while idle and len(results) < AHEAD * count and (following := next(remaining, None)) is not None:
-                number, item = following
-                worker = idle.pop(0)
-                busy[worker.line] = number, worker
-                worker.give(item)
-            if not busy and not results:
-                return
-            for line in wait(list(busy), 0 if shown in results else None) if busy else ():
-                number, worker = busy[line]
-                results[number] = worker.result()
-                del busy[line]
-                idle.append(worker)
-            if shown in results:
-                yield results.pop(shown)
-                shown += 1
-    except WorkerEnded as error:
-        raise UserError(f"a worker process {error}; --workers 1 does without") from None
-    finally:
-        for worker in idle:
-            worker.line.close()
-        for worker in idle:
-            worker.stop(GRACE_SECONDS)  # the process closes its tool
-        for _, worker in busy.values():
-            worker.stop()
+def _result(future: Future[Result]) -> Result:
+    """Return a future result. On Windows, Ctrl-C interrupts only waits with a timeout."""
+    while not wait_for([future], WATCH_SECONDS).done:
+        pass
+    return future.result()
 
 
-class WorkerEnded(Exception):
-    """A worker process has ended; the text describes how."""
-
-
-class Worker(Generic[Tool, Item, Result]):
-    """A process with a tool, and the connection to it.
+class Pool(Generic[Tool, Item, Result]):
+    """Worker processes, one for every thread that calls `run` at the same time.
 
     Tool, work and items must be picklable, and the program importable without running (`if __name__ == "__main__"`).
 
     Args:
         opened: Opens the tool, before the first item.
         work: (tool, item) -> result.
-        idle: The time without an item after which the process ends [s]; None: never.
-        errors: A temporary file for its standard error, closed with it.
-
-    Raises:
-        UserError: No more processes can be started.
+        idle: The time without an item after which a process ends [s]; None: never.
+        folder: A folder for temporary files with the processes' standard error; None: it is that of this process.
     """
 
     def __init__(
@@ -116,13 +99,94 @@ class Worker(Generic[Tool, Item, Result]):
         opened: Opened[Tool],
         work: Work[Tool, Item, Result],
         idle: float | None = None,
-        errors: IO[bytes] | None = None,
+        folder: Path | None = None,
     ) -> None:
+        self._start = (opened, work, idle, folder)
+        self._idle: list[Worker] = []
+        self._stopped = threading.Event()
+
+    def run(self, item: Item, seconds: float = math.inf, megabytes: float | None = None) -> Result:
+        """Return work(tool, item).
+
+        Args:
+            item: The item.
+            seconds: The limit of wall-clock time [s].
+            megabytes: The limit of resident memory [MB]; this needs psutil.
+
+        Raises:
+            LimitExceeded: The item exceeds a limit. As after any error, the process is ended.
+            WorkerEnded: The process has ended, or the pool was stopped.
+            UserError: No more processes can be started.
+        """
+        worker = self._idle_worker()
+        is_new = worker is None
+        if worker is None:
+            worker = Worker(*self._start)
+        try:
+            if is_new:
+                self._wait(worker, START_SECONDS, None)
+            worker.give(item)
+            result = self._wait(worker, seconds, megabytes)
+        except BaseException:
+            worker.stop()
+            raise
+        self._idle.append(worker)
+        if self._stopped.is_set():
+            self.stop()
+        return result
+
+    def stop(self) -> None:
+        """End all processes: idle ones close their tools, the others end within WATCH_SECONDS."""
+        self._stopped.set()
+        idle = list(iter(self._idle_worker, None))
+        for worker in idle:
+            worker.line.close()
+        for worker in idle:
+            worker.stop(GRACE_SECONDS)
+
+    def _idle_worker(self) -> Worker | None:
+        with suppress(IndexError):
+            while not (worker := self._idle.pop()).process.is_alive():
+                worker.stop()
+            return worker
+        return None
+
+    def _wait(self, worker: Worker, seconds: float, megabytes: float | None) -> Any:
+        """Return the next answer of a process within limits."""
+        end = time.monotonic() + seconds
+        while not worker.line.poll(max(0.0, min(WATCH_SECONDS, end - time.monotonic()))):
+            if self._stopped.is_set():
+                raise WorkerEnded("was stopped")
+            if time.monotonic() >= end:
+                raise LimitExceeded("time", seconds, f"it took longer than {seconds:g} s")
+            if megabytes is not None and worker.memory() > megabytes * 2**20:
+                raise LimitExceeded("memory", megabytes, f"it took more memory than {megabytes:g} MB")
+        return worker.result()
+
+
+class LimitExceeded(Exception):
+    """An item exceeded a limit: its kind, "time" or "memory", and its value [s or MB]."""
+
+    def __init__(self, kind: str, bound: float, text: str) -> None:
+        super().__init__(text)
+        self.kind, self.bound = kind, bound
+
+
+class WorkerEnded(Exception):
+    """A worker process has ended; the text describes how."""
+
+
+class Worker:
+    """A process with a tool, and the connection to it; the arguments are those of `Pool`. Its first answer is None."""
+
+    def __init__(self, opened: Opened[Any], work: Work[Any, Any, Any], idle: float | None, folder: Path | None) -> None:
         spawn = multiprocessing.get_context("spawn")
         self.line, theirs = spawn.Pipe()
-        args = (theirs, opened, work, idle, None if errors is None else errors.name)
+        self._errors: IO[bytes] | None = None
+        if folder is not None:
+            self._errors = tempfile.NamedTemporaryFile(dir=folder)  # noqa: SIM115, `stop` closes it
+        args = (theirs, opened, work, idle, None if self._errors is None else self._errors.name)
         self.process = spawn.Process(target=_serve, args=args, daemon=True)
-        self._errors = errors
         try:
             with ctrl_c_blocked():
                 self.process.start()
@@ -132,12 +196,20 @@ class Worker(Generic[Tool, Item, Result]):
         finally:
             theirs.close()
 
-    def give(self, item: Item) -> None:
+    def memory(self) -> float:
+        """Return the resident memory [bytes]."""
+        import psutil  # imported here because only batches limit memory
+
+        with suppress(psutil.Error):
+            return psutil.Process(self.process.pid).memory_info().rss
+        return 0.0
+
+    def give(self, item: object) -> None:
         """Send an item. Wait for its result before the next one."""
         with suppress(OSError):  # `result` reports the end of the process
             self.line.send(item)
 
-    def result(self) -> Result:
+    def result(self) -> Any:
         """Return the result of the item. Raises the error of the work, and WorkerEnded."""
         try:
             error, result, notes = self.line.recv()
@@ -188,31 +260,25 @@ def ctrl_c_blocked() -> Iterator[None]:
 
 
 def _serve(
-    line: Connection[Any, Any],
-    opened: Opened[Tool],
-    work: Work[Tool, Any, object],
-    idle: float | None,
-    errors: str | None,
+    line: Connection[Any, Any], opened: Opened[Any], work: Work[Any, Any, Any], idle: float | None, errors: str | None
 ) -> None:
-    """Receive items and send results with their notes, until the connection closes."""
+    """Open the tool, then receive items and send results with their notes, until the connection closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     if errors is not None:
         with Path(errors).open("wb") as stream:
             os.dup2(stream.fileno(), 2)
     notes: list[str] = []
-    with mujoco_warnings.reported_to(notes.append), ExitStack() as stack, suppress(EOFError, OSError):
-        tools: list[Tool] = []
-        while line.poll(idle):
-            item = line.recv()
-            try:
-                if not tools:
-                    tools.append(stack.enter_context(opened()))
-                answer = (None, work(tools[0], item), notes)
-            except Exception as error:
-                answer = (_portable(error), None, notes)
-            line.send(answer)
-            notes.clear()
+    with mujoco_warnings.reported_to(notes.append), suppress(EOFError, OSError):
+        try:
+            with opened() as tool:
+                line.send((None, None, notes))
+                while line.poll(idle):
+                    item = line.recv()
+                    notes.clear()
+                    line.send((None, work(tool, item), notes))
+        except Exception as error:
+            line.send((_portable(error), None, notes))
 
 
 def _end_with_parent() -> None:

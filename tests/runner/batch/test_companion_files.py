@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable
 from pathlib import Path
 
 import mujoco
@@ -14,10 +13,9 @@ from rich.console import Console
 pytest.importorskip("distributed")
 
 from dynsplines.batch.dispatch import run
-from dynsplines.batch.manifest import ENTRY, Entry, Manifest
+from dynsplines.batch.manifest import ENTRY, Manifest
 from dynsplines.batch.tally import Tally
 from dynsplines.batch.task import Options
-from dynsplines.errors import UserError
 from dynsplines.system.progress import Progress
 
 CORNERS = "v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nv 0 0 {size}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
@@ -71,29 +69,3 @@ def test_a_manifest_that_names_files_outside_is_refused(tmp_path: Path) -> None:
     for wrong in ({"companions": ["b"]}, {"companions": {"b": 1}}, {"notes": [1]}, {"notes": "words"}):
         with pytest.raises(ValueError):
             ENTRY.validate_python({"clip": "a", "source": "a.toml", **wrong})
-
-
-@pytest.mark.slow
-def test_what_was_written_before_the_disk_was_full_is_not_solved_again(
-    clips: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (clips / "1.toml").unlink()
-    out = clips.parent / "out"
-    record = Manifest.record
-
-    def full(self: Manifest, entries: Iterable[Entry], *, firmly: bool = True) -> None:
-        entries = list(entries)
-        if any(entry.state == "done" for entry in entries):
-            raise UserError("No space left on device")
-        record(self, entries, firmly=firmly)
-
-    with monkeypatch.context() as patch, pytest.raises(UserError, match="No space left"):
-        patch.setattr(Manifest, "record", full)
-        done(clips)
-    stamps = {path.name: path.stat().st_mtime_ns for path in out.iterdir() if path.name != "manifest.jsonl"}
-    assert set(stamps) == {"0.keys.xml", "part.obj"}
-    tally = done(clips)
-    assert tally.line == "0 solved, 1 already there, 0 failed"
-    assert stamps == {name: (out / name).stat().st_mtime_ns for name in stamps}
-    (entry,) = Manifest.of(out).entries.values()
-    assert (entry.state, set(entry.companions)) == ("done", {"part.obj"})

@@ -15,7 +15,6 @@ from pathlib import Path
 import pytest
 
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
-from dynsplines.batch.task import FORMER_QUANTITIES
 from dynsplines.errors import UserError
 from dynsplines.system.lock import locked
 
@@ -42,7 +41,7 @@ def lines(folder: Path) -> list[dict[str, object]]:
 def test_the_last_line_about_a_clip_counts(tmp_path: Path):
     manifest = Manifest.of(tmp_path)
     manifest.record([WALK, RUN])
-    manifest.record([DONE], firmly=False)
+    manifest.record([DONE])
     assert [line.get("clip") for line in lines(tmp_path)] == [None, "walk", "sub/run", "walk"]
     assert Manifest.of(tmp_path).entries == {"walk": DONE, "sub/run": RUN} == manifest.entries
     manifest.rewrite()
@@ -76,17 +75,11 @@ def test_a_manifest_of_another_version_is_refused(tmp_path: Path):
         Manifest.of(tmp_path)
 
 
-def test_former_names_of_measurements_are_read_as_the_present_ones(tmp_path: Path):
-    former = replace(DONE, figures=dict.fromkeys(FORMER_QUANTITIES, (2.0, 1.0)))
-    Manifest.of(tmp_path).record([former])
-    assert Manifest.of(tmp_path).entries["walk"].figures == dict.fromkeys(FORMER_QUANTITIES.values(), (2.0, 1.0))
-
-
-def test_companion_files_are_read_by_their_former_name(tmp_path: Path):
+def test_a_manifest_with_former_names_is_read(tmp_path: Path):
     line = replace(DONE, companions={"mesh.stl": "0"}).line().replace('"companions"', '"beside"')
     assert '"beside"' in line
     (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}', encoding="utf-8")
-    assert Manifest.of(tmp_path).entries["walk"].companions == {"mesh.stl": "0"}
+    assert Manifest.of(tmp_path).entries["walk"] == DONE
 
 
 def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):

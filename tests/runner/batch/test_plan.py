@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -72,35 +71,6 @@ def test_what_was_running_when_the_program_was_killed_is_queued_with_its_attempt
     assert left(manifest) == ["tiny", "other"]
     again = Manifest.of(manifest.path.parent).entries["tiny"]
     assert (again.state, again.attempts) == ("queued", 2)
-
-
-def test_what_was_written_when_the_program_was_killed_counts_as_done_if_it_is_what_was_meant(manifest: Manifest):
-    folder = manifest.path.parent
-    left(manifest)
-    problem = {"text": "deep in the floor", "amount": 2.0, "bound": 1.0}
-    meant = {"output": "tiny.csv", "size": 4, "sha256": digest_of(b"data"), "violations": (problem,)}
-    end(manifest, "tiny", state="running", attempts=1, **meant)
-    (folder / "tiny.csv").write_bytes(b"old!")
-    assert left(manifest) == ["tiny", "other"]
-    assert not Manifest.of(folder).entries["tiny"].output
-
-    for state in ("running", "queued"):  # by a program that was killed, or could tidy up
-        end(manifest, "tiny", state=state, attempts=1, **meant)
-        (folder / "tiny.csv").write_bytes(b"data")
-        assert left(manifest) == ["other"]
-        again = Manifest.of(folder).entries["tiny"]
-        assert (again.state, again.attempts, again.violations) == ("done", 1, (problem,))
-    end(manifest, "tiny", state="running", **meant)
-    assert left(manifest, Options(fps=50)) == ["tiny", "other"]
-
-
-def test_a_manifest_of_version_0_2_has_its_violations_under_their_former_name(tmp_path: Path):
-    violation = {"text": "deep in the floor", "amount": 2.0, "bound": 1.0}
-    entry = {"clip": "tiny", "source": "tiny.toml", "state": "done", "problems": [violation]}
-    (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{json.dumps(entry)}\n', encoding="utf-8")
-    manifest = Manifest.of(tmp_path)
-    assert manifest.entries["tiny"].violations == (violation,)
-    assert '"violations": [' in manifest.entries["tiny"].line()
 
 
 def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(manifest: Manifest):
