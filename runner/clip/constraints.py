@@ -24,12 +24,10 @@ from .kinds import (
     Kind,
     LimitOptions,
     Options,
-    Renamed,
     bend_limits,
 )
 from .table import PenaltyTable
 from .table_errors import describe
-from .text import assignment, tables
 
 CARRIED = ("flight", "support", "peak")  # kinds that are on by default only if the ground's support is known
 LINEAR_WEIGHT_CARRIED = 0.45  # [1] weight of acceleration.linear with these kinds, which penalise similar errors
@@ -49,7 +47,8 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
     for i, entry in enumerate(entries, 1):
         here = f"{where}: penalty {i}"
         if entry.kind in RENAMED:
-            raise UserError(f"{here}: {_renamed(entry, entries)}")
+            now = f"kind '{entry.kind}' is '{RENAMED[entry.kind]}' now, with another weight"
+            raise UserError(f"{here}: {now}; `dynsplines penalties` lists all kinds")
         if entry.kind not in KINDS:
             raise UserError(f"{here}: {unknown('penalty', entry.kind, KINDS)}")
         if entry.kind in numbers:
@@ -68,9 +67,6 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
 
 def _unknown_option(kind: Kind, option: str) -> str:
     takes = ["weight", *sorted(kind.choices())]
-    new = [f"'{old.options[option]}'" for old in RENAMED.values() if old.kind == kind.name and option in old.options]
-    if new:
-        return f"'{option}' is called {' or '.join(new)} in kind '{kind.name}'"
     if any(option in other.options.model_fields for other in KINDS.values()):
         return f"'{option}' is not for kind '{kind.name}', which takes: {', '.join(takes)}"
     return unknown("key", option, takes)
@@ -90,59 +86,6 @@ def _check_weight(kind: Kind, options: Options, here: str) -> None:
         if option is not None and not getattr(options, option):
             unit = kind.choices()[option]
             raise UserError(f"{here}: weight.{name} needs {option} = ... ({unit}); without it '{name}' is off")
-
-
-def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
-    """Return the error for a kind of older clip files, with the table that replaces it and its siblings."""
-    new = RENAMED[entry.kind]
-    table, replaced = _replacement(new.kind, entries)
-    lines = ", ".join(assignment(*item) for item in tables(table).items())
-    gone = [
-        f"{key} of '{old.kind}'"
-        for old in replaced
-        for key in sorted(old.options.keys() - {"weight"} - _now(old).options.keys())
-    ]
-    part = f"part '{new.part}' of " if new.part else ""
-    names = ", ".join(f"'{old.kind}'" for old in replaced)
-    return f"penalty '{entry.kind}' is {part}'{new.kind}' now; replace {names} by [[penalty]] {lines}" + (
-        f"; leave out {', '.join(gone)}, which no longer exists" if gone else ""
-    )
-
-
-def replaced(rows: Sequence[Mapping[str, object]]) -> list[PenaltyTable] | None:
-    """Return present tables in place of [[penalty]] tables of an older clip; None if there is no change."""
-    entries = [PenaltyTable.model_validate({"weight": 1, **row}) for row in rows]  # the default weight of older files
-    if not any(entry.kind in RENAMED for entry in entries) or any(_now(entry).kind not in KINDS for entry in entries):
-        return None
-    kinds = dict.fromkeys(_now(entry).kind for entry in entries)
-    return [_replacement(kind, entries)[0] for kind in kinds]
-
-
-def _now(entry: PenaltyTable) -> Renamed:
-    """Return the replacement of an older entry; for a kind that has the same name, its first part."""
-    if entry.kind in RENAMED or entry.kind not in KINDS:
-        return RENAMED.get(entry.kind, Renamed(entry.kind))
-    return Renamed(entry.kind, KINDS[entry.kind].parts[0].name, {name: name for name in KINDS[entry.kind].choices()})
-
-
-def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[PenaltyTable, list[PenaltyTable]]:
-    """Return the table of a kind that replaces entries of an older clip, and these entries (default weight 1)."""
-    replaced = [entry for entry in entries if _now(entry).kind == kind]
-    weights: dict[str, object] = {}
-    options: dict[str, object] = {}
-    for entry in replaced:
-        old, weight = _now(entry), entry.options.get("weight", 1 if entry.kind in RENAMED else None)
-        default = next((part.weight for part in KINDS[kind].parts if part.name == old.part), None)
-        if isinstance(weight, dict):
-            weights |= weight
-        elif weight not in (None, default) or entry.kind == "root":  # the default of "root" depends on the clip
-            weights[old.part] = weight
-        options |= {
-            **old.requires,
-            **{old.options[key]: entry.options[key] for key in entry.options if key in old.options},
-        }
-    weight = {"weight": weights.get("", weights)} if weights else {}
-    return PenaltyTable.of(kind, **weight, **options), replaced
 
 
 @dataclass(frozen=True)

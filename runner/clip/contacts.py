@@ -8,7 +8,7 @@ keyframe puts the body out of the limb's reach, the grasp is relaxed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -68,13 +68,6 @@ def contacts(
             rests.append(requested[-1])
     _check_bodies(stances, where, Thresholds.of(figure).stretch)
     return Contacts(tuple(stances), tuple(rests), tuple(requested))
-
-
-def requested_rests(figure: Figure, tables: Sequence[ContactTable], soles: Sequence[Point]) -> tuple[Rest, ...]:
-    """Return the contacts of tables with existing points, independent of the motion."""
-    places = Places(figure, soles)
-    points = [(places.point(table.point), table) for table in tables]
-    return tuple(Rest(point, table.start, table.end) for point, table in points if point is not None)
 
 
 def check_interval(table: ContactTable | GraspTable, keys: Timeline, name: str) -> None:
@@ -191,21 +184,12 @@ def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None
                 )
 
 
-@dataclass(frozen=True)
-class _GraspRow:
-    """A table with its grasp, and its label in errors."""
-
-    table: GraspTable
-    grasp: Grasp
-    name: str
-
-
 def grasps_of(
     figure: Figure, keys: Timeline, tables: Sequence[GraspTable], where: str, soles: Sequence[Point] = ()
 ) -> tuple[Grasp, ...]:
     """Return the grasps of a clip's tables; raises UserError that names the invalid table."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
-    rows: list[_GraspRow] = []
+    grasps: list[Grasp] = []
     for number, table in enumerate(tables, start=1):
         name = f"{where}: grasp {number} ('{table.hand}' on '{table.body}')"
         point = places.point(table.hand)
@@ -217,22 +201,11 @@ def grasps_of(
         if point.link == link:
             raise UserError(f"{name}: the site is on that body itself, where it always stays")
         check_interval(table, keys, name)
-        rows.append(_GraspRow(table, Grasp(point, link, table.body, table.start, table.end), name))
-        check_overlap(
-            table, tables[: number - 1], name, "grasp {} of the same site", "a site holds one thing at a time"
-        )
-    return tuple(replace(row.grasp, spots=tuple(_grasp_spots(figure, keys, row))) for row in rows)
-
-
-def requested_grasps(figure: Figure, tables: Sequence[GraspTable], soles: Sequence[Point]) -> tuple[Grasp, ...]:
-    """Return the grasps of tables with existing sites and bodies, independent of the motion."""
-    places, bodies = Places(figure, soles), moving_bodies(figure)
-    points = [(places.point(table.hand), table) for table in tables if table.body in bodies]
-    return tuple(
-        Grasp(point, int(figure.body_link[bodies[table.body]]), table.body, table.start, table.end)
-        for point, table in points
-        if point is not None
-    )
+        why = "a site holds one thing at a time"
+        check_overlap(table, tables[: number - 1], name, "grasp {} of the same site", why)
+        grasp = Grasp(point, link, table.body, table.start, table.end)
+        grasps.append(replace(grasp, spots=tuple(_grasp_spots(figure, keys, grasp, table, name))))
+    return tuple(grasps)
 
 
 def moving_bodies(figure: Figure) -> dict[str, int]:
@@ -250,9 +223,9 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
     return unknown("body", name, bodies)
 
 
-def _grasp_spots(figure: Figure, keys: Timeline, row: _GraspRow) -> list[Spot]:
+def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, table: GraspTable, name: str) -> list[Spot]:
     """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
-    grasp, table, limits = row.grasp, row.table, Thresholds.of(figure)
+    limits = Thresholds.of(figure)
     setting, places, exact = _grasp_places(figure, keys, grasp)
     target = None
     if table.position is not None:
@@ -261,7 +234,7 @@ def _grasp_spots(figure: Figure, keys: Timeline, row: _GraspRow) -> list[Spot]:
     def contradicts(k: int, distance: float, first: int | None) -> str:
         where = "the grasp's position" if first is None else f"where keyframe {first + 1} has it"
         return (
-            f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {distance:.3f} m from {where} on "
+            f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {distance:.3f} m from {where} on "
             f"the body; a grasp may drift by {limits.same_spot:.3g} m"
         )
 

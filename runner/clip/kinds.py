@@ -5,8 +5,8 @@ A new kind is a class in the solver and a record here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -391,43 +391,24 @@ def _bodies(context: Context, options: UprightOptions) -> Penalty | None:
     return Level.of(context.figure, links, options.axis)
 
 
-@dataclass(frozen=True)
-class Renamed:
-    """A kind of older clip files.
-
-    Attributes:
-        options: New names of its options, without those that no longer exist.
-        requires: Options that the present kind needs.
-    """
-
-    kind: str
-    part: str = ""
-    options: Mapping[str, str] = field(default_factory=dict)
-    requires: Mapping[str, object] = field(default_factory=dict)
-
-
-RENAMED = {
-    "covariant": Renamed("acceleration", "angular"),
-    "root": Renamed("acceleration", "linear"),
-    "contact": Renamed("collision", "soles", {"points": "points"}),
-    "clearance": Renamed("collision", "body", {"margin": "margin"}),
-    "self": Renamed("collision", "self", {"margin": "margin"}, {"self": True}),
-    "planted": Renamed("attach", "stance"),
-    "resting": Renamed("attach", "contact"),
-    "hold": Renamed("attach", "grasp"),
-    "placement": Renamed("attach", "placement"),
-    "skate": Renamed("no_slip", "", {"reach": "reach"}),
-    "bend": Renamed(
-        "limits",
-        "bend",
-        {"joints": "bend_joints", "least": "least_bend", "sideways": "sideways", "twist": "twist"},
-    ),
-    "range": Renamed("limits", "range", {"limit": "range"}),
-    "steady": Renamed("limits", "overshoot"),
-    "speed": Renamed("limits", "speed", {"limit": "speed"}),
-    "level": Renamed("upright", "bodies", {"bodies": "bodies", "axis": "axis"}),
-    "coupled": Renamed("equality"),
-    "closed": Renamed("equality"),
+RENAMED = {  # kinds of version 0.2, and the terms that they are now
+    "covariant": "acceleration.angular",
+    "root": "acceleration.linear",
+    "contact": "collision.soles",
+    "clearance": "collision.body",
+    "self": "collision.self",
+    "planted": "attach.stance",
+    "resting": "attach.contact",
+    "hold": "attach.grasp",
+    "placement": "attach.placement",
+    "skate": "no_slip",
+    "bend": "limits.bend",
+    "range": "limits.range",
+    "steady": "limits.overshoot",
+    "speed": "limits.speed",
+    "level": "upright.bodies",
+    "coupled": "equality",
+    "closed": "equality",
 }
 KINDS = {
     kind.name: kind

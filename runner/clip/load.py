@@ -7,6 +7,7 @@ here; `recordings` loads clips that follow others.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -15,7 +16,6 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Contacts
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 from dynsplines.solver.penalty import Placed
@@ -27,9 +27,9 @@ from ..scene.assets import Scene, taken_along
 from ..scene.compose import compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
-from .contacts import requested_grasps, requested_rests
+from .kinds import RENAMED
 from .obstacles import obstacles
-from .parse import Parsed, check_times, keyframe_label, parse, read, renewed, table_of
+from .parse import Parsed, check_times, keyframe_label, parse, read, table_of
 from .pose import pose, soles_of, stander_of
 from .posing.full_turns import lost_turns
 from .posing.placement import wanted
@@ -37,6 +37,10 @@ from .posing.places import Places
 from .posing.root_entries import ambiguities
 from .table import ClipTable, KeyframeTable, SolveTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
+
+OUTDATED = re.compile(
+    rf"""kind\s*=\s*["']({"|".join(RENAMED)})["']|^\[\[hold\]\]|others\s*=\s*["']hold["']""", re.MULTILINE
+)
 
 
 def load(
@@ -220,26 +224,37 @@ def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> 
         spec.assets = dict(taken_along(spec))  # MuJoCo 3.2.7 caches meshes by these names
     except UserError as error:
         raise UserError(_placed(error, where)) from None
+    model, time, qpos = compiled_keys(spec, where)
+    if not time.size:
+        raise UserError(f"{where}: the model has no <keyframe> elements to go through")
+    try:
+        scene = compose(spec, bare=model)
+    except UserError as error:
+        raise UserError(_placed(error, where)) from None
+    return from_qpos(name, scene, time, qpos, fps, where)
+
+
+def compiled_keys(spec: mujoco.MjSpec, where: str) -> tuple[mujoco.MjModel, Array, Array]:
+    """Return a compiled model, and the times (K,) [s] and qpos (K, nq) of its <keyframe> elements.
+
+    Raises:
+        UserError: For a model that MuJoCo cannot compile, and for a qpos of another size.
+    """
     configurations = [np.array(key.qpos) for key in spec.keys]
     try:
         with quietly():
             model = spec.compile()
     except ValueError as error:
         raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
-    if not configurations:
-        raise UserError(f"{where}: the model has no <keyframe> elements to go through")
-    time, qpos = np.array(model.key_time)[: len(configurations)], np.array(model.key_qpos)[: len(configurations)]
+    count = len(configurations)  # <size nkey> may exceed it
+    time, qpos = np.array(model.key_time)[:count], np.array(model.key_qpos).reshape(model.nkey, model.nq)[:count]
     for i, values in enumerate(configurations):
         if values.size not in (0, model.nq):
             at = keyframe_label(i + 1, time[i])
             raise UserError(f"{where}: {at}: qpos has {values.size} numbers, not the figure's {model.nq}")
         if values.size:
             qpos[i] = values  # the values in the file: MuJoCo replaces a zero quaternion by the identity
-    try:
-        scene = compose(spec, bare=model)
-    except UserError as error:
-        raise UserError(_placed(error, where)) from None
-    return from_qpos(name, scene, time, qpos, fps, where)
+    return model, time, qpos
 
 
 def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
@@ -291,10 +306,9 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
 
 
 def load_motion(path: Path) -> Saved:
-    """Return a motion from its file, with older kinds of penalty in its clip's text replaced by present ones."""
+    """Return a motion from its file, without its clip's text if that is of version 0.2 and has names of the time."""
     saved = read_motion(path)
-    text = renewed(saved.text)
-    return saved if text is saved.text else replace(saved, text=text)
+    return replace(saved, text="") if OUTDATED.search(saved.text) else saved
 
 
 def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
@@ -314,10 +328,7 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
 
 
 def clip_from_motion(saved: Saved) -> Clip:
-    """Return the clip that a saved motion solves, with the contacts and positions of its text.
-
-    Contacts that the motion misses by too much for a clip are stored for measurements only.
-    """
+    """Return the clip that a saved motion solves, with the contacts and positions of its text unless it misses them."""
     source = Parsed.of(saved.text, saved.name, saved.name)
     if source.table.recording is not None:
         edits = edits_of(saved.keys, source.table)
@@ -327,11 +338,7 @@ def clip_from_motion(saved: Saved) -> Clip:
     try:
         return of_motion(saved, contacts=True)
     except UserError:
-        clip, table = of_motion(saved), source.table
-        points = clip.context.points
-        given_contacts = Contacts(requested=requested_rests(saved.figure, table.contact, points))
-        held_sites = requested_grasps(saved.figure, table.grasp, points)
-        return replace(clip, context=clip.context.scheduled(contacts=given_contacts, grasps=held_sites))
+        return of_motion(saved)
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:

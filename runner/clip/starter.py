@@ -26,6 +26,7 @@ from ..errors import UserError
 from ..scene.compose import compose, figure_spec, first_line, quietly
 from ..scene.configuration import first_wrong
 from ..scene.urdf import fixed_base
+from .load import compiled_keys
 from .posing.couplings import follow
 from .posing.equalities import Equalities
 from .posing.feet import sole_points
@@ -80,7 +81,7 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     """
     with quietly():
         spec = figure_spec(source)
-    times, poses = model_keys(spec, Path(source).name)
+    times, poses = _model_keys(spec, Path(source).name)
     names, model_poses = [key.name for key in spec.keys], poses
     scene = compose(spec)
     try:
@@ -98,7 +99,7 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
         poses[k], lines = _closed(figure, qpos, equalities)
         notes += [f"keyframe {k + 1}: {line}" for line in lines]
     settled = poses
-    lifted = [_raised(figure, qpos) if has_keys else _placed_on_floor(figure, qpos, bool(soles)) for qpos in poses]
+    lifted = [_on_floor(figure, qpos, lowers=bool(soles) and not has_keys) for qpos in poses]
     poses = np.array(
         [  # bodies attached to the world or a mocap body are not lifted off it
             qpos if equalities.open(up) and not equalities.open(qpos) else up
@@ -134,29 +135,16 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     return "\n\n".join(blocks) + "\n"
 
 
-def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
-    """Return times (K,) [s] and qpos (K, nq) of a model's <keyframe> elements, K = 0 if there are none.
-
-    If the times do not rise, they are replaced by steps of half a second.
-    """
-    configurations = [np.array(key.qpos) for key in spec.keys]
-    try:
-        with quietly():
-            model = spec.compile()
-    except ValueError as error:
-        raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
+def _model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
+    """Return times (K,) [s] and qpos (K, nq) of a model's keys. If the times do not rise, they are half a second
+    apart."""
+    model, times, poses = compiled_keys(spec, where)
     if not model.njnt:
         raise UserError(f"{where}: the model has no joints: nothing can move")
-    count = len(configurations)  # <size nkey> may exceed it
-    poses = np.array(model.key_qpos).reshape(-1, model.nq)[:count]
-    for pose, configuration in zip(poses, configurations, strict=True):
-        if configuration.size == model.nq:
-            pose[:] = configuration
-    times = np.array(model.key_time)[: len(configurations)]
     if wrong := first_wrong(model, times, poses):
         raise UserError(f"{where}: keyframe {wrong[0] + 1}: {wrong[1]}")
     if times.size and not np.all(np.diff(times) >= 1e-3):
-        times = np.array([APART * k for k in range(times.size)])
+        times = APART * np.arange(times.size)
     return times, poses
 
 
@@ -173,16 +161,6 @@ def _within(figure: Figure) -> Array:
             column = figure.links[joint.link].qpos
             qpos[column] = np.clip(qpos[column], joint.low, joint.high)
     return qpos
-
-
-def _placed_on_floor(figure: Figure, pose: Array, on_feet: bool) -> Array:
-    """Return a pose (nq,) with a free figure's lowest point on the highest floor, and on top of its pedestal."""
-    qpos, floor = np.array(pose), floor_height(figure.model)
-    for root, column, up in lifts(figure):
-        low = lowest_point(figure, qpos, root)
-        if floor is not None and low is not None and (on_feet or low < floor):
-            qpos[column] += up * (floor - low)
-    return _raised(figure, qpos)
 
 
 def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array, list[str]]:
@@ -220,15 +198,16 @@ def _without_followers(figure: Figure, row: KeyframeTable) -> KeyframeTable:
     return row.changed(joints={name: value for name, value in row.joints.items() if name not in names})
 
 
-def _raised(figure: Figure, qpos: Array) -> Array:
-    """Return a pose (nq,) with free parts raised out of the floor and on top of their pedestal."""
+def _on_floor(figure: Figure, qpos: Array, *, lowers: bool) -> Array:
+    """Return a pose (nq,) with free parts raised out of the floor, or with `lowers` also lowered onto it, and on top
+    of their pedestal."""
     out, floor = np.array(qpos), floor_height(figure.model)
     for root, column, up in lifts(figure):
         low = lowest_point(figure, out, root)
         if low is None:
             continue
         if floor is not None:
-            out[column] += up * max(floor - low, 0.0)
+            out[column] += up * (floor - low if lowers else max(floor - low, 0.0))
         if root in figure.tables.free_links:
             _mount(figure, out, root)
     return out

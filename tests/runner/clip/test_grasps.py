@@ -14,7 +14,7 @@ from rich.console import Console
 from dynsplines import solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
-from dynsplines.clip.parse import renewed, table_of
+from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import written
 from dynsplines.edit.edits import retimed_tables, trimmed
 from dynsplines.errors import UserError
@@ -255,14 +255,9 @@ def test_at_another_speed_and_in_a_part_of_the_clip_grasps_keep_their_place():
     assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.grasp") == 1
 
 
-def test_older_names_of_tables_and_values_are_replaced_by_their_present_ones():
-    """In a clip they are errors; the text of an older motion is read."""
+def test_older_names_of_tables_and_values_are_errors_with_their_present_ones():
     rest = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\n'
     with pytest.raises(UserError, match=r"^old.toml: \[\[hold\]\] is named \[\[grasp\]\] now$"):
         clips.from_text(rest + "[[hold]]\n", name="old")
     with pytest.raises(UserError, match=r"keyframe 2 \(t = 1 s\): others = 'hold' is named others = 'previous' now$"):
         clips.from_text(rest + 'others = "hold"\n', name="old")
-    older = rest + 'others = "hold"\n[[hold]]\nhand = "left_hand"\nbody = "crate"\nfrom = 0.2\nto = 0.6\n'
-    table = table_of(renewed(older), "old.toml")
-    assert [row.others for row in table.keyframe] == ["rest", "previous"]
-    assert [(row.hand, row.body, row.start, row.end) for row in table.grasp] == [("left_hand", "crate", 0.2, 0.6)]
