@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from .edit import files, thin_files
     from .exchange import formats, motion_import, quantities, trajectory
     from .exchange.skeleton import maps
-    from .measure import chart, summary, violation
+    from .measure import chart, violation
     from .measure import report as reports
     from .picture import film, show
     from .studio import launch, sources
@@ -60,7 +60,7 @@ else:
     formats, motion_import, quantities, trajectory, maps = _lazy(
         ".exchange", "formats motion_import quantities trajectory skeleton.maps"
     )
-    chart, summary, violation, reports = _lazy(".measure", "chart summary violation report")
+    chart, violation, reports = _lazy(".measure", "chart violation report")
     film, show = _lazy(".picture", "film show")
     launch, sources = _lazy(".studio", "launch sources")
 
@@ -162,7 +162,7 @@ def solve(
         motion.save(saved, target)
         _conclude(progress, target, violations, target)
     if as_json:
-        print(json.dumps(summary.summary(saved, violations), indent=2))
+        print(json.dumps(violation.summary(saved, violations), indent=2))
     _judge(violations, strict)
 
 

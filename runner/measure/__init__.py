@@ -9,7 +9,6 @@ bounds       tolerances of violations
 report       a motion before and after solving
 quantities   the quantities of one column of a report, also *between* the samples of the optimiser
 formatting   lines of a report for the terminal
-summary      a short summary of a solve, with its violations
 depths       depths of a figure's points in surfaces
 exactness    the error of a motion at its keyframes
 swings       swings of feet, with their heights

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -16,9 +16,6 @@ from matplotlib.ticker import MaxNLocator
 
 from ..errors import UserError
 from ..system.output import Replacement
-
-if TYPE_CHECKING:
-    from .curves import Curves
 
 ENDINGS = (".png", ".svg", ".pdf")
 BEFORE, AFTER = "#b5541c", "#1f6f8b"
@@ -43,7 +40,7 @@ def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: Collect
         figure, axes = plt.subplots(2, 2, figsize=(12, 7.2), layout="constrained")
         try:
             figure.suptitle(f"{name}: before and after", color=INK, fontsize=12, x=0.01, ha="left", parse_math=False)
-            curves: Curves = report["curves"]
+            curves = report["curves"]
             _heights(axes[0, 0], curves, key_times)
             _lengths(axes[0, 1], curves, key_times)
             _tenths(axes[1, 0], curves)
@@ -54,7 +51,7 @@ def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: Collect
             plt.close(figure)
 
 
-def _heights(axes: Axes, curves: Curves, key_times: Collection[float]) -> None:
+def _heights(axes: Axes, curves: dict[str, Any], key_times: Collection[float]) -> None:
     axes.set_title("lowest contact point over its surface", loc="left")
     for side, colour in (("before", BEFORE), ("after", AFTER)):
         rows = list(curves[side]["height"].values())
@@ -72,7 +69,7 @@ def _heights(axes: Axes, curves: Curves, key_times: Collection[float]) -> None:
         axes.legend(frameon=False)
 
 
-def _lengths(axes: Axes, curves: Curves, key_times: Collection[float]) -> None:
+def _lengths(axes: Axes, curves: dict[str, Any], key_times: Collection[float]) -> None:
     axes.set_title("length of the quaternions before normalising", loc="left")
     for side, colour in (("before", BEFORE), ("after", AFTER)):
         data = curves[side]
@@ -83,7 +80,7 @@ def _lengths(axes: Axes, curves: Curves, key_times: Collection[float]) -> None:
     axes.legend(frameon=False)
 
 
-def _tenths(axes: Axes, curves: Curves) -> None:
+def _tenths(axes: Axes, curves: dict[str, Any]) -> None:
     axes.set_title("Euler-Lagrange deviation over tenths of the clip", loc="left")
     highest = 0.0
     for side, colour, shift in (("before", BEFORE, -0.2), ("after", AFTER, 0.2)):

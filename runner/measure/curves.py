@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypedDict
+from typing import Any
 
 import numpy as np
 
@@ -19,32 +19,16 @@ RATE = 250.0  # [1/s] of the samples, finer than the resolution of a chart
 TENTHS = 10  # number of equal parts of the clip's duration, as in the paper's figure 10
 
 
-SideCurves = TypedDict(  # of a timeline: heights [m] by contact point, lengths of quaternions, EL deviation by part
-    "SideCurves",
-    {
-        "time": list[float],
-        "height": dict[str, list[float]],
-        "shortest": list[float],
-        "longest": list[float],
-        "EL over tenths": list[float],
-    },
-)
+def curves(clip: Clip, motion: Solution) -> dict[str, dict[str, Any]]:
+    """Return the curves of the raw spline, "before", and of the motion, "after", as lists.
 
-
-class Curves(TypedDict):
-    """The curves of the raw spline, `before`, and of the solved motion, `after`."""
-
-    before: SideCurves
-    after: SideCurves
-
-
-def curves(clip: Clip, motion: Solution) -> Curves:
-    """Return heights, quaternion lengths and Euler-Lagrange deviation of the raw spline and the motion, as lists."""
+    These are "time" [s], "height" [m] by contact point, "shortest" and "longest" quaternion [1], and "EL over tenths".
+    """
     before = _side(clip, motion, motion.raw)
     return {"before": before, "after": before if motion.is_raw else _side(clip, motion, motion.timeline)}
 
 
-def _side(clip: Clip, motion: Solution, timeline: Timeline) -> SideCurves:
+def _side(clip: Clip, motion: Solution, timeline: Timeline) -> dict[str, Any]:
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
     samples = samples_at(clip.figure, path_of(timeline), time)

@@ -35,18 +35,16 @@ class Bunch:
 
 def bunches(points: Sequence[Point]) -> tuple[Bunch, ...]:
     """Return points grouped by their links."""
-    return tuple(_bunches(points))
-
-
-def _bunches(points: Sequence[Point]) -> Iterator[Bunch]:
     links = np.array([point.link for point in points], np.intp)
+    out = []
     for link in np.unique(links).tolist():
         which = np.flatnonzero(links == link)
         members = [points[i] for i in which.tolist()]
         places, radii = np.array([point.position for point in members]).T, np.array([point.radius for point in members])
         middle = places.mean(axis=1)
         reach = float((np.linalg.norm(places - middle[:, None], axis=0) + radii).max())
-        yield Bunch(link, which, places, radii, middle, reach)
+        out.append(Bunch(link, which, places, radii, middle, reach))
+    return tuple(out)
 
 
 def depths(nearby: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterator[tuple[Bunch, Index, Array]]:

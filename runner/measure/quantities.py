@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypedDict
+from typing import Any
 
 import numpy as np
 
@@ -97,35 +97,26 @@ class Side:
         return {name: value for name, value in every.items() if value is not None}
 
 
-class Deepest(TypedDict, total=False):
-    """The deepest penetration [m], and where; empty if there is nothing to penetrate."""
-
-    deepest: float
-    where: str
-
-
 Entry = dict[str, float | str]  # values of a quantity by name and unit
-Penetration = TypedDict(  # [m] of the figure's geoms and contact points in their surroundings
-    "Penetration",
-    {"deepest": float, "where": str, "geoms": dict[str, float], "points": dict[str, float], "all geoms count": bool},
-)
 Worst = Sequence[tuple[Row, float, float]]  # rows with their largest amounts and the times [s], worst first
 
 
-def _deepest(worst: Worst) -> Deepest:
+def _deepest(worst: Worst) -> Entry:
+    """Return the deepest penetration [m], and where."""
     if not worst or worst[0][1] <= 0:
         return {"deepest": 0.0, "where": "nothing"}
     row, depth, time = worst[0]
     return {"deepest": depth, "where": f"{row.name} in {row.other} at {time:.3f} s"}
 
 
-def _in_carried(clip: Clip, worst: Worst) -> Deepest:
+def _in_carried(clip: Clip, worst: Worst) -> Entry:
     return (
         _deepest([entry for entry in worst if entry[0].kind == "penetration"]) if clip.context.schedule.grasps else {}
     )
 
 
-def _penetration(clip: Clip, worst: Worst) -> Penetration:
+def _penetration(clip: Clip, worst: Worst) -> dict[str, Any]:
+    """Return the depths [m] of the figure's geoms and contact points in their surroundings."""
     model = clip.figure.model
     names, depths = {geom_name(model, geom) for geom in movers(model)}, dict[str, float]()
     for row, depth, _ in worst:

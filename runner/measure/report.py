@@ -5,7 +5,6 @@ The data are plain dicts for JSON, the motion file and the terminal.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
@@ -29,7 +28,7 @@ from dynsplines.solver.surface.points import places_of
 from ..clip.build import Clip
 from .formatting import rows
 from .quantities import Side
-from .violation import ViolationTable, plain, violations_of
+from .violation import Violation, by_name, plain, violations_of
 
 LOCAL_EVALUATIONS: int = 25  # most evaluations of a local solve that estimates the remaining decrease of a segment
 # [1] relative to a segment's E: yields the decrease to within 10 %, in a quarter of the time that 1e-7 takes
@@ -182,20 +181,9 @@ def tables(data: dict[str, Any]) -> Group:
             *(f"{row[key]:.3g}" for key in ("deviation before", "deviation after", "delta", "delta · EL", "left")),
             f"{row['variable frames']:.0f}",
         )
-    listed = data.get("violations", [])
-    wrong = [
-        Text(f"violation: {text}") for text in ([p["text"] for p in listed] if searched else _worst_of_each(listed))
-    ]
+    listed = [Violation(**table) for table in data.get("violations", [])]
+    wrong = [Text(f"violation: {violation}") for violation in (listed if searched else by_name(listed))]
     return Group(*wrong, head, main, *([segments] if data["segments"] else []))
-
-
-def _worst_of_each(violations: list[ViolationTable]) -> list[str]:
-    """Return the violations of a recording, worst first, only one of each kind and name, as samples repeat them."""
-    count = Counter((violation["kind"], violation["name"]) for violation in violations)
-    first: dict[tuple[str, str], str] = {}
-    for violation in violations:
-        first.setdefault((violation["kind"], violation["name"]), violation["text"])
-    return [text + (f"; {count[key] - 1} times more" if count[key] > 1 else "") for key, text in first.items()]
 
 
 def _cycle_words(data: dict[str, Any]) -> str:

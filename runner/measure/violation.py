@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import TypedDict, cast
+from typing import Any
 
 import numpy as np
 
@@ -63,19 +63,6 @@ class Violation:
 
     def __str__(self) -> str:
         return self.text
-
-
-class ViolationTable(TypedDict):
-    """A violation in files; the fields are those of `Violation`."""
-
-    kind: str
-    name: str
-    time: float | None
-    amount: float
-    unit: str
-    bound: float
-    keyframe: int | None
-    text: str
 
 
 def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
@@ -154,9 +141,25 @@ def by_name(violations: Sequence[Violation]) -> tuple[Violation, ...]:
     return tuple(out)
 
 
-def plain(violations: Sequence[Violation]) -> list[ViolationTable]:
+def plain(violations: Sequence[Violation]) -> list[dict[str, Any]]:
     """Return the violations for JSON."""
-    return [cast(ViolationTable, asdict(violation)) for violation in violations]
+    return [asdict(violation) for violation in violations]
+
+
+def summary(saved: Saved, violations: Sequence[Violation]) -> dict[str, object]:
+    """Return a short summary of a solve with its violations, as plain numbers for JSON."""
+    times, trace = saved.timeline.times, saved.trace
+    values = {"objective before": trace[0][2], "objective": trace[-1][2]} if trace else {}
+    return {
+        "clip": saved.name,
+        "duration, s": float(times[-1] - times[0]),
+        "keyframes": len(saved.keys),
+        "partial keyframes": sum(not key.is_key for key in saved.keys),
+        "variable frames": saved.timeline.variable_count,
+        **values,
+        **saved.search,
+        "violations": plain(violations),
+    }
 
 
 def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]:
