@@ -33,7 +33,7 @@ from dynsplines.solver.figure.kinematics import Samples
 
 from .errors import UserError
 from .scene.assets import Scene
-from .system import archive as archive_sizes
+from .system import size_limit
 from .system.output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
@@ -274,7 +274,7 @@ def read_arrays(source: Path) -> Arrays:
             raise UserError(f"{source}: not an .npz file, or cut short")
         stream.seek(0)
         try:
-            archive_sizes.check(stream, source)
+            size_limit.check_archive(stream, source)
             with np.load(stream, allow_pickle=False) as archive:
                 data = {name: archive[name] for name in archive.files}
         except UserError:

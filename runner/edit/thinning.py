@@ -23,7 +23,6 @@ from ..clip import file as clip_file
 from ..clip.build import Clip, around, radians
 from ..clip.load import of_motion
 from ..clip.parse import SHORTEST, table_of
-from ..clip.table import ClipTable
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..motion import Saved, save
@@ -79,13 +78,12 @@ def thinned(
     """
     progress, saved = progress or Progress(), clip_file.standalone(saved)
     recorded = recorded_of(saved, distance, angle)
-    text = _Text(saved)
 
     def report(note: str) -> None:
         progress.step("thinning", None, note)
 
     def problem(keys: Sequence[Frame]) -> Clip:
-        return of_motion(replace(saved, text=text.of(keys), keys=tuple(keys)), contacts=True)
+        return of_motion(replace(saved, text=_text(saved, keys), keys=tuple(keys)), contacts=True)
 
     def solved(keys: Sequence[Frame]) -> Timeline:
         return solving.solve(problem(keys), progress).motion.timeline
@@ -94,7 +92,9 @@ def thinned(
     reduced = refined(recorded, thin(loosely, report).instants, solved, report) if solve else thin(recorded, report)
     keys = tuple(recorded.frames(reduced.instants))
     raw = recorded.spline(keys)
-    compact = replace(saved, text=text.of(keys), keys=keys, timeline=reduced.timeline, raw=raw, trace=[], report={})
+    compact = replace(
+        saved, text=_text(saved, keys), keys=keys, timeline=reduced.timeline, raw=raw, trace=[], report={}
+    )
     return measured(recorded, compact)
 
 
@@ -133,24 +133,17 @@ def _instants(saved: Saved, keys: Array) -> Array:
     return np.sort(np.concatenate([keys, grid[apart > SHORTEST]]))
 
 
-class _Text:
-    """A motion's clip text with other keyframes; "" for a motion without one."""
-
-    def __init__(self, saved: Saved) -> None:
-        self.saved = saved
-        self.table = table_of(saved.text, saved.name) if saved.text else None
-
-    def of(self, keys: Sequence[Frame]) -> str:
-        return "" if self.table is None else written(_with_keys(self.table, self.saved, keys))
-
-
-def _with_keys(table: ClipTable, saved: Saved, keys: Sequence[Frame]) -> ClipTable:
-    """Return a clip's tables with other keyframes, and the contacts within their time."""
-    first, last = keys[0].time, keys[-1].time
-    return table.changed(
-        solve=clip_file.searching(table.solve).changed(**around(saved).specified),
-        contact=[row for row in table.contact if first <= row.start and row.end <= last],
-        keyframe=keyframe_tables(saved.figure, keys),
+def _text(saved: Saved, keys: Sequence[Frame]) -> str:
+    """Return a motion's clip text with other keyframes and the contacts within their time; "" for one without."""
+    if not saved.text:
+        return ""
+    table, first, last = table_of(saved.text, saved.name), keys[0].time, keys[-1].time
+    return written(
+        table.changed(
+            solve=clip_file.searching(table.solve).changed(**around(saved).specified),
+            contact=[row for row in table.contact if first <= row.start and row.end <= last],
+            keyframe=keyframe_tables(saved.figure, keys),
+        )
     )
 
 

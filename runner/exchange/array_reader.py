@@ -12,7 +12,6 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ..errors import UserError
-from ..system import archive as archive_sizes
 from ..system import size_limit
 from .gaps import UnequalSamples, bridged, samples_used
 from .trajectory import BodyPoses
@@ -157,7 +156,7 @@ def read_npz(source: Path) -> ArrayReader:
             if not zipfile.is_zipfile(stream):
                 raise UserError(f"{source}: not an .npz file, or cut short")
             stream.seek(0)
-            archive_sizes.check(stream, source)
+            size_limit.check_archive(stream, source)
             with np.load(stream, allow_pickle=False) as archive:
                 arrays = {name: _unpickled(archive, name) for name in archive.files}
     except UserError:

@@ -6,7 +6,7 @@ import asyncio
 import time
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, unknown
 from .revision_map import renumbered
@@ -19,20 +19,6 @@ if TYPE_CHECKING:
 
 AT = 1e-6  # [s] distance up to which a time is that of a keyframe
 PAUSE = 0.1  # [s] pause of a drag after which its edit is solved speculatively
-
-
-class Bodies(TypedDict):
-    """Positions (nbody · 3) [m] and rotations (nbody · 4), xyzw, of all bodies."""
-
-    position: list[float]
-    rotation: list[float]
-
-
-class Dragged(Bodies):
-    """A pose of a drag, its distance from the mouse [m], and how long it took [ms]."""
-
-    missed: float
-    ms: float
 
 
 class Actions:
@@ -83,7 +69,7 @@ class Actions:
         self._grip, self._home, self._last, self._body = grip, qpos, qpos, int(body)
         return {"planted": [goal.name for goal in grip.planted]}
 
-    async def drag(self, *, position: Sequence[float]) -> Dragged:
+    async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
         """Return the pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
         if self._grip is None:
             raise UserError("no limb is grabbed; press the mouse on one first")
@@ -96,7 +82,7 @@ class Actions:
         self._restart_timer()
         return {**bodies, "missed": round(pose.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
-    async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> Bodies:
+    async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> dict[str, Any]:
         """Return the pose with one joint rotated, in the format of `drag`."""
         self._mark_moved(time, partial)
         poser, turned = await self.poser(), (float(time), joint)
@@ -354,7 +340,8 @@ def prepared(session: Session) -> Poser:
     return poser
 
 
-def _bodies(poser: Poser, qpos: Any) -> Bodies:
+def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
+    """Return positions (nbody · 3) [m] and rotations (nbody · 4), xyzw, of all bodies."""
     from .paths import poses
 
     position, rotation, _ = poses(poser.figure.model, qpos[None])

@@ -11,7 +11,7 @@ from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, TypedDict
+from typing import TYPE_CHECKING
 
 from ..errors import UserError
 from ..system.output import Replacement
@@ -28,17 +28,6 @@ Packed = tuple[str, bytes]  # description of an edit, and the compressed text be
 def parsed(text: str) -> TomlTable:
     """Return a valid TOML text as plain tables."""
     return tomllib.loads(text)
-
-
-class DocumentState(TypedDict):
-    """A document for pages, without its tables: `undo` and `redo` describe the edits that they would change."""
-
-    name: str
-    file: str | None
-    dirty: bool
-    revision: int
-    undo: str | None
-    redo: str | None
 
 
 @dataclass
@@ -81,8 +70,8 @@ class Document:
     def redone(self) -> str | None:
         return self._forth[-1][0] if self._forth else None
 
-    def state(self) -> DocumentState:
-        """Return the state of the document for pages, without its tables."""
+    def state(self) -> dict[str, object]:
+        """Return the state of the document for pages; `undo` and `redo` describe the edits that they would change."""
         return {
             "name": self.name,
             "file": self.file.name if self.file else None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypedDict
+from typing import Any
 
 from ..clip.constraints import chosen, weight_factors
 from ..clip.kinds import KINDS
@@ -12,29 +12,7 @@ from ..clip.text import TomlTable, tables
 from .document import FILMS
 
 
-class Outline(TypedDict):
-    """A clip's text as the page has it; tables are as in the file."""
-
-    figure: str
-    fps: float
-    keys: list[TomlTable]
-    contacts: list[TomlTable]
-    grasps: list[TomlTable]
-    weights: dict[str, float]
-    options: dict[str, TomlTable]
-    obstacles: list[TomlTable]
-    solve: TomlTable
-    recording: TomlTable | None
-
-
-class Formats(TypedDict):
-    """What can be written: formats with name, ending and description, and endings of films."""
-
-    formats: list[dict[str, str]]
-    films: list[str]
-
-
-def outline(text: str, where: str) -> Outline:
+def outline(text: str, where: str) -> dict[str, Any]:
     """Return the content of a clip's text for the page. Raises UserError for an invalid clip."""
     table = table_of(text, where)
     content = tables(table)
@@ -80,7 +58,7 @@ def kinds() -> list[dict[str, object]]:
     ]
 
 
-def formats() -> Formats:
+def formats() -> dict[str, list[Any]]:
     """Return the formats that can be written."""
     from ..exchange.formats import FORMATS  # imported here, after the figure is on the page
 

@@ -4,14 +4,11 @@ output        atomic writing of files
 lock          one program at a time in a folder
 scratch       temporary folders
 size_limit    limit on the memory that a file may need
-archive       memory of the arrays of an .npz, from their headers before any is read
 cache_folder  the user's cache folder
 progress      progress of long work: a bar on a terminal, plain lines elsewhere, always on stderr
-terminal      text for terminals with limited encodings
 mujoco_warnings  MuJoCo's warnings as notes
 quantity      lengths and speeds with units: "2cm", "20 mm", "0.02 m"
 signals       signals that end a command
-low_priority  work that lets other threads go first
 threads       one thread of linear algebra, for speed and reproducible results
 workers       worker processes, and the results of many items in order
 exit_status   exit codes and error messages

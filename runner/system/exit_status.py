@@ -1,9 +1,14 @@
-"""The end of a command: its exit code, and one line on stderr for every error."""
+"""The end of a command: its exit code, and one line on stderr for every error.
+
+In terminals with limited encodings, missing letters are replaced by available ones.
+"""
 
 from __future__ import annotations
 
+import codecs
 import os
 import sys
+import unicodedata
 from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn, cast
@@ -25,16 +30,18 @@ NO_ROOM = (  # messages without enough memory: of the linker, of MuJoCo, and of 
     "error return without exception set",
 )
 
+SPELLING = "dynsplines"  # name of the handler of encoding errors
+SPELLED = {"°": " deg", "×": "x", "·": "*", "–": "-", "−": "-", "…": "...", "→": "->", "┃": "|", "│": "|", "━": "-"}
+
 
 def run(command: Callable[[], int | None]) -> NoReturn:
     """Exit with a command's exit code. Invalid input and internal errors are reported in one line."""
     try:
         from . import mujoco_warnings  # imported here so that a lack of memory during the import is reported too
-        from .terminal import fit
         from .threads import use_one_thread
 
         use_one_thread()
-        fit()
+        fit_terminal()
         with mujoco_warnings.reported_to(mujoco_warnings.print_note):
             code = command()
     except BrokenPipeError:
@@ -112,3 +119,24 @@ def _is_interrupt(error: BaseException | None) -> bool:
 def _end(code: int, line: str) -> NoReturn:
     print(f"dynsplines: {line}", file=sys.stderr)
     sys.exit(code)
+
+
+def _spelled(error: UnicodeError) -> tuple[str, int]:
+    """Return letters without accents, or signs in words, or else the character's number."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    return "".join(map(_letter, error.object[error.start : error.end])), error.end
+
+
+def _letter(letter: str) -> str:
+    plain = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode()
+    return SPELLED.get(letter) or plain or letter.encode("unicode_escape").decode()
+
+
+def fit_terminal() -> None:
+    """Allow any text on both streams, with any encoding."""
+    codecs.register_error(SPELLING, _spelled)
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors=SPELLING)

@@ -1,8 +1,15 @@
-"""Limit on the memory that a file may need: a small untrusted file can request all of the memory."""
+"""Limit on the memory that a file may need: a small untrusted file can request all of the memory.
+
+The arrays of an .npz are checked by their headers, before any array is read.
+"""
 
 from __future__ import annotations
 
+import math
 import os
+import zipfile
+from pathlib import Path
+from typing import IO, Any
 
 from ..errors import UserError
 
@@ -29,3 +36,32 @@ def check(where: object, size: float, what: str) -> None:
             f"{where}: {what} comes to {size / MEGABYTE:,.0f} MB in memory, over {most // MEGABYTE:,} MB; "
             f"if you trust it, set {VARIABLE} to more MB"
         )
+
+
+def check_archive(stream: IO[bytes], where: Path) -> None:
+    """Raise UserError for arrays that are too large together, or larger than their data in the archive.
+
+    A damaged archive may raise any exception. The stream is reset to its beginning.
+    """
+    with zipfile.ZipFile(stream) as archive:
+        members = archive.infolist()
+        check(where, sum(member.file_size for member in members), "what it holds")
+        for member in members:
+            with archive.open(member) as content:
+                claimed = _claimed(content)
+            if claimed > member.file_size:
+                raise UserError(f"{where}: '{member.filename}' does not have the size in its header; it is damaged")
+    stream.seek(0)
+
+
+def _claimed(content: IO[bytes]) -> int:
+    """Return the bytes that an array's header requests; 0 for other content, which its reader reports."""
+    import numpy as np  # imported here because other limits do not need it
+
+    heads = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
+    try:
+        head: Any = heads.get(np.lib.format.read_magic(content))
+        shape, _, kind = head(content) if head else ((0,), False, np.dtype("u1"))
+    except ValueError:
+        return 0
+    return math.prod(shape) * max(kind.itemsize, 1)

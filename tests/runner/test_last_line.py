@@ -118,7 +118,8 @@ def test_an_error_keeps_the_begin_and_the_end_of_a_name_of_any_length():
 
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
 def test_a_report_is_printed_in_terminals_of_few_letters(encoding: str, tmp_path: Path):
-    said = "from dynsplines.system.terminal import fit; fit(); import sys; print('5° → 2 × 3 m², naïve ┃ 人', end='')"
+    fit = "from dynsplines.system.exit_status import fit_terminal; fit_terminal(); "
+    said = f"{fit} print('5° → 2 × 3 m², naïve ┃ 人', end='')"
     environment = os.environ | {"PYTHONIOENCODING": encoding}
     done = subprocess.run([sys.executable, "-c", said], env=environment, capture_output=True, check=True)
     accents = {"ascii": "5 deg -> 2 x 3 m2, naive | \\u4eba", "latin-1": "5° -> 2 × 3 m², naïve | \\u4eba"}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, TypedDict
+from typing import Any
 
 from ...errors import UserError
 from .tables import Blocks, add, item, numbers, put
@@ -11,18 +11,7 @@ from .tables import Blocks, add, item, numbers, put
 EDITS = ("add_obstacle", "set_obstacle", "delete_obstacle")
 
 
-class Obstacle(TypedDict, total=False):
-    """The entries of a new obstacle [m]."""
-
-    x: float
-    height: float
-    position: list[float]
-    size: list[float]
-    length: float
-    radius: float
-
-
-NEW: dict[str, Obstacle] = {
+NEW: dict[str, dict[str, Any]] = {  # the entries of a new obstacle [m]
     "step": {"x": 0.5, "height": 0.2},
     "box": {"position": [0.6, 0.0, 0.2], "size": [0.4, 0.4, 0.4]},
     "sphere": {"position": [0.6, 0.0, 0.2], "radius": 0.2},

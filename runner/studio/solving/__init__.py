@@ -2,7 +2,6 @@
 
 process      its start
 loop         its loop: texts in; keyframes, improved paths and violations out
-speculation  the speculative result for a text that may follow
 stage        the figure as the page draws it
 curves       values over time
 """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypedDict
+from typing import Any
 
 import numpy as np
 
@@ -30,24 +30,10 @@ SIZE = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLID
 
 
 Series = dict[str, str | list[float]]  # "name", and values "after" and "before"
+Group = dict[str, Any]  # "name", "unit", and "series" of this unit
 
 
-class Group(TypedDict):
-    """Series of one unit."""
-
-    name: str
-    unit: str
-    series: list[Series]
-
-
-class Curves(TypedDict):
-    """What is drawn over time [s]."""
-
-    time: list[float]
-    groups: list[Group]
-
-
-def curves(clip: Clip, solution: Solution) -> Curves:
+def curves(clip: Clip, solution: Solution) -> dict[str, Any]:
     """Return groups of series at times [s]; a group has a name and a unit, a series a name and values after and before.
 
     E is computed per segment between frames, as steps of its value per second.

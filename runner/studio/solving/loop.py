@@ -13,11 +13,11 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from queue import Empty, SimpleQueue
-from typing import TYPE_CHECKING, Any, Protocol, TypedDict
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -39,7 +39,6 @@ from ...system.cache_folder import place as cache
 from .. import paths
 from ..outline import formats, kinds, outline
 from ..solver import Message
-from .speculation import Speculation
 from .stage import stage
 
 if TYPE_CHECKING:
@@ -92,6 +91,22 @@ class Outlet(Protocol):
     def send(self, obj: Any, /) -> None:
         """Send one message completely."""
         ...
+
+
+@dataclass(frozen=True, eq=False)
+class Speculation:
+    """The speculative result for a text that may follow: a clip edited from `before`, and the search of its path.
+
+    Attributes:
+        between: The edited interval [s]; None: the whole clip.
+        solution: The best path so far; None as long as none is better than `begin`.
+    """
+
+    before: Clip
+    clip: Clip
+    begin: Timeline
+    between: tuple[float, float] | None
+    solution: Solution | None = None
 
 
 class SolverLoop:
@@ -150,7 +165,9 @@ class SolverLoop:
         self._is_going, self._suspicion = go, None
         before, solution = self.clip, self.solution
         speculation, self._speculation = self._speculation, None
-        if speculation is not None and (first or initial_path is not None or not speculation.is_of(text, before)):
+        if speculation is not None and (speculation.clip.text != text or speculation.before is not before):
+            speculation = None
+        if first or initial_path is not None:
             speculation = None
         clip = (
             speculation.clip
@@ -511,15 +528,7 @@ def _bare(timeline: Timeline) -> Timeline:
     return Timeline(timeline.frames, timeline.end_slope, timeline.ends)
 
 
-class SearchProgress(TypedDict):
-    """The progress of a search: evaluations, E, and its terms."""
-
-    evaluation: int
-    value: float
-    parts: dict[str, float]
-
-
-def _progress(improvement: Improvement) -> SearchProgress:
+def _progress(improvement: Improvement) -> dict[str, Any]:
     return {
         "evaluation": improvement.evaluation,
         "value": float(improvement.value),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any, NotRequired, TypedDict
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -41,37 +41,8 @@ def stage(clip: Clip) -> bytes:
     return json.dumps(description, separators=(",", ":")).encode()
 
 
-class JointRow(TypedDict):
-    """A joint: its kind, its place in qpos, its body, its range [degrees or m], its axis and anchor there [m]."""
-
-    name: str
-    kind: str
-    qpos: int
-    body: int
-    range: list[float] | None
-    axis: list[float]
-    anchor: list[float]
-
-
-class PointRow(TypedDict):
-    """A point on a body, at an offset [m]; a sole has a radius [m]."""
-
-    name: str
-    body: int
-    offset: list[float]
-    radius: NotRequired[float]
-
-
-class LimbRow(TypedDict):
-    """A row of the timeline: the joints of a limb, and the body at its end, which is dragged."""
-
-    name: str
-    joints: list[str]
-    end: int
-
-
-def _joint(figure: Figure, index: int) -> JointRow:
-    """Return a joint: its name and kind, its position in qpos, its range in degrees or metres."""
+def _joint(figure: Figure, index: int) -> dict[str, Any]:
+    """Return a joint: its place in qpos, its range [degrees or m], its axis and anchor in its body [m]."""
     link, model = figure.links[index], figure.model
     limits = None
     if link.kind is not JointKind.FREE and model.jnt_limited[link.joint]:
@@ -88,9 +59,9 @@ def _joint(figure: Figure, index: int) -> JointRow:
     }
 
 
-def _sites(figure: Figure) -> list[PointRow]:
+def _sites(figure: Figure) -> list[dict[str, Any]]:
     model = figure.model
-    entries: list[PointRow] = []
+    entries: list[dict[str, Any]] = []
     for name in posable_sites(model):
         site = model.site(name).id
         body = int(model.site_bodyid[site])
@@ -99,7 +70,7 @@ def _sites(figure: Figure) -> list[PointRow]:
     return entries
 
 
-def _sole(figure: Figure, point: Any) -> PointRow:
+def _sole(figure: Figure, point: Any) -> dict[str, Any]:
     from dynsplines.solver.posing import PointGoal
 
     goal = PointGoal.of(figure, point)
@@ -107,14 +78,14 @@ def _sole(figure: Figure, point: Any) -> PointRow:
     return {"name": point.name, "body": goal.index, "offset": offset, "radius": round(float(point.radius), 5)}
 
 
-def limbs(figure: Figure) -> list[LimbRow]:
+def limbs(figure: Figure) -> list[dict[str, Any]]:
     """Return the figure's limbs and the trunk as rows of the timeline; a limb extends to the next branch.
 
     A free body other than the figure's root has a separate row. "end" is the last body of a limb, which is dragged.
     """
     parents = figure.tables.parents
     carries = {int(parents[i]) for i in range(1, len(figure.links))}
-    rows: list[LimbRow] = []
+    rows: list[dict[str, Any]] = []
     assigned: set[int] = set()
     for i in range(1, len(figure.links)):
         if i in carries or figure.links[i].kind is JointKind.FREE:

@@ -8,7 +8,7 @@ import threading
 
 import pytest
 
-from dynsplines.system.low_priority import LATER, yielding
+from dynsplines.studio.solving.process import LATER, yielding
 
 
 def nice() -> int:
