@@ -144,7 +144,7 @@ def _model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
     if wrong := first_wrong(model, times, poses):
         raise UserError(f"{where}: keyframe {wrong[0] + 1}: {wrong[1]}")
     if times.size and not np.all(np.diff(times) >= 1e-3):
-        times = APART * np.arange(times.size)
+        times = np.array([APART * k for k in range(times.size)])
     return times, poses
 
 
