@@ -70,17 +70,6 @@ class Move:
     def at(self, time: float) -> int:
         return int(np.argmin(np.abs(self.time - time)))
 
-    def on(self, body: str, site: str, *, raw: bool = False) -> Array:
-        """(T, 3) [m] where a site is on a body, in its axes, at every tenth time."""
-        data, out = mujoco.MjData(self.scene), []
-        path = path_of(self.motion.raw if raw else self.motion.timeline)
-        for qpos in self.clip.figure.to_qpos(path.at(self.time[::10])):
-            data.qpos[:] = qpos
-            mujoco.mj_kinematics(self.scene, data)
-            held = data.body(body)
-            out.append(held.xmat.reshape(3, 3).T @ (data.site(site).xpos - held.xpos))
-        return np.array(out)
-
     def body(self, name: str) -> Array:
         """(T, 7) place [m] and rotation of a body with a free joint."""
         start = int(self.scene.joint(name).qposadr[0])

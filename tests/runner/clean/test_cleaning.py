@@ -178,17 +178,3 @@ def test_a_gap_is_bridged(part):
     true, t = RecordedMotion.of(part.figure, part.time, part.qpos).path, part.time[50:60]
     x, wanted = (samples_at(part.figure, path, t).links.x for path in (found.after, true))
     assert np.linalg.norm(x - wanted, axis=0).max() < 0.12
-
-
-@pytest.mark.parametrize(("lower", "is_deep"), [(0.0, False), (0.03, False), (0.06, True)])
-def test_what_is_deep_in_the_ground_when_soles_are_on_it_is_searched_softly_first(take, monkeypatch, lower, is_deep):
-    qpos = take.qpos.copy()
-    qpos[:, 2] -= lower
-    asked = []
-    monkeypatch.setattr(cleaning, "move_to_ground", lambda recorded, *told: recorded)  # it would be lifted: as it is
-    monkeypatch.setattr(cleaning, "align_to_ground", lambda recorded, *told: recorded)
-    monkeypatch.setattr(cleaning, "_with_soft_start", lambda asks, near, shares, tell: asked.append(shares) or asks)
-    monkeypatch.setattr(cleaning, "inbetween", lambda problem, **told: asked.append("whole") or None)
-    monkeypatch.setattr(cleaning, "_out_of_edges", lambda ground, problem, solution, tell: (problem, solution))
-    cleaned(ground_of(take.figure, take.qpos), repaired(take.figure, take.time, qpos, "deep"))
-    assert asked == ([cleaning.SOFTER, "whole"] if is_deep else ["whole"])

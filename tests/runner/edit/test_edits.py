@@ -86,8 +86,8 @@ def test_edited_motions_have_the_edited_keyframes_and_raw_splines(steps):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("fps", [30.0, FPS])
-def test_a_repeated_loop_is_sampled_without_a_doubled_image(fps):
+def test_a_repeated_loop_is_sampled_without_a_doubled_image():
+    fps = FPS
     cycle = shipped.solved("run_loop").saved(progress(), with_report=False)
     many, seam = edits.repeated(cycle, 3), Seam.of(cycle.figure, cycle.timeline)
     run = sampled(cycle.figure, many.timeline, fps)
@@ -151,16 +151,12 @@ def test_edits_that_make_no_motion_are_refused(steps, saved):
             edits.joined(steps, steps, transition, progress())
     with pytest.raises(UserError, match="of different figures; they differ in: left_ankle, left_elbow"):
         edits.joined(steps, saved, 0.4, progress())
-    with pytest.raises(UserError, match="puppet: no partner on the other side for: "):
-        edits.mirrored(puppet.moved())
-
-
-@pytest.mark.slow
-def test_motions_in_different_coordinates_are_not_joined(steps):
     text = steps.text.replace("[solve]", '[solve]\ncoordinates = "joint"')
     other = solving.unsolved(clip.from_text(text, name="other")).saved(progress(), with_report=False)
     with pytest.raises(UserError, match="'steps' is in world coordinates, 'other' in joint coordinates"):
         edits.joined(steps, other, 0.4, progress())
+    with pytest.raises(UserError, match="puppet: no partner on the other side for: "):
+        edits.mirrored(puppet.moved())
 
 
 def test_a_clip_written_again_is_equal():
@@ -262,15 +258,8 @@ def test_keyframes_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_pa
     assert tables(mirrored_tables(table, one.figure, mirror)) == tables(table_of(ROUND, "one"))
 
 
-def test_contacts_flights_and_cycles_are_retimed_with_the_keyframes():
-    table = edits.retimed_tables(table_of(ROUND, "one"), 2.0)
-    assert (table.contact[0].start, table.contact[0].end) == (0.3, 0.5)
-    assert table.penalty[0].options["intervals"] == [[0.1, 0.2]]
-    assert table.penalty[2].options["period"] == 1.0
-
-
 @pytest.mark.slow
-def test_a_retimed_clip_has_other_times_and_nothing_else(tmp_path):
+def test_a_retimed_clip_has_other_times_also_of_contacts_flights_and_cycles_and_nothing_else(tmp_path):
     path = tiny.written(tmp_path)
     (tmp_path / "sub").mkdir()
     target = tmp_path / "sub" / "fast.toml"
@@ -282,6 +271,10 @@ def test_a_retimed_clip_has_other_times_and_nothing_else(tmp_path):
     assert after.settings == before.settings
     edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=True, progress=progress())
     assert clip.load(str(target)).keys[-1].time == pytest.approx(3)
+    table = edits.retimed_tables(table_of(ROUND, "one"), 2.0)
+    assert (table.contact[0].start, table.contact[0].end) == (0.3, 0.5)
+    assert table.penalty[0].options["intervals"] == [[0.1, 0.2]]
+    assert table.penalty[2].options["period"] == 1.0
 
 
 def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
