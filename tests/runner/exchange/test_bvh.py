@@ -145,13 +145,6 @@ def with_root(found, columns):
     return replace(found, values=np.concatenate([columns, found.values[:, 6:]], axis=1))
 
 
-def carried_along(found):
-    """Under a parent that travels over the ground."""
-    along = still(found)
-    along[:, [0, 2]] = found.values[:, [0, 2]]
-    return under(with_root(found, found.values[:, :6] - along), ("Trajectory", SIX, along))
-
-
 def turned_away(found, axis="y", angle=70.0):
     """Under a parent that is turned and moved; the root makes up for it, so that the motion is the same."""
     turn = Rotation.from_euler(axis, angle, degrees=True)
@@ -172,9 +165,7 @@ def without_places(found):
 
 PARENTS = {
     "two": lambda found: under(found, ("world", (), np.zeros((len(found.values), 0))), ("Root", SIX, still(found))),
-    "one that travels": carried_along,
     "one with a heading": turned_away,
-    "one that makes z up": lambda found: turned_away(found, "x", -90.0),
     "one with the places": without_places,
 }
 
@@ -241,7 +232,6 @@ def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tm
         {},
         {"larger": 1.3, "z_up": True},
         {"unit": 0.001, "orders": ["XYZ"], "every_place": True},
-        {"unit": 0.0254 / 0.45},
     ],
 )
 def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, rail, tmp_path):

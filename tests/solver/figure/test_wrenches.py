@@ -10,7 +10,6 @@ from random_model import random_figure
 from random_samples import random_samples
 
 from dynsplines.solver.array import Index
-from dynsplines.solver.figure import wrenches
 from dynsplines.solver.figure.adjoint import Cotangent, Quantity
 from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.figure import Figure
@@ -85,20 +84,3 @@ def test_rows_times_the_motion_are_what_mujoco_measures(seed, coordinates):
         force, torque, force_d, torque_d = (given.vectors[name][:, p] for name in ALL[:4])
         expected[p] = force @ places @ data.qvel + torque @ turns @ data.qvel + force_d @ linear + torque_d @ angular
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * np.abs(expected).max())
-
-
-def test_many_wrenches_are_taken_in_parts(figure, rng, monkeypatch):
-    samples = random_samples(figure, rng)
-    given = some(figure, samples, rng)
-    whole = given.rows(samples)
-    monkeypatch.setattr(wrenches, "AT_ONCE", 5)
-    np.testing.assert_allclose(given.rows(samples), whole, atol=1e-12)
-
-
-def test_joined_and_scaled(figure, rng):
-    samples = random_samples(figure, rng)
-    one, other = some(figure, samples, rng, ("force",)), some(figure, samples, rng, ("torque_d",))
-    factor = rng.normal(size=one.at.size)
-    rows = Wrenches.joined([one.scaled(factor), other]).rows(samples)
-    np.testing.assert_allclose(rows[: one.at.size, 0], factor[:, None] * one.rows(samples)[:, 0], atol=1e-12)
-    np.testing.assert_allclose(rows[one.at.size :], other.rows(samples), atol=1e-12)

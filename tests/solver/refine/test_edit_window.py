@@ -31,33 +31,6 @@ def cut_of(low: float, high: float, keys: Array = KEYS) -> EditWindow:
     return found
 
 
-@pytest.mark.parametrize(
-    ("edit", "whole", "moves"),
-    [
-        ((1.75, 2.5), (2, 5), (1, 6)),  # one segment, which both its keyframes end
-        ((1.8, 2.4), (2, 5), (1, 6)),
-        ((1.75, 1.75), (2, 4), (1, 5)),  # one keyframe: the segments on both sides of it
-        ((2.0, 2.0), (2, 5), (1, 6)),
-        ((0.0, 0.0), (0, 1), (0, 2)),
-        ((0.5, 0.5), (0, 2), (0, 3)),
-        ((1.0, 1.0), (1, 3), (0, 4)),
-        ((5.0, 5.0), (7, 8), (6, 8)),
-        ((4.25, 4.25), (6, 8), (5, 8)),
-        ((3.5, 3.5), (5, 7), (4, 8)),
-    ],
-)
-def test_it_moves_a_segment_on_either_side_of_an_edit_and_holds_one_more(edit, whole, moves):
-    """`whole`: what moves, `moves`: what is cut out, in numbers of keyframes."""
-    cut = cut_of(*edit)
-    first, last = whole
-    begin, end = moves
-    assert (cut.begin, cut.end) == (KEYS[begin], KEYS[end])
-    assert cut.first == (KEYS[first] if begin else -np.inf)
-    assert cut.last == (KEYS[last] if end < 8 else np.inf)
-    assert cut.segments == end - begin
-    assert cut.inside(KEYS) == slice(begin, end)
-
-
 def test_a_loop_has_no_part_nor_has_an_edit_that_leaves_less_than_three_segments_out():
     assert EditWindow.about(timeline_of("periodic"), KEYS, (1.75, 1.75)) is None
     assert EditWindow.about(timeline_of(), KEYS, (1.75, 2.5)) is not None  # five of eight

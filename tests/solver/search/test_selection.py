@@ -34,15 +34,6 @@ def line(times: Array, start: Array, end: Array) -> Timeline:
     return Timeline(tuple(frames), np.tile((end - start) / (times[-1] - times[0]), (2, 1)))
 
 
-def test_spans_are_a_third_of_those_between_all_frames_of_all_timelines():
-    one = line(np.array([0.0, 1, 2]), np.array([1.0, 0, 0, 0]), np.array([0.8, 0.6, 0, 0]))
-    other = line(np.array([0.0, 0.5, 2]), np.array([1.0, 0, 0, 0]), np.array([0.8, 0, 0.6, 0]))
-    for quaternions in ((), QUATERNIONS):  # none of them is short
-        edges = common_grid([one, other], quaternions)
-        np.testing.assert_allclose(edges[::SUBDIVISIONS], [0, 0.5, 1, 2])
-        np.testing.assert_allclose(np.diff(edges), np.repeat([0.5, 0.5, 1], SUBDIVISIONS) / SUBDIVISIONS)
-
-
 @pytest.mark.parametrize("short", [1e-2, 1e-3])
 @pytest.mark.parametrize("where", [0.3, 0.71])
 def test_about_the_moment_at_which_a_quaternion_passes_zero_are_samples_as_close_as_it_is_short(short, where):
@@ -68,17 +59,6 @@ def test_a_quaternion_that_stays_longer_than_a_tenth_is_no_flip(length):
     aside, way = np.array([0, length, 0, 0]), np.array([2.0, 0, 0, 0])
     timeline = line(np.array([0.0, 2.0]), aside - 0.5 * way, aside + 0.5 * way)
     assert (common_grid([timeline], QUATERNIONS).size > 1 + SUBDIVISIONS) == (length < 0.1)
-
-
-def test_a_flip_at_the_very_ends_puts_no_sample_outside_the_clip():
-    aside, way = np.array([0, 1e-2, 0, 0]), np.array([2.0, 0, 0, 0])
-    for where in (0.0, 1.0):
-        timeline = line(np.array([0.0, 1.0]), aside - where * way, aside + (1 - where) * way)
-        edges = common_grid([timeline], QUATERNIONS)
-        assert edges[0] == 0.0
-        assert edges[-1] == 1.0
-        assert np.all(np.diff(edges) > 0)
-        assert edges.size > 1 + SUBDIVISIONS
 
 
 def bent(by: float) -> Timeline:

@@ -35,7 +35,6 @@ REST = 'others = "rest"'
 SQUAT, LEAN = "root.position = [0, 0, 0.72]", "root.position = [0.3, 0, 0.72]"
 DEFAULTS = {
     "motors": '<motor ctrllimited="true" ctrlrange="-.3 .3" gear="40"/>',
-    "positions": '<position kp="7" kv="3" ctrlrange="-.1 .1" forcerange="-1 1" inheritrange="0"/>',
     "inherited ranges": '<position inheritrange=".5"/>',
     "general": """<general dyntype="filterexact" gaintype="affine" biastype="affine" dynprm=".2" gainprm="3 1 1"
         biasprm="5 5 5" actlimited="true" actrange="-.1 .1" forcelimited="true" forcerange="-.5 .5" group="4"

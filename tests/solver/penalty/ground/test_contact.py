@@ -5,10 +5,8 @@ import numpy as np
 import pytest
 from ground import FLOOR, SLOPE, random_points
 from penalty_slope import penalty_slope
-from random_keys import random_keys
 from random_samples import random_samples
 
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -49,13 +47,6 @@ def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng)
         expected.append(total)
     np.testing.assert_allclose(Contact(points, (FLOOR,), margin=0.05).evaluate(samples), expected, rtol=1e-10)
     assert np.count_nonzero(expected) > 4
-
-
-def test_without_points_or_surfaces_there_is_nothing_to_let_pass(figure, rng):
-    keys = raw_timeline(figure, random_keys(figure, rng))
-    for nothing in (Contact((), (FLOOR,)), Contact(random_points(figure, rng), ()), Contact((), ())):
-        assert nothing.allowing(figure, keys) is nothing
-        assert not nothing.evaluate(random_samples(figure, rng)).any()
 
 
 @pytest.mark.parametrize("carrier", [0, 1])

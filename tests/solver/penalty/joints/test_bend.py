@@ -26,8 +26,7 @@ def bent(figure: Figure, lateral: np.ndarray, angles: np.ndarray, rng: np.random
     return Samples(figure, y, 0 * y, 0 * y)
 
 
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
-@pytest.mark.parametrize("quat", ["1 0 0 0", ".8 .1 -.2 .4"])
+@pytest.mark.parametrize(("coordinates", "quat"), [("world", "1 0 0 0"), ("joint", ".8 .1 -.2 .4")])
 @pytest.mark.parametrize("lateral", [KNEE, ELBOW], ids=["knee", "elbow"])
 @pytest.mark.parametrize("which", [0, 1, 2])
 def test_pure_flexion_sideways_bend_and_twist_are_the_euler_angles(rng, lateral, which, quat, coordinates):

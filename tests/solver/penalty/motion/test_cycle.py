@@ -23,7 +23,6 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import evenly
 
 LYING = """<mujoco><worldbody><body pos="0 0 1" quat=".7071 .7071 0 0"><freejoint/><geom size=".1"/>
   <body pos="0 -.3 0" quat=".8 0 .6 0"><joint type="ball"/><geom size=".1" pos="0 -.1 0"/></body>
@@ -118,26 +117,6 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
     off = cycle.deviation(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
     assert np.degrees(off.max()) < 0.1
     assert cycle.initial_guess(seen.keys, 0).variable_count == 0
-
-
-@pytest.mark.parametrize("every", [0.3, 0.7, 1.0])
-def test_it_leads_with_no_more_frames_than_keep_them_an_eighth_of_a_period_apart(every):
-    seen = gait(WALK, every)
-    gait_cycle = seen.with_period(PERIOD)
-    assert gait_cycle is not None
-    cycle, keys = Cycle(FIGURE, gait_cycle), seen.keys
-    initial_guess = cycle.initial_guess(keys, None)
-    least = [int(np.ceil(span / (PERIOD / 8) - 1e-6)) - 1 for span in np.diff(keys.times)]
-    between = np.split(initial_guess.times, np.flatnonzero(np.isin(initial_guess.times, keys.times)))[1:-1]
-    assert [part.size - 1 for part in between] == least
-    for part, end in zip(between, keys.times[1:], strict=True):
-        np.testing.assert_allclose(np.diff([*part, end]), (end - part[0]) / part.size)
-    assert cycle.initial_guess(keys, sum(least)).variable_count == sum(least)
-    assert cycle.initial_guess(keys, sum(least) - 1).variable_count == 0
-    fine = evenly(keys, 12)
-    assert cycle.initial_guess(fine, None).variable_count == fine.variable_count
-    np.testing.assert_allclose(cycle.initial_guess(fine, 0).times, fine.times)
-    np.testing.assert_array_equal(initial_guess.end_slope, keys.end_slope)
 
 
 def test_what_it_leads_with_is_as_long_as_the_clip_though_the_last_keyframe_fixes_nothing():
