@@ -36,9 +36,8 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...scene.configuration import posed
-from .. import missing_input
+from .. import missing_input, plain_pickle
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
-from ..pickles import plain_pickle
 from ..skeleton import smpl
 from ..skeleton.humanoid import Humanoid
 from ..trajectory import Recording

@@ -28,9 +28,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from .. import layouts
+from .. import layouts, plain_pickle
 from ..array_reader import ArrayReader, times
-from ..pickles import plain_pickle
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Bodies, BodyPoses, Recording, SampledTrajectory
 from .mjlab import companions as companions

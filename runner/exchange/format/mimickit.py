@@ -23,9 +23,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from .. import layouts
+from .. import layouts, plain_pickle
 from ..array_reader import times
-from ..pickles import plain_pickle
 from ..robot import FREE, needs_figure
 from ..skeleton.hinge_joints import BALL, HingeLayout, angles, rotation_of
 from ..trajectory import Recording, SampledTrajectory

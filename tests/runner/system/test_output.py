@@ -172,7 +172,7 @@ OWN_WAYS = {  # what writes without being an output: to a temporary file that it
     "cli.py", "clip/file.py", "picture/film.py", "picture/graphics.py", "edit/files.py", "solve_cache.py", "motion.py",
     "system/output.py", "exchange/format/bvh.py", "exchange/format/csv_table.py", "exchange/format/deepmimic.py",
     "exchange/formats.py", "exchange/format/gltf.py", "exchange/format/html.py", "exchange/format/mjlab_csv.py",
-    "exchange/pickles/plain_pickle.py", "batch/dispatch.py", "studio/document.py", "studio/startup_snapshot.py",
+    "exchange/plain_pickle.py", "batch/dispatch.py", "studio/document.py", "studio/startup_snapshot.py",
     "studio/sources.py",
 }  # fmt: skip
 
