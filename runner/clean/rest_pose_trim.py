@@ -137,12 +137,9 @@ class _Spread:
         """Return the position (3,) of the next part of a limb, or of its farthest site or geom."""
         if onward in self.roles:
             return self.data.xpos[self.roles[onward]]
-        body, model = self.roles[role], self.model
-        points = self.data.site_xpos[model.site_bodyid == body]
-        points = points if len(points) else self.data.geom_xpos[model.geom_bodyid == body]
-        if not len(points):
-            return self.data.xpos[body]
-        return points[np.argmax(np.linalg.norm(points - self.data.xpos[body], axis=1))]
+        body = self.roles[role]
+        turn = self.data.xmat[body].reshape(3, 3)
+        return self.data.xpos[body] + turn @ hierarchy.end(self.model, body)
 
 
 def _cosine(one: Array, other: Array) -> float:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import mujoco
 
@@ -144,14 +144,9 @@ def readers() -> dict[str, Format]:
 
 def stem(source: Path) -> str:
     """Return a file's name without the complete extension of its format: 'run' for run.loco.npz."""
-    endings = [
-        ending
-        for form in FORMATS
-        for ending in (form.ending, *form.also, *form.containers)
-        if len(source.name) > len(ending)
-    ]
-    fitting = [ending for ending in endings if source.name.lower().endswith(ending)]
-    return source.name[: -max(map(len, fitting))] if fitting else source.stem
+    endings = (ending for form in FORMATS for ending in (form.ending, *form.also, *form.containers))
+    fitting = [len(ending) for ending in endings if source.name.lower().endswith(ending) and source.name != ending]
+    return source.name[: -max(fitting)] if fitting else source.stem
 
 
 def writer(name: str) -> Format:
@@ -182,14 +177,11 @@ def chosen(name: str | None, target: Path | None) -> Format:
     return writer(form.name)
 
 
-def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None:
-    fitting = [(len(ending), form) for ending, form in endings if path.name.lower().endswith(ending)]
-    return max(fitting, key=lambda each: each[0])[1] if fitting else None
-
-
 def by_ending(path: Path) -> Format | None:
     """Return the format of a complete extension such as .loco.npz; None for plain .npz, which is a motion."""
-    return _longest(path, [(ending, form) for form in FORMATS for ending in form.write_endings])
+    endings = {ending: form for form in FORMATS for ending in form.write_endings}
+    fitting = [ending for ending in endings if path.name.lower().endswith(ending)]
+    return endings[max(fitting, key=len)] if fitting else None
 
 
 def is_foreign(path: Path) -> bool:
@@ -252,7 +244,6 @@ def export(
             raise UserError(f"'{target}' is the name of a file of the figure, too; give another -o")
         if not (other.is_file() and other.read_bytes() == content):
             check_target(other, overwrite=overwrite)
-    assert module.write is not None, "a format that is written"
     with Replacement(target) as temporary:
         module.write(trajectory, temporary)
     for other, content in others.items():
@@ -273,9 +264,9 @@ def written_by(custom: Writer, saved: Saved, target: Path, *, fps: float | None 
     return target
 
 
-def _companions(module: Module, trajectory: SampledTrajectory, target: Path) -> dict[Path, bytes]:
+def _companions(module: Any, trajectory: SampledTrajectory, target: Path) -> dict[Path, bytes]:
     """Return the companion files of a motion's file."""
-    companions = {} if module.companions is None else module.companions(trajectory)
+    companions = module.companions(trajectory) if hasattr(module, "companions") else {}
     return {
         target.with_suffix(name) if name.startswith(".") else target.parent / name: (
             content if isinstance(content, bytes) else content.encode()
@@ -318,7 +309,6 @@ def _read(
     form: Format, source: Path, model: mujoco.MjModel | None, fps: float | None, scale: float | None
 ) -> Recording:
     read = _module(form).read
-    assert read is not None, "a format that is read"
     if form.scales:
         return gaps.as_far_as_it_goes(lambda: read(source, model, fps, scale=scale))
     if scale is not None:
@@ -365,29 +355,15 @@ def _fitting(source: Path) -> list[Format]:
 
 def _recognises(form: Format, source: Path) -> bool:
     _check_file(source)
-    recognises = _module(form).recognises
-    return recognises is None or recognises(source)
+    module = _module(form)
+    return not hasattr(module, "recognises") or module.recognises(source)
 
 
-@dataclass(frozen=True)
-class Module:
-    """The functions of a format's module, as described in `Format`."""
-
-    write: Callable[[SampledTrajectory, Path], None] | None
-    read: Callable[..., Recording] | None
-    companions: Callable[[SampledTrajectory], Mapping[str, str | bytes]] | None
-    recognises: Callable[[Path], bool] | None
-
-
-def _module(form: Format) -> Module:
+def _module(form: Format) -> Any:
     """Import a format's module; raises UserError with the installation command if a package is missing."""
     try:
-        code = import_module(f".format.{form.module}", __package__)
+        return import_module(f".format.{form.module}", __package__)
     except ModuleNotFoundError as error:
         if form.extra is None:
             raise
         raise missing_package(f"the format '{form.name}'", error.name, form.extra) from None
-    write, read, companions, recognises = (
-        getattr(code, name, None) for name in ("write", "read", "companions", "recognises")
-    )
-    return Module(write, read, companions, recognises)

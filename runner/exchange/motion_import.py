@@ -8,18 +8,23 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import TimelineError
 
 from ..clip import load as clips
-from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import taken_along
-from ..scene.compose import compose, figure_spec, first_line, quietly
+from ..scene.compose import compiled, compose, figure_spec
 from ..solving import unsolved
 from ..system.progress import Progress
-from . import gaps, winding
+from . import gaps
 from .formats import Reader, read_by, recording, stem
+
+HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+TURN = 2 * np.pi  # [rad]
+NEAR = 1.0  # [rad] largest deviation of a jump from a whole turn that counts as a wrap in every recording
+EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
+NAMED = 3  # most joints that a note lists
 
 
 @dataclass(frozen=True)
@@ -60,7 +65,7 @@ def read_recording(
     spec = None if figure is None else figure_spec(figure)
     if spec is not None:
         spec.assets = dict(taken_along(spec))  # under the names that compose assigns, so that MuJoCo finds the meshes
-    model = None if spec is None else _compiled(spec, str(figure))
+    model = None if spec is None else compiled(spec, figure)
     if kind is None or isinstance(kind, str):
         record = recording(source, kind, model=model, fps=fps, scale=scale)
     else:
@@ -68,22 +73,13 @@ def read_recording(
     record = gaps.without_missing(record, source)
     if record.mjcf is not None:
         spec = mujoco.MjSpec.from_string(record.mjcf, assets=dict(record.assets))
-        model = _compiled(spec, str(source))
+        model = compiled(spec, source)
     assert spec is not None and model is not None, "a reader returns a figure or requires one"
-    qpos, notes = winding.unwrapped(model, record.time, record.qpos)
+    qpos, notes = _unwrapped(model, record.time, record.qpos)
     for note in (*record.notes, *notes):
         progress.report(f"note: {note}")
     rate = record.fps or (float(np.round(1 / np.median(np.diff(record.time)), 6)) if record.time.size > 1 else 30.0)
     return ImportedMotion(stem(source), spec, model, record.time, qpos, rate, record.loops)
-
-
-def _compiled(spec: mujoco.MjSpec, figure: str) -> mujoco.MjModel:
-    """Compile a figure; raises UserError if MuJoCo cannot, as for a robot that refers to a floor of its scene file."""
-    try:
-        with quietly():
-            return spec.compile()
-    except ValueError as error:
-        raise UserError(f"{figure}: MuJoCo cannot compile it: {first_line(error)}") from None
 
 
 def import_recording(
@@ -111,3 +107,38 @@ def import_recording(
         except TimelineError:
             progress.report("note: marked as a loop, but its last pose differs from its first: read without a loop")
     return unsolved(clip).saved(progress, with_report=False)
+
+
+def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tuple[str, ...]]:
+    """Return qpos (T, nq) in which hinges without limits, whose angles wrap at ±180°, are continuous, and a note."""
+    out, names, first = qpos, [], np.inf
+    if qpos.shape[1] != model.nq:  # reported where the keyframes are made
+        return qpos, ()
+    for joint in range(model.njnt):
+        is_bounded = model.jnt_limited[joint] and np.ptp(model.jnt_range[joint]) < TURN - EDGE
+        if model.jnt_type[joint] != HINGE or is_bounded:
+            continue
+        column = int(model.jnt_qposadr[joint])
+        jumps = _whole_turns(qpos[:, column])
+        if not jumps.any():
+            continue
+        out = qpos.copy() if out is qpos else out
+        out[1:, column] -= TURN * np.cumsum(jumps)
+        names.append(model.joint(joint).name or f"joint{joint}")
+        first = min(first, float(time[1 + np.flatnonzero(jumps)[0]]))
+    if not names:
+        return qpos, ()
+    whose = ", ".join(f"'{name}'" for name in names[:NAMED])
+    whose += f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return out, (f"{whose}: angles wrap at a whole turn, first at {first:.3f} s: unwrapped",)
+
+
+def _whole_turns(angle: Array) -> Array:
+    """Return the number of whole turns (T - 1,) between samples that are artefacts of wrapping. If all angles lie
+    within one turn, from -180° or from 0°, they are taken as wrapped, and every jump counts. Otherwise only jumps of
+    nearly a whole turn count: a rotor recorded over many turns may pass half a turn between samples."""
+    step = np.diff(angle)
+    turns = np.round(step / TURN)
+    is_within = any(angle.min() >= low - EDGE and angle.max() <= low + TURN + EDGE for low in (-np.pi, 0.0))
+    counts: Mask = np.abs(step - TURN * turns) <= NEAR
+    return turns if is_within else np.where(counts, turns, 0.0)

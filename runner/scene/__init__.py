@@ -2,7 +2,6 @@
 
 compose          figure and stage as one model
 obstacle         obstacles of a clip's scene, as geoms of the stage
-appearance       materials for a model that has none
 framing          size and position of a figure, for cameras
 assets           files to which a model refers (meshes, images, height fields, skins), as bytes
 model_files      files to which an MJCF file refers, from its text, before MuJoCo reads them

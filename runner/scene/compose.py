@@ -15,19 +15,30 @@ import numpy as np
 from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import names_of_joints
-from dynsplines.solver.surface.touch import grounds
+from dynsplines.solver.surface.touch import grounds, moves
 
 from ..errors import UserError, unknown
 from ..system import mujoco_warnings
 from . import mjcf_size
-from .appearance import dress
 from .assets import Assets, Scene, check_places, taken_along
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .model_files import is_there, models_in
-from .mujoco_versions import Lamp, attach, geom_named, keep_visuals, lamp, portable_text, remove, size_of_pictures
+from .mujoco_versions import (
+    Lamp,
+    attach,
+    geom_named,
+    geoms_by_number,
+    keep_visuals,
+    lamp,
+    portable_text,
+    remove,
+    size_of_pictures,
+)
 from .obstacle import Obstacle, add_bodies
 
 PREFIX = "stage_"
+GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's default colour of a geom
+HIDDEN = 3  # first group of geoms that is not drawn
 BURIED = 0.005  # [m] depth in the floor that is permitted for a fixed figure
 BELOW = 0.02  # [1] distance of an added floor below the figure's lowest point, relative to the figure's size
 
@@ -104,7 +115,7 @@ def compose(
     try:
         with quietly():
             if not is_staged:
-                dress(spec, bare, PREFIX)
+                _dress(spec, bare)
                 attach(spec, stage, PREFIX)
             if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
                 geom_named(spec, PREFIX + "floor").name = "floor"
@@ -162,13 +173,41 @@ def is_lit(model: mujoco.MjModel) -> bool:
     return Lamp.DIRECTIONAL in kinds
 
 
+def _dress(spec: mujoco.MjSpec, bare: mujoco.MjModel) -> None:
+    """Assign the stage's materials to geoms without colour and material: limbs light and dark in turn show bends."""
+    floors, moving, depth = set(grounds(bare)), moves(bare), _depths(bare)
+    for index, geom in enumerate(geoms_by_number(spec)):
+        if geom.material or not np.allclose(geom.rgba, GREY) or bare.geom_group[index] >= HIDDEN:
+            continue
+        if index in floors:
+            geom.material = PREFIX + "floor"
+        elif moving[index]:
+            geom.material = PREFIX + ("dark" if depth[bare.geom_bodyid[index]] % 2 else "light")
+        elif bare.geom_type[index] != int(mujoco.mjtGeom.mjGEOM_PLANE):
+            geom.material = PREFIX + "step"
+
+
+def _depths(model: mujoco.MjModel) -> list[int]:
+    """Return the number of moving bodies on the chain from the world to each body, 0 for static ones."""
+    depth = [0] * model.nbody
+    for body in range(1, model.nbody):
+        depth[body] = depth[model.body_parentid[body]] + int(model.body_jntnum[body] > 0)
+    return depth
+
+
+def compiled(model: mujoco.MjSpec | Scene, where: object) -> mujoco.MjModel:
+    """Return a compiled model; raises UserError that begins with `where` if MuJoCo cannot compile it."""
+    try:
+        with quietly():
+            return model.compile() if isinstance(model, mujoco.MjSpec) else model.model()
+    except ValueError as error:
+        raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
+
+
 def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
     spec.assets = dict(assets)
     try:
-        with quietly():
-            return spec.compile()
-    except ValueError as error:
-        raise UserError(f"MuJoCo cannot compile the model: {first_line(error)}") from None
+        return compiled(spec, "the model")
     finally:
         spec.assets = {}  # otherwise MuJoCo warns about attached models without assets
 

@@ -22,7 +22,7 @@ from dynsplines.solver.array import Array
 from ...errors import UserError
 from ...motion import asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
-from ...scene.compose import first_line, quietly
+from ...scene.compose import compiled
 from .. import layouts, missing_input
 from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times
 from ..robot import needs_figure
@@ -64,7 +64,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         scene = None if mjcf is None else Scene.received(mjcf, assets)
     except (ValueError, KeyError) as error:
         raise UserError(f"{path}: the files of its figure: {error}") from None
-    figure = _compiled(scene, path) if scene is not None else needs_figure(model, path)
+    figure = compiled(scene, path) if scene is not None else needs_figure(model, path)
     names = [figure.joint(i).name for i in range(figure.njnt)]
     if "joint_names" in arrays and arrays.texts("joint_names") != names:
         raise UserError(
@@ -87,11 +87,3 @@ def _time(reader: ArrayReader, count: int, fps: float | None) -> Array:
     if fps is None:
         raise UserError(f"{reader.where}: it has neither 'time' nor 'fps'; {missing_input.RATE}")
     return times(count, fps)
-
-
-def _compiled(scene: Scene, path: Path) -> mujoco.MjModel:
-    try:
-        with quietly():
-            return scene.model()
-    except ValueError as error:
-        raise UserError(f"{path}: MuJoCo cannot compile its 'mjcf': {first_line(error)}") from None

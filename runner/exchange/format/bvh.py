@@ -87,13 +87,14 @@ def skeleton(trajectory: SampledTrajectory) -> Skeleton:
         moved = quat.rotated(quat.conjugate(turn[:, above]), place[:, body] - place[:, above])
         moves = is_root or float(np.ptp(moved, axis=0).max()) > FIXED
         order = "YXZ" if is_root or body in tops else "ZYX"
+        end = CENTIMETRES * y_up(quat.rotated(at_rest.rotation[0, body], hierarchy.end(model, body)))
         joints.append(
             Joint(
                 "_".join(names[body].split()),
                 -1 if is_root else rows.index(above),
                 np.zeros(3) if moves else CENTIMETRES * (place_at_rest[body] - place_at_rest[above]),
                 (*(PLACES if moves else ()), *(f"{axis}rotation" for axis in order)),
-                None if body in model.body_parentid[bodies] else _end(model, body, at_rest.rotation[0, body]),
+                None if body in model.body_parentid[bodies] else end,
             )
         )
         columns += [CENTIMETRES * moved] if moves else []
@@ -109,13 +110,3 @@ def y_up(vector: Array) -> Array:
 def _turned(q: Array) -> Array:
     """Return rotations (..., 4) converted from z up to y up."""
     return np.concatenate([q[..., :1], y_up(q[..., 1:])], axis=-1)
-
-
-def _end(model: mujoco.MjModel, body: int, rotation: Array) -> Array:
-    """Return the end point of a body: its farthest site, or the centre of its farthest geom."""
-    sites = model.site_pos[model.site_bodyid == body]
-    points = sites if len(sites) else model.geom_pos[model.geom_bodyid == body]
-    if not len(points):
-        return np.zeros(3)
-    far = points[np.argmax(np.linalg.norm(points, axis=1))]
-    return CENTIMETRES * y_up(quat.rotated(rotation, far))

@@ -36,7 +36,6 @@ from .mjlab import companions as companions
 
 NAME = "locomujoco"
 BEFORE = "q_"  # prefix of joint names in files before version 1.0
-OBSERVED = {"states", "absorbing"}  # arrays of LocoMuJoCo's data sets of observations
 OF_MODEL = (
     "jnt_type", "body_rootid", "body_weldid", "body_mocapid", "body_pos", "body_quat", "body_ipos", "body_iquat",
     "site_bodyid", "site_pos", "site_quat",
@@ -79,7 +78,7 @@ def _of_data(model: mujoco.MjModel, qpos: Array, qvel: Array) -> dict[str, Array
 def recognises(path: Path) -> bool:
     """Return whether an .npz is of this format, or of that before version 1.0."""
     names = names_in(path)
-    return {"qpos", "split_points"} <= names or names >= OBSERVED or any(name.startswith(BEFORE) for name in names)
+    return {"qpos", "split_points"} <= names or any(name.startswith(BEFORE) for name in names)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
@@ -91,11 +90,6 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     arrays = read_npz(path)
     if "qpos" not in arrays and any(name.startswith(BEFORE) for name in arrays.entries):
         return _before_1_0(arrays, model, path, fps)
-    if "qpos" not in arrays and "states" in arrays:
-        raise UserError(
-            f"{path}: a data set of observations for imitation learning, which leave out the root's place; load the "
-            "trajectory that it was made of with LocoMuJoCo 1.0, and save that"
-        )
     declared = _declared(arrays, path)
     names, kinds = arrays.texts("joint_names"), arrays.numbers("jnt_type", "joints").astype(int).tolist()
     if len(kinds) != len(names) or not set(kinds) <= WIDTHS.keys() or kinds.count(0) != 1:

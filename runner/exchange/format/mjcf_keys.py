@@ -17,7 +17,7 @@ import numpy as np
 
 from ...errors import UserError
 from ...scene.assets import taken_along
-from ...scene.compose import figure_spec, first_line, quietly
+from ...scene.compose import compiled, figure_spec
 from ...scene.mujoco_versions import portable_text, remove
 from ..array_reader import ArrayReader
 from ..simulation import scene, tracking
@@ -70,26 +70,22 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """Read the model's keys on its figure, or on the figure `model` if its qpos has the same length."""
     spec = figure_spec(str(path))
     written = [np.array(key.qpos) for key in spec.keys]
-    try:
-        with quietly():
-            compiled = spec.compile()
-    except ValueError as error:
-        raise UserError(f"{path}: MuJoCo cannot compile it: {first_line(error)}") from None
-    if compiled.nkey < 2:
-        raise UserError(f"{path}: the model has {compiled.nkey or 'no'} <key> elements; a motion needs two or more")
-    qpos = np.array(compiled.key_qpos)
+    figure = compiled(spec, path)
+    if figure.nkey < 2:
+        raise UserError(f"{path}: the model has {figure.nkey or 'no'} <key> elements; a motion needs two or more")
+    qpos = np.array(figure.key_qpos)
     for i, row in enumerate(written):
-        if row.size not in (0, compiled.nq):
-            raise UserError(f"{path}: qpos of key {i + 1} has {row.size} numbers, not the figure's {compiled.nq}")
+        if row.size not in (0, figure.nq):
+            raise UserError(f"{path}: qpos of key {i + 1} has {row.size} numbers, not the figure's {figure.nq}")
         if row.size:
             qpos[i] = row  # as written: MuJoCo normalises quaternions
-    keys = ArrayReader(path, {"time": np.array(compiled.key_time), "qpos": qpos})
+    keys = ArrayReader(path, {"time": np.array(figure.key_time), "qpos": qpos})
     time = keys.numbers("time", "keys")
     if not np.any(time != time[0]):
         raise UserError(f"{path}: all its keys are of the time {time[0]:g}; a motion's times rise")
-    wanted = compiled.nq if model is None else model.nq
-    if wanted != compiled.nq:
-        raise UserError(f"{path}: its qpos has {compiled.nq} numbers; the figure's {wanted}")
+    wanted = figure.nq if model is None else model.nq
+    if wanted != figure.nq:
+        raise UserError(f"{path}: its qpos has {figure.nq} numbers; the figure's {wanted}")
     for key in list(spec.keys):
         remove(spec, key)
     values = keys.numbers("qpos", "keys", wanted)

@@ -92,12 +92,9 @@ def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[t
     """Return the recorded bodies that may be the root."""
     figure_root = root_of(model)
     root = "" if figure_root is None else model.body(figure_root.body).name
-    out: dict[tuple[str, ...], int] = {(): 0}
-    if names is not None and root in names[1:]:
-        out["the root by body_names",] = names.index(root)
-    if count > 1:
-        out["the world first",] = 1
-    return out
+    if names is not None and root in names:
+        return {(): names.index(root)}
+    return {(): 0, ("the world first",): 1} if count > 1 else {(): 0}
 
 
 def _in_order(

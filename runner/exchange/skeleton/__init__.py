@@ -1,7 +1,6 @@
 """Skeletons of motion capture: reading, interpretation, and retargeting to figures.
 
 bvh_file         the text of a BVH file (Biovision hierarchy), to and from numbers
-body_root        a skeleton from the root of its body on, without the parents above the pelvis
 hierarchy        bodies in the convention of animation
 roles            which part of the body a joint is, by its name and its position in the tree
 captured_skeleton  a captured skeleton in metres, z up, facing x where it stands straight

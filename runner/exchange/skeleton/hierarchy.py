@@ -52,3 +52,10 @@ def above(model: mujoco.MjModel, body: int, *, itself: bool = False) -> list[int
 def joints(model: mujoco.MjModel, bodies: Iterable[int]) -> list[int]:
     """Return the joints of bodies, in order."""
     return [int(model.body_jntadr[body]) + i for body in bodies for i in range(model.body_jntnum[body])]
+
+
+def end(model: mujoco.MjModel, body: int) -> Array:
+    """Return the end (3,) [m] of a body in its axes: its farthest site, or the centre of its farthest geom."""
+    sites = model.site_pos[model.site_bodyid == body]
+    points = sites if len(sites) else model.geom_pos[model.geom_bodyid == body]
+    return points[np.argmax(np.linalg.norm(points, axis=1))] if len(points) else np.zeros(3)

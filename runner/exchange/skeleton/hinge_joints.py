@@ -33,16 +33,8 @@ WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}  # entries in qpos and qve
 BALL = int(mujoco.mjtJoint.mjJNT_BALL)
 REFERRING = ("actuator", "sensor", "equality", "tendon")
 ROTATION_ONLY = (
-    "range",
-    "ref",
-    "springref",
-    "axis",
-    "limited",
-    "type",
-    "name",
-    "actuatorfrcrange",
-    "actuatorfrclimited",
-)
+    "range", "ref", "springref", "axis", "limited", "type", "name", "actuatorfrcrange", "actuatorfrclimited",
+)  # fmt: skip
 
 
 def angles(rotation: Array, order: str = ORDER) -> Array:

@@ -121,11 +121,7 @@ class _Standing:
         onward = self.roles.get(f"{side}_{NEXT.get(part, '')}")
         if onward is not None:
             return self.place[onward] - self.place[body]
-        points = self.model.site_pos[self.model.site_bodyid == body]
-        points = points if len(points) else self.model.geom_pos[self.model.geom_bodyid == body]
-        if not len(points):
-            return np.zeros(3)
-        return quat.rotated(self.turn[body], points[np.argmax(np.linalg.norm(points, axis=1))])
+        return quat.rotated(self.turn[body], hierarchy.end(self.model, body))
 
 
 def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
@@ -505,11 +501,7 @@ def _beyond_root(
     turned, chain = 0.0, hierarchy.above(model, root.body if body is None else body, itself=True)
     if body is not None:
         turn = _forward(model, qpos, chain, np.tile([1.0, 0, 0, 0], (len(qpos), 1)))
-        turned = float(
-            np.degrees(
-                np.linalg.norm(quat.rotation_vector(quat.product(turns[body], quat.conjugate(turn))), axis=1).max()
-            )
-        )
+        turned = float(np.degrees(quat.angle_between(turns[body], turn).max()))
     far = float(np.linalg.norm(missed - missed[0], axis=1).max())
     names = ", ".join(model.joint(joint).name for joint in root.joints)
     if turned < ROOT_TURN and far < ROOT_MOVE:

@@ -15,39 +15,16 @@ from ...errors import UserError, unknown
 
 SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right", "rt": "right",
          "hidari": "left", "migi": "right"}  # fmt: skip
-WORDS = {
-    "clavicle": ("clavicle", "collar", "collarbone", "shouldercollar", "thorax"),
-    "upper_arm": (
-        "upperarm",
-        "uparm",
-        "uarm",
-        "humerus",
-        "shldr",
-        "shldrbend",
-        "upperarmbend",
-        "ude",
-        "armupper",
-        "upperarmlink",
-    ),
-    "forearm": (
-        "forearm",
-        "lowerarm",
-        "lowarm",
-        "farm",
-        "forearmbend",
-        "elbow",
-        "hiji",
-        "radius",
-        "ulna",
-        "armlower",
-        "loarm",
-    ),
-    "hand": ("hand", "wrist", "tekubi"),
-    "thigh": ("thigh", "upleg", "upperleg", "uleg", "femur", "legupper", "hipthigh", "thighbend", "ashi"),
-    "shin": ("shin", "lowerleg", "lowleg", "calf", "tibia", "knee", "hiza", "shank", "leglower", "loleg"),
-    "foot": ("foot", "ankle", "talus", "ashikubi"),
-    "toe": ("toe", "toes", "toebase", "ball", "forefoot", "tsumasaki"),
-}
+WORDS = {role: tuple(words.split()) for role, words in {
+    "clavicle": "clavicle collar collarbone shouldercollar thorax",
+    "upper_arm": "upperarm uparm uarm humerus shldr shldrbend upperarmbend ude armupper upperarmlink",
+    "forearm": "forearm lowerarm lowarm farm forearmbend elbow hiji radius ulna armlower loarm",
+    "hand": "hand wrist tekubi",
+    "thigh": "thigh upleg upperleg uleg femur legupper hipthigh thighbend ashi",
+    "shin": "shin lowerleg lowleg calf tibia knee hiza shank leglower loleg",
+    "foot": "foot ankle talus ashikubi",
+    "toe": "toe toes toebase ball forefoot tsumasaki",
+}.items()}  # fmt: skip
 MIDDLE = {
     "neck": ("neck", "kubi", "necklower", "lowerneck", "necktwist"),
     "head": ("head", "atama"),

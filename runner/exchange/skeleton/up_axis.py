@@ -2,7 +2,7 @@
 
 The rest pose of a model built with y up lies down in MuJoCo's world. A recording has the conventional vertical axis if
 the person is upright along it in enough samples. Otherwise it is an axis along which the person is upright in most
-samples, or one along which the lowest joint has a much more constant height, as on a floor.
+samples, and the feet are not as level along the conventional axis as on a floor.
 """
 
 from __future__ import annotations
@@ -51,9 +51,6 @@ def vertical(position: Array, roles: Mapping[str, int], usual: str) -> tuple[str
         return upright, (
             f"{upright} is up in the file: along it the person is upright at {share[upright]:.0%} of the samples",
         )
-    level = min((axis for axis in share if share[axis] > share[usual]), key=lambda axis: drift[axis], default=usual)
-    if drift[level] < LEVEL * drift[usual]:
-        return level, (f"{level} is taken as up in the file: along it the lowest joint stays at one height",)
     return usual, (f"the person is upright along no axis of the file; {usual} is taken as up, the usual axis",)
 
 

@@ -48,7 +48,7 @@ OTHER = {
     "names in another order": ({"joint_pos": QPOS[:, 7:][:, MIXED], "joint_names": np.array(NAMES)[MIXED]}, ""),
     "bodies in another order": ({"body_pos_w": PLACE[:, ::-1], "body_quat_w": TURN[:, ::-1],
                                  "body_names": BODIES[::-1]},
-                                "the root by body_names"),
+                                ""),
     "the world first": ({"body_pos_w": PLACE, "body_quat_w": TURN, "body_names": None}, "the world first"),
     "the world first, and qpos": ({"joint_pos": QPOS, "body_pos_w": PLACE, "body_quat_w": TURN, "body_names": BODIES},
                                   "qpos in joint_pos"),
