@@ -127,8 +127,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "speed": "the speed factor",
             "times": "pairs of a time in the recording and a time in the clip, instead of `at` and `speed`",
             "weight": "a factor of the weights that keep the motion near the recording",
-            "blend": "how long before and after a keyframe the motion leaves the recording, in seconds; default: "
-            "always",
+            "blend": "how long before and after a keyframe the motion may leave the recording, in seconds; default: "
+            "0.4, but contacts and collisions may change other times",
         },
     ),
     "[solve]": (
@@ -136,13 +136,14 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         {
             "coordinates": 'what rotations of the spline are relative to, the world or the parent joint; "auto" is '
             '"world" for a figure with ball joints',
-            "ends": "the ends of the motion; if not set, as in [ends](#ends)",
+            "ends": 'the ends of the motion; if not set, "free" with the exceptions in [ends](#ends)',
             "travel": "the displacement of the root in one cycle of a loop, in metres; default: as in the keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
-            "variable": "variable frames in each segment at the start of the search; default 2, or 3 in a long clip",
-            "frames": "the maximum number of variable frames; default: 3 per segment, or 10 per second if that is more",
-            "criterion": 'how the solver finds the segments into which it inserts frames: "weak" (the default) by the '
-            'predicted decrease of the objective, "residual" by the Euler-Lagrange residual; see '
+            "variable": "variable frames between two keyframes at the start of the search; default 2; in a long clip 3",
+            "frames": "the maximum number of variable frames; default: 3 between two keyframes, or 10 per second if "
+            "that is more",
+            "criterion": 'how the solver finds the intervals into which it inserts frames: "weak" (the default) by '
+            'the predicted decrease of the objective, "residual" by the Euler-Lagrange residual; see '
             "[the method](method.md)",
             "threshold": "the value of the criterion below which no frame is inserted; default 0.001",
             "optimiser": 'the NLopt algorithm that refines the motion at the end: "lbfgs" (the default), "slsqp", '

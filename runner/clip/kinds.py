@@ -417,7 +417,7 @@ KINDS = {
             "acceleration",
             (
                 Part(
-                    1.0, "angular acceleration of every body; of every joint if coordinates = 'joint'",
+                    1.0, "angular acceleration of every body; of joints if [solve] has coordinates = 'joint'",
                     lambda context, options: CovariantAcceleration(), "angular",
                 ),
                 Part(
