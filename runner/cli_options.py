@@ -165,7 +165,7 @@ Ghosts = Annotated[
     bool,
     flag(
         "--ghosts",
-        "Draw one picture with the figure at all keyframes (darkest), inserted frames, and in-betweens (lightest)",
+        "Draw one picture with the figure at all keyframes (darkest), inserted frames, and times between (lightest)",
     ),
 ]
 AsJson = Annotated[bool, flag("--json", "Print the result as JSON")]
@@ -243,7 +243,7 @@ StudioSource = Annotated[
 Host = Annotated[str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")]
 AllowRemote = Annotated[bool, flag("--allow-remote", "Allow other machines to edit the clip and write files")]
 ThinSolve = Annotated[
-    bool, flag("--solve", "Apply the error bound also to the motion that solving the thinned clip gives")
+    bool, flag("--solve", "Also solve the thinned clip, and keep its solution within the error bound")
 ]
 Exact = Annotated[
     bool,

@@ -22,7 +22,7 @@ CUT = "…"
 class UserError(Exception):
     """Invalid input. The command line prints it without a traceback and exits with code 2.
 
-    Words and names from files can have any length. Very long ones are shortened in the middle.
+    Very long words and names in the message are shortened in the middle.
     """
 
     def __init__(self, text: object = "") -> None:

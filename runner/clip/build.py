@@ -44,7 +44,7 @@ NEXT = 1e-6  # [s] maximum difference of a saved keyframe from its time in the t
 
 @dataclass(frozen=True, repr=False)
 class Clip(Renames):
-    """A problem that is ready to solve, with the data that reports on its motion need.
+    """A problem that is ready to solve, with the data needed to report on the resulting motion.
 
     Attributes:
         name: Name of the clip and of output files.

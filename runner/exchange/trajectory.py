@@ -87,7 +87,7 @@ class SampledTrajectory:
 
     @property
     def is_wrapped(self) -> bool:
-        """As `is_loop`, but a loop that ends rotated adds a note that it is written as one cycle."""
+        """Whether the motion can be marked as a loop, as `is_loop`. If it ends rotated, a note is added."""
         if self.turns:
             self.notes.append("the format has no loops that rotate: one period is written, without a loop")
         return self.is_loop

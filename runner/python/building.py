@@ -40,14 +40,16 @@ class Keyframe:
         root: {"position": [x, y, z], "rotation": ...} in the world, metres; each of x, y and z
             may be "free".
         joints: By name: a rotation relative to the parent (ball joint), degrees (hinge) or metres (slide), or "free".
-        sites: By name of a site, foot, geom or body: its target position [x, y, z] in the world, metres.
-            Inverse kinematics computes one pose that meets all targets.
+        sites: By name of a site, geom, body or foot (see `dynsplines new`): its target position [x, y, z] in the world,
+            metres. Inverse kinematics computes one pose that meets all targets.
         bodies: By name: {"flat": True} (as level as in the rest pose, with any heading), a rotation in the world, or
             {"position": [x, y, z]} of the body's origin. With "at": [x, y, z], the position is that of a point in the
             body's axes [m].
-        roots: As `root`, for other free bodies, by the name of their free joint or body, such as `body` of a scene.
+        roots: As `root`, for other free bodies, by the name of their free joint or body. This includes objects that
+            `scene` adds.
         others: Unspecified joints and root: "free", "rest" (as in qpos0), "previous" (as in the keyframe before), or
-            "key:NAME" (a <key> of the model). Inverse kinematics still moves the limbs of targets.
+            "key:NAME" (a <key> of the model). Limbs with a target in `sites` or `bodies` are still
+            moved by inverse kinematics.
         qpos: (nq,) complete configuration in MuJoCo's order, overridden by the other arguments.
     """
 
@@ -94,7 +96,7 @@ def build(
             0.002}}.
         solve: The clip file's [solve] table: {"ends": "periodic", "variable": 3}.
         recording: The clip file's [recording] table: {"file": "walk.npz", "blend": 0.4}. The path is relative to the
-            current folder. The motion then follows the recording, and changes within `blend` [s] of a keyframe.
+            current folder. The motion then follows the recording, except within `blend` [s] of a keyframe.
         custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
         allow_outside: Let the figure's model read files outside its folder.
 

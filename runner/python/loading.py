@@ -33,8 +33,7 @@ def load(
 
     Args:
         source: Name of a shipped clip (see `clips()`), path of a .toml file or of an MJCF file with <keyframe>
-            elements, or the text of either. A string with a line break is taken as TOML text, not
-            as a path.
+            elements, or TOML or MJCF text. A string with a line break is taken as text, not as a path.
         fps: Samples per second [1/s] of outputs, instead of the clip's.
         custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
         allow_outside: Let the model read files outside its folder.

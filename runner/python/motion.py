@@ -222,7 +222,7 @@ class Motion(Renames):
         return files.sampled(self.saved.figure, self.saved.timeline, fps or self.fps)
 
     def report(self) -> Report:
-        """Return measurements of the raw spline ("before") and of the solution ("after").
+        """Return measurements of the spline through the keyframes ("before") and of the solution ("after").
 
         The motion is sampled more finely than in the search.
 
@@ -374,11 +374,11 @@ class Motion(Renames):
 
         Args:
             path: Output file.
-            exact: Only for .toml: write a [solve] table with which solving the clip gives this spline. Otherwise,
+            exact: Only for .toml: write a [solve] table that makes solving the clip reproduce this spline. Otherwise,
                 solving it runs the search again, and the result may differ.
-            overwrite: Only for .toml: the scene of a clip is written to a file in the same folder. If a different file
-                has its name, overwrite it instead of raising UserError. The clip or motion itself is overwritten in
-                any case.
+            overwrite: Only for .toml: the scene is written to a second file beside the clip. If a file of that name
+                exists with other content, overwrite it; otherwise, raise UserError. The clip or motion itself is
+                overwritten in any case.
 
         Returns:
             The path of the file.
@@ -489,7 +489,7 @@ class Motion(Renames):
     @as_python_warnings()
     @renamed_arguments(within="max_displacement")
     def cleaned(self, max_displacement: str | float | None = None) -> Motion:
-        """Return a cleaned recording: repaired, smoothed by its estimated noise, with planted feet.
+        """Return a cleaned recording: repaired, smoothed as much as its estimated noise requires, with planted feet.
 
         Args:
             max_displacement: Maximum displacement of hands, feet and pelvis from the recording: "3cm", "30mm", or
