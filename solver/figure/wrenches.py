@@ -176,8 +176,8 @@ def of_velocity(
         link: Links (P,).
         offset: Offsets (3, P) of the points from the links' origins, in world axes [m].
         direction: Directions (3, P).
-        turning: Part (3, P) of the offsets that rotates with the links; default: all of them. For the lowest point
-            of a sphere, it is the offset of the centre.
+        turning: The part (3, P) of each offset that rotates with its link; default: the whole offset. For the lowest
+            point of a sphere, give the offset of the centre, because the rest always points down.
 
     Returns:
         P wrenches.
@@ -187,7 +187,7 @@ def of_velocity(
 
 
 def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
-    """Return the wrenches of rotations of links about axes.
+    """Return the wrenches of the angles by which links turn about axes.
 
     Args:
         at: Samples (P,).

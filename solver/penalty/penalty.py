@@ -29,21 +29,22 @@ class Normalization:
     """The normalization of a soft constraint, see `Objective.renormalised`.
 
     Attributes:
-        reference: The value of f_j for a violation of 1 cm or 1° of a figure as large as an adult. For accelerations:
-            the value for 8 rad/s² or 2 m/s² if keyframes are 1 s apart. If they are T seconds apart, it is divided by
-            T to the power `time_power`.
+        reference: The value of f_j for a violation of 1 cm or 1°, on a figure of an adult's size. For speeds and
+            accelerations: the value for 1 m/s, 2 m/s² or 8 rad/s² if keyframes are 1 s apart. If they are T seconds
+            apart, it is divided by T to the power `time_power`.
         is_violation: Whether f_j is zero wherever the constraint is satisfied, as for a depth. Otherwise almost
             every motion has a cost, as for an acceleration.
         length_power: The exponent p with which f_j grows to λ^p f_j for a figure λ times as large; 2 for squared
             lengths.
         time_power: The exponent p with which f_j falls to f_j / λ^p in a clip slowed by a factor λ; 4 for squared
             accelerations.
-        normalize_by: The name of another term. If the objective contains it, f_j is divided by `reference` and by the
-            divisor of the other term, instead of its own integral over the raw spline.
-        raw_cap: Upper limit of the mean of f_j over the raw spline, by which f_j is divided.
+        normalize_by: The name of another term. If the objective contains that term, f_j / `reference` is divided by
+            the number that the other term is divided by, not by the integral of f_j over the raw spline.
+        raw_cap: The upper limit of the divisor of f_j, per second of the clip.
         is_sharp: Whether f_j changes abruptly in time. The search then computes its curvature at all samples instead
-            of a few. The curvature must consist of rows (`Curvature.add_rows`), as that of wrenches does.
-        by_tension: The exponent of `Objective.tension` in the weight of f_j.
+            of a few. Only for penalties of `Block`s with `Wrenches`, and of `Dense` with `Curvature.add_rows`.
+        by_tension: The weight of f_j is divided by `Objective.tension` to this power. The tension rises with the time
+            between keyframes.
     """
 
     reference: float
@@ -136,7 +137,7 @@ class Penalty(ABC):
         return tuple(self.residuals(samples)) if type(self).evaluate is Penalty.evaluate else None
 
     def model_blocks(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
-        """Return the result of `nearby`. Without an override of it, this is `known`, the result of `blocks`."""
+        """Return the result of `nearby`, or `known` if the class does not override `nearby`."""
         return known if known is not None and type(self).nearby is Penalty.nearby else self.nearby(samples)
 
     def curvature(

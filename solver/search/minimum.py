@@ -47,7 +47,11 @@ class StopSearch(Exception):
 
 
 class Optimiser(Protocol):
-    """A function that minimises E over the unknowns of a timeline: keyframes and variable frames at fixed times."""
+    """A function that minimises E over the unknowns of a timeline.
+
+    A timeline contains keyframes and variable frames at fixed times. The unknowns are the variable frames and the free
+    entries of partial keyframes.
+    """
 
     def __call__(
         self,
