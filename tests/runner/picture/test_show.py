@@ -40,10 +40,9 @@ def test_before_and_after_stand_side_by_side_in_one_picture_of_the_requested_siz
         np.testing.assert_array_equal(whole[:, W // 2 + 1 :], after[:, 1:])
 
 
-@pytest.mark.parametrize(("slow", "count"), [(2.0, 9), (0.5, 3)])
-def test_slower_means_more_images_of_the_same_motion(saved, slow, count):
-    assert image_count(saved, look(slow=slow)) == count
-    assert len(shot(saved, only="before", slow=slow, width=16, height=16)) == count
+def test_slower_means_more_images_of_the_same_motion(saved):
+    assert image_count(saved, look(slow=2.0)) == 9
+    assert len(shot(saved, only="before", slow=2.0, width=16, height=16)) == 9
 
 
 def test_one_image_at_a_time_and_picked_images_are_those_of_the_film(saved):

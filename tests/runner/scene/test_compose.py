@@ -65,6 +65,8 @@ def test_a_stage_changes_nothing_about_how_a_figure_moves():
         mujoco.mj_kinematics(model, data)
         places.append(data.xipos.copy())
     np.testing.assert_allclose(places[0], places[1], atol=1e-6)
+    keys = '<keyframe><key time="0" qpos="0 0"/><key time="1" qpos="1 1"/></keyframe>'
+    assert composed(HINGE.format(keys=keys)).nkey == 0  # keyframes do not come along
 
 
 def test_a_step_has_its_front_at_x_and_its_top_at_its_height():
@@ -84,12 +86,6 @@ def test_a_step_has_its_front_at_x_and_its_top_at_its_height():
 def test_a_file_that_is_not_there_is_reported(asset):
     with pytest.raises(UserError, match=r"refers to the file '\w\.\w+', which is not there"):
         compose(spec_of(FIGURE.replace("<worldbody>", f"<asset>{asset}</asset><worldbody>", 1)))
-
-
-def test_keyframes_of_the_model_do_not_come_along():
-    keys = '<keyframe><key time="0" qpos="0 0"/><key time="1" qpos="1 1"/></keyframe>'
-    assert mujoco.MjModel.from_xml_string(HINGE.format(keys=keys)).nkey == 2
-    assert composed(HINGE.format(keys=keys)).nkey == 0
 
 
 @pytest.mark.parametrize(
