@@ -38,11 +38,6 @@ def grows(_: object, folder: Path) -> Outcome:
         time.sleep(0.005)
 
 
-def fills(_: object, folder: Path) -> Outcome:
-    """Takes 4 GB at once, and uses it."""
-    return output(np.ones(2**29).tobytes())
-
-
 def grabs(_: object, folder: Path) -> Outcome:
     """Asks for far too much at once."""
     return output(np.zeros(2**36).tobytes())

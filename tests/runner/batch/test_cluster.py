@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import io
 from collections.abc import Iterator
 
@@ -14,7 +13,6 @@ pytest.importorskip("distributed")
 
 from distributed import LocalCluster
 
-from dynsplines import UserError
 from dynsplines.batch import cluster
 from dynsplines.batch.task import Limits
 from dynsplines.system.progress import Progress
@@ -42,26 +40,13 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         yield there.scheduler_address
 
 
-def test_clips_are_solved_at_the_workers(address: str) -> None:
+def test_clips_are_solved_at_the_workers_and_heavy_meshes_go_without_a_warning(
+    address: str, recwarn: pytest.WarningsRecorder
+) -> None:
     with cluster.connected(address, quiet()) as workers:
         assert workers.count() == 4
         outcome = workers.submit(deeds.lasts, 0.1, Limits(60.0)).result(60)
+        assert not workers.submit(deeds.litters, bytes(11_000_000), Limits(60.0)).result(60).cause
     assert not outcome.cause
     assert outcome.worker.startswith("tcp://127.0.0.1:")
-
-
-def test_heavy_meshes_go_without_a_word(address: str, recwarn: pytest.WarningsRecorder) -> None:
-    with cluster.connected(address, quiet()) as workers:
-        assert not workers.submit(deeds.litters, bytes(11_000_000), Limits(60.0)).result(60).cause
     assert not [str(warning.message) for warning in recwarn if "large graph" in str(warning.message)]
-
-
-@pytest.mark.parametrize("absent", ["tcp://127.0.0.1:9", "tpc://127.0.0.1:9"])  # 9: "discard", where nobody listens
-def test_a_scheduler_that_does_not_answer_is_reported_without_errors_of_dask(
-    absent: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(cluster, "CONNECT_SECONDS", 0.2)
-    told = f"no Dask scheduler answers at '{absent}'"
-    with pytest.raises(UserError, match=told), cluster.connected(absent, quiet()):
-        pytest.fail("there is one")
-    gc.collect()  # pytest fails a test in which a finaliser does

@@ -72,26 +72,13 @@ def test_what_is_not_there_is_reported(tree: Path, word: str, complaint: str):
     (tree / "empty").mkdir()
     with pytest.raises(UserError, match=complaint):
         sources([word])
-
-
-def test_no_clips_and_a_list_that_is_none_are_reported(tree: Path):
-    with pytest.raises(UserError, match="no clips; give"):
-        sources([])
     with pytest.raises(UserError, match="--list nowhere: No such file"):
         sources([], "nowhere")
 
 
-def test_like_named_clips_are_distinguished_by_their_folders(tree: Path):
-    found = with_unique_names(sources(["clips/a/walk.toml", "clips/b/walk.toml", "clips/run.toml"]), [])
-    assert names(found) == ["a/walk", "b/walk", "run"]
-
-
-def test_a_name_that_is_taken_gets_a_number_whatever_its_case(tree: Path):
-    found = with_unique_names(sources(["clips/run.toml", "clips/a/walk.toml"]), ["Run", "run-2", "else"])
-    assert names(found) == ["run-3", "walk"]
-
-
-def test_clips_that_differ_in_their_ending_alone_are_numbered():
+def test_like_names_are_distinguished_by_folders_and_taken_ones_by_numbers(tree: Path):
+    found = with_unique_names(sources(["clips/a/walk.toml", "clips/b/walk.toml", "clips/run.toml"]), ["Run", "run-2"])
+    assert names(found) == ["a/walk", "b/walk", "run-3"]
     both = [Source(Path(f"/x/walk.{ending}"), PurePosixPath("walk")) for ending in ("toml", "xml")]
     assert names(with_unique_names(both, [])) == ["x/walk", "x/walk-2"]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import multiprocessing
 import os
-import signal
 import sys
 import threading
 import time
@@ -64,18 +63,9 @@ def test_every_clip_finds_its_folder_empty(kept: Pool):
     assert [kept.run(deeds.litters, None, AMPLE).files["output"] for _ in range(2)] == [b"", b""]
 
 
-def test_what_asks_for_more_memory_than_there_is_fails_and_the_next_clip_does_not(kept: Pool):
-    outcome = kept.run(deeds.grabs, None, Limits(60.0, 400.0))
-    assert outcome.cause == "memory"
-    assert outcome.bound == 400.0
-    assert outcome.error.startswith("it took more memory than there is (Unable to allocate")
-    assert kept.run(deeds.litters, None, AMPLE).files == {"output": b""}
-
-
-@pytest.mark.parametrize("deed", [deeds.grows, deeds.fills])
-def test_what_takes_too_much_memory_little_by_little_or_at_once_is_ended(kept: Pool, deed):
+def test_what_takes_too_much_memory_little_by_little_is_ended(kept: Pool):
     process = number(kept)
-    outcome = kept.run(deed, None, Limits(60.0, 300.0))
+    outcome = kept.run(deeds.grows, None, Limits(60.0, 300.0))
     assert (outcome.cause, outcome.error) == ("memory", "it took more memory than 300 MB")
     assert gone(process)
 
@@ -89,16 +79,9 @@ def test_what_never_ends_is_ended(kept: Pool):
     assert gone(process)
 
 
-@pytest.mark.parametrize(
-    ("deed", "value", "words"),
-    [
-        (deeds.dies, signal.SIGKILL, "its process was ended by signal 9 (Killed; too little memory?)"),
-        (deeds.leaves, 3, "its process ended with code 3"),
-    ],
-)
-def test_a_process_that_goes_by_itself_is_reported(kept: Pool, deed, value, words: str):
-    outcome = kept.run(deed, value, AMPLE)
-    assert (outcome.cause, outcome.error) == ("lost", words)
+def test_a_process_that_ends_by_itself_is_reported(kept: Pool):
+    outcome = kept.run(deeds.leaves, 3, AMPLE)
+    assert (outcome.cause, outcome.error) == ("lost", "its process ended with code 3")
 
 
 def test_nothing_is_left_when_it_stops(tmp_path: Path):
@@ -118,7 +101,7 @@ def test_what_a_clip_took_is_given_back_before_the_next(kept: Pool):
     assert process.memory_info().rss < before + 50e6
 
 
-@pytest.mark.parametrize("after", [0.0, 0.02, 0.1, 0.3, 1.0])
+@pytest.mark.parametrize("after", [0.0, 0.1, 0.5])
 def test_a_pool_that_is_stopped_at_any_moment_leaves_no_process_and_no_file(after: float, tmp_path: Path):
     pool, outcomes = Pool(tmp_path), []
     before = set(multiprocessing.active_children())
