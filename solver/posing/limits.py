@@ -7,7 +7,6 @@ from functools import cached_property
 
 import mujoco
 import numpy as np
-from scipy.spatial import ConvexHull
 
 from ..array import Array, Index
 from .bounds import Part
@@ -36,6 +35,8 @@ class SupportPolygon:
         """Return the polygon inside the convex hull of contact points (n, 3) [m], or None if they are collinear."""
         if len(points) < 3 or np.linalg.matrix_rank(points[1:, :2] - points[0, :2], tol=MIN_SUPPORT) < 2:
             return None
+        from scipy.spatial import ConvexHull  # only here, as the import takes 50 ms
+
         corners = points[ConvexHull(points[:, :2]).vertices, :2]
         centre = corners.mean(axis=0)
         equations = ConvexHull(centre + SUPPORT_SHARE * (corners - centre)).equations
