@@ -21,13 +21,16 @@ MOVING = 0.05  # largest angle, in degrees or radians, up to which a joint is no
 FAST = 50.0  # [rad/s] implausible joint speed of robots and people
 SLIDING = 1.0  # [m/s] typical sliding speed of the lowest point in a wrong reading; in most motions it is at rest
 LYING = 0.35  # height over length below which a rest pose lies down and so does not show which way is up
-FALLEN = np.radians(60)  # [rad] tilt of the root that is far from upright
-SUNK = 0.2  # depth of the lowest point in the floor, as a fraction of the figure's size
+LEANING, UPRIGHT, FALLEN = np.radians(25), np.radians(45), np.radians(60)  # [rad] tilts of the root
+AT_FLOOR, SUNK = 0.08, 0.2  # fractions of the figure's size: height of the lowest point at the floor, depth below it
+ON_FLOOR = 0.04  # [m] median distance of the lowest point from the floor, for a figure that evidently stands on it
 FLYING = 2.5  # [m] height of the lowest point that no jump reaches
-MUCH_OUTSIDE = 0.1  # implausible fraction of joint angles beyond their ranges
+NONE_OUTSIDE, LITTLE_OUTSIDE, MUCH_OUTSIDE = 0.01, 0.03, 0.1  # fractions of joint angles beyond their ranges
 FAR_OUTSIDE = 0.15  # fraction of joint angles beyond their ranges when degrees are read as radians
+DOUBTED, REFUTED = 0.5, 0.9  # differences of scores at which the documented layout is doubted, and replaced
 ENOUGH = 20  # least number of samples for sliding to be evidence
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+JUMP = np.radians(45)  # [rad] implausible rotation of the root from sample to sample
+FREE, HINGE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_HINGE)
 
 
 @dataclass(frozen=True)
@@ -114,7 +117,10 @@ class Plausibility:
     height   [m] median distance of the lowest point from z = 0
     sliding  [m/s] mean horizontal speed of the lowest point
     outside  fraction of joint angles beyond their ranges, without the joint that exceeds its range most often
-    upright  fraction of samples with the root not far from upright, and the figure neither in the floor nor high above
+    jumps    fraction of steps between samples in which the root or a joint turns implausibly fast
+    upright  fraction of samples with an upright root and the figure neither in the floor nor metres above it
+    fallen   fraction of samples with the root far from upright, or the figure in the floor or metres above it
+    standing fraction of samples with the root within `LEANING` of upright and the lowest point at the floor
     samples  number of samples
     """
 
@@ -122,7 +128,10 @@ class Plausibility:
     height: float
     sliding: float
     outside: float
+    jumps: float
     upright: float
+    fallen: float
+    standing: float
     samples: int
 
     @classmethod
@@ -130,35 +139,87 @@ class Plausibility:
         """Return the plausibility of a recording; samples with entries that are not finite are ignored."""
         finite = np.isfinite(recording.qpos).all(axis=1)
         qpos, time = recording.qpos[finite], recording.time[finite]
-        outside, root = _mostly_outside(model, qpos), root_of(model)
+        outside, jumps = _mostly_outside(model, qpos), _fast(model, qpos, time)
+        root = root_of(model)
         if root is None or not len(qpos):
-            return cls(0.0, 0.0, 0.0, outside, 1.0, len(qpos))
+            return cls(0.0, 0.0, 0.0, outside, jumps, 1.0, 0.0, 1.0, len(qpos))
+        if root.is_free:
+            start = int(model.jnt_qposadr[root.joints[0]])
+            rotation = quat.normalised(qpos[:, start + 3 : start + 7])
+            turned = quat.angle_between(rotation[1:], rotation[:-1])
+            jumps += float(np.mean(turned > JUMP)) if turned.size else 0.0
         tilts, heights, speeds, size = _posture(model, root.body, qpos, time)
         is_off = (heights < -SUNK * size) | (heights > FLYING)
+        at_floor = np.abs(heights) < AT_FLOOR * size
         return cls(
             tilt=float(tilts.mean()),
             height=float(np.median(np.abs(heights))),
             sliding=float(np.minimum(speeds, 3 * SLIDING).mean()),
             outside=outside,
-            upright=float(np.mean((tilts < FALLEN) & ~is_off)),
+            jumps=jumps,
+            upright=float(np.mean((tilts < UPRIGHT) & ~is_off)),
+            fallen=float(np.mean((tilts > FALLEN) | is_off)),
+            standing=float(np.mean((tilts < LEANING) & at_floor)),
             samples=len(qpos),
         )
 
     @property
-    def is_plausible(self) -> bool:
-        """Whether the figure is upright in most samples, with most joints within their ranges."""
-        return self.upright > 0.5 and self.outside < MUCH_OUTSIDE
+    def score(self) -> float:
+        """Dimensionless plausibility, at most 2; greater is more plausible. Sliding does not contribute."""
+        return self.upright - self.fallen + self.standing - self.tilt / np.pi - 8 * self.outside - 3 * self.jumps
+
+    @property
+    def is_fallen(self) -> bool:
+        """Whether the figure is fallen in most samples, or upright in few of them."""
+        return self.fallen > 0.5 or self.upright < 0.2
+
+    @property
+    def is_evident(self) -> bool:
+        """Whether in most samples the root is upright on the floor, with joints within their ranges."""
+        return self.standing > 0.5 and self.outside < LITTLE_OUTSIDE
+
+    def is_doubted_by(self, other: Plausibility) -> bool:
+        """Whether another reading is clearly more plausible than this one, which is the documented one.
+
+        One of these must hold: this one is fallen; only the other has its joints within their ranges; or the other is
+        upright on the floor, while this one is off the floor or leans.
+        """
+        if self.is_evident or other.is_fallen or other.outside > MUCH_OUTSIDE or other.score - self.score < DOUBTED:
+            return False
+        falls = self.is_fallen and other.score - self.score > REFUTED
+        nearer = self._is_off_floor(other) and other.standing > 0.5 and other.height < ON_FLOOR
+        straighter = other.standing > 0.9 and other.tilt < LEANING / 4 and self.tilt > LEANING
+        return falls or nearer or straighter or self._exceeds(other, LITTLE_OUTSIDE)
+
+    def is_refuted_by(self, other: Plausibility) -> bool:
+        """Whether another reading is so much more plausible that it replaces this one, the documented one.
+
+        One of these must hold: this one is fallen; many of its joints exceed their ranges and the other's do not; or
+        this one leans where the other stands upright and nearer to the floor.
+        """
+        if not self.is_doubted_by(other) or other.score - self.score < REFUTED:
+            return False
+        leans = self.tilt > LEANING and other.tilt < LEANING / 2 and other.standing > 0.9 and self._is_off_floor(other)
+        return self.is_fallen or self._exceeds(other, MUCH_OUTSIDE) or leans
+
+    def _is_off_floor(self, other: Plausibility) -> bool:
+        return self.height > max(ON_FLOOR, 2 * other.height)
+
+    def _exceeds(self, other: Plausibility, share: float) -> bool:
+        return self.outside > share and other.outside < NONE_OUTSIDE
 
     def slides_less_than(self, other: Plausibility) -> bool:
         """Whether the feet slide evidently less than in another reading, over enough samples."""
         is_less = self.sliding < other.sliding / 2 and other.sliding - self.sliding > 0.3 * SLIDING
-        return is_less and self.samples >= ENOUGH
+        return is_less and self.samples >= ENOUGH and self.standing > 0.5
 
     def __str__(self) -> str:
         parts = [f"tilt {np.degrees(self.tilt):.0f}°, lowest point at {100 * self.height:.0f} cm"]
         parts.append(f"sliding at {self.sliding:.1f} m/s")
         if self.outside >= 0.005:
             parts.append(f"{self.outside:.0%} of joint angles out of range")
+        if self.jumps >= 0.005:
+            parts.append(f"jumps in {self.jumps:.0%} of the steps")
         return ", ".join(parts)
 
 

@@ -3,7 +3,7 @@
 A reader returns a recording in the documented layout, with `others` for further layouts that occur in such files. The
 documented layout has precedence. Another one replaces it only if the documented one contradicts the file's body poses,
 or is implausible while the other is plausible. Formats that share an extension have equal precedence. A note reports
-the decision. A file of several plausible layouts is refused, unless the user names the format.
+the decision. An undecided file is refused, unless the user names the format: then its documented layout is used.
 """
 
 from __future__ import annotations
@@ -139,43 +139,66 @@ def _agreeing(
 def _most_plausible(
     candidates: Sequence[Candidate], model: mujoco.MjModel, where: object, *, is_named: bool
 ) -> tuple[Recording, tuple[str, ...]]:
-    """Return the layout to use: the documented one, unless it is implausible and another plausible; with a note."""
+    """Return the layout to use with a note: the documented one, unless another refutes it."""
     least = min(len(variant.layout) for _, variant in candidates)
     documented = _judged([candidate for candidate in candidates if len(candidate[1].layout) == least], model)
-    first, rivals = documented[0], [judged for judged in documented if judged[0].is_plausible]
-    if not rivals:
-        axes = [other for candidate in candidates for other in _axes(model, candidate)]
-        others = _judged([entry for entry in (*candidates, *axes) if len(entry[1].layout) > least], model)
-        rivals = [judged for judged in others if judged[0].is_plausible] or documented
-    best = _best(rivals)
-    if len(best) > 1 and not is_named:
-        raise UserError(f"{where}: {_undecided(first, best)}")
-    used, *rest = best if len(best) == 1 else [first, *best]
-    other = next((judged for judged in (*rest, *documented) if judged is not used), None)
-    if other is None:
-        return used[1][1], ()
-    decided = f"read as {_layout_name(*used[1])}: {used[0]}; as {_layout_name(*other[1])} it would be: {other[0]}"
-    return used[1][1], (decided,)
+    first = documented[0]
+    rivals = _doubts(first, candidates, model, least)
+    if rivals:
+        best = _best(rivals)
+        is_refuted = first[0].is_refuted_by(best[0][0])
+        if is_refuted and len(best) == 1:
+            return best[0][1][1], (_decided(best[0], first),)
+        if not is_named:
+            raise UserError(f"{where}: {_doubted(first, best)}")
+        return first[1][1], (_decided(first, best[0]),)
+    if len(documented) == 1:
+        return first[1][1], ()
+    best = _best(documented)
+    if len(best) > 1:
+        raise UserError(f"{where}: {_equally(best)}")
+    other = next(entry for entry in documented if entry is not best[0])
+    return best[0][1][1], (_decided(best[0], other),)
 
 
-def _best(rivals: Sequence[Judged]) -> list[Judged]:
-    """Return the layouts of fewest deviations. If in one of these the feet slide evidently less than in the others, it
-    is the only result."""
-    fewest = min(len(variant.layout) for _, (_, variant) in rivals)
-    near = [judged for judged in rivals if len(judged[1][1].layout) == fewest]
+def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjModel, least: int) -> list[Judged]:
+    """Return the clearly more plausible layouts that deviate more from the documented one, the most plausible first."""
+    if first[0].is_evident:
+        return []
+    axes = [other for candidate in candidates for other in _axes(model, candidate)]
+    others = _judged([entry for entry in (*candidates, *axes) if len(entry[1].layout) > least], model)
+    return [judged for judged in others if first[0].is_doubted_by(judged[0])]
+
+
+def _best(ranked: Sequence[Judged]) -> list[Judged]:
+    """Return the layouts of fewest deviations that the most plausible one does not exclude. If in one of these the feet
+    slide evidently less than in the others, it is the only result."""
+    near = [ranked[0], *(judged for judged in ranked[1:] if not judged[0].is_doubted_by(ranked[0][0]))]
+    fewest = min(len(variant.layout) for _, (_, variant) in near)
+    near = [judged for judged in near if len(judged[1][1].layout) == fewest]
     at_rest = [one for one in near if all(one is other or one[0].slides_less_than(other[0]) for other in near)]
     return at_rest or near
 
 
-def _undecided(first: Judged, best: Sequence[Judged]) -> str:
-    """Return the error for several equally plausible layouts."""
-    names = " and ".join(_layout_name(*candidate) for _, candidate in best)
-    equally = f"{names} are equally plausible ({best[0][0]}), and differ"
-    if first in best:
-        return f"{equally}; {missing_input.FORMAT}, one of: {', '.join(dict.fromkeys(form for _, (form, _) in best))}"
+def _decided(used: Judged, other: Judged) -> str:
+    return f"read as {_layout_name(*used[1])}: {used[0]}; as {_layout_name(*other[1])} it would be: {other[0]}"
+
+
+def _doubted(first: Judged, best: Sequence[Judged]) -> str:
+    """Return the error for a doubtful documented layout that no single other one replaces."""
     form = first[1][0]
     do = f"convert the file, or {missing_input.FORMAT}: {form} reads it as documented"
-    return f"as {form} it is implausible ({first[0]}); {equally}; {do}"
+    if len(best) > 1:
+        names = " and ".join(_layout_name(*candidate) for _, candidate in best)
+        return f"as {form} it is implausible ({first[0]}); {names} are equally plausible ({best[0][0]}); {do}"
+    return f"as {form} it is doubtful ({first[0]}); as {_layout_name(*best[0][1])} it would be: {best[0][0]}; {do}"
+
+
+def _equally(rivals: Sequence[Judged]) -> str:
+    names = " and ".join(_layout_name(*candidate) for _, candidate in rivals)
+    forms = list(dict.fromkeys(form for _, (form, _) in rivals))
+    do = f"{missing_input.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
+    return f"{names} are equally plausible ({rivals[0][0]}), and differ; {do}"
 
 
 def _judged(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judged]:
@@ -184,7 +207,7 @@ def _judged(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judg
     for form, variant in sorted(candidates, key=lambda each: len(each[1].layout)):
         if not any(_is_same(model, variant, other) for _, (_, other) in out):
             out.append((Plausibility.of(model, variant), (form, variant)))
-    return sorted(out, key=lambda each: -each[0].upright)
+    return sorted(out, key=lambda each: -each[0].score)
 
 
 def _is_same(model: mujoco.MjModel, one: Recording, other: Recording) -> bool:

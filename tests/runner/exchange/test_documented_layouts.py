@@ -120,6 +120,16 @@ def test_an_implausible_documented_layout_with_two_plausible_others_needs_a_form
     assert notes.startswith("read as gmr: tilt 0°") and "with y up in the world" in notes
 
 
+def test_a_robot_that_flies_where_another_layout_stands_on_the_floor_needs_a_format(tmp_path) -> None:
+    walk = biped.walk(heading=0.0)
+    walk[:, 1] -= 1.6
+    rows = y_up(walk, with_frame=True)  # as documented it is 0.8 m above the floor, upright
+    path = saved("npz", rows, tmp_path)
+    with pytest.raises(UserError, match=r"as npz it is doubtful .* as npz with y up .* give --from"):
+        read(path)
+    assert "read as npz" in check(rows, path, "npz")
+
+
 @pytest.mark.parametrize("kind", ["csv", "mjlab-csv"])
 def test_sliding_decides_between_tables_over_enough_samples_alone(kind: str, tmp_path) -> None:
     qpos = biped.walk(heading=0.0 if kind == "mjlab-csv" else np.pi)
