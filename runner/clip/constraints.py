@@ -59,7 +59,7 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
         try:
             options[entry.kind] = kind.options.model_validate(entry.options)
         except ValidationError as error:
-            raise UserError(f"{where}: {describe(error, raw, ('penalty', i - 1))}") from None
+            raise UserError(f"{where}: {describe(error, raw, kind.options, ('penalty', i - 1))}") from None
         _check_weight(kind, options[entry.kind], here)
         numbers[entry.kind] = i
     return options

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Discriminator, Field, StrictBool, Tag
+from pydantic import Discriminator, Field, Tag
 
 from dynsplines.solver.contacts import surfaces_on
 from dynsplines.solver.contacts.thresholds import Thresholds
@@ -59,7 +59,7 @@ from dynsplines.solver.surface.touch import bolted
 from ..errors import UserError, unknown
 from .contacts import moving_bodies
 from .context import Context
-from .table import Angle, Number, Real, Table
+from .table import Angle, Expected, Flag, Names, Number, Real, Table
 
 HARD, HARD_TRAVEL = float(np.radians(0.05)), 5e-5  # [rad], [m] tolerance of keyframes beyond a hard range
 BEND_BOUND = 8.0  # [degrees] default bound; the soft constraint then rarely exceeds 10°
@@ -93,8 +93,8 @@ class CollisionOptions(Options):
     margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(
         default=None, description="distance to keep, m; for the parts body and self"
     )
-    points: list[str] | None = Field(default=None, description="sites instead of heels and toes")
-    self: StrictBool | None = Field(default=None, description="true or false")
+    points: Names | None = Field(default=None, description="sites instead of heels and toes")
+    self: Flag | None = Field(default=None, description="true or false")
 
 
 class Reach(Options):
@@ -106,7 +106,7 @@ class Reach(Options):
 class LimitOptions(Options):
     """The limits of knees and elbows, whether joint ranges are hard, and the limit of joint speed."""
 
-    bend_joints: list[str] | None = Field(default=None, description="ball joints that are knees or elbows")
+    bend_joints: Names | None = Field(default=None, description="ball joints that are knees or elbows")
     least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(
         default=None, description="smallest angle, degrees; default 0"
     )
@@ -119,8 +119,8 @@ class LimitOptions(Options):
 class UprightOptions(Options):
     """Bodies to keep upright, besides the trunk, and the axis in them that is vertical."""
 
-    bodies: list[str] | None = Field(default=None, description="bodies to keep upright")
-    axis: tuple[Number, Number, Number] | None = Field(
+    bodies: Names | None = Field(default=None, description="bodies to keep upright")
+    axis: Annotated[tuple[Number, Number, Number] | None, Expected("[x, y, z] in the body's own axes")] = Field(
         default=None, description="their upward axis; default: upward at rest"
     )
 
@@ -128,7 +128,9 @@ class UprightOptions(Options):
 class FlightOptions(Options):
     """The intervals of flight, and the weight of the moment."""
 
-    intervals: list[tuple[Number, Number]] | None = Field(default=None, description="flights, [from, to] in s")
+    intervals: Annotated[list[tuple[Number, Number]] | None, Expected("a list of [from, to] in seconds")] = Field(
+        default=None, description="flights, [from, to] in s"
+    )
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = Field(
         default=None, description="weight of the moment relative to the force; default 0"
     )

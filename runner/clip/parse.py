@@ -157,7 +157,7 @@ def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
     try:
         return kind.model_validate(raw)
     except ValidationError as error:
-        raise UserError(f"{where}: {describe(error, raw, root=kind)}") from None
+        raise UserError(f"{where}: {describe(error, raw, kind)}") from None
 
 
 def references(text: str) -> tuple[str | None, str | None]:

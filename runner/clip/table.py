@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self
 
@@ -11,16 +12,27 @@ from pydantic import BaseModel, ConfigDict, Field, Strict, model_validator
 
 from ..system.quantity import LARGEST
 
-Real = Annotated[float, Strict(), Field(allow_inf_nan=False)]
+
+@dataclass(frozen=True)
+class Expected:
+    """The value that a key takes, in the words of errors; without it those of pydantic."""
+
+    words: str
+
+
+Real = Annotated[float, Strict(), Field(allow_inf_nan=False), Expected("a number")]
 Number = Annotated[Real, Field(ge=-LARGEST, le=LARGEST)]
-Whole = Annotated[int, Strict()]
-Flag = Annotated[bool, Strict()]
+Whole = Annotated[int, Strict(), Expected("a whole number")]
+Flag = Annotated[bool, Strict(), Expected("true or false")]
+Word = Annotated[str, Expected("a word in quotes")]
+Name = Annotated[str, Field(min_length=1), Expected("a name in quotes")]
+Names = Annotated[list[str], Expected("a list of names")]
 Length = Annotated[Real, Field(gt=0, le=1000)]
 Angle = Annotated[Real, Field(gt=0, le=360)]
 Axis = Number | Literal["free"]
 Share = Annotated[Real, Field(ge=0, le=1)]
-Place = tuple[Number, Number, Number]
-Axes = tuple[Axis, Axis, Axis]
+Place = Annotated[tuple[Number, Number, Number], Expected("[x, y, z] in metres")]
+Axes = Annotated[tuple[Axis, Axis, Axis], Expected('[x, y, z] in metres, each a number or "free"')]
 KEY = "key:"  # prefix of the name of a <key> of the model
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 SHORTEST_BAR = 1e-4  # [m] minimum distance of a bar's ends
@@ -56,10 +68,10 @@ class Table(BaseModel):
 class RotationTable(Table):
     """A rotation in one of several notations, followed by a heading about the vertical."""
 
-    rotvec: tuple[Number, Number, Number] | None = None
-    euler: list[Number] | None = None
-    order: str | None = None
-    quat: tuple[Number, Number, Number, Number] | None = None
+    rotvec: Annotated[tuple[Number, Number, Number] | None, Expected("three angles [x, y, z] in degrees")] = None
+    euler: Annotated[list[Number] | None, Expected("a list of angles in degrees")] = None
+    order: Word | None = None
+    quat: Annotated[tuple[Number, Number, Number, Number] | None, Expected("four numbers [w, x, y, z]")] = None
     heading: Number | None = None
 
     @property
@@ -99,7 +111,7 @@ class RootTable(Table):
     """The position and orientation of a free body."""
 
     position: Axes | Literal["free"] = "free"
-    rotation: RotationTable | Literal["free"] = "free"
+    rotation: Annotated[RotationTable | Literal["free"], Expected(f'{ROTATION} or "free"')] = "free"
 
 
 class SiteTable(Table):
@@ -112,9 +124,9 @@ class SiteTable(Table):
 class BodyTable(RotationTable):
     """The target orientation of a body, and the target position of its origin, or of the point `at` in its axes."""
 
-    flat: Flag | None = None
+    flat: Annotated[Flag | None, Expected("true")] = None
     position: Axes | None = None
-    at: Place | None = None
+    at: Annotated[Place | None, Expected("[x, y, z] in metres, in the body's own axes")] = None
 
     @model_validator(mode="after")
     def check(self) -> Self:
@@ -130,16 +142,29 @@ class BodyTable(RotationTable):
         return self
 
 
+Joint = Annotated[RotationTable | Number | Literal["free"], Expected(f'{ROTATION}, a number or "free"')]
+Site = Annotated[
+    SiteTable | Axes,
+    Expected('[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}'),
+]
+Body = Annotated[BodyTable, Expected(f"{{flat = true}} or a rotation, {ROTATION}, or {{position = [x, y, z]}}")]
+Root = Annotated[RootTable, Expected("a table: position and rotation of a free joint")]
+Others = Annotated[
+    Literal["free", "rest", "previous"] | ModelKey,
+    Expected("'free', 'rest', 'previous' or 'key:NAME', a <key> of the model"),
+]
+
+
 class KeyframeTable(Table):
     """The state of the figure at one time, complete or partial."""
 
     time: Number
-    root: RootTable = RootTable()
-    roots: dict[str, RootTable] = {}
-    joints: dict[str, RotationTable | Number | Literal["free"]] = {}
-    sites: dict[str, SiteTable | Axes] = {}
-    bodies: dict[str, BodyTable] = {}
-    others: Literal["free", "rest", "previous"] | ModelKey = "free"
+    root: Root = RootTable()
+    roots: dict[str, Root] = {}
+    joints: dict[str, Joint] = {}
+    sites: dict[str, Site] = {}
+    bodies: dict[str, Body] = {}
+    others: Others = "free"
 
     @property
     def model_key(self) -> str | None:
@@ -158,12 +183,14 @@ class StepTable(Table):
 
 
 class _ObstacleTable(Table):
-    name: Annotated[str, Field(min_length=1)] | None = None
-    body: Annotated[str, Field(min_length=1)] | None = None
+    name: Name | None = None
+    body: Name | None = None
     mass: Annotated[Real, Field(gt=0, le=LARGEST)] | None = None
-    color: tuple[Share, Share, Share, Share] | None = None
+    color: Annotated[
+        tuple[Share, Share, Share, Share] | None, Expected("[red, green, blue, opacity], each from 0 to 1")
+    ] = None
     position: Place | None = None
-    rotation: RotationTable | None = None
+    rotation: Annotated[RotationTable | None, Expected(ROTATION)] = None
 
     def check_place(self) -> None:
         if self.position is None and self.body is None:
@@ -181,7 +208,7 @@ class _ObstacleTable(Table):
 class BoxTable(_ObstacleTable):
     """A box."""
 
-    size: tuple[Length, Length, Length]
+    size: Annotated[tuple[Length, Length, Length], Expected("[length, width, height] in metres")]
 
 
 class SphereTable(_ObstacleTable):
@@ -218,17 +245,17 @@ class SceneTable(Table):
     """The surroundings."""
 
     step: StepTable | None = None
-    box: list[BoxTable] = []
-    sphere: list[SphereTable] = []
-    capsule: list[BarTable] = []
-    cylinder: list[BarTable] = []
+    box: Annotated[list[BoxTable], Expected("[[scene.box]] tables")] = []
+    sphere: Annotated[list[SphereTable], Expected("[[scene.sphere]] tables")] = []
+    capsule: Annotated[list[BarTable], Expected("[[scene.capsule]] tables")] = []
+    cylinder: Annotated[list[BarTable], Expected("[[scene.cylinder]] tables")] = []
 
 
 class PenaltyTable(Table):
     """A soft constraint: its kind and its options, which the record in `kinds` interprets."""
 
     model_config = ConfigDict(extra="allow", strict=False)
-    kind: str
+    kind: Word
 
     @classmethod
     def of(cls, kind: str, **options: Any) -> PenaltyTable:
@@ -243,7 +270,7 @@ class PenaltyTable(Table):
 class ContactTable(Table):
     """A point that rests in an interval [s]."""
 
-    point: str
+    point: Word
     start: Number = Field(alias="from")
     end: Number = Field(alias="to")
     position: Place | None = None
@@ -257,8 +284,8 @@ class ContactTable(Table):
 class GraspTable(Table):
     """A site that is fixed on a body in an interval [s]."""
 
-    hand: str
-    body: str
+    hand: Word
+    body: Annotated[str, Expected("a name in quotes")]
     start: Number = Field(alias="from")
     end: Number = Field(alias="to")
     position: Place | None = None
@@ -287,13 +314,13 @@ class SolveTable(Table):
 
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "clamped start", "clamped end", "periodic"] = "free"
-    travel: tuple[Number, Number, Number] | None = None
+    travel: Place | None = None
     turn: Annotated[Real, Field(ge=-360, le=360)] | None = None
     variable: Annotated[Whole, Field(ge=0, le=50)] | None = None
     frames: Annotated[Whole, Field(ge=0, le=100_000)] | None = None
-    criterion: str | None = None
+    criterion: Word | None = None
     threshold: Annotated[Real, Field(ge=0)] | None = None
-    optimiser: str | None = None
+    optimiser: Word | None = None
     evaluations: Annotated[Whole, Field(ge=1, le=1_000_000)] | None = None
     tolerance: Annotated[Real, Field(gt=0, le=1)] | None = None
     quadrature: Literal["gauss", "uniform"] = "gauss"
@@ -354,12 +381,12 @@ class MapTable(Table):
 class ClipTable(Table):
     """The whole file of a clip."""
 
-    figure: str
+    figure: Annotated[str, Expected("the name of a figure or a path in quotes")]
     fps: Annotated[Real, Field(ge=0.01, le=1000)] = 30.0
     scene: SceneTable = SceneTable()
     solve: SolveTable = SolveTable()
-    penalty: list[PenaltyTable] = []
-    contact: list[ContactTable] = []
-    grasp: list[GraspTable] = []
+    penalty: Annotated[list[PenaltyTable], Expected("[[penalty]] tables")] = []
+    contact: Annotated[list[ContactTable], Expected("[[contact]] tables")] = []
+    grasp: Annotated[list[GraspTable], Expected("[[grasp]] tables")] = []
     recording: RecordingTable | None = None
-    keyframe: list[KeyframeTable] = []
+    keyframe: Annotated[list[KeyframeTable], Expected("[[keyframe]] tables")] = []
