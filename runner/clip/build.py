@@ -24,7 +24,7 @@ from .constraints import constraints, weight_factors
 from .context import Context
 from .kinds import KINDS
 from .parse import Parsed, table_of
-from .posing.couplings import complaints
+from .posing.couplings import unsupported
 from .table import ClipTable, SolveTable
 from .tracking.penalties import footings_of, ground_of, rests_of, stances_in, stances_of
 from .tracking.recording import TrackedRecording
@@ -163,10 +163,9 @@ def build(
         ends, note = AT_REST[stationary]
         problem = replace(problem, ends=ends, end_slope=np.zeros((2, figure.width)))
         context, resting = context.scheduled(keys=problem.raw), (note + FREE_NOTE,)
-    broken = complaints(figure, problem.raw, keys)
     soft_constraints = constraints(context, source.options)
     problem = replace(problem, penalties=soft_constraints.penalties)
-    notes = (*broken, *soft_constraints.notes, *resting, *_too_many(problem))
+    notes = (*unsupported(figure.model), *soft_constraints.notes, *resting, *_too_many(problem))
     return Clip(source.name, source.text, scene, fps, problem, soft_constraints.context, notes)
 
 

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
 from pydantic import ValidationError
 
 from dynsplines.solver.contacts import Interval
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import BendLimits, Contact, Penalty
+from dynsplines.solver.penalty import BendLimits, Penalty
 
 from ..errors import UserError, unknown
 from .context import Context, knees_and_elbows
@@ -32,7 +30,6 @@ from .table_errors import describe
 CARRIED = ("flight", "support", "peak")  # kinds that are on by default only if the ground's support is known
 LINEAR_WEIGHT_CARRIED = 0.45  # [1] weight of acceleration.linear with these kinds, which penalise similar errors
 NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
-DEEP = 0.02  # [m] penetration of a sole point in a keyframe above which a note is printed
 
 
 def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
@@ -114,7 +111,6 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
     penalties = list[tuple[Penalty, float]]()
     for name in [name for name in options if name not in absent]:
         penalties += _built(context, _carried(KINDS[name]) if is_carried else KINDS[name], options[name])
-    notes += _deep(context, [p for p, _ in penalties if isinstance(p, Contact) and p.name == Contact.term_name])
     return Constraints(context, tuple((p, weight) for p, weight in penalties if weight > 0), tuple(notes))
 
 
@@ -173,27 +169,6 @@ def _flights(
                 f"from {first:g} to {last:g} s"
             )
     return tuple(intervals)
-
-
-def _deep(context: Context, contacts: Sequence[Contact]) -> Iterator[str]:
-    """Yield a note on keyframes with a foot deep inside a geom, which the motion meets nevertheless."""
-    for contact in contacts:
-        if contact.allowed is None or not contact.allowed.excess.any():
-            continue
-        states = context.keys.states
-        centres, _, _ = contact.centres(Samples.still(context.figure, states))
-        inside = np.max([surface.inside(centres) for surface in contact.surfaces], axis=0)
-        deepest = np.where(contact.allowed.excess > 0, inside, 0).max(axis=0)
-        worst = int(deepest.argmax())
-        if deepest[worst] <= DEEP:
-            continue
-        point, frame = contact.points[int(inside[:, worst].argmax())], context.keys.frames[worst]
-        others = int(np.sum(deepest > DEEP)) - 1
-        more = f", as do {others} more keyframe{'s' if others > 1 else ''}" if others else ""
-        yield (
-            f"keyframe {worst + 1} (t = {frame.time:g} s) puts {point.name} {1000 * deepest[worst]:.0f} mm deep "
-            f"into something solid{more}; keyframes are met exactly, so there it goes"
-        )
 
 
 def posing_bends(figure: Figure, listed: Mapping[str, Options]) -> BendLimits | None:

@@ -7,7 +7,6 @@ specifies them.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -32,7 +31,6 @@ from dynsplines.solver.posing import (
     posed,
     reached,
 )
-from dynsplines.solver.surface.points import Point
 
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
@@ -65,7 +63,6 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
     figure = places.figure
     goals: list[Goal] = []
     placed: list[Placed] = []
-    points: list[tuple[Point, Array]] = []
     for name, table in row.sites.items():
         point = places.point(name)
         if point is None:
@@ -76,7 +73,6 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
         _check_moves(figure, goal, f"{where}: site '{name}'")
         if table.by == "pose":
             goals.append(goal)
-            points.append((point, target))
         else:
             placed.append(Placed(point, row.time, target))
     for name, table in row.bodies.items():
@@ -86,15 +82,9 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
         body_goals = _body_goals(name, body, table, f"{where}: bodies.{name}")
         _check_moves(figure, body_goals[0], f"{where}: body '{name}'")
         goals += body_goals
-        points += [
-            (Point(name, *figure.point_on_link(body, goal.offset)), goal.position)
-            for goal in body_goals
-            if isinstance(goal, PointGoal)
-        ]
     for root, position in posed_roots(figure, row):
         name = str(figure.model.body(root.body).name)
         goals.append(PointGoal(name, root.body, np.zeros(3), _target(position, f"{where}: root.position", "it")))
-    _check_apart(figure, points, where)
     return Wanted(tuple(goals), tuple(placed))
 
 
@@ -159,21 +149,6 @@ def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal
 def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
     if not chain(figure, goal.bodies(figure.model)[0]):
         raise UserError(f"{what} is not part of the figure: no joint moves it")
-
-
-def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], where: str) -> None:
-    """Raise UserError for two points of one link whose specified distance differs from that on the figure."""
-    for (a, to), (b, there) in itertools.combinations(points, 2):
-        if a.link != b.link or np.isnan([to, there]).any():
-            continue
-        given_distance = float(np.linalg.norm(to - there))
-        real = float(np.linalg.norm(a.position - b.position))
-        if abs(given_distance - real) > MET:
-            body = figure.model.body(figure.links[a.link].body).name
-            raise UserError(
-                f"{where}: sites '{a.name}' and '{b.name}' are {_metres(real)} apart on the figure, not "
-                f'{_metres(given_distance)}; give one of them a "free" axis, or one site and bodies.{body}'
-            )
 
 
 def _complaints(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed) -> list[str]:

@@ -173,14 +173,10 @@ def test_a_contact_far_from_its_keyframes_is_reported(more, x, words):
 
 
 @pytest.mark.slow
-def test_a_keyframe_that_puts_a_foot_into_a_step_is_told_and_the_legs_do_not_whip():
+def test_legs_do_not_whip_where_keyframes_put_a_foot_into_a_step():
     standing = "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0.0, 0.5, 1.0))
     head = 'figure = "human"\n[solve]\nends = "free"\n'
     inside = clips.from_text(f"{head}[scene]\nstep = {{x = 0.0, height = 0.3}}\n{standing}", name="inside")
-    (note,) = inside.notes
-    assert "keyframe 1 (t = 0 s) puts left_toe" in note
-    assert "as do 2 more keyframes" in note
     motion = inbetween(inside.problem)
     qpos = motion.at(np.linspace(0, 1, 100))
     np.testing.assert_allclose(qpos, np.broadcast_to(qpos[0], qpos.shape), atol=0.02)
-    assert not clips.from_text(head + standing, name="beside").notes
