@@ -13,7 +13,7 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import turned
 from dynsplines.solver.figure.kinematics import Samples
@@ -22,8 +22,6 @@ from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
-from dynsplines.solver.surface import Box
-from dynsplines.solver.surface.points import places_of
 
 from ..clip.build import Clip
 from .formatting import rows
@@ -54,10 +52,7 @@ def report(
     first = before.quantities()
     sides = {"before": first, "after": after.quantities() if searched else dict(first)}
     drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
-    sides["after"][DRIFT] = {
-        "largest": float(drift.max()),
-        "away from trouble": float(drift[_far_from_trouble(clip, before.samples)].max(initial=0.0)),
-    }
+    sides["after"][DRIFT] = {"largest": float(drift.max())}
     return {
         "violations": plain(violations_of(after.measurement, motion.stop)),
         "clip": clip.name,
@@ -94,22 +89,6 @@ def _centre_of_mass(samples: Samples) -> Array:
     tables = samples.figure.tables
     centres = samples.links.x + turned(samples.links.rotation, tables.centre)
     return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), 1e-12)
-
-
-def _far_from_trouble(clip: Clip, before: Samples, margin: float = 0.25) -> Mask:
-    """Return whether samples (S,) are more than `margin` [s] from any time at which a raw foot is in a box."""
-    boxes = [surface for surface in clip.context.surfaces if isinstance(surface, Box)]
-    inside = np.zeros(before.t.size, bool)
-    if boxes and clip.context.points:
-        centres, _, _ = places_of(clip.context.points, before)
-        for box in boxes:
-            inside |= (box.inside(centres) > 0).any(axis=0)
-    bad = before.t[inside]
-    if not bad.size:
-        return np.ones(before.t.size, bool)
-    after = np.searchsorted(bad, before.t)
-    gaps = np.abs([before.t - bad[np.maximum(after - 1, 0)], before.t - bad[np.minimum(after, bad.size - 1)]])
-    return gaps.min(axis=0) > margin
 
 
 def _remaining_decrease(motion: Solution) -> dict[str, float]:

@@ -16,7 +16,7 @@ from tiny import FIGURE, written
 from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.quantities import Side
-from dynsplines.measure.report import _far_from_trouble, report, tables
+from dynsplines.measure.report import report, tables
 from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.subdivision import evenly
@@ -230,18 +230,6 @@ def test_every_segment_between_keyframes_has_its_row(solved: Solved):
     assert [(row["from, s"], row["to, s"]) for row in rows] == [(0, 0.2), (0.2, 0.41)]
     assert sum(row["variable frames"] for row in rows) == solved.motion.timeline.variable_count
     assert all(row["deviation after"] < row["deviation before"] for row in rows)
-
-
-@pytest.mark.slow
-def test_times_near_a_step_that_was_hit_count_as_trouble(tmp_path):
-    head = "[scene]\nstep = {x = 1, height = 0.3, length = 0.4}"
-    solved = unsolved(tmp_path, [(0, 0, 0, 0.2), (3, 3, 0, 0.2)], head)
-    drift = side(solved)["centre of mass displacement, m"]
-    assert drift == {"largest": 0.0, "away from trouble": 0.0}
-    samples = Side.of(solved.clip, solved.motion.objective, solved.motion.raw, solved.motion.raw).samples
-    far = samples.t[_far_from_trouble(solved.clip, samples)]
-    inside = (0.95, 1.45)  # the toe goes in at x = 1, the heel comes out at x = 1.4
-    np.testing.assert_array_equal(far, samples.t[(samples.t < inside[0] - 0.25) | (samples.t > inside[1] + 0.25)])
 
 
 def test_the_report_is_strict_json(solved: Solved):
