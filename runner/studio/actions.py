@@ -14,7 +14,7 @@ from .session import Session
 
 if TYPE_CHECKING:
     from ..clip.text import TomlTable
-    from .posing import BodyEntry, Grip, PoseEdit, PoseEntries, Poser
+    from .posing import Grip, Poser
     from .solver import Message
 
 AT = 1e-6  # [s] distance up to which a time is that of a keyframe
@@ -163,7 +163,7 @@ class Actions:
         row = self._row(index)
         return [name for group in ("sites", "bodies") for name in row.get(group, {})]
 
-    def _released_entries(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: PoseEntries) -> PoseEdit:
+    def _released_entries(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: TomlTable) -> TomlTable:
         """Return the moved joints of a keyframe, and the targets that these override. Other joints that such a target
         determined, of its limb and the root, are fixed as in the pose (nq,)."""
         row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
@@ -173,21 +173,21 @@ class Actions:
             decided |= {poser.root}
         free = {link.name for link in poser.figure.links[1:] if not fixed[link.qpos]}
         instead = poser.select_joints(poser.keyframe_entries(qpos), decided - names - free)
-        out: PoseEdit = {"places": places, "joints": {**instead["joints"], **entries["joints"]}}
-        root: BodyEntry = {**instead.get("root", {}), **entries.get("root", {})}
+        out: TomlTable = {"places": places, "joints": {**instead["joints"], **entries["joints"]}}
+        root: TomlTable = {**instead.get("root", {}), **entries.get("root", {})}
         if root:
             out["root"] = root
         if roots := {**instead.get("roots", {}), **entries.get("roots", {})}:
             out["roots"] = roots
         return out
 
-    def _limb_entries(self, poser: Poser, entries: PoseEntries, qpos: Any) -> PoseEntries:
+    def _limb_entries(self, poser: Poser, entries: TomlTable, qpos: Any) -> TomlTable:
         """Return the moved joints with all other joints of the dragged or rotated limb."""
         limb = poser.limb_names(self._body)
         limb_joints = {name: value for name, value in poser.keyframe_entries(qpos)["joints"].items() if name in limb}
         return {**entries, "joints": {**limb_joints, **entries["joints"]}}
 
-    def _without_free_joints(self, index: int, entries: PoseEntries, home: Any, last: Any, poser: Poser) -> PoseEntries:
+    def _without_free_joints(self, index: int, entries: TomlTable, home: Any, last: Any, poser: Poser) -> TomlTable:
         """Return the entries without joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
         moved = _named(poser.keyframe_entries(last, home), poser)
@@ -237,8 +237,8 @@ class Actions:
         """Free joints of a keyframe, and remove the targets that determine them."""
         poser = await self.poser()
         key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
-        entries: PoseEntries = {"joints": {}}
-        whole: BodyEntry = {"position": "free", "rotation": "free"}
+        entries: TomlTable = {"joints": {}}
+        whole: TomlTable = {"position": "free", "rotation": "free"}
         for link in poser.figure.links[1:]:
             if link.name == poser.root and link.name in joints:
                 entries["root"] = whole
@@ -348,7 +348,7 @@ def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
     return {"position": position[0].round(5).ravel().tolist(), "rotation": rotation[0].round(6).ravel().tolist()}
 
 
-def _named(entries: PoseEntries, poser: Poser) -> set[str]:
+def _named(entries: TomlTable, poser: Poser) -> set[str]:
     root = {poser.root} if poser.root is not None and entries.get("root") else set()
     return {*entries["joints"], *entries.get("roots", {}), *root}
 

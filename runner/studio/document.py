@@ -1,12 +1,8 @@
-"""A clip's text while it is edited, with unlimited undo and redo, and a copy of unsaved work on the disk.
-
-The text of every step is stored compressed: 30 kB of clip need about 3 kB.
-"""
+"""A clip's text while it is edited, with unlimited undo and redo, and a copy of unsaved work on the disk."""
 
 from __future__ import annotations
 
 import tomllib
-import zlib
 from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -22,7 +18,7 @@ if TYPE_CHECKING:
 
 MOST_SINCE = 200  # stored revisions, for pages that refer to an older one
 FILMS = (".mp4", ".webm", ".gif", ".png")  # extensions of rendered files
-Packed = tuple[str, bytes]  # description of an edit, and the compressed text before or after it
+Step = tuple[str, str]  # description of an edit, and the text before or after it
 
 
 def parsed(text: str) -> TomlTable:
@@ -48,9 +44,9 @@ class Document:
     saved: str | None = None
     revision: int = 0
     newline: str = "\n"
-    _back: list[Packed] = field(default_factory=list)
-    _forth: list[Packed] = field(default_factory=list)
-    _revisions: deque[tuple[int, bytes]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
+    _back: list[Step] = field(default_factory=list)
+    _forth: list[Step] = field(default_factory=list)
+    _revisions: deque[tuple[int, str]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
     _plain: tuple[int, TomlTable] | None = None  # a revision, and its plain tables
 
     @property
@@ -62,14 +58,6 @@ class Document:
     def place(self) -> str:
         return self.file.name if self.file else f"{self.name}.toml"
 
-    @property
-    def undone(self) -> str | None:
-        return self._back[-1][0] if self._back else None
-
-    @property
-    def redone(self) -> str | None:
-        return self._forth[-1][0] if self._forth else None
-
     def state(self) -> dict[str, object]:
         """Return the state of the document for pages; `undo` and `redo` describe the edits that they would change."""
         return {
@@ -77,8 +65,8 @@ class Document:
             "file": self.file.name if self.file else None,
             "dirty": self.is_dirty,
             "revision": self.revision,
-            "undo": self.undone,
-            "redo": self.redone,
+            "undo": self._back[-1][0] if self._back else None,
+            "redo": self._forth[-1][0] if self._forth else None,
         }
 
     def tree(self) -> Blocks:
@@ -102,17 +90,17 @@ class Document:
         """Set the present text; `words` describe the edit."""
         if text == self.text:
             return
-        self._back.append((words, zlib.compress(self.text.encode())))
+        self._back.append((words, self.text))
         self._forth.clear()
         self._put(text)
 
-    def back(self) -> tuple[str, str] | None:
+    def back(self) -> Step | None:
         """Return a description and the text after undo; None if there is nothing to undo."""
-        return self._peeked(self._back)
+        return self._back[-1] if self._back else None
 
-    def forth(self) -> tuple[str, str] | None:
+    def forth(self) -> Step | None:
         """Return the same for redo."""
-        return self._peeked(self._forth)
+        return self._forth[-1] if self._forth else None
 
     def undo(self) -> None:
         self._swap(self._back, self._forth)
@@ -151,23 +139,20 @@ class Document:
         with suppress(OSError):
             self.unsaved_file.unlink(missing_ok=True)
 
-    def _peeked(self, stack: list[Packed]) -> tuple[str, str] | None:
-        return (stack[-1][0], zlib.decompress(stack[-1][1]).decode()) if stack else None
-
-    def _swap(self, source: list[Packed], target: list[Packed]) -> None:
+    def _swap(self, source: list[Step], target: list[Step]) -> None:
         if source:
-            words, packed = source.pop()
-            target.append((words, zlib.compress(self.text.encode())))
-            self._put(zlib.decompress(packed).decode())
+            words, text = source.pop()
+            target.append((words, self.text))
+            self._put(text)
 
     def since(self, revision: int) -> list[str] | None:
         """Return the texts from a revision to the present one; None for an unknown or too old one."""
         texts = [text for number, text in self._revisions if number >= revision]
         if not self._revisions or len(texts) != self.revision - revision:
             return None
-        return [*(zlib.decompress(text).decode() for text in texts), self.text]
+        return [*texts, self.text]
 
     def _put(self, text: str) -> None:
-        self._revisions.append((self.revision, zlib.compress(self.text.encode())))
+        self._revisions.append((self.revision, self.text))
         self.text = text
         self.revision += 1

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, NotRequired, TypedDict
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty.joints.bend import BendLimits
 from dynsplines.solver.posing import (
@@ -38,7 +39,7 @@ from ..clip.constraints import chosen, posing_bends
 from ..clip.posing.feet import sole_points
 from ..clip.posing.places import Places
 from ..clip.table import PenaltyTable
-from ..clip.text import rotation
+from ..clip.text import TomlTable, keyframe_tables, tables
 from ..errors import UserError, unknown
 from .footing import Footing, Spheres
 
@@ -52,32 +53,8 @@ CLEAR = 0.035  # [m] minimum height of a foot in the air
 STANDING = 0.03  # [m] height below which a sole is on the ground
 SHORT = 0.002  # [m] distance above which a limb does not reach its target
 MOVED = 1e-5  # [rad, m] difference above which a joint was moved
-DIGITS = 3  # decimal places of degrees (2e-5 rad); positions have two more
-
-
-Rotation = dict[str, list[float]]  # {"rotvec": [x, y, z]}, degrees
-Free = Literal["free"]
-
-
-class BodyEntry(TypedDict, total=False):
-    """A keyframe's entry of a free body: position [m] and rotation."""
-
-    position: list[float] | Free
-    rotation: Rotation | Free
-
-
-class PoseEntries(TypedDict):
-    """Entries of a keyframe: joints [degrees or m] by name, the root, and further free bodies by their joints."""
-
-    joints: dict[str, float | Rotation | Free]
-    root: NotRequired[BodyEntry]
-    roots: NotRequired[dict[str, BodyEntry]]
-
-
-class PoseEdit(PoseEntries):
-    """Entries of a keyframe, and the sites and bodies whose targets they override."""
-
-    places: list[str]
+DIGITS = 4  # decimal places of angles of hinges [degrees], and of slides [m]
+PLACES = {"rotvec": 3, "position": 5}  # decimal places of other entries: degrees (2e-5 rad) and metres
 
 
 @dataclass(frozen=True)
@@ -279,31 +256,17 @@ class Poser:
         out[start : start + 4] = quat.normalised(there)
         return out
 
-    def keyframe_entries(self, qpos: Array, home: Array | None = None) -> PoseEntries:
+    def keyframe_entries(self, qpos: Array, home: Array | None = None) -> TomlTable:
         """Return the entries of a keyframe for a pose: of all joints, or of those that differ from `home`.
 
-        The keys are "joints", and "root" and "roots" if there are entries of the first free body and of others.
+        The keys are "joints", and "root" and "roots" if there are entries of the root and of other free bodies.
         """
-        out: PoseEntries = {"joints": {}}
-        for index, link in enumerate(self.figure.links[1:], start=1):
-            columns = entries(self.figure, index)
-            if home is not None and np.abs(qpos[columns] - home[columns]).max() < MOVED:
-                continue
-            if link.kind is JointKind.FREE:
-                place = [round(float(x), DIGITS + 2) for x in qpos[columns][:3]]
-                body: BodyEntry = {"position": place, "rotation": _short(qpos[columns][3:])}
-                if link.name == self.root:
-                    out["root"] = body
-                else:
-                    out.setdefault("roots", {})[link.name] = body
-            elif link.kind is JointKind.BALL:
-                out["joints"][link.name] = _short(qpos[columns])
-            else:
-                value = float(qpos[link.qpos])
-                out["joints"][link.name] = round(
-                    np.degrees(value) if link.kind is JointKind.HINGE else value, DIGITS + 1
-                )
-        return out
+        is_moved = np.ones(self.figure.width, bool)
+        for link in range(1, len(self.figure.links)) if home is not None else ():
+            columns = entries(self.figure, link)
+            is_moved[columns] = np.abs(qpos[columns] - home[columns]).max() >= MOVED
+        row = tables(keyframe_tables(self.figure, [Frame.key(0.0, qpos, is_moved)])[0])
+        return {"joints": {}} | {key: _rounded(value) for key, value in row.items() if key != "time"}
 
     @cached_property
     def root(self) -> str | None:
@@ -313,8 +276,8 @@ class Poser:
             return None
         return self.figure.links[root.link].name
 
-    def select_joints(self, entries: PoseEntries, names: Collection[str]) -> PoseEntries:
-        out: PoseEntries = {"joints": {name: value for name, value in entries["joints"].items() if name in names}}
+    def select_joints(self, entries: TomlTable, names: Collection[str]) -> TomlTable:
+        out: TomlTable = {"joints": {name: value for name, value in entries["joints"].items() if name in names}}
         if self.root in names and "root" in entries:
             out["root"] = entries["root"]
         if roots := {name: body for name, body in entries.get("roots", {}).items() if name in names}:
@@ -347,5 +310,7 @@ class Poser:
         mujoco.mj_comPos(self.figure.model, self.data)
 
 
-def _short(quaternion: Array) -> Rotation:
-    return {"rotvec": [round(x, DIGITS) + 0.0 for x in rotation(quaternion).rotvec or ()]}
+def _rounded(value: Any, digits: int = DIGITS) -> Any:
+    if isinstance(value, dict):
+        return {key: _rounded(entry, PLACES.get(key, digits)) for key, entry in value.items()}
+    return [_rounded(entry, digits) for entry in value] if isinstance(value, tuple) else round(value, digits) + 0.0

@@ -114,14 +114,14 @@ def test_undo_after_any_edits_gives_the_first_text_byte_for_byte(some):
         tomllib.loads(found.text)
     last = found.text
     count = 0
-    while found.undone is not None:
+    while found.back() is not None:
         found.undo()
         count += 1
     assert found.text == TEXT
     for _ in range(count):
         found.redo()
     assert found.text == last
-    assert found.redone is None
+    assert found.forth() is None
 
 
 def test_comments_and_order_stay():
