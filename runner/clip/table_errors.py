@@ -102,7 +102,8 @@ def _entry(kind: Any, key: int | str) -> Any:
         if isinstance(option, type) and issubclass(option, Table):
             for name, field in option.model_fields.items():
                 if key == (field.alias or name):
-                    return Annotated[field.annotation, *field.metadata, None]
+                    annotation: Any = field.annotation
+                    return Annotated[annotation, *field.metadata, None]
         elif get_origin(option) in (dict, list):
             return get_args(option)[-1]
     return None

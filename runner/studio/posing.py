@@ -262,9 +262,10 @@ class Poser:
         The keys are "joints", and "root" and "roots" if there are entries of the root and of other free bodies.
         """
         is_moved = np.ones(self.figure.width, bool)
-        for link in range(1, len(self.figure.links)) if home is not None else ():
-            columns = entries(self.figure, link)
-            is_moved[columns] = np.abs(qpos[columns] - home[columns]).max() >= MOVED
+        if home is not None:
+            for link in range(1, len(self.figure.links)):
+                columns = entries(self.figure, link)
+                is_moved[columns] = np.abs(qpos[columns] - home[columns]).max() >= MOVED
         row = tables(keyframe_tables(self.figure, [Frame.key(0.0, qpos, is_moved)])[0])
         return {"joints": {}} | {key: _rounded(value) for key, value in row.items() if key != "time"}
 
