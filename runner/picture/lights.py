@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..scene.mujoco_versions import Lamp, drawn_lamp
+from ..scene.mujoco_versions import lamp
 from .depth_buffer import Eye, Faces
 
 Array = NDArray[np.float64]
@@ -40,11 +40,11 @@ class Light(NamedTuple):
     @classmethod
     def of(cls, light: Any, points: Array, centre: Array, radius: float, size: int) -> Light:
         """Return a light (MjvLight) with a shadow map, size x size texels, of triangles (m, 3, 3) in a sphere [m]."""
-        kind, direction = drawn_lamp(light), np.array(light.dir, float)
+        kind, direction = lamp(light), np.array(light.dir, float)
         position = np.array(light.pos, float)
-        if kind is Lamp.DIRECTIONAL:
+        if kind == "directional":
             position = centre - SUN_DISTANCE * radius * direction
-        cone = float(np.cos(np.radians(light.cutoff))) if kind is Lamp.SPOT else ALL_ROUND
+        cone = float(np.cos(np.radians(light.cutoff))) if kind == "spot" else ALL_ROUND
         eye, nearest = None, np.empty(0)
         if light.castshadow:
             distance = float(np.linalg.norm(centre - position)) + 1e-9

@@ -13,7 +13,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from ..scene.mujoco_versions import Lamp, drawn_lamp
+from ..scene.mujoco_versions import lamp
 from ..scene.triangles import MESHES, half_extent, picture_repeat, piece_of, texels, triangles
 from .depth_buffer import Eye, Faces
 from .lights import Light
@@ -138,7 +138,7 @@ class Raster:
         return [
             Light.of(light, surface.points[solid], centre, radius, size)
             for light in self.scene.lights[: self.scene.nlight]
-            if drawn_lamp(light) is not Lamp.IMAGE
+            if lamp(light) != "image"
         ]
 
     def _colour(self, view: View, x: Array, y: Array, face: Ints, closeness: Array) -> Floats:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..scene.assets import Scene
-from ..scene.mujoco_versions import Lamp, drawn_lamp, without_shadow
+from ..scene.mujoco_versions import lamp, without_shadow
 from .camera import View
 from .graphics import Graphics
 
@@ -135,7 +135,7 @@ class Stage:
         if view.fixed is not None:
             return
         for light in scene.lights[: scene.nlight]:
-            if drawn_lamp(light) is Lamp.DIRECTIONAL and not light.headlight:
+            if lamp(light) == "directional" and not light.headlight:
                 light.pos[:] = np.asarray(view.lookat) - _SUN_DISTANCE * light.dir
 
     def _camera(self, view: View) -> mujoco.MjvCamera:

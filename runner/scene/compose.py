@@ -24,7 +24,6 @@ from .assets import Assets, Scene, check_places, taken_along
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .model_files import is_there, models_in
 from .mujoco_versions import (
-    Lamp,
     attach,
     geom_named,
     geoms_by_number,
@@ -169,8 +168,8 @@ def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> muj
 
 def is_lit(model: mujoco.MjModel) -> bool:
     """Return whether a directional light shines from above."""
-    kinds = [lamp(model, light) for light in np.flatnonzero(model.light_active & (model.light_dir[:, 2] < 0)).tolist()]
-    return Lamp.DIRECTIONAL in kinds
+    lights = np.flatnonzero(model.light_active & (model.light_dir[:, 2] < 0)).tolist()
+    return any(lamp(model.light(light)) == "directional" for light in lights)
 
 
 def _dress(spec: mujoco.MjSpec, bare: mujoco.MjModel) -> None:

@@ -7,7 +7,6 @@ import ctypes
 import re
 import tempfile
 from collections.abc import Iterator
-from enum import Enum
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -18,37 +17,12 @@ import numpy as np
 DIGITS = 15  # significant digits of numbers in MJCF texts, so that decimal input such as 0.1 is reproduced
 
 
-class Lamp(Enum):
-    """The kinds of light."""
-
-    SPOT = "spot"
-    DIRECTIONAL = "directional"
-    POINT = "point"
-    IMAGE = "image"
-
-
-def lamp(model: mujoco.MjModel, light: int) -> Lamp:
-    """Return the type of a light. Before 3.3.1 all are directional or spots."""
-    if not hasattr(model, "light_type"):
-        return Lamp.DIRECTIONAL if model.light_directional[light] else Lamp.SPOT
-    return _lamp_of(model.light_type[light])
-
-
-def _lamp_of(kind: int) -> Lamp:
-    kinds = mujoco.mjtLightType
-    named = {
-        kinds.mjLIGHT_DIRECTIONAL: Lamp.DIRECTIONAL,
-        kinds.mjLIGHT_POINT: Lamp.POINT,
-        kinds.mjLIGHT_IMAGE: Lamp.IMAGE,
-    }
-    return {int(value): name for value, name in named.items()}.get(int(kind), Lamp.SPOT)
-
-
-def drawn_lamp(light: Any) -> Lamp:
-    """Return the type of a light in a rendered scene (MjvLight)."""
+def lamp(light: Any) -> str:
+    """Return the kind of a light (MjvLight or `model.light(i)`): "spot", "directional", "point" or
+    "image". Before 3.3.1 all are directional or spots."""
     if not hasattr(light, "type"):
-        return Lamp.DIRECTIONAL if light.directional else Lamp.SPOT
-    return _lamp_of(light.type)
+        return "directional" if np.any(light.directional) else "spot"
+    return mujoco.mjtLightType(int(np.ravel(light.type)[0])).name.removeprefix("mjLIGHT_").lower()
 
 
 def without_shadow(model: mujoco.MjModel, geoms: Any) -> None:

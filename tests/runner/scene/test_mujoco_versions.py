@@ -24,13 +24,13 @@ def test_a_scenes_text_says_nothing_that_only_newer_versions_know():
     assert "colorspace" not in text
     assert not re.search(r"<light [^>]*type=", text)
     model = mujoco.MjModel.from_xml_string(text)
-    assert [versions.lamp(model, i) for i in range(model.nlight)] == [versions.Lamp.DIRECTIONAL] * 2
+    assert [versions.lamp(model.light(i)) for i in range(model.nlight)] == ["directional"] * 2
 
 
 def test_lamps_are_distinguished_and_elements_and_bodies_taken_out():
     spec = mujoco.MjSpec.from_string(LIGHTS)
     model = spec.compile()
-    assert [versions.lamp(model, i) for i in range(2)] == [versions.Lamp.DIRECTIONAL, versions.Lamp.SPOT]
+    assert [versions.lamp(model.light(i)) for i in range(2)] == ["directional", "spot"]
     versions.remove(spec, spec.lights[0])
     versions.remove(spec, next(body for body in spec.bodies if body.name == "b"))
     model = spec.compile()
