@@ -44,25 +44,18 @@ _BT709 = 1  # H.273's code of BT.709, for primaries, transfer and matrix
 _TV_RANGE = 1  # AVCOL_RANGE_MPEG
 
 
-class FilmError(UserError):
-    """The target or the frames are invalid; the message is one line with the remedy."""
-
-
 def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
-    """Raise a FilmError if `write` could not write frames of this size [pixels] to a path. Writes nothing."""
+    """Raise UserError if `write` could not write frames of this size [pixels] to a path. Writes nothing."""
     target = Path(path)
     if target.suffix.lower() not in _WRITERS:
-        raise FilmError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(_WRITERS)}")
+        raise UserError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(_WRITERS)}")
     if target.is_dir():
-        raise FilmError(f"{target}: is a directory; name a file in it, such as {target / ('clip' + target.suffix)}")
-    try:
-        parent = real_target(target).parent
-    except UserError as error:
-        raise FilmError(str(error)) from None
+        raise UserError(f"{target}: is a directory; name a file in it, such as {target / ('clip' + target.suffix)}")
+    parent = real_target(target).parent
     if not parent.is_dir():
-        raise FilmError(f"{target}: the directory {parent} does not exist; create it or name another")
+        raise UserError(f"{target}: the directory {parent} does not exist; create it or name another")
     if not os.access(parent, os.W_OK | os.X_OK):
-        raise FilmError(f"{target}: the directory {parent} cannot be written to; name another")
+        raise UserError(f"{target}: the directory {parent} cannot be written to; name another")
     _check_size(target, width, height)
 
 
@@ -76,7 +69,7 @@ def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float) -
         fps: Frames per second [1/s].
     """
     if not (math.isfinite(fps) and fps > 0):
-        raise FilmError(f"{path}: {fps} images a second; it must be a positive number")
+        raise UserError(f"{path}: {fps} images a second; it must be a positive number")
     source = iter(images)
     first = next(source)
     check_target(path, first.shape[1], first.shape[0])
@@ -87,10 +80,10 @@ def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float) -
 
 def _check_size(target: Path, width: int, height: int) -> None:
     if width < 1 or height < 1:
-        raise FilmError(f"{target}: {width}x{height} pixels; both must be at least 1")
+        raise UserError(f"{target}: {width}x{height} pixels; both must be at least 1")
     if target.suffix.lower() in (".mp4", ".webm") and (width % 2 or height % 2):
         even = f"{width + width % 2}x{height + height % 2}"
-        raise FilmError(
+        raise UserError(
             f"{target}: {width}x{height} pixels; {target.suffix} needs even sizes: take {even}, or write .gif"
         )
 

@@ -50,10 +50,6 @@ print("drawn" if image.max() > 60 and image.min() < 30 else "blank")
 """
 
 
-class GraphicsError(UserError):
-    """The renderer requested by name does not work on this machine."""
-
-
 @dataclass(frozen=True)
 class Graphics:
     """The renderer to use; line: a line for users, such as "renderer: EGL"."""
@@ -104,10 +100,10 @@ def do_without() -> None:
 
 
 def _forced(name: str) -> Graphics:
-    """Return the renderer of DYNSPLINES_RENDERER, or raise a GraphicsError."""
+    """Return the renderer of DYNSPLINES_RENDERER, or raise UserError."""
     name = "software" if name == "rays" else name  # its name up to 0.2
     if name not in _NAMES:
-        raise GraphicsError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
+        raise UserError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
     setting = f"{OVERRIDE}={name}"
     if name == "software":
         if not _imported():
@@ -120,7 +116,7 @@ def _forced(name: str) -> Graphics:
     for backend in backends:
         if _works(backend):
             return _settle(_kind_of(backend), backend, setting)
-    raise GraphicsError(
+    raise UserError(
         f"{setting}: {name} does not work here; unset it to let a working renderer be chosen, or use software"
     )
 

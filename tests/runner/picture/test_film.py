@@ -10,7 +10,8 @@ import imageio.v3 as iio
 import numpy as np
 import pytest
 
-from dynsplines.picture.film import MOST_WAITING, FilmError, _in_a_thread, check_target, sheet_picks, write
+from dynsplines.errors import UserError
+from dynsplines.picture.film import MOST_WAITING, _in_a_thread, check_target, sheet_picks, write
 
 RED = (200, 60, 40)
 M_PERTURB = -6  # as glibc's malloc.h has it
@@ -163,13 +164,13 @@ def test_images_stream_through(tmp_path: Path, ending: str):
 )
 def test_a_target_that_cannot_be_written_is_refused(tmp_path: Path, name: str, size: tuple[int, int], told: str):
     (tmp_path / "folder.mp4").mkdir()
-    with pytest.raises(FilmError, match=told):
+    with pytest.raises(UserError, match=told):
         check_target(tmp_path / name, *size)
 
 
 def test_a_directory_without_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(os, "access", lambda path, mode: False)
-    with pytest.raises(FilmError, match="cannot be written to"):
+    with pytest.raises(UserError, match="cannot be written to"):
         check_target(tmp_path / "run.mp4", 64, 48)
 
 
@@ -193,7 +194,7 @@ def test_an_image_may_be_drawn_over_once_the_next_one_is_requested(tmp_path: Pat
 
 @pytest.mark.parametrize("fps", [0.0, float("nan")])
 def test_a_rate_that_is_not_positive_is_refused(tmp_path: Path, fps: float):
-    with pytest.raises(FilmError, match="positive"):
+    with pytest.raises(UserError, match="positive"):
         write(tmp_path / "a.mp4", images(), fps)
     assert not list(tmp_path.iterdir())
 

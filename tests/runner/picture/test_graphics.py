@@ -6,6 +6,7 @@ import sys
 
 import pytest
 
+from dynsplines.errors import UserError
 from dynsplines.picture import graphics
 
 SHOW = """
@@ -79,7 +80,7 @@ def test_a_forced_renderer_that_does_not_exist_or_work_is_an_error(monkeypatch: 
     before_mujoco_is_imported(monkeypatch)
     no_backend_works(monkeypatch)
     monkeypatch.setenv(graphics.OVERRIDE, name)
-    with pytest.raises(graphics.GraphicsError, match=told):
+    with pytest.raises(UserError, match=told):
         graphics.choose()
 
 
