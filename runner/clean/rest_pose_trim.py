@@ -7,6 +7,7 @@ legs and trunk upright. The other is the figure's rest pose, every joint at zero
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 
 import mujoco
 import numpy as np
@@ -19,6 +20,7 @@ from ..exchange.skeleton import hierarchy
 from ..exchange.skeleton.roles import roles
 from ..measure.violation import is_recording
 from ..motion import Saved
+from ..scene.configuration import posed
 from ..scene.framing import root_places
 from ..system.progress import Progress
 
@@ -30,6 +32,7 @@ SUDDEN = 4.0  # which do not end within a sample: least ratio of this speed to t
 HELD = 0.1  # [s] shortest T-pose without a jump, to exclude arms that swing through it
 SLOW = 0.2  # [m/s] largest speed of the hips in a T-pose, to exclude walking with spread arms
 LEAST = 2  # least number of samples that remain
+REST = "the figure's rest pose"
 
 
 @dataclass(frozen=True)
@@ -50,14 +53,15 @@ class RestPose:
 
 def find_rest_pose(model: mujoco.MjModel, times: Array, qpos: Array) -> RestPose | None:
     """Return the lead-in of qpos (T, nq) at times (T,) [s]; None without one, or if nothing else would remain."""
-    for what, still in (("a T-pose", _Spread.of(model)), ("the figure's rest pose", _Rest(model))):
-        if still is None:
+    limbs = _limbs(model)
+    for what, shows in (("a T-pose", partial(_is_spread, model, limbs)), (REST, partial(_is_at_rest, model))):
+        if what != REST and not limbs:
             continue
-        count = next((i for i, row in enumerate(qpos) if not still.shows(row)), len(qpos))
+        count = next((i for i, row in enumerate(qpos) if not shows(row)), len(qpos))
         if not 0 < count <= len(qpos) - LEAST:
             continue
         is_still = times[count - 1] - times[0] >= HELD and _travel(model, times[:count], qpos[:count]) <= SLOW
-        if _jumps(model, times, qpos, count) or (is_still and still.is_sufficient):
+        if _jumps(model, times, qpos, count) or (is_still and what != REST):
             return RestPose(count, float(times[0]), float(times[count - 1]), what)
     return None
 
@@ -90,56 +94,36 @@ def trim(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
     return without(saved) if skip else saved
 
 
-@dataclass(frozen=True)
-class _Rest:
-    """The test whether every joint is at zero; a person may stand so, thus it is no sign by itself."""
-
-    model: mujoco.MjModel
-    is_sufficient: bool = False
-
-    def shows(self, qpos: Array) -> bool:
-        move = _moved(self.model, self.model.qpos0, qpos)
-        return bool(move.size) and float(np.abs(move).max()) < AT_REST
+def _is_at_rest(model: mujoco.MjModel, qpos: Array) -> bool:
+    """Return whether every joint is at zero; a person may stand so, thus it is no sign by itself."""
+    move = _moved(model, model.qpos0, qpos)
+    return bool(move.size) and float(np.abs(move).max()) < AT_REST
 
 
-@dataclass(frozen=True)
-class _Spread:
-    """The test for a T-pose, by bodies with known names."""
+def _limbs(model: mujoco.MjModel) -> dict[str, int]:
+    """Return bodies by role, none unless both arms and legs are known by name."""
+    bodies = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
+    parts = ("upper_arm", "forearm", "thigh", "shin")
+    if any(f"{side}_{part}" not in bodies for side in ("left", "right") for part in parts):
+        return {}
+    return {role: 1 + body for role, body in bodies.items()}
 
-    model: mujoco.MjModel
-    data: mujoco.MjData
-    roles: dict[str, int]
-    is_sufficient: bool = True
 
-    @classmethod
-    def of(cls, model: mujoco.MjModel) -> _Spread | None:
-        bodies = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
-        parts = ("upper_arm", "forearm", "thigh", "shin")
-        if any(f"{side}_{part}" not in bodies for side in ("left", "right") for part in parts):
-            return None
-        return cls(model, mujoco.MjData(model), {role: 1 + body for role, body in bodies.items()})
-
-    def shows(self, qpos: Array) -> bool:
-        self.data.qpos[:] = qpos
-        mujoco.mj_kinematics(self.model, self.data)
-        at = {role: self.data.xpos[body] for role, body in self.roles.items()}
-        leftward = at["left_thigh"] - at["right_thigh"]
-        hips, shoulders = (0.5 * (at[f"left_{part}"] + at[f"right_{part}"]) for part in ("thigh", "upper_arm"))
-        up = np.array([0.0, 0, 1])
-        pairs = [(shoulders - hips, up, UPRIGHT)]
-        for side, sign in (("left", 1.0), ("right", -1.0)):
-            pairs.append((at[f"{side}_forearm"] - at[f"{side}_upper_arm"], sign * leftward, OUT))
-            pairs.append((self._end(f"{side}_forearm", f"{side}_hand") - at[f"{side}_forearm"], sign * leftward, OUT))
-            pairs.append((at[f"{side}_shin"] - at[f"{side}_thigh"], -up, UPRIGHT))
-        return all(_cosine(limb, direction) > least for limb, direction, least in pairs)
-
-    def _end(self, role: str, onward: str) -> Array:
-        """Return the position (3,) of the next part of a limb, or of its farthest site or geom."""
-        if onward in self.roles:
-            return self.data.xpos[self.roles[onward]]
-        body = self.roles[role]
-        turn = self.data.xmat[body].reshape(3, 3)
-        return self.data.xpos[body] + turn @ hierarchy.end(self.model, body)
+def _is_spread(model: mujoco.MjModel, bodies: dict[str, int], qpos: Array) -> bool:
+    """Return whether a figure is in a T-pose."""
+    data = next(posed(model, qpos[None]))
+    at = {role: data.xpos[body] for role, body in bodies.items()}
+    leftward = at["left_thigh"] - at["right_thigh"]
+    hips, shoulders = (0.5 * (at[f"left_{part}"] + at[f"right_{part}"]) for part in ("thigh", "upper_arm"))
+    up = np.array([0.0, 0, 1])
+    pairs = [(shoulders - hips, up, UPRIGHT)]
+    for side, sign in (("left", 1.0), ("right", -1.0)):
+        elbow, forearm = at[f"{side}_forearm"], bodies[f"{side}_forearm"]
+        end = data.xmat[forearm].reshape(3, 3) @ hierarchy.end(model, forearm)
+        pairs.append((elbow - at[f"{side}_upper_arm"], sign * leftward, OUT))
+        pairs.append((at[f"{side}_hand"] - elbow if f"{side}_hand" in at else end, sign * leftward, OUT))
+        pairs.append((at[f"{side}_shin"] - at[f"{side}_thigh"], -up, UPRIGHT))
+    return all(_cosine(limb, direction) > least for limb, direction, least in pairs)
 
 
 def _cosine(one: Array, other: Array) -> float:

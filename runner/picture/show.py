@@ -7,7 +7,7 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TypedDict
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -93,14 +93,6 @@ class Shot:
     view: View
     panes: tuple[Pane, ...]
     ghosts: tuple[Ghost, ...] = ()
-
-
-class Lens(TypedDict):
-    """The arguments of a camera's plan that depend on the model."""
-
-    fovy: float
-    height: float
-    cameras: list[str]
 
 
 def draw(
@@ -212,7 +204,8 @@ def _plan(saved: Saved, look: Look, roots: Array, fps: float, panes: int) -> tup
     return plan(roots, fps, look.width // panes / look.height, look.camera, **_lens(saved))
 
 
-def _lens(saved: Saved) -> Lens:
+def _lens(saved: Saved) -> dict[str, Any]:
+    """Return the arguments of a camera's plan that depend on the model."""
     model = saved.figure.model
     return {
         "fovy": float(model.vis.global_.fovy),

@@ -10,8 +10,8 @@ import os
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
-from typing import Any
 
 import mujoco
 
@@ -128,25 +128,11 @@ def _references(spec: mujoco.MjSpec) -> Iterator[_Reference]:
         *((texture, texture_folder(spec, texture)) for texture in spec.textures),
     ):
         if element.file:
-            yield _Reference(element.file, folder, _renaming(element))
+            yield _Reference(element.file, folder, partial(setattr, element, "file"))
     for texture in spec.textures:
         for side, file in enumerate(texture.cubefiles):
             if file:
-                yield _Reference(file, texture_folder(spec, texture), _renaming_side(texture, side))
-
-
-def _renaming(element: Any) -> Callable[[str], None]:
-    def rename(name: str) -> None:
-        element.file = name
-
-    return rename
-
-
-def _renaming_side(texture: Any, side: int) -> Callable[[str], None]:
-    def rename(name: str) -> None:
-        texture.cubefiles[side] = name
-
-    return rename
+                yield _Reference(file, texture_folder(spec, texture), partial(texture.cubefiles.__setitem__, side))
 
 
 def _read(reference: _Reference, base: Path, assets: Assets) -> tuple[str, bytes]:

@@ -168,7 +168,7 @@ def _person(model: mujoco.MjModel) -> Humanoid | None:
 
 def _on_person(person: Humanoid, position: Array, local: Array) -> Array:
     """Return qpos (T, nq) with the joints' angles, on the floor."""
-    rotation = smpl.in_world(local)
+    _, rotation = smpl.in_world(local)
     bodies = {"root": quat.product(rotation[:, 0], smpl.TO_SMPL)}
     for name, joint in JOINT.items():
         world = quat.product(rotation[:, joint], smpl.TO_SMPL)

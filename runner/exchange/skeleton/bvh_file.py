@@ -84,22 +84,23 @@ class Skeleton:
     @cached_property
     def world(self) -> tuple[Array, Array]:
         """Positions (T, J, 3) and rotations (T, J, 4) in the file's world."""
-        return self.placed(*self.local)
+        return placed(self.parents, *self.local)
 
     @cached_property
     def at_zero(self) -> Array:
         """(J, 3) positions of the joints in the pose without rotations."""
         offsets = np.array([joint.offset for joint in self.joints])[None]
-        return self.placed(offsets, np.tile([1.0, 0, 0, 0], (1, len(self.joints), 1)))[0][0]
+        return placed(self.parents, offsets, np.tile([1.0, 0, 0, 0], (1, len(self.joints), 1)))[0][0]
 
-    def placed(self, position: Array, rotation: Array) -> tuple[Array, Array]:
-        """Transform from the parents' axes (T, J, ...) to the world's."""
-        position, rotation = position.copy(), rotation.copy()
-        for i, parent in enumerate(self.parents):
-            if parent >= 0:
-                position[:, i] = position[:, parent] + quat.rotated(rotation[:, parent], position[:, i])
-                rotation[:, i] = quat.product(rotation[:, parent], rotation[:, i])
-        return position, quat.aligned(quat.normalised(rotation))
+
+def placed(parents: Sequence[int], position: Array, rotation: Array) -> tuple[Array, Array]:
+    """Transform positions and rotations from the parents' axes (T, J, ...) to the world's."""
+    position, rotation = position.copy(), rotation.copy()
+    for i, parent in enumerate(parents):
+        if parent >= 0:
+            position[:, i] = position[:, parent] + quat.rotated(rotation[:, parent], position[:, i])
+            rotation[:, i] = quat.product(rotation[:, parent], rotation[:, i])
+    return position, quat.aligned(quat.normalised(rotation))
 
 
 def skeleton(joints: Sequence[Joint], place: Array, turn: Array, frame_time: float) -> Skeleton:

@@ -13,7 +13,7 @@ from dynsplines.solver.array import Array
 
 from .. import missing_input
 from . import bvh_file
-from .bvh_file import Skeleton
+from .bvh_file import Skeleton, placed
 from .roles import apply_bone_map, lineage, roles, unique, with_trunk
 from .up_axis import NONE, TO_Z, standing_turn, vertical
 
@@ -65,7 +65,7 @@ class CapturedSkeleton:
         place = place.copy()
         place[:, 1:] = offset[1:]
         offset = np.concatenate([np.zeros((1, 3)), offset[1:]])
-        position, rotation = skeleton.placed(place, turn)
+        position, rotation = placed(skeleton.parents, place, turn)
         here = cls(
             unique(skeleton.names), skeleton.parents, unit * offset, {i: unit * end for i, end in ends.items()},
             unit * position, rotation, turn, notes, bone_map,

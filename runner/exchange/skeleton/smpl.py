@@ -15,6 +15,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from .bvh_file import placed
 from .captured_skeleton import CapturedSkeleton
 
 NAMES = (
@@ -57,27 +58,15 @@ ANKLES, TOES = ([NAMES.index(f"{side}_{part}") for side in ("left", "right")] fo
 TO_SMPL = np.array([0.5, -0.5, -0.5, -0.5])  # from axes x forward, y left, z up
 
 
-def in_world(local: Array) -> Array:
-    """Return rotations (T, 22, 4) in the world from those relative to the parent."""
-    out = local.copy()
-    for joint, parent in enumerate(PARENT):
-        if parent >= 0:
-            out[:, joint] = quat.product(out[:, parent], local[:, joint])
-    return out
-
-
-def about_pelvis(turn: Array) -> Array:
-    """Return positions (T, 22, 3) [m] of the joints relative to the pelvis, from rotations (T, 22, 4) in the world."""
-    place = np.zeros((*turn.shape[:2], 3))
-    for joint, parent in enumerate(PARENT):
-        if parent >= 0:
-            place[:, joint] = place[:, parent] + quat.rotated(turn[:, parent], OFFSET[joint])
-    return place
+def in_world(local: Array) -> tuple[Array, Array]:
+    """Return positions (T, 22, 3) [m] of the joints relative to the pelvis, and rotations (T, 22, 4) in the world, from
+    rotations relative to the parent."""
+    return placed(PARENT, np.tile(OFFSET, (len(local), 1, 1)), local)
 
 
 def z_up(position: Array, local: Array) -> tuple[Array, Array, tuple[str, ...]]:
     """Return the pelvis' positions (T, 3) and the joints' rotations (T, 22, 4) in a world with z up, and notes."""
-    up, notes = _up(position, about_pelvis(in_world(local)))
+    up, notes = _up(position, in_world(local)[0])
     if up == "z":
         return position, local, notes
     turn = quat.from_rotation_vector(np.array([np.pi / 2 if up == "y" else -np.pi / 2, 0, 0]))
@@ -123,7 +112,7 @@ def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
     The unit is inferred by comparison with the mean shape, from the pelvis' height above the soles and the path by the
     feet. It is the metre unless all measured lengths are a hundred or a thousand times too long.
     """
-    place = about_pelvis(in_world(local))
+    place, _ = in_world(local)
     ratios = []
     height = float(np.median(position[:, 2] / np.maximum(-place[..., 2].min(axis=1), LOW)))
     if abs(height) > STANDS:
@@ -142,8 +131,8 @@ def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
 
 def captured(position: Array, local: Array) -> CapturedSkeleton:
     """Return the mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a z-up world."""
-    ours, turn = quat.inverse(TO_SMPL), in_world(local)
-    place = position[:, None] + about_pelvis(turn)
+    ours, (away, turn) = quat.inverse(TO_SMPL), in_world(local)
+    place = position[:, None] + away
     relative = quat.product(quat.product(ours, local), TO_SMPL)
     relative[:, PELVIS] = quat.product(local[:, PELVIS], TO_SMPL)
     ends = {joint: quat.rotated(ours, end) for joint, end in ENDS.items()}
