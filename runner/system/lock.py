@@ -1,4 +1,4 @@
-"""One program at a time in a folder: a lock that ends with the process that holds it."""
+"""Locks of files and folders that end with the process that holds them. Windows has none of them."""
 
 from __future__ import annotations
 
@@ -18,6 +18,17 @@ except ImportError:  # Windows
     fcntl = None
 
 NAME = "manifest.lock"
+
+
+def hold(handle: int, *, waits: bool) -> bool:
+    """Lock an open file or folder; return False if another process has locked it, or there are no locks."""
+    if fcntl is None:
+        return False
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX if waits else fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:  # some network disks do not support locks
+        return False
+    return True
 
 
 @contextmanager

@@ -20,11 +20,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from ..errors import UserError
-
-try:
-    import fcntl
-except ImportError:  # Windows
-    fcntl = None
+from .lock import hold
 
 NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)  # errors whose message lacks the file's name
 ALL = 0o666  # mode of a new file, which the umask restricts
@@ -79,7 +75,7 @@ class Replacement:
             self._handle = os.open(self.temporary, flags, mode)
         except OSError as error:
             raise UserError(f"cannot write '{self.target}': {error.strerror}") from None
-        if not _locked(self._handle) or self.temporary.exists():
+        if not hold(self._handle, waits=True) or self.temporary.exists():
             return True
         os.close(self._handle)
         return False
@@ -147,29 +143,15 @@ def _parts(temporary: Path) -> Iterator[Path]:
 
 def _remove_leftover(path: Path) -> None:
     """Remove leftovers, unless their writer is still running; files next to a temporary one are checked with it."""
-    if fcntl is None:
-        return
     with suppress(OSError):
-        if not stat.S_ISREG(path.lstat().st_mode):
+        if not stat.S_ISREG(path.lstat().st_mode) or os.name == "nt":
             return
         handle = os.open(path, os.O_RDWR | os.O_NOFOLLOW)
         try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            for part in _parts(path):
+            for part in _parts(path) if hold(handle, waits=False) else ():
                 part.unlink(missing_ok=True)
         finally:
             os.close(handle)
-
-
-def _locked(handle: int) -> bool:
-    """Wait for the lock that shows whether the file is a leftover. Returns False if there are no locks."""
-    if fcntl is None:
-        return False
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX)
-    except OSError:  # some network disks do not support locks
-        return False
-    return True
 
 
 def _older(target: Path) -> os.stat_result | None:

@@ -14,10 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-try:
-    import fcntl
-except ImportError:  # Windows
-    fcntl = None
+from .lock import hold
 
 PREFIX = "dynsplines-scratch-"
 
@@ -27,9 +24,6 @@ def scratch() -> Iterator[Path]:
     """Yield a new private folder, which is removed with its content when the block ends."""
     _clear(Path(tempfile.gettempdir()))
     folder, handle = _create()
-    while handle is not None and not folder.exists():  # another program removed it before it was locked
-        os.close(handle)
-        folder, handle = _create()
     try:
         yield folder
     finally:
@@ -39,37 +33,34 @@ def scratch() -> Iterator[Path]:
 
 
 def _create() -> tuple[Path, int | None]:
-    """Return a new folder and the handle that locks it; None without locks, in which case leftovers are not removed."""
-    folder = Path(tempfile.mkdtemp(prefix=PREFIX))
-    if fcntl is None:
-        return folder, None
-    with suppress(FileNotFoundError):
-        handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
-        with suppress(OSError):  # some network disks do not support locks
-            fcntl.flock(handle, fcntl.LOCK_EX)
-        return folder, handle
-    return _create()
+    """Return a new folder and the handle that locks it; None on Windows, where leftovers are not removed."""
+    while True:
+        folder = Path(tempfile.mkdtemp(prefix=PREFIX))
+        if os.name == "nt":
+            return folder, None
+        with suppress(FileNotFoundError):  # another program removed it before it was locked
+            handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+            hold(handle, waits=True)
+            if folder.exists():
+                return folder, handle
+            os.close(handle)
 
 
 def _clear(place: Path) -> None:
-    if fcntl is None:
-        return
     with suppress(OSError):
-        for name in os.listdir(place):  # noqa: PTH208, of a hundred thousand names
+        for name in os.listdir(place) if os.name != "nt" else ():  # noqa: PTH208, of a hundred thousand names
             if name.startswith(PREFIX):
                 _remove_leftover(place / name)
 
 
 def _remove_leftover(folder: Path) -> None:
     """Remove a folder, unless its creator is still running or is another user."""
-    assert fcntl is not None
     with suppress(OSError):
         handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
         try:
             status = os.fstat(handle)
-            if status.st_uid != os.geteuid() or stat.S_IMODE(status.st_mode) != stat.S_IRWXU:
-                return
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            shutil.rmtree(folder)
+            is_own = status.st_uid == os.geteuid() and stat.S_IMODE(status.st_mode) == stat.S_IRWXU
+            if is_own and hold(handle, waits=False):
+                shutil.rmtree(folder)
         finally:
             os.close(handle)

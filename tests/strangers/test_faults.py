@@ -295,14 +295,14 @@ def test_two_writers_of_one_file_leave_one_of_the_two_whole(tmp_path: Path):
 def test_a_writer_whose_file_is_taken_for_a_leftover_before_it_is_locked_begins_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    target, real, taken = tmp_path / "a.bin", output._locked, []
+    target, real, taken = tmp_path / "a.bin", output.hold, []
 
-    def locked(handle: int) -> bool:
+    def hold(handle: int, *, waits: bool) -> bool:
         if not taken:
             taken.append([path.unlink() for path in tmp_path.iterdir()])
-        return real(handle)
+        return real(handle, waits=waits)
 
-    monkeypatch.setattr(output, "_locked", locked)
+    monkeypatch.setattr(output, "hold", hold)
     with Replacement(target) as temporary:
         temporary.write_bytes(b"whole")
     assert taken == [[None]] and target.read_bytes() == b"whole" and names(tmp_path) == ["a.bin"]
