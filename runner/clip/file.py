@@ -42,27 +42,31 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
         table = ClipTable.unchecked(**named)
     if exact:
         table = table.changed(solve=table.solve.model_copy(update={**AS_SPLINE, **_ends(saved)}))
-    files: list[tuple[Path, bytes]] = []
+    files: dict[Path, bytes] = {}
     if table.figure not in models.figures() or (saved.text and not _defines_scene(saved)):
         scene = target.with_suffix(".xml")
-        if scene.exists() and scene.read_text(encoding="utf-8") != saved.mjcf and not overwrite:
-            raise UserError(
-                f"'{scene}' already exists, where the clip's figure would be written; give another name, or overwrite"
-            )
-        table = table.without("scene").changed(figure=scene.name)
-        files.append((scene, saved.mjcf.encode()))
-        for name, data in saved.scene.assets.items():
-            file = target.parent / name
-            if file in (target, scene):
+        for file in (target, scene):
+            if file.name in saved.scene.assets:
                 raise UserError(f"'{file}' would be both the clip's and a file of its figure; choose another name")
-            if file.exists() and file.read_bytes() != data and not overwrite:
-                raise UserError(f"'{file}' already exists, where a file of the clip's figure would be written")
-            files.append((file, data))
-    files.append((target, ((f"# {note}\n" if note else "") + written(table)).encode()))
-    for path, data in files:
+        files = scene_files(saved.scene, scene, overwrite=overwrite)
+        table = table.without("scene").changed(figure=scene.name)
+    files[target] = ((f"# {note}\n" if note else "") + written(table)).encode()
+    for path, data in files.items():
         with Replacement(path) as temporary:
             temporary.write_bytes(data)
-    return [path for path, _ in files]
+    return list(files)
+
+
+def scene_files(scene: Scene, target: Path, *, overwrite: bool = False) -> dict[Path, bytes]:
+    """Return the files of a scene by path, its MJCF at `target`. Raises UserError if different ones exist."""
+    files = {target: scene.mjcf.encode(), **{target.parent / name: data for name, data in scene.assets.items()}}
+    for file, data in files.items():
+        if file.exists() and file.read_bytes() != data and not overwrite:
+            raise UserError(
+                f"'{file}' already exists, where a file of the clip's figure would be written; give another name, or "
+                "overwrite"
+            )
+    return files
 
 
 def standalone(saved: Saved) -> Saved:

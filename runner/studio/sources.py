@@ -13,6 +13,7 @@ from .document import Document
 
 if TYPE_CHECKING:
     from ..motion import Saved
+    from ..scene.assets import Scene
 
 BLEND = 0.4  # [s] default of `blend` in a clip that follows a recording
 EXAMPLES = "a clip (.toml), a model (.xml), a motion (.npz), a recording, or a shipped clip"
@@ -113,24 +114,18 @@ def _recording(path: Path, figure: str | None) -> Document:
     return following(target, _scene_with(target, saved.scene))
 
 
-def _scene_with(path: Path, scene: object) -> str:
+def _scene_with(path: Path, scene: Scene) -> str:
     """Return the name of a recording's shipped figure, or of its MJCF written next to the recording."""
-    from ..clip.file import shipped_scene
-    from ..scene.assets import Scene
+    from ..clip.file import scene_files, shipped_scene
     from ..system.output import Replacement
 
-    assert isinstance(scene, Scene)
     name = shipped_scene(scene)
     if name:
         return name
     target = path.with_suffix(".xml")
-    files = {target: scene.mjcf.encode(), **{path.parent / name: data for name, data in scene.assets.items()}}
-    for file, data in files.items():
-        if file.exists() and file.read_bytes() != data:
-            raise UserError(f"'{file.name}' already exists, where a file of the recording's figure would be written")
-        if not file.exists():
-            with Replacement(file) as temporary:
-                temporary.write_bytes(data)
+    for file, data in scene_files(scene, target).items():
+        with Replacement(file) as temporary:
+            temporary.write_bytes(data)
     return target.name
 
 
