@@ -57,7 +57,7 @@ class Actions:
         plant: bool = True,
         alone: bool = False,
         partial: bool = False,
-    ) -> dict[str, list[str]]:
+    ) -> str:
         """Grab a point of a body at a time of the clip.
 
         With `alone`, only its limb moves. `partial` is the value that `drop` will use.
@@ -67,7 +67,7 @@ class Actions:
         self._release()
         grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
         self._grip, self._home, self._last, self._body = grip, qpos, qpos, int(body)
-        return {"planted": [goal.name for goal in grip.planted]}
+        return ""
 
     async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
         """Return the pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""

@@ -67,7 +67,6 @@ class Grip:
         offset: The point in the body's axes, (3,) [m].
         limb: The entries of its limb, (nq,).
         is_whole_figure: The entries that may move, (nq,).
-        planted: The goals of sole points on the ground, of other limbs.
         standing: The feet on the ground.
         hanging: The feet of the grabbed limb.
         is_balanced: Whether the centre of mass is above the feet.
@@ -79,7 +78,6 @@ class Grip:
     offset: Array
     limb: Mask
     is_whole_figure: Mask
-    planted: tuple[PointGoal, ...]
     standing: tuple[Spheres, ...]
     hanging: tuple[Spheres, ...]
     is_balanced: bool
@@ -117,32 +115,27 @@ class Poser:
         if alone and limb_mask.any():
             whole = limb_mask
         self._place(qpos)
-        planted, standing, hanging = list[PointGoal](), list[Spheres](), list[Spheres]()
+        standing, hanging = list[Spheres](), list[Spheres]()
         for link in dict.fromkeys(point.link for point in self.soles) if plant else ():
             if limb_mask.any() and figure.tables.path[link, links[-1]]:
                 hanging.append(self.footing.spheres[link].lowest(self.footing.rest))
-            elif goals := self._standing_goals(link):
-                planted += goals
+            elif self._stands(link):
                 standing.append(self.footing.spheres[link].lowest(self.data))
         floor = self.footing.floor(root, self.data) if plant else None
         grip = Grip(
-            np.array(qpos, float), body, np.array(offset, float), limb_mask, whole, tuple(planted), tuple(standing),
+            np.array(qpos, float), body, np.array(offset, float), limb_mask, whole, tuple(standing),
             tuple(hanging), False, () if floor is None else (floor,),
         )  # fmt: skip
         support = self._support(grip, hanging)
         can_balance = support is not None and bool(whole[entries(figure, root)].all())
         return replace(grip, is_balanced=can_balance and support.excess(self.data) < BALANCED)
 
-    def _standing_goals(self, link: int) -> list[PointGoal]:
-        """Return the goals that fix a link's sole points on the ground."""
-        goals = [PointGoal.of(self.figure, point) for point in self.soles if point.link == link]
-        radii = [point.radius for point in self.soles if point.link == link]
-        positions = [goal.place(self.data) for goal in goals]
-        return [
-            replace(goal, position=position)
-            for goal, radius, position in zip(goals, radii, positions, strict=True)
-            if self.footing.height(position) - radius < STANDING
-        ]
+    def _stands(self, link: int) -> bool:
+        """Return whether a sole point of a link is on the ground."""
+        points = [point for point in self.soles if point.link == link]
+        positions = [PointGoal.of(self.figure, point).place(self.data) for point in points]
+        heights = [self.footing.height(position) for position in positions]
+        return any(height - point.radius < STANDING for height, point in zip(heights, points, strict=True))
 
     def _support(self, grip: Grip, hanging: Sequence[Spheres]) -> SupportPolygon | None:
         """Return the support polygon of the standing feet in the grip's pose and the limb's feet in the present one."""

@@ -545,8 +545,7 @@ def _shape(clip: Clip) -> dict[str, object]:
     schedule = clip.context.schedule
     return {
         "keys": [
-            {"time": key.time, "qpos": key.state.tolist(), "fixed": key.fixed.tolist(), "known": key.known.tolist()}
-            for key in clip.authored_keys
+            {"time": key.time, "qpos": key.state.tolist(), "fixed": key.fixed.tolist()} for key in clip.authored_keys
         ],
         "stances": [
             {"point": stance.point.name, "from": float(stance.first), "to": float(stance.last)}

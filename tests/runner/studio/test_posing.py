@@ -67,7 +67,7 @@ def test_a_hand_out_of_reach_takes_the_figure_along_but_for_its_soles(clip, pose
     before = placed(model, home)
     goal = np.array([before.xpos[body][0] + 0.35, before.xpos[body][1], before.xpos[body][2] - 0.35])
     grip = poser.gripped(home, body, np.zeros(3))
-    assert {each.name for each in grip.planted} == {"left_heel", "left_toe", "right_heel", "right_toe"}
+    assert len(grip.standing) == 2
     last = home
     for _ in range(6):
         found = poser.pulled(grip, goal, last)
