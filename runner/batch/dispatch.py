@@ -15,11 +15,11 @@ from ..system.lock import locked
 from ..system.output import Replacement, clear_below
 from ..system.progress import Progress
 from ..system.workers import cores
-from .inputs import Contents, Source, files_of, sources, with_unique_names
+from .inputs import Contents, Source, sources, task_of, with_unique_names
 from .manifest import Entry, Manifest, check_below, digest_of
 from .solving import solved
 from .tally import Tally
-from .task import Options, Outcome, Result, Task
+from .task import Options, Outcome, Result
 from .worker import SolveTask, Workers, local
 
 TRIES = 3  # attempts per run for a clip whose process or Dask worker ends
@@ -89,7 +89,7 @@ class Batch:
             place = source.place(self.folder)
             names.append(name := clip_of[place])
             try:
-                digest = self.options.digest(files_of(source, self.figures, self.options.cleaning))
+                digest = task_of(source, self.figures, self.options).digest
             except (OSError, UserError):  # reported when it is the clip's turn
                 digest = ""
             before = entries.get(name)
@@ -145,17 +145,16 @@ class Batch:
         try:
             output = f"{name}{options.suffix}"
             check_below(self.folder, output)
-            files = files_of(source, self.figures, options.cleaning)
+            task = task_of(source, self.figures, options)
         except (UserError, OSError) as error:
             where = f"'{error.filename}': " if isinstance(error, OSError) and error.filename else ""
             text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
             self._finish(name, Outcome("error", one_line(f"{where}{text}")))
             return
-        task = Task(files, PurePosixPath(output).name, options, is_allowed())
+        task = replace(task, output=PurePosixPath(output).name, allow_outside=is_allowed())
         self.tries[name] += 1
         self.running[workers.submit(self.solve_task, task, options.limits)] = name, source
-        digest = options.digest(files)  # the clip may have changed since it was queued
-        begun = replace(entry, input=digest, state="running", attempts=entry.attempts + 1)
+        begun = replace(entry, input=task.digest, state="running", attempts=entry.attempts + 1)  # it may have changed
         self.manifest.record([begun])
 
     def _finish(self, name: str, outcome: Outcome) -> None:

@@ -10,7 +10,6 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path, PurePosixPath
-from typing import TYPE_CHECKING
 
 from dynsplines import models
 
@@ -18,13 +17,11 @@ from ..clip.parse import files_read
 from ..errors import UserError, unknown
 from ..exchange import formats
 from ..scene.model_files import paths_read
-from .task import Files
-
-if TYPE_CHECKING:
-    from ..clean.command import Source as Recording
+from .task import Options, Task
 
 ENDINGS = (".toml", ".xml")
 Contents = dict[Path, bytes]  # of files
+DEFAULTS = Options()
 
 
 @dataclass(frozen=True)
@@ -101,7 +98,7 @@ def _above(source: Source, name: PurePosixPath) -> PurePosixPath:
     return PurePosixPath(*parts[-count:]) if count <= len(parts) else name
 
 
-def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording | None = None) -> Files:
+def task_of(source: Source, figures: dict[Path, Contents], options: Options = DEFAULTS) -> Task:
     """Return a clip with all files to which it refers. The worker reports missing ones.
 
     Raises OSError, and UserError for a model that refers to files outside its folder.
@@ -109,9 +106,10 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording 
     Args:
         figures: A cache of the files of models, by the path of the model.
     """
-    path, others = source.path, dict[str, Path]()
+    path, others, cleaning = source.path, dict[str, Path](), options.cleaning
     if path is None:
-        return Files(str(source.name), {f"{source.name}.toml": models.clip_text(str(source.name)).encode()})
+        text = models.clip_text(str(source.name)).encode()
+        return Task(str(source.name), {f"{source.name}.toml": text}, options=options)
     if cleaning is not None:
         roles = {"figure": cleaning.figure, "scene": cleaning.scene, "map": cleaning.map}
         others = {role: _absolute(Path(name)) for role, name in roles.items() if name and name not in models.figures()}
@@ -128,7 +126,7 @@ def files_of(source: Source, figures: dict[Path, Contents], cleaning: Recording 
         return file.relative_to(root).as_posix()
 
     packed = {below(file): data for file, data in files.items()}
-    return Files(below(path), packed, {role: below(file) for role, file in others.items()})
+    return Task(below(path), packed, {role: below(file) for role, file in others.items()}, options)
 
 
 def _model(path: Path, figures: dict[Path, Contents]) -> Contents:

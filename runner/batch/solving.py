@@ -23,7 +23,7 @@ def solved(task: Task, folder: Path) -> Outcome:
     """
     if task.program != program():
         raise UserError(f"the worker has dynamic-splines {program()}, not {task.program}; install the same")
-    for name, data in task.files.files.items():
+    for name, data in task.files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
@@ -41,7 +41,7 @@ def _solved(task: Task, folder: Path) -> Outcome:
     from ..measure.violation import plain
     from ..system.progress import silent
 
-    source, figure = task.files.clip, task.files.others.get("figure")
+    source, figure = task.clip, task.others.get("figure")
     where = str(folder / source) if Path(source).suffix else source
     problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.options.fps)
     result = solving.solve(problem, silent())
@@ -54,9 +54,9 @@ def _cleaned(task: Task, cleaning: Source, folder: Path) -> Outcome:
     from ..clean.comparison import Comparison
     from ..system.progress import silent
 
-    options, others = task.options, {word: folder / path for word, path in task.files.others.items()}
+    options, others = task.options, {word: folder / path for word, path in task.others.items()}
     figure = str(others["figure"]) if "figure" in others else cleaning.figure
-    files = {"file": folder / task.files.clip, "scene": others.get("scene"), "map": others.get("map")}
+    files = {"file": folder / task.clip, "scene": others.get("scene"), "map": others.get("map")}
     source = replace(cleaning, figure=figure, fps=options.fps, **files)
     result, saved = command.clean_recording(source, options.max_displacement, silent())
     comparison = Comparison(result)

@@ -27,28 +27,6 @@ def program() -> str:
 
 
 @dataclass(frozen=True)
-class Files:
-    """A clip and the files that it needs, by their paths in a common folder.
-
-    Attributes:
-        clip: The path of the clip; a name without extension is that of a shipped clip.
-        files: Contents by path.
-        others: Paths of files that replace those of the clip or of the command: "figure", "scene", "map".
-    """
-
-    clip: str
-    files: Mapping[str, bytes]
-    others: Mapping[str, str] = field(default_factory=dict)
-
-    def digest(self, *options: object) -> str:
-        """Return a hash of the files and the options on which the motion depends."""
-        digest = hashlib.sha256(repr((self.clip, *sorted(self.others.items()), *options)).encode())
-        for name, data in sorted(self.files.items()):
-            digest.update(f"\n{name}\n{len(data)}\n".encode() + data)
-        return digest.hexdigest()[:32]
-
-
-@dataclass(frozen=True)
 class Limits:
     """Limits of one clip: wall-clock time [s] and resident memory [MB], of which an idle process has about 220.
 
@@ -90,26 +68,37 @@ class Options:
         """The extension of the output. Raises UserError for an unknown format."""
         return ".npz" if self.to == NPZ else formats.writer(self.to).ending
 
-    def digest(self, files: Files) -> str:
-        """Return a hash of everything that the output of a clip depends on."""
-        return files.digest(program(), self.to, self.fps, self.report, self.cleaning, self.max_displacement)
-
 
 @dataclass(frozen=True)
 class Task:
-    """A clip to solve, or a recording to clean.
+    """A clip to solve, or a recording to clean, with all files that it needs.
 
     Attributes:
+        clip: The path of the clip in a common folder; a name without extension is that of a shipped clip.
+        files: Contents by path in this folder.
+        others: Paths of files that replace those of the clip or of the options: "figure", "scene", "map".
         output: The name of the file to write.
         allow_outside: Whether models may refer to files outside their folder, which are in `files`.
         program: The version of this program at the sender.
     """
 
-    files: Files
-    output: str
+    clip: str
+    files: Mapping[str, bytes]
+    others: Mapping[str, str] = field(default_factory=dict)
     options: Options = Options()
+    output: str = ""
     allow_outside: bool = False
     program: str = field(default_factory=program)
+
+    @property
+    def digest(self) -> str:
+        """A hash of everything on which the output depends."""
+        options = self.options
+        kinds = (options.to, options.fps, options.report, options.cleaning, options.max_displacement)
+        digest = hashlib.sha256(repr((self.clip, *sorted(self.others.items()), self.program, *kinds)).encode())
+        for name, data in sorted(self.files.items()):
+            digest.update(f"\n{name}\n{len(data)}\n".encode() + data)
+        return digest.hexdigest()[:32]
 
 
 def _violation(table: Mapping[str, Any]) -> Mapping[str, Any]:

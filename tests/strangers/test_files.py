@@ -23,7 +23,6 @@ from dynsplines.batch import inputs
 from dynsplines.batch import solving as batch_solving
 from dynsplines.batch.inputs import Source
 from dynsplines.batch.manifest import Entry, Manifest, check_below
-from dynsplines.batch.task import Task
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
@@ -251,9 +250,9 @@ def test_every_command_that_reads_models_has_the_option():
 def test_a_batch_packs_nothing_from_outside_a_models_folder(tmp_path: Path, way: str):
     path = outsiders(tmp_path)[way]
     with pytest.raises(UserError, match=r"secret.*outside its folder"):
-        inputs.files_of(Source(path, PurePosixPath("it")), {})
+        inputs.task_of(Source(path, PurePosixPath("it")), {})
     with file_access.allowed():
-        files = inputs.files_of(Source(path, PurePosixPath("it")), {})
+        files = inputs.task_of(Source(path, PurePosixPath("it")), {})
     assert any("secret" in name or "link" in name for name in files.files)
 
 
@@ -261,9 +260,9 @@ def test_a_batch_packs_nothing_from_outside_a_models_folder(tmp_path: Path, way:
 def test_a_batch_that_may_read_outside_solves_elsewhere_too(tmp_path: Path):
     path = outsiders(tmp_path / "here")["up"]
     with file_access.allowed():
-        files = inputs.files_of(Source(path, PurePosixPath("it")), {})
+        files = inputs.task_of(Source(path, PurePosixPath("it")), {})
     (tmp_path / "there").mkdir()
-    done = batch_solving.solved(Task(files, "it.npz", allow_outside=True), tmp_path / "there")
+    done = batch_solving.solved(replace(files, output="it.npz", allow_outside=True), tmp_path / "there")
     (tmp_path / "it.npz").write_bytes(done.files["it.npz"])
     assert motion.load(tmp_path / "it.npz").scene.assets == {"secret.stl": stl(0.3)}
 

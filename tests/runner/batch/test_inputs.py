@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import sys
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 import mujoco
@@ -11,8 +12,8 @@ import pytest
 from tiny import CLIP, changed, written
 
 from dynsplines.batch import solving
-from dynsplines.batch.inputs import Source, files_of, sources, with_unique_names
-from dynsplines.batch.task import Options, Task
+from dynsplines.batch.inputs import Source, sources, task_of, with_unique_names
+from dynsplines.batch.task import Options
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.motion import load
@@ -90,12 +91,12 @@ def test_a_clip_takes_its_figure_along(tmp_path: Path):
     path = tmp_path / "clips" / "tiny.toml"
     path.write_text(changed('"tiny.xml"', '"../figures/tiny.xml"'), encoding="utf-8")
     figures: dict[Path, dict[Path, bytes]] = {}
-    files = files_of(Source(path, PurePosixPath("tiny")), figures)
+    files = task_of(Source(path, PurePosixPath("tiny")), figures)
     assert files.clip == "clips/tiny.toml"
     assert sorted(files.files) == ["clips/tiny.toml", "figures/tiny.xml"]
     assert not files.others
     path.write_text(changed('"tiny.xml"', f'"{(tmp_path / "figures/tiny.xml").as_posix()}"'), encoding="utf-8")
-    files = files_of(Source(path, PurePosixPath("tiny")), figures)
+    files = task_of(Source(path, PurePosixPath("tiny")), figures)
     assert files.others == {"figure": "figures/tiny.xml"}
 
 
@@ -109,7 +110,7 @@ def test_a_model_takes_along_what_it_includes_and_refers_to(tmp_path: Path):
     }.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(data, encoding="utf-8")
-    files = files_of(Source(tmp_path / "model.xml", PurePosixPath("model")), {})
+    files = task_of(Source(tmp_path / "model.xml", PurePosixPath("model")), {})
     assert sorted(files.files) == ["meshes/a.stl", "model.xml", "parts/more.xml", "right.png"]
 
 
@@ -117,20 +118,20 @@ def test_a_clip_that_is_wrong_or_lacks_its_figure_goes_as_it_is(tmp_path: Path):
     for text in ("not toml [", changed("tiny.xml", "absent.xml"), 'figure = "human"'):
         path = tmp_path / "a.toml"
         path.write_text(text, encoding="utf-8")
-        assert files_of(Source(path, PurePosixPath("a")), {}).files == {"a.toml": text.encode()}
+        assert task_of(Source(path, PurePosixPath("a")), {}).files == {"a.toml": text.encode()}
 
 
 def test_the_digest_changes_with_clip_figure_and_options_alone(tmp_path: Path):
     path = written(tmp_path)
     source = Source(path, PurePosixPath("tiny"))
-    first = files_of(source, {}).digest("npz", True)
-    assert first == files_of(source, {}).digest("npz", True)
-    assert first != files_of(source, {}).digest("csv", True)
+    first = task_of(source, {}).digest
+    assert first == task_of(source, {}).digest
+    assert first != task_of(source, {}, Options(to="csv")).digest
     figure = tmp_path / "tiny.xml"
     figure.write_text(figure.read_text(encoding="utf-8").replace('mass="4"', 'mass="5"'), encoding="utf-8")
-    second = files_of(source, {}).digest("npz", True)
+    second = task_of(source, {}).digest
     path.write_text(changed("fps = 20", "fps = 21"), encoding="utf-8")
-    assert len({first, second, files_of(source, {}).digest("npz", True)}) == 3
+    assert len({first, second, task_of(source, {}).digest}) == 3
 
 
 def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
@@ -139,11 +140,11 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
     there.mkdir()
     figure = here / "tiny.xml"
     path = written(here, changed('"tiny.xml"', f'"{figure.as_posix()}"'))
-    files = files_of(Source(path, PurePosixPath("tiny")), {})
+    files = task_of(Source(path, PurePosixPath("tiny")), {})
     problem = clip.load(str(path))
     figure.unlink()
     path.unlink()
-    product = solving.solved(Task(files, "tiny.npz"), there)
+    product = solving.solved(replace(files, output="tiny.npz"), there)
     (tmp_path / "result.npz").write_bytes(product.files["tiny.npz"])
     assert [problem["name"] for problem in product.violations] == ["root", "left_knee"]
     saved = load(tmp_path / "result.npz")
@@ -156,7 +157,7 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
 def test_a_worker_with_another_version_is_rejected(tmp_path: Path):
     with pytest.raises(UserError, match=r"the worker has dynamic-splines .*, not 0\.0\.7"):
         solving.solved(
-            Task(files_of(Source(None, PurePosixPath("stairs")), {}), "stairs.npz", program="0.0.7"), tmp_path
+            replace(task_of(Source(None, PurePosixPath("stairs")), {}), output="stairs.npz", program="0.0.7"), tmp_path
         )
 
 
@@ -174,22 +175,22 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
     there.mkdir()
     written(tmp_path)
     path = tmp_path / "tiny.toml"
-    product = solving.solved(Task(files_of(Source(path, PurePosixPath("tiny")), {}), "tiny.npz"), there)
+    product = solving.solved(replace(task_of(Source(path, PurePosixPath("tiny")), {}), output="tiny.npz"), there)
     (tmp_path / "own.npz").write_bytes(product.files["tiny.npz"])
     (tmp_path / "through.toml").write_text(FOLLOWING.format("tiny.toml"), encoding="utf-8")
     clip_file, digests = tmp_path / "following.toml", []
     for recording, along in {"own.npz": ["own.npz"], "through.toml": ["through.toml", "tiny.toml"]}.items():
         clip_file.write_text(FOLLOWING.format(recording), encoding="utf-8")
-        files = files_of(Source(clip_file, PurePosixPath("following")), {})
+        files = task_of(Source(clip_file, PurePosixPath("following")), {})
         assert sorted(files.files) == sorted(["following.toml", "tiny.xml", *along])
         elsewhere = tmp_path / f"elsewhere {recording}"
         elsewhere.mkdir()
-        made = solving.solved(Task(files, "made.npz"), elsewhere)
+        made = solving.solved(replace(files, output="made.npz"), elsewhere)
         (tmp_path / "made.npz").write_bytes(made.files["made.npz"])
         assert load(tmp_path / "made.npz").keys[-1].time == pytest.approx(0.41)
-        digests.append(files.digest())
+        digests.append(files.digest)
     path.write_text(changed("[0.3, 0, 1]", "[0.31, 0, 1]"), encoding="utf-8")
-    assert files_of(Source(clip_file, PurePosixPath("following")), {}).digest() not in digests
+    assert task_of(Source(clip_file, PurePosixPath("following")), {}).digest not in digests
 
 
 def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp_path: Path):
@@ -199,15 +200,15 @@ def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp
     (tmp_path / "secret.npz").write_bytes(b"secret")
     for recording in ("../secret.npz", "following.toml", "absent.npz"):
         (inner / "following.toml").write_text(FOLLOWING.format(recording), encoding="utf-8")
-        files = files_of(Source(inner / "following.toml", PurePosixPath("following")), {})
+        files = task_of(Source(inner / "following.toml", PurePosixPath("following")), {})
         assert sorted(files.files) == ["following.toml", "tiny.xml"]
 
 
 def test_what_a_format_writes_next_to_its_file_comes_back_with_what_it_could_not_hold(tmp_path: Path):
     there = tmp_path / "there"
     there.mkdir()
-    files = files_of(Source(written(tmp_path), PurePosixPath("tiny")), {})
-    made = solving.solved(Task(files, "tiny.mjlab.npz", Options(to="mjlab")), there)
+    task = task_of(Source(written(tmp_path), PurePosixPath("tiny")), {}, Options(to="mjlab"))
+    made = solving.solved(replace(task, output="tiny.mjlab.npz"), there)
     assert list(made.files) == ["tiny.mjlab.npz", "tiny.mjlab.hinges.xml"]
     model = mujoco.MjModel.from_xml_string(made.files["tiny.mjlab.hinges.xml"].decode())
     assert model.nq == 7 + 3

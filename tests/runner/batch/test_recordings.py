@@ -16,7 +16,7 @@ pytest.importorskip("distributed")
 
 from dynsplines import UserError, load_motion
 from dynsplines.batch.dispatch import run
-from dynsplines.batch.inputs import files_of, sources
+from dynsplines.batch.inputs import sources, task_of
 from dynsplines.batch.manifest import Entry, Manifest
 from dynsplines.batch.tally import Tally
 from dynsplines.batch.task import Options
@@ -57,15 +57,16 @@ def test_all_that_is_requested_goes_along_and_counts(folder: Path, tmp_path: Pat
     scene.write_text("[scene]\n", encoding="utf-8")
     (source,) = sources([str(folder / "walk.bvh")], recordings=True)
     asked = Source(Path(), "human", scene=scene)
-    files = files_of(source, {}, asked)
+    options = Options(cleaning=asked)
+    files = task_of(source, {}, options)
     assert files.others.keys() == {"scene"}
     assert files.files[files.others["scene"]] == scene.read_bytes()
     assert files.files[files.clip] == (folder / "walk.bvh").read_bytes()
-    before = Options(cleaning=asked).digest(files)
-    assert before == Options(cleaning=asked).digest(files_of(source, {}, asked))
-    assert before != Options(cleaning=asked, max_displacement=0.02).digest(files)
+    before = files.digest
+    assert before == task_of(source, {}, options).digest
+    assert before != task_of(source, {}, Options(cleaning=asked, max_displacement=0.02)).digest
     scene.write_text("[scene]\n# another\n", encoding="utf-8")
-    assert before != Options(cleaning=asked).digest(files_of(source, {}, asked))
+    assert before != task_of(source, {}, options).digest
 
 
 @pytest.mark.slow
