@@ -84,7 +84,7 @@ def perform(task: Task, folder: Path) -> Outcome:
 
 
 def done(task: Task, folder: Path) -> Outcome:
-    deed, _, value = task.files.files[task.files.clip].decode().partition(" ")
+    deed, _, value = task.files[task.clip].decode().partition(" ")
     match deed:
         case "hang":
             return hangs(None, folder)
