@@ -58,7 +58,8 @@ def disagreement(model: mujoco.MjModel, recording: Recording) -> Disagreement:
     """
     assert recording.bodies is not None, "a recording with body poses"
     rows = spread(len(recording.qpos))
-    position, rotation = _poses(model, recording.qpos[rows])
+    poses = ((data.xpos.copy(), data.xquat.copy()) for data in posed(model, recording.qpos[rows]))
+    position, rotation = (np.array(part) for part in zip(*poses, strict=True))
     root = root_of(model)
     if recording.bodies.is_local and root is not None:
         back = quat.inverse(rotation[:, root.body])[:, None]
@@ -96,12 +97,6 @@ def _nearest(distance: Array, angle: Array) -> Disagreement:
 def _angle(one: Array, other: Array) -> Array:
     cosine = np.abs(np.sum(one * other, axis=-1)) / np.linalg.norm(one, axis=-1)
     return 2 * np.arccos(np.minimum(cosine, 1.0))
-
-
-def _poses(model: mujoco.MjModel, qpos: Array) -> tuple[Array, Array]:
-    """Return positions (T, nbody, 3) and orientations (T, nbody, 4) of all bodies."""
-    position, rotation = zip(*((data.xpos.copy(), data.xquat.copy()) for data in posed(model, qpos)), strict=True)
-    return np.array(position), np.array(rotation)
 
 
 def spread(count: int) -> Index:

@@ -101,16 +101,13 @@ def chosen(
     first = next(iter(recordings.values()))
     if len(recordings) == 1 and not first.others and first.bodies is None:
         return first
-    model = _figure(first) if model is None else model
+    if model is None:
+        assert first.mjcf is not None, "a file without a figure is for one that is named"
+        model = Scene(first.mjcf, first.assets).model()
     layouts = [(form, variant) for form, base in recordings.items() for variant in (base, *base.others)]
     fitting, notes = _agreeing(layouts, model, where)
     best, note = _most_plausible(fitting, model, where, is_named=is_named)
     return replace(best, bodies=None, others=(), notes=(*best.notes, *notes, *note))
-
-
-def _figure(recorded: Recording) -> mujoco.MjModel:
-    assert recorded.mjcf is not None, "a file without a figure is for one that is named"
-    return Scene(recorded.mjcf, recorded.assets).model()
 
 
 def _agreeing(

@@ -77,7 +77,7 @@ def choose() -> Graphics:
     if wish:
         os.environ.pop("MUJOCO_GL", None)
     note = f"MUJOCO_GL={wish} does not work here" if wish else ""
-    for backend in _candidates():
+    for backend in ("egl", "osmesa", "glfw") if sys.platform == "linux" else ("",):  # fastest first
         if backend != wish and _works(backend):
             return _settle(_kind_of(backend), backend, note)
     hint = _FASTER if sys.platform == "linux" else "slow"
@@ -147,11 +147,6 @@ _DISPLAY = "glfw" if sys.platform == "linux" else ""
 
 def _kind_of(backend: str) -> Kind:
     return backend if backend == "egl" or backend == "osmesa" else "display"
-
-
-def _candidates() -> tuple[str, ...]:
-    """Return default values of MUJOCO_GL, fastest first."""
-    return ("egl", "osmesa", "glfw") if sys.platform == "linux" else ("",)
 
 
 def _imported() -> bool:

@@ -48,7 +48,10 @@ def portable_text(spec: mujoco.MjSpec) -> str:
     undefined materials are removed: MuJoCo writes them for a nested class with material="". Before about 3.3.3 MuJoCo
     writes the elevations of a height field in reverse order, which is corrected.
     """
-    text = re.sub(r"<light [^>]*>", lambda match: _plain_light(match[0]), _precise_text(spec))
+    with _precise():
+        text = spec.to_xml()
+    text = re.sub(r'(<light [^>]*) type="directional"', r'\1 directional="true"', text)
+    text = re.sub(r'(<light [^>]*) type="spot"', r"\1", text)
     materials = {material.name for material in spec.materials}
     text = re.sub(r' material="([^"]*)"', lambda match: match[0] if match[1] in materials else "", text)
     text = re.sub(r"<texture [^>]*>", lambda match: match[0].replace(' colorspace="auto"', ""), text)
@@ -67,11 +70,6 @@ def last_text(model: mujoco.MjModel) -> str:
         except mujoco.FatalError as error:
             raise ValueError(str(error)) from None
         return path.read_text(encoding="utf-8")
-
-
-def _precise_text(spec: mujoco.MjSpec) -> str:
-    with _precise():
-        return spec.to_xml()
 
 
 @contextlib.contextmanager
@@ -100,10 +98,6 @@ def _library() -> ctypes.CDLL | None:
             if hasattr(library, "_mjPRIVATE__set_xml_precision"):
                 return library
     return None
-
-
-def _plain_light(tag: str) -> str:
-    return tag.replace(' type="directional"', ' directional="true"').replace(' type="spot"', "")
 
 
 @cache

@@ -76,7 +76,8 @@ def recognises(path: Path) -> bool:
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read the motion of SMPL's body on a figure, or as a new figure."""
-    arrays = _arrays(path)
+    is_npz = path.suffix.lower() == ".npz"
+    arrays = read_npz(path) if is_npz else plain_pickle.one_motion(plain_pickle.load(path))
     position, poses = _motion(arrays)
     name = _first(arrays, RATES)
     if name is None and fps is None:
@@ -99,10 +100,6 @@ def _is_smpl(names: Iterable[str]) -> bool:
     there = set(names)
     turned = there.intersection(POSES) or (there.intersection(ROOTS) and there.intersection(BODIES))
     return bool(turned and there.intersection(PLACES)) and ROBOT not in there
-
-
-def _arrays(path: Path) -> ArrayReader:
-    return read_npz(path) if path.suffix.lower() == ".npz" else plain_pickle.one_motion(plain_pickle.load(path))
 
 
 def _first(reader: ArrayReader, names: tuple[str, ...]) -> str | None:

@@ -17,14 +17,12 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from dynsplines.solver.array import Array
-
 from ...errors import UserError
 from ...motion import asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
 from ...scene.compose import compiled
 from .. import layouts, missing_input
-from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times
+from ..array_reader import body_poses, names_in, read_npz, times
 from ..robot import needs_figure
 from ..trajectory import Recording, SampledTrajectory
 
@@ -72,18 +70,12 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         )
     qpos = arrays.numbers("qpos", "samples", figure.nq)
     rate = arrays.rate("fps") if "fps" in arrays else fps
-    time = _time(arrays, len(qpos), rate)
+    if rate is None and "time" not in arrays:
+        raise UserError(f"{path}: it has neither 'time' nor 'fps'; {missing_input.RATE}")
+    time = arrays.numbers("time", "samples") if rate is None or "time" in arrays else times(len(qpos), rate)
     result = layouts.recording(
         figure, time, {(): lambda: qpos}, scalar_last=None if "mjcf" in arrays else False,
         has_names="joint_names" in arrays,
         bodies=body_poses(arrays), fps=rate,
     )  # fmt: skip
     return result if mjcf is None else replace(result, mjcf=mjcf, assets=assets, others=())
-
-
-def _time(reader: ArrayReader, count: int, fps: float | None) -> Array:
-    if "time" in reader:
-        return reader.numbers("time", "samples")
-    if fps is None:
-        raise UserError(f"{reader.where}: it has neither 'time' nor 'fps'; {missing_input.RATE}")
-    return times(count, fps)

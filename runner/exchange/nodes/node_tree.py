@@ -71,7 +71,9 @@ def moving_tree(parents: Sequence[int], is_animated: Iterable[bool]) -> list[int
     Nodes below an animated one are included, such as a toe or fingertip; a static branch such as a floor is not.
     """
     animated, count = list(is_animated), len(parents)
-    top = [_top(parents, i) for i in range(count)]
+    top = list[int]()
+    for i, parent in enumerate(parents):
+        top.append(i if parent < 0 else top[parent])
     votes = [sum(animated[i] for i in range(count) if top[i] == t) for t in range(count)]
     chosen = int(np.argmax(votes)) if count else -1
     carried, carries = list(animated), list(animated)
@@ -81,9 +83,3 @@ def moving_tree(parents: Sequence[int], is_animated: Iterable[bool]) -> list[int
         if carries[i] and parents[i] >= 0:
             carries[parents[i]] = True
     return [i for i in range(count) if top[i] == chosen and (carried[i] or carries[i])]
-
-
-def _top(parents: Sequence[int], node: int) -> int:
-    while parents[node] >= 0:
-        node = parents[node]
-    return node

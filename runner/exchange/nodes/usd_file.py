@@ -133,7 +133,7 @@ def _of_prims(prims: list[Usd.Prim], parents: list[int], rows: list[int], times:
             first = np.eye(4) if above[i] < 0 else moving[0, above[i]]
             local = np.linalg.inv(first) @ moving[0, i]
         rest[i] = over @ local
-    return Nodes([_name(prim) for prim in prims], above, rest, moving, rate)
+    return Nodes([prim.GetDisplayName() or prim.GetName() for prim in prims], above, rest, moving, rate)
 
 
 def _rest_of(prim: Usd.Prim) -> Array | None:
@@ -144,10 +144,6 @@ def _rest_of(prim: Usd.Prim) -> Array | None:
     out = np.eye(4)
     out[:3, :3], out[:3, 3] = quat.matrices(np.array(stored[3:], float)), stored[:3]
     return out
-
-
-def _name(prim: Usd.Prim) -> str:
-    return prim.GetDisplayName() or prim.GetName()
 
 
 def _matrix(matrix: Any) -> Array:

@@ -28,6 +28,7 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure import wrench
 from dynsplines.solver.figure.figure import Figure
@@ -195,17 +196,9 @@ def targets(trajectory: SampledTrajectory, model: mujoco.MjModel, actuators: lis
         if drive.axis is None:
             at = trajectory.qpos[:, first]
         else:
-            at = _rotation_vectors(trajectory.qpos[:, first : first + 4])[:, drive.axis]
+            at = quat.rotation_vector(trajectory.qpos[:, first : first + 4])[:, drive.axis]
             dof += drive.axis
         out[:, column] = at + (drive.kv * trajectory.qvel[:, dof] + torques[:, dof]) / drive.kp
-    return out
-
-
-def _rotation_vectors(quaternions: Array) -> Array:
-    """Return rotation vectors (T, 3) [rad] of unit quaternions (T, 4), of at most half a turn."""
-    out = np.zeros((len(quaternions), 3))
-    for row, quaternion in zip(out, quaternions, strict=True):
-        mujoco.mju_quat2Vel(row, quaternion, 1.0)
     return out
 
 

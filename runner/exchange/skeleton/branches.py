@@ -103,7 +103,8 @@ def _chain(model: mujoco.MjModel, body: int, place: Array, turn: Array) -> _Chai
     while True:
         if model.body_jntnum[body]:
             bodies.append(body)
-        below = [child for child in np.flatnonzero(model.body_parentid == body).tolist() if _moving(model, child)]
+        children = np.flatnonzero(model.body_parentid == body).tolist()
+        below = [child for child in children if model.body_jntnum[subtree(model, child)].any()]
         if len(below) != 1:
             break
         body = below[0]
@@ -114,10 +115,6 @@ def _chain(model: mujoco.MjModel, body: int, place: Array, turn: Array) -> _Chai
     middle = model.geom_pos[geoms].mean(axis=0) if geoms.size else np.zeros(3)
     tip = place[end] + quat.rotated(turn[end], middle)
     return _Chain(bodies, np.concatenate([place[bodies], tip[None]]))
-
-
-def _moving(model: mujoco.MjModel, top: int) -> bool:
-    return bool(model.body_jntnum[subtree(model, top)].any())
 
 
 def _are_alike(one: _Chain, other: _Chain) -> bool:

@@ -137,9 +137,6 @@ def _hands(bodies: list[ET.Element], captured: CapturedSkeleton) -> None:
     for side in SIDES:
         joint = captured.roles.get(f"{side}_hand")
         if joint is not None:
-            ET.SubElement(bodies[joint], "site", name=f"{side}_hand", pos=_row(0.5 * _middle(captured, joint)))
-
-
-def _middle(captured: CapturedSkeleton, joint: int) -> Array:
-    below = captured.children(joint)
-    return np.mean([captured.offset[i] for i in below], axis=0) if below else captured.ends.get(joint, np.zeros(3))
+            below = captured.children(joint)
+            ends = [captured.offset[i] for i in below] or [captured.ends.get(joint, np.zeros(3))]
+            ET.SubElement(bodies[joint], "site", name=f"{side}_hand", pos=_row(0.5 * np.mean(ends, axis=0)))
