@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 from bench import Effort, Section, Target
 
-from dynsplines import models
+from dynsplines import models, recordings
 from dynsplines.clip import load as clips
 from dynsplines.solver import Frame, Solution, inbetween
 from dynsplines.solver.figure.kinematics import Samples
@@ -41,7 +41,7 @@ def looped(count: int) -> clips.Clip:
     text, replaced = PLAIN.subn("", models.clip_text("run_and_step"))
     if replaced != 1:
         raise ValueError("run_and_step.toml no longer has a [scene] of one line")
-    problem = clips.from_text(text, name="looped running")
+    problem = recordings.from_text(text, name="looped running")
     stride = problem.keys[:STRIDE]
     shift = _shift(problem, stride)
     keys = []

@@ -29,7 +29,7 @@ from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
 from .kinds import RENAMED
 from .obstacles import obstacles
-from .parse import Parsed, check_times, keyframe_label, parse, read, table_of
+from .parse import Parsed, check_times, keyframe_label, read, table_of
 from .pose import pose, soles_of, stander_of
 from .posing.full_turns import lost_turns
 from .posing.placement import wanted
@@ -75,27 +75,6 @@ def load(
     if isinstance(file, Path):
         return _from_mjcf(file, fps)
     return from_parsed(file, figure_file=figure_file, fps=fps, unmet=unmet)
-
-
-def from_text(
-    text: str,
-    *,
-    name: str,
-    where: str | None = None,
-    folder: Path | None = None,
-    fps: float | None = None,
-    spec: mujoco.MjSpec | None = None,
-    unmet: list[str] | None = None,
-    like: Clip | None = None,
-) -> Clip:
-    """Return the clip of a TOML text, see `from_parsed`.
-
-    Args:
-        where: The label of the clip in errors; None: NAME.toml.
-        fps: See `from_parsed`; also `spec`, `unmet` and `like`.
-    """
-    source = parse(text, name, where or f"{name}.toml", folder)
-    return from_parsed(source, fps=fps, spec=spec, unmet=unmet, like=like)
 
 
 def from_parsed(

@@ -24,7 +24,7 @@ from fuzz import grammar
 from fuzz.mangle import Rng, mangled_arrays, mangled_bytes, mangled_text, mangled_tree
 from rich.console import Console
 
-from dynsplines import motion, solving
+from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import references, table_of
@@ -80,7 +80,7 @@ def told() -> Progress:
 def _saved(figure: str) -> Saved:
     """A motion of a few frames, good to be written in any format."""
     if figure == "tiny":
-        return solving.unsolved(clips.from_text(tiny.CLIP, name="tiny", spec=grammar.spec())).saved(told())
+        return solving.unsolved(recordings.from_text(tiny.CLIP, name="tiny", spec=grammar.spec())).saved(told())
     saved = wild.motion_of("human") if figure == "human" else wild.through(figure, *_robot_keys())
     hinged = wild.with_hinges(saved, "knee", "elbow") if figure == "human" else saved
     clip = clips.of_motion(hinged)

@@ -16,7 +16,7 @@ import pytest
 from fuzz import grammar
 from rich.console import Console
 
-from dynsplines import solving
+from dynsplines import recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
@@ -83,7 +83,7 @@ def turn(size: float, rng: np.random.Generator) -> Array:
 def drawn(seed: int) -> Clip:
     """A clip of a small figure whose keyframes, penalties and search are all drawn at random."""
     rng = np.random.default_rng([7, seed])
-    clip = clips.from_text(grammar.solvable_text(seed), name=f"drawn {seed}", spec=grammar.spec())
+    clip = recordings.from_text(grammar.solvable_text(seed), name=f"drawn {seed}", spec=grammar.spec())
     evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([*METHODS]))
     settings = replace(clip.settings, max_evaluations=evaluations, optimiser=method, frames=int(rng.choice([0, 4, 8])))
     return clip.with_problem(settings=settings)

@@ -15,7 +15,7 @@ from fuzz import grammar, strange
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from dynsplines.clip import load as clips
+from dynsplines import recordings
 from dynsplines.errors import UserError
 
 EXAMPLES = max(30, 10 * int(os.environ.get("DYNSPLINES_FUZZ", 0)))
@@ -50,6 +50,6 @@ def test_a_file_that_is_whole_is_read_and_one_that_was_changed_is_read_or_refuse
 def test_tables_of_any_shape_are_read_or_refused(draw: random.Random):
     text = grammar.table(draw)
     try:
-        clips.from_text(text, name="drawn", spec=mujoco.MjSpec.from_string(grammar.tiny.FIGURE))
+        recordings.from_text(text, name="drawn", spec=mujoco.MjSpec.from_string(grammar.tiny.FIGURE))
     except UserError as error:
         assert str(error) and "\n" not in str(error)

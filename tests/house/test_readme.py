@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 import shipped
 
-from dynsplines import inbetween
-from dynsplines.clip import load as clip
+from dynsplines import inbetween, recordings
 
 ROOT = Path(__file__).parents[2]
 README, REFERENCE, FORMATS_PAGE, COMMANDS = (
@@ -40,7 +39,7 @@ def test_the_python_example_runs_and_equals_the_toml_example(
     exec(compile(example, "README.md", "exec"), names)
     assert capsys.readouterr().out.startswith("(25, 51) <Motion clip: 0.80 s, 2 keyframes")
     assert {path.name for path in tmp_path.iterdir()} == {"step.png", "mirrored.csv"}
-    twin = inbetween(clip.from_text(blocks("toml")[0], name="readme"))
+    twin = inbetween(recordings.from_text(blocks("toml")[0], name="readme"))
     np.testing.assert_array_equal(names["run"].qpos, twin.sampled(30).qpos)
     assert not twin.violations
 
@@ -63,7 +62,7 @@ def test_the_example_clips_pasted_one_below_the_other_solve_and_nothing_is_wrong
     parts = blocks("toml", REFERENCE)
     assert len(parts) == 4 and len(parts[0].splitlines()) <= 12
     assert blocks("toml") == parts[:1]
-    motion = inbetween(clip.from_text("".join(parts), name="readme"))
+    motion = inbetween(recordings.from_text("".join(parts), name="readme"))
     assert not motion.violations
 
 

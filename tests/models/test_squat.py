@@ -10,7 +10,7 @@ import pytest
 import walkers
 from squats import Measured, measured, solved, squat
 
-from dynsplines.clip import load as clip
+from dynsplines import recordings
 from dynsplines.clip.build import Clip
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -27,7 +27,7 @@ LAST = '[[keyframe]]\ntime = 4\nothers = "rest"\n'
 
 
 def read(text: str) -> Clip:
-    return clip.from_text(text, name="c")
+    return recordings.from_text(text, name="c")
 
 
 def between(*bodies: str, ends: str = "") -> Clip:

@@ -11,8 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from site_goal import SiteGoal
 
-from dynsplines import models
-from dynsplines.clip import load
+from dynsplines import models, recordings
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.cache import Cache, cache_key
@@ -128,7 +127,7 @@ sites.left_hand = [0.2, 0.3, {}]
 @pytest.mark.slow
 def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_what_the_text_alone_does(monkeypatch):
     places = "".join(REACH.format(time, height) for time, height in enumerate((1.1, 1.2, 1.4)))
-    clip = load.from_text(f'figure = "human"\n{places}', name="reach")
+    clip = recordings.from_text(f'figure = "human"\n{places}', name="reach")
     text = clip.text.replace("0.3, 1.4]", "0.3, 1.39]", 1)
     assert text != clip.text
     searched: list[int] = []
@@ -139,11 +138,11 @@ def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_w
         return search(asked, starts)
 
     monkeypatch.setattr(inverse_kinematics, "_posed", counted)
-    edited = load.from_text(text, name="reach", like=clip)
+    edited = recordings.from_text(text, name="reach", like=clip)
     few, _ = len(searched), searched.clear()
-    load.from_text(text + '[[penalty]]\nkind = "torque"\n', name="reach", like=edited)
+    recordings.from_text(text + '[[penalty]]\nkind = "torque"\n', name="reach", like=edited)
     assert not searched
-    fresh = load.from_text(text, name="reach")
+    fresh = recordings.from_text(text, name="reach")
     assert 0 < few < len(searched) / 2
     for one, other in zip(edited.keys, fresh.keys, strict=True):
         assert np.array_equal(one.state, other.state)

@@ -17,8 +17,7 @@ import pytest
 import wild
 from rich.console import Console
 
-from dynsplines import solving
-from dynsplines.clip import load as clip
+from dynsplines import recordings, solving
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton.hinge_joints import HingeModel
 from dynsplines.motion import Saved
@@ -43,7 +42,7 @@ others = "rest"
 
 def motion_of(text: str) -> Saved:
     quiet = Progress(Console(file=io.StringIO()))
-    return solving.solve(clip.from_text(text, name="squat"), quiet).saved(quiet, with_report=False)
+    return solving.solve(recordings.from_text(text, name="squat"), quiet).saved(quiet, with_report=False)
 
 
 @pytest.mark.filterwarnings("ignore:.*torch.jit:DeprecationWarning")

@@ -19,7 +19,7 @@ import pytest
 import squats
 from rich.console import Console
 
-from dynsplines import motion, solving
+from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.starter import starter
@@ -137,7 +137,7 @@ def squat_of(file: Path, angles: dict[str, float]) -> str:
 
 @pytest.mark.parametrize("path", SQUATTERS)
 def test_a_robot_by_others_squats(path):
-    problem = clip.from_text(squat_of(model_file(path), SQUATTERS[path]), name="squat")
+    problem = recordings.from_text(squat_of(model_file(path), SQUATTERS[path]), name="squat")
     found = squats.measured(problem, squats.solved(problem).motion.timeline)
     assert found.deep <= 2e-3
     assert found.moved <= 10e-3

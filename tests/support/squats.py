@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 from rich.console import Console
 
-from dynsplines import solving
-from dynsplines.clip import load as clip
+from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.motion import samples_at
 from dynsplines.solver.curve.frame import Timeline
@@ -63,7 +62,7 @@ def squat(height: float, *, contacts: bool, figure: str = "human") -> Clip:
         """
     for point in ("left_heel", "right_heel", "left_toe", "right_toe") if contacts else ():
         text += f'[[contact]]\npoint = "{point}"\nfrom = 0\nto = 2\n'
-    return clip.from_text(text, name="squat")
+    return recordings.from_text(text, name="squat")
 
 
 def measured(problem: Clip, timeline: Timeline) -> Measured:

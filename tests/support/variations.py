@@ -8,6 +8,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
+from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -54,8 +55,8 @@ def perturbed(text: str, seed: int, degrees: float = 5.0, heights: tuple[float, 
     """The clip of a TOML text, varied by the seed."""
     rng = np.random.default_rng(seed)
     height = rng.uniform(*heights)
-    plain = clips.from_text(text, name="plain")
-    other = clips.from_text(re.sub(r"height = [\d.]+", f"height = {height:.4f}", text), name=f"perturbed {seed}")
+    plain = recordings.from_text(text, name="plain")
+    other = recordings.from_text(re.sub(r"height = [\d.]+", f"height = {height:.4f}", text), name=f"perturbed {seed}")
     model, keys = other.figure.model, []
     grounded = [nearest(plain.figure.model, np.array(key.state)) < TOUCH for key in plain.keys]
     for key, touching in zip(other.keys, grounded, strict=True):

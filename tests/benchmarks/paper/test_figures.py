@@ -19,7 +19,7 @@ from paper.orientations import PAPER, TENTHS, Case, figure_ten, promised, strong
 from rich.console import Console
 from tiny import names
 
-from dynsplines import solving
+from dynsplines import recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
@@ -57,7 +57,7 @@ def lengths(case: Case) -> Lengths:
 
 @pytest.fixture(scope="module")
 def climber() -> Saved:
-    return solving.solve(clip.from_text(STEP_UP, name="climber"), quiet()).saved(quiet(), with_report=False)
+    return solving.solve(recordings.from_text(STEP_UP, name="climber"), quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.fixture(scope="module")

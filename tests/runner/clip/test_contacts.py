@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
@@ -43,14 +44,14 @@ def planted(clip: clips.Clip) -> tuple[tuple[Stance, ...], tuple[Rest, ...]]:
 
 
 def test_without_a_table_keyframes_tell_where_feet_stand():
-    stances, rests = planted(clips.from_text(text(), name="stand"))
+    stances, rests = planted(recordings.from_text(text(), name="stand"))
     assert {(s.point.name, s.first, s.last) for s in stances} >= {("left_heel", 0.0, 0.5), ("right_toe", 0.5, 1.0)}
     assert not rests
 
 
 def test_a_contact_takes_its_spot_from_the_keyframes_inside_and_holds_it_beyond():
     contact = 'point = "left_heel"\nfrom = 0.25\nto = 0.8'
-    stances, rests = planted(clips.from_text(text(contact), name="stand"))
+    stances, rests = planted(recordings.from_text(text(contact), name="stand"))
     own = sorted((s for s in stances if s.point.name == "left_heel"), key=lambda s: s.first)
     assert [(s.first, s.last) for s in own] == [(0.25, 0.5), (0.5, 0.8)]
     np.testing.assert_allclose([s.spot for s in own], [own[0].landed] * 2)
@@ -60,7 +61,7 @@ def test_a_contact_takes_its_spot_from_the_keyframes_inside_and_holds_it_beyond(
 
 def test_a_contact_that_a_keyframe_begins_in_the_floor_rises_with_what_is_let_pass():
     sunk = text('point = "left_heel"\nfrom = 0.3\nto = 0.8').replace("[0.0, 0, 0.93]", "[0.0, 0, 0.90]", 1)
-    clip = clips.from_text(sunk, name="sunk")
+    clip = recordings.from_text(sunk, name="sunk")
     stances, _ = planted(clip)
     before, after = sorted(
         (s for s in stances if s.point.name == "left_heel" and s.first >= 0.3), key=lambda s: s.first
@@ -82,8 +83,8 @@ def test_other_keyframes_are_posed_anew():
 figure = "human"
 keyframe = [{time = 0, others = "rest"}, {time = 1, root.position = [0, 0, 0.7]}, {time = 2, others = "rest"}]
 """
-    clip = clips.from_text(squat, name="squat")
-    higher = clips.from_text(squat.replace("0.7]", "0.8]"), name="squat")
+    clip = recordings.from_text(squat, name="squat")
+    higher = recordings.from_text(squat.replace("0.7]", "0.8]"), name="squat")
     moved = np.array(clip.keys[1].state)
     moved[2] = 0.8
     again = clips.with_keys(clip, [clip.keys[0], replace(clip.keys[1], state=moved), clip.keys[2]])
@@ -99,7 +100,7 @@ def test_a_contact_with_a_position_and_one_that_nobody_placed():
         'point = "left_heel"\nfrom = 0.6\nto = 0.9\nposition = [0.3, 0.1, 0]',
         'point = "right_toe"\nfrom = 0.6\nto = 0.9',
     )
-    stances, rests = planted(clips.from_text(text(*contacts, x=0.2, y=0.4), name="walk"))
+    stances, rests = planted(recordings.from_text(text(*contacts, x=0.2, y=0.4), name="walk"))
     (own,) = [s for s in stances if s.point.name == "left_heel"]
     np.testing.assert_allclose(own.place(np.array([0.6, 0.75, 0.9])), np.array([[0.3, 0.1, 0]] * 3).T)
     assert [(r.point.name, r.first, r.last) for r in rests] == [("right_toe", 0.6, 0.9)]
@@ -110,7 +111,7 @@ def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_te
     contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
     no_slip = '[[penalty]]\nkind = "no_slip"\nweight = 0'
     moved = []
-    for clip in (clips.from_text(text(*one, x=0.2, y=0.4) + no_slip, name="it") for one in ((), (contact,))):
+    for clip in (recordings.from_text(text(*one, x=0.2, y=0.4) + no_slip, name="it") for one in ((), (contact,))):
         motion = inbetween(clip.problem)
         y, y_d, y_dd = path_of(motion.timeline).motion(t := np.linspace(0.55, 0.75, 101))
         toe = tuple(point for point in clip.context.points if point.name == "left_toe")
@@ -154,7 +155,7 @@ def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_te
 )
 def test_mistakes_are_told_in_one_line(contacts, words):
     with pytest.raises(UserError) as told:
-        clips.from_text(text(*contacts), name="wrong")
+        recordings.from_text(text(*contacts), name="wrong")
     assert "\n" not in str(told.value)
     for word in words:
         assert word in str(told.value)
@@ -169,14 +170,14 @@ def test_mistakes_are_told_in_one_line(contacts, words):
 )
 def test_a_contact_far_from_its_keyframes_is_reported(more, x, words):
     with pytest.raises(UserError, match=words):
-        clips.from_text(text(f'point = "left_heel"\nfrom = 0\nto = 1{more}', x=x, y=20 * x), name="far")
+        recordings.from_text(text(f'point = "left_heel"\nfrom = 0\nto = 1{more}', x=x, y=20 * x), name="far")
 
 
 @pytest.mark.slow
 def test_legs_do_not_whip_where_keyframes_put_a_foot_into_a_step():
     standing = "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0.0, 0.5, 1.0))
     head = 'figure = "human"\n[solve]\nends = "free"\n'
-    inside = clips.from_text(f"{head}[scene]\nstep = {{x = 0.0, height = 0.3}}\n{standing}", name="inside")
+    inside = recordings.from_text(f"{head}[scene]\nstep = {{x = 0.0, height = 0.3}}\n{standing}", name="inside")
     motion = inbetween(inside.problem)
     qpos = motion.at(np.linspace(0, 1, 100))
     np.testing.assert_allclose(qpos, np.broadcast_to(qpos[0], qpos.shape), atol=0.02)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from dynsplines import recordings
 from dynsplines.clip import load
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
@@ -15,7 +16,7 @@ ALOFT = "root.position = [0, 0, 1.3]\n"
 
 def clip(first: str, middle: str, last: str, head: str = HEAD) -> load.Clip:
     bodies = enumerate((first, middle, last))
-    return load.from_text(head + "".join(STAND.format(0.4 * i, body) for i, body in bodies), name="c")
+    return recordings.from_text(head + "".join(STAND.format(0.4 * i, body) for i, body in bodies), name="c")
 
 
 def end_speeds(found: load.Clip) -> np.ndarray:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from dynsplines.clip import load as clip
+from dynsplines import recordings
 from dynsplines.clip.build import Clip
 from dynsplines.solver.curve.spline import path_of
 
@@ -22,7 +22,7 @@ ARM = """<mujoco><worldbody><body pos="0 0 1"><joint name="turn" axis="0 0 1"/>
 def read(*keys: str, figure: str = "human", folder: Path | None = None) -> Clip:
     """Keyframes a second apart."""
     rows = "".join(f'[[keyframe]]\ntime = {i}\nothers = "rest"\n{key}\n' for i, key in enumerate(keys))
-    return clip.from_text(f'figure = "{figure}"\n[solve]\nends = "free"\n{rows}', name="c", folder=folder)
+    return recordings.from_text(f'figure = "{figure}"\n[solve]\nends = "free"\n{rows}', name="c", folder=folder)
 
 
 def turned(problem: Clip) -> float:

@@ -11,7 +11,7 @@ import pytest
 from carried import in_carried
 from rich.console import Console
 
-from dynsplines import solving
+from dynsplines import recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
@@ -95,7 +95,7 @@ def parts(clip: clips.Clip, name: str) -> list:
 
 @pytest.fixture(scope="module")
 def lifted() -> clips.Clip:
-    return clips.from_text(lift(), name="lift")
+    return recordings.from_text(lift(), name="lift")
 
 
 def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely(lifted):
@@ -122,7 +122,7 @@ def test_a_grasp_is_where_the_keyframes_have_the_site_on_the_body_and_arms_left_
 
 def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach(lifted):
     told = {}
-    far = clips.from_text(lift().replace("[0.36, 0, 1.2]", "[0.98, 0, 1.2]"), name="far")
+    far = recordings.from_text(lift().replace("[0.36, 0, 1.2]", "[0.98, 0, 1.2]"), name="far")
     for name, clip in {"near": lifted, "far": far}.items():
         key, grasp = clip.keys[2], next(each for each in clip.context.schedule.grasps if each.point.name == "left_hand")
         arm = clip.figure.model.joint("left_shoulder").qposadr[0]
@@ -142,11 +142,11 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after(lifted):
     np.testing.assert_array_equal(lifted.keys[4].state[own], lifted.keys[3].state[own])
     stances = [s for part in parts(lifted, "attach.stance") if isinstance(part, StancePenalty) for s in part.stances]
     assert {(s.first, s.last) for s in stances if s.point.name == "crate"} == {(0.0, 0.6), (1.5, 2.1)}
-    late = clips.from_text(lift().replace(AT, "", 1), name="late")
+    late = recordings.from_text(lift().replace(AT, "", 1), name="late")
     np.testing.assert_array_equal(late.keys[0].state[own], lifted.keys[0].state[own])
     assert late.keys[0].fixed[own].all()
     free = lift().replace(CRATE.format(x=0.36, z=1.2, pitch=15), 'others = "previous"')
-    assert not clips.from_text(free, name="free").keys[2].fixed[own].any()
+    assert not recordings.from_text(free, name="free").keys[2].fixed[own].any()
 
 
 @pytest.mark.slow
@@ -154,7 +154,7 @@ def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
     up = HANDS.replace("1.0]", "1.2]")
     rows = keyframe(0.6, STANDING, AT, HANDS), keyframe(1.0, STANDING, up), keyframe(1.4, STANDING, up)
     grasps = "".join(HOLD.format(hand=hand, start=0.6, end=1.4) for hand in ("left", "right"))
-    clip = clips.from_text(SCENE + grasps + keyframe(0.0, 'others = "rest"', AT) + "".join(rows), name="hands")
+    clip = recordings.from_text(SCENE + grasps + keyframe(0.0, 'others = "rest"', AT) + "".join(rows), name="hands")
     for hand, y in (("left_hand", 0.17), ("right_hand", -0.17)):
         np.testing.assert_allclose(place(clip, clip.keys[2].state, hand), [0, y, 0], atol=1e-5)
 
@@ -188,16 +188,16 @@ def test_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate_and_
 @pytest.mark.slow
 def test_limbs_stay_out_of_what_is_carried_and_not_of_what_is_not_held():
     for hands, expected in (((), 0), (("left",), 1)):
-        found = parts(clips.from_text(lift(hands=hands), name="lift"), "collision.body")
+        found = parts(recordings.from_text(lift(hands=hands), name="lift"), "collision.body")
         assert sum(isinstance(part, Contact) and part.carrier > 0 for part in found) == expected
 
 
 def test_a_grasp_with_a_position_and_one_that_was_not_placed():
     free = lift(hands=()).replace(HANDS, "")
     grasp = HOLD.format(hand="left", start=0.7, end=0.9)
-    (unknown,) = clips.from_text(free + grasp, name="free").context.schedule.grasps
+    (unknown,) = recordings.from_text(free + grasp, name="free").context.schedule.grasps
     assert unknown.spots == ()
-    (known,) = clips.from_text(free + grasp + "position = [0, 0.15, 0.05]\n", name="free").context.schedule.grasps
+    (known,) = recordings.from_text(free + grasp + "position = [0, 0.15, 0.05]\n", name="free").context.schedule.grasps
     np.testing.assert_allclose(spot_of(known, 0.7, 0.8, 0.9), [[0, 0.15, 0.05]] * 3)
 
 
@@ -225,7 +225,7 @@ MISTAKES = {
 def test_every_error_is_reported_in_one_line_that_names_it(case):
     more, words = MISTAKES[case]
     with pytest.raises(UserError) as caught:
-        clips.from_text(lift(hands=()) + more, name="wrong")
+        recordings.from_text(lift(hands=()) + more, name="wrong")
     assert "\n" not in str(caught.value)
     for word in ["wrong.toml", *words]:
         assert word in str(caught.value)
@@ -233,9 +233,9 @@ def test_every_error_is_reported_in_one_line_that_names_it(case):
 
 def test_a_mirrored_clip_holds_with_the_other_hand_and_both_may_hold_one_thing():
     both = lift(hands=("left",)) + HOLD.format(hand="right", start=0.6, end=1.0)
-    clip = clips.from_text(both, name="both")
+    clip = recordings.from_text(both, name="both")
     mirrored = mirrored_tables(table_of(both, "both"), clip.figure, Mirror.of(clip.figure))
-    other = clips.from_text(written(mirrored), name="other")
+    other = recordings.from_text(written(mirrored), name="other")
     one, two = ([(each.name, each.last) for each in made.context.schedule.grasps] for made in (clip, other))
     assert one == [("left_hand on crate", 1.5), ("right_hand on crate", 1.0)]
     assert two == [("right_hand on crate", 1.5), ("left_hand on crate", 1.0)]
@@ -246,7 +246,7 @@ def test_a_mirrored_clip_holds_with_the_other_hand_and_both_may_hold_one_thing()
 @pytest.mark.slow
 def test_at_another_speed_and_in_a_part_of_the_clip_grasps_keep_their_place():
     """Of the raw spline, which with free ends loses the crate by no more than a grasp may drift."""
-    clip = clips.from_text(lift() + '[solve]\nends = "free"\n', name="lift")
+    clip = recordings.from_text(lift() + '[solve]\nends = "free"\n', name="lift")
     fast = retimed_tables(table_of(clip.text, "lift"), 2.0)
     assert [(row.start, row.end) for row in fast.grasp] == [(0.3, 0.75)] * 2
     part = trimmed(solving.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
@@ -258,6 +258,6 @@ def test_at_another_speed_and_in_a_part_of_the_clip_grasps_keep_their_place():
 def test_older_names_of_tables_and_values_are_errors_with_their_present_ones():
     rest = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\n'
     with pytest.raises(UserError, match=r"^old.toml: \[\[hold\]\] is named \[\[grasp\]\] now$"):
-        clips.from_text(rest + "[[hold]]\n", name="old")
+        recordings.from_text(rest + "[[hold]]\n", name="old")
     with pytest.raises(UserError, match=r"keyframe 2 \(t = 1 s\): others = 'hold' is named others = 'previous' now$"):
-        clips.from_text(rest + 'others = "hold"\n', name="old")
+        recordings.from_text(rest + 'others = "hold"\n', name="old")

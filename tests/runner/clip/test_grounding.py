@@ -9,8 +9,7 @@ import shipped
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynsplines import inbetween, load
-from dynsplines.clip import load as clip
+from dynsplines import inbetween, load, recordings
 from dynsplines.clip.build import Clip
 from dynsplines.clip.load import with_keys
 from dynsplines.solver.array import Array
@@ -34,7 +33,7 @@ NEARLY = 2e-3  # [m] that marks on soles and the geoms round them differ by
 def read(*bodies: str, head: str = HEAD, tail: str = "") -> Clip:
     """Keyframes half a second apart."""
     keys = "".join(f"[[keyframe]]\ntime = {i / 2}\n{body}" for i, body in enumerate(bodies))
-    return clip.from_text(f"{head}{keys}{tail}", name="c")
+    return recordings.from_text(f"{head}{keys}{tail}", name="c")
 
 
 def clearance(problem: Clip, qpos: Array) -> float:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from dynsplines.clip import load as clip
+from dynsplines import recordings
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
 from dynsplines.measure.violation import violations
@@ -25,7 +25,7 @@ KICK += f"{REST.format(0.6)}joints = {{left_hip = -40, left_knee = 124}}\n{REST.
 
 def read(folder: Path, keys: str, penalty: str = HARD, model: str = "") -> Clip:
     (folder / "model.xml").write_text(model or scene(biped()), encoding="utf-8")
-    return clip.from_text(f'figure = "model.xml"\n{penalty}{keys}', name="c", folder=folder)
+    return recordings.from_text(f'figure = "model.xml"\n{penalty}{keys}', name="c", folder=folder)
 
 
 def beyond(problem: Clip, timeline: Timeline) -> float:

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from dynsplines import inbetween
-from dynsplines.clip import load as clip
+from dynsplines import inbetween, recordings
 from dynsplines.clip.build import Clip
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
@@ -23,7 +22,7 @@ def read(keys: tuple[tuple[float, float], ...]) -> Clip:
         f'[[keyframe]]\ntime = {t}\nothers = "rest"\njoints.right_shoulder = {{rotvec = [0, {angle}, 0]}}\n'
         for t, angle in keys
     )
-    return clip.from_text(f'figure = "human"\n{rows}', name="c")
+    return recordings.from_text(f'figure = "human"\n{rows}', name="c")
 
 
 def off(problem: Clip, qpos: Array, angle: float) -> float:

@@ -11,7 +11,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tiny import CLIP, FIGURE, HINGE, changed, written
 
-from dynsplines import models
+from dynsplines import models, recordings
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
@@ -303,7 +303,7 @@ joints.left_knee = {rotvec = [0, 30, 0]}
 
 
 def test_others_are_at_rest_or_as_in_the_keyframe_before():
-    problem = clip.from_text(OTHERS, name="others")
+    problem = recordings.from_text(OTHERS, name="others")
     first, second = problem.keys
     hip, knee = (problem.figure.model.joint(f"left_{name}").qposadr[0] for name in ("hip", "knee"))
     np.testing.assert_array_equal(first.state, problem.figure.model.qpos0)
@@ -316,7 +316,7 @@ def test_others_are_at_rest_or_as_in_the_keyframe_before():
     assert not second.fixed[1]
     np.testing.assert_array_equal(np.delete(first.fixed, 1), np.delete(second.fixed, 1))
     with pytest.raises(UserError, match=r"keyframe 1 \(t = 0 s\).*previous"):
-        clip.from_text(OTHERS.replace('"rest"', '"previous"'), name="others")
+        recordings.from_text(OTHERS.replace('"rest"', '"previous"'), name="others")
 
 
 def test_joints_without_names_of_their_own_go_by_their_bodys_and_a_number(tmp_path):
@@ -325,10 +325,10 @@ def test_joints_without_names_of_their_own_go_by_their_bodys_and_a_number(tmp_pa
         '<geom size=".1"/></body></worldbody></mujoco>'
     )
     keys = "".join(f"[[keyframe]]\ntime = {t}\njoints.a_1 = 30\njoints.a_2 = {t}\n" for t in (0, 1))
-    problem = clip.from_text('figure = "two.xml"\n' + keys, name="two", folder=tmp_path)
+    problem = recordings.from_text('figure = "two.xml"\n' + keys, name="two", folder=tmp_path)
     np.testing.assert_allclose(problem.keys[1].state, np.radians([30, 1]))
     with pytest.raises(UserError, match=r"no joint 'a'.*a_1, a_2"):
-        clip.from_text('figure = "two.xml"\n' + keys.replace("a_1", "a"), name="two", folder=tmp_path)
+        recordings.from_text('figure = "two.xml"\n' + keys.replace("a_1", "a"), name="two", folder=tmp_path)
 
 
 STILL = "root.position = [0, 0, 1]\nroot.rotation = {rotvec = [0, 0, 0]}\njoints.left_knee = {rotvec = [0, 0, 0]}\n"
@@ -381,7 +381,7 @@ def test_without_a_free_joint_there_is_nothing_to_fly(tmp_path):
 
 def test_an_optimiser_that_does_nothing_with_so_many_unknowns_is_reported():
     standing = 'figure = "human"\n' + "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in range(5))
-    dense = clip.from_text(standing + '[solve]\nends = "free"\noptimiser = "slsqp"', name="dense")
+    dense = recordings.from_text(standing + '[solve]\nends = "free"\noptimiser = "slsqp"', name="dense")
     assert "optimiser 'slsqp' is dense: with some 612 unknowns, over 300" in dense.notes[-1]
 
 
@@ -395,7 +395,7 @@ LYING = """<mujoco><compiler angle="degree"/><worldbody>
 def test_a_knee_flexes_about_the_worlds_y_at_rest_however_its_thigh_is_turned(tmp_path):
     (tmp_path / "lying.xml").write_text(LYING, encoding="utf-8")
     keys = "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 1))
-    found = clip.from_text(f'figure = "lying.xml"\n{keys}', name="lying", folder=tmp_path)
+    found = recordings.from_text(f'figure = "lying.xml"\n{keys}', name="lying", folder=tmp_path)
     (bend,) = found.context.bends
     data = mujoco.MjData(found.figure.model)
     mujoco.mj_kinematics(found.figure.model, data)
@@ -420,7 +420,7 @@ def test_a_crate_that_lies_aside_tells_nothing_of_who_runs():
     first = there.index("time = ", there.index("[[keyframe]]"))
     end = there.index("\n", first)
     there = there[:end] + "\nroots.crate = {position = [2, 3, 0.15], rotation = {rotvec = [0, 0, 0]}}" + there[end:]
-    alone, beside = (clip.from_text(each, name="run") for each in (text, there))
+    alone, beside = (recordings.from_text(each, name="run") for each in (text, there))
     assert beside.figure.tables.free_links.size == 2
     one, other = (each.context.support for each in (alone, beside))
     assert one is not None and other is not None

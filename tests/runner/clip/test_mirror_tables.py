@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from oracles import posed
 
+from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
-from dynsplines.clip.parse import table_of
+from dynsplines.clip.parse import parse, table_of
 from dynsplines.clip.text import written
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.mirror import Mirror
@@ -52,12 +53,12 @@ others = "previous"
 
 def test_rotations_of_turned_frames_are_those_of_the_mirrored_motion():
     spec = figure()
-    clip = clips.from_text(CLIP, name="one", spec=spec.copy())
+    clip = recordings.from_text(CLIP, name="one", spec=spec.copy())
     mirror = Mirror.of(clip.figure)
     names = [link.name for link in clip.figure.links]
     assert names[mirror.partner[names.index("swing_1")]] == "swing_2"
     text = written(mirrored_tables(table_of(CLIP, "one"), clip.figure, mirror))
-    image = clips.from_text(text, name="two", spec=spec.copy())
+    image = recordings.from_text(text, name="two", spec=spec.copy())
     model = clip.figure.model
     pairs = [model.body(name).id for name in ("pelvis", "waist", "hip_1", "foot_1", "hip_2", "foot_2")]
     there = [model.body(name).id for name in ("pelvis", "waist", "hip_2", "foot_2", "hip_1", "foot_1")]
@@ -78,7 +79,7 @@ others = "previous"
 sites = {toe_1 = [0.3, 0.1, 0.4], badge = [0.1, 0.0, 0.8]}
 bodies.foot_2 = {rotvec = [0, 20, 0]}
 """
-    clip = clips.from_text(row, name="one", spec=figure(), unmet=[])
+    clip = clips.from_parsed(parse(row, "one", "one.toml"), spec=figure(), unmet=[])
     mirror = Mirror.of(clip.figure)
     (_, last) = mirrored_tables(table_of(row, "one"), clip.figure, mirror).keyframe
     assert last.sites == {"toe_2": (0.3, -0.1, 0.4), "badge": (0.1, 0.0, 0.8)}
@@ -87,7 +88,7 @@ bodies.foot_2 = {rotvec = [0, 20, 0]}
 
 def test_a_site_that_has_nothing_on_the_other_side_is_refused():
     text = TURNED.replace('<site name="toe_2" pos=".02688 .0193536 .0943552"/>', "")
-    clip = clips.from_text(CLIP, name="one", spec=figure(text))
+    clip = recordings.from_text(CLIP, name="one", spec=figure(text))
     table = table_of(CLIP + "sites.toe_1 = [0.3, 0.1, 0.4]\n", "one")
     with pytest.raises(UserError, match="'toe_1': it has no counterpart on the other side"):
         mirrored_tables(table, clip.figure, Mirror.of(clip.figure))

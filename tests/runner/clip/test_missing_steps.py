@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from dynsplines.clip import load as clips
+from dynsplines import recordings
 
 
 def notes(keyframes: list[tuple[float, float, float]], more: str = "") -> list[str]:
@@ -12,7 +12,7 @@ def notes(keyframes: list[tuple[float, float, float]], more: str = "") -> list[s
     text = 'figure = "human"\n' + "".join(
         f'[[keyframe]]\ntime = {t}\nroot.position = [{x}, 0, {0.93 + z}]\nothers = "rest"\n' for t, x, z in keyframes
     )
-    return [note for note in clips.from_text(text + more, name="steps").notes if "steps" in note]
+    return [note for note in recordings.from_text(text + more, name="steps").notes if "steps" in note]
 
 
 def test_figures_that_move_on_both_feet_have_one_about_the_longest_way():

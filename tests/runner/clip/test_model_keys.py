@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 from command import commanded
 
-from dynsplines import Keyframe, build, inbetween, load, load_motion
-from dynsplines.clip import load as clips
+from dynsplines import Keyframe, build, inbetween, load, load_motion, recordings
 from dynsplines.clip.mirror import mirrored_keyframe
 from dynsplines.clip.table import KeyframeTable
 from dynsplines.errors import UserError
@@ -82,7 +81,7 @@ def test_obstacles_with_bodies_of_their_own_are_at_rest(folder: Path):
 def test_an_unknown_key_is_refused_with_those_that_there_are(folder: Path, others: str, words: str):
     text = (folder / "clip.toml").read_text().replace("key:home", others)
     with pytest.raises(UserError, match=words):
-        clips.from_text(text, name="clip", folder=folder)
+        recordings.from_text(text, name="clip", folder=folder)
 
 
 def test_a_key_of_another_length_is_refused(folder: Path):
@@ -105,7 +104,7 @@ def test_a_saved_motion_is_written_as_a_clip_that_still_has_its_keys(folder: Pat
 def test_the_mirror_keeps_a_symmetric_key_and_refuses_another(folder: Path):
     text = (folder / "clip.toml").read_text().replace(".123456789012345", "0")
     (folder / "robot.xml").write_text(ROBOT.replace(".123456789012345", "0"))
-    made = clips.from_text(text, name="clip", folder=folder)
+    made = recordings.from_text(text, name="clip", folder=folder)
     mirror = Mirror.of(made.figure)
     assert mirrored_keyframe(KeyframeTable(time=0.0, others="key:home"), made.figure, mirror).others == "key:home"
     with pytest.raises(UserError, match="the model's key 'step & go' is not symmetric"):
@@ -114,8 +113,8 @@ def test_the_mirror_keeps_a_symmetric_key_and_refuses_another(folder: Path):
 
 def test_an_edit_that_names_another_key_has_it(folder: Path):
     text = (folder / "clip.toml").read_text()
-    made = clips.from_text(text, name="clip", folder=folder)
-    other = clips.from_text(text.replace("key:home", "key:short"), name="clip", folder=folder, like=made)
+    made = recordings.from_text(text, name="clip", folder=folder)
+    other = recordings.from_text(text.replace("key:home", "key:short"), name="clip", folder=folder, like=made)
     np.testing.assert_array_equal(other.keys[0].state, other.figure.model.qpos0)
 
 

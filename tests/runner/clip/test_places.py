@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from dynsplines.clip import load as clip
+from dynsplines import recordings
 from dynsplines.clip.build import Clip
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.posing.feet import sole_points
@@ -36,7 +36,7 @@ def figure() -> Figure:
 
 
 def read(said: str, more: str = "") -> Clip:
-    return clip.from_text(HEAD + said + more, name="it", spec=mujoco.MjSpec.from_string(ROBOT))
+    return recordings.from_text(HEAD + said + more, name="it", spec=mujoco.MjSpec.from_string(ROBOT))
 
 
 def places() -> Places:

@@ -12,9 +12,10 @@ from command import commanded
 from rich.console import Console
 from tiny import HINGE
 
-from dynsplines import solving
+from dynsplines import recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
+from dynsplines.clip.parse import parse
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
 from dynsplines.solver import quaternion as quat
@@ -39,7 +40,7 @@ sites.right_hand = {{position = [0.5, -0.3, 1.1], by = "search"}}
 
 
 def read(text: str, name: str = "c") -> Clip:
-    return clip.from_text(text, name=name)
+    return recordings.from_text(text, name=name)
 
 
 def second(body: str, first: str = REST) -> str:
@@ -145,7 +146,7 @@ def test_hinges_and_slides_are_solved_too(tmp_path):
     (tmp_path / "h.xml").write_text(figure, encoding="utf-8")
     text = 'figure = "h.xml"\n[[keyframe]]\ntime = 0\njoints.swing = 0\njoints.slide = 0\n'
     text += "[[keyframe]]\ntime = 1\nsites.tip = [0.5, 0, 0.6]\n"
-    problem = clip.from_text(text, name="h", folder=tmp_path)
+    problem = recordings.from_text(text, name="h", folder=tmp_path)
     assert problem.keys[1].is_key
     np.testing.assert_allclose(seen(problem, problem.keys[1].state).site("tip").xpos, [0.5, 0, 0.6], atol=MET)
 
@@ -272,7 +273,7 @@ def test_all_places_without_a_pose_are_reported_at_once():
     hand = "keyframe 2 (t = 1 s): no pose found that puts site 'left_hand'"
     assert all(words in told for words in (hand, "'right_heel'", "keyframe 3 (t = 2 s)"))
     unmet: list[str] = []
-    problem = clip.from_text(text, name="c", unmet=unmet)
+    problem = clip.from_parsed(parse(text, "c", "c.toml"), unmet=unmet)
     assert [line.split(" (")[0] for line in unmet] == ["keyframe 2", "keyframe 2", "keyframe 3"]
     hand = seen(problem, problem.keys[1].state).site("left_hand").xpos
     shoulder = seen(problem, problem.keys[1].state).body("left_upper_arm").xpos

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from dynsplines import inbetween
-from dynsplines.clip import load as clip
+from dynsplines import inbetween, recordings
 from dynsplines.clip.build import Clip
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.errors import UserError
@@ -33,7 +32,7 @@ def read(model: str, folder: Path, *keys: str) -> Clip:
     """A clip of keyframes half a second apart."""
     (folder / "model.xml").write_text(model, encoding="utf-8")
     rows = "".join(f"[[keyframe]]\ntime = {i / 2}\n{key}\n" for i, key in enumerate(keys))
-    return clip.from_text(f'figure = "model.xml"\n{rows}', name="c", folder=folder)
+    return recordings.from_text(f'figure = "model.xml"\n{rows}', name="c", folder=folder)
 
 
 def placed(problem: Clip, k: int, body: str) -> tuple[Array, Array]:

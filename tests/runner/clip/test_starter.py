@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from command import commanded
 
+from dynsplines import recordings
 from dynsplines.clip import load as clip
 from dynsplines.clip.starter import starter
 from dynsplines.clip.text import keyframe_tables
@@ -92,11 +93,11 @@ def test_the_models_own_keyframes_are_half_a_second_apart_without_times_and_one_
 def test_a_second_free_body_is_placed_by_its_name_and_there_and_back_in_text(tmp_path):
     problem = written(f"<mujoco><worldbody>{KINDS['two free']}</worldbody></mujoco>", tmp_path)
     moved = problem.text.replace('roots."c d" = {position = [0, 0, ', 'roots."c d" = {position = [5, 0, ', 1)
-    again = clip.from_text(moved, name="it", folder=tmp_path)
+    again = recordings.from_text(moved, name="it", folder=tmp_path)
     assert again.keys[0].state[7] == 5
     assert keyframe_tables(again.figure, again.keys)[0].roots["c d"].position[0] == 5
     with pytest.raises(UserError, match=r"roots: no free joint 'c'"):
-        clip.from_text(moved.replace('roots."c d"', "roots.c"), name="it", folder=tmp_path)
+        recordings.from_text(moved.replace('roots."c d"', "roots.c"), name="it", folder=tmp_path)
 
 
 def test_a_free_figure_with_feet_is_put_on_the_floor(tmp_path):
@@ -167,7 +168,7 @@ def test_positions_of_feet_and_hands_are_written_as_in_a_keyframe(tmp_path):
         f"[[keyframe]]\ntime = {t}\n" + "\n".join(told) + '\nothers = "rest"\nroot.position = [0, 0, 0.32]\n'
         for t in (0, 1)
     )
-    again = clip.from_text(f'figure = "models/it.xml"\n{said}', name="it", folder=tmp_path)
+    again = recordings.from_text(f'figure = "models/it.xml"\n{said}', name="it", folder=tmp_path)
     np.testing.assert_allclose(again.keys[0].state, problem.keys[0].state, atol=1e-6)
 
 

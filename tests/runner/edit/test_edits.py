@@ -14,7 +14,7 @@ import shipped
 import tiny
 from rich.console import Console
 
-from dynsplines import models, motion, solving
+from dynsplines import models, motion, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
@@ -39,7 +39,7 @@ def progress() -> Progress:
 
 
 def solved(text: str, name: str) -> Saved:
-    return solving.solve(clip.from_text(text, name=name), progress()).saved(progress(), with_report=False)
+    return solving.solve(recordings.from_text(text, name=name), progress()).saved(progress(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -152,7 +152,7 @@ def test_edits_that_make_no_motion_are_refused(steps, saved):
     with pytest.raises(UserError, match="of different figures; they differ in: left_ankle, left_elbow"):
         edits.joined(steps, saved, 0.4, progress())
     text = steps.text.replace("[solve]", '[solve]\ncoordinates = "joint"')
-    other = solving.unsolved(clip.from_text(text, name="other")).saved(progress(), with_report=False)
+    other = solving.unsolved(recordings.from_text(text, name="other")).saved(progress(), with_report=False)
     with pytest.raises(UserError, match="'steps' is in world coordinates, 'other' in joint coordinates"):
         edits.joined(steps, other, 0.4, progress())
     with pytest.raises(UserError, match="puppet: no partner on the other side for: "):

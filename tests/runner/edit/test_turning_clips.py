@@ -11,7 +11,7 @@ import tiny
 from rich.console import Console
 from scipy.spatial.transform import Rotation
 
-from dynsplines import motion, solving
+from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.posing.rotation import quaternion_of
@@ -143,7 +143,7 @@ def test_a_turning_loop_played_on_goes_round_and_its_text_makes_the_same_keyfram
     assert abs(first[3:7] @ last[3:7]) == pytest.approx(1)
     np.testing.assert_allclose(last[:3], first[:3], atol=1e-9)  # eight eighths are the whole way round
     tiny.written(tmp_path)
-    again = clips.from_text(many.text, name="again", spec=None, folder=tmp_path)
+    again = recordings.from_text(many.text, name="again", spec=None, folder=tmp_path)
     assert again.ends == "periodic"
     for one, two in zip(again.keys, many.keys, strict=True):
         own = [each.state.copy() for each in (one, two)]

@@ -9,7 +9,7 @@ import wild
 from inverse_oracle import oracle
 from random_robots import motion_of
 
-from dynsplines import solving
+from dynsplines import recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
@@ -99,7 +99,7 @@ def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
     text = 'figure = "human"\n'
     for time, x in ((0, 0), (0.3, 0), (1.3, 0.8)):
         text += f'[[keyframe]]\ntime = {time}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
-    saved, said = solving.unsolved(clip.from_text(text, name="away")).saved(Progress(), with_report=False), []
+    saved, said = solving.unsolved(recordings.from_text(text, name="away")).saved(Progress(), with_report=False), []
     path = formats.export(
         saved, "csv", tmp_path / "a.csv", options=ExportOptions(columns=("ground",)), report=said.append
     )
@@ -120,7 +120,7 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
     text = f'figure = "{tmp_path}/arm.xml"\n' + "".join(
         f"[[keyframe]]\ntime = {t}\njoints.turn = {90 * t}\njoints.reach = 0\n" for t in (0, 1)
     )
-    saved = solving.unsolved(clip.from_text(text, name="arm")).saved(Progress(), with_report=False)
+    saved = solving.unsolved(recordings.from_text(text, name="arm")).saved(Progress(), with_report=False)
     columns = quantities.table(SampledTrajectory.of(saved), ("velocities", "torques"))
     assert list(columns) == ["turn.v [rad/s]", "reach.v [m/s]", "turn.t [N m]", "reach.f [N]"]
     assert all(np.isfinite(column).all() for column in columns.values())

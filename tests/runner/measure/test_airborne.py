@@ -7,8 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from dynsplines import solving
-from dynsplines.clip import load as clips
+from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.measure import violation
 from dynsplines.measure.violation import Violation
@@ -22,7 +21,7 @@ FLOOR = '<geom type="plane" size="1 1 .1" pos="0 0 .1"/>'
 def read(text: str, model: str, folder: Path) -> Clip:
     """A clip whose figure is a model's text."""
     (folder / "it.xml").write_text(model, encoding="utf-8")
-    return clips.from_text('figure = "it.xml"\n' + text, name="it", folder=folder)
+    return recordings.from_text('figure = "it.xml"\n' + text, name="it", folder=folder)
 
 
 def violations(clip: Clip, kind: str) -> list[Violation]:
@@ -98,7 +97,7 @@ def test_a_foot_that_moves_flat_along_the_ground_slides(distance, height, slides
         f"[[keyframe]]\ntime = {t}\nroot = {{position = [{x}, 0, {0.93 + height}]}}\n{pose}"
         for t, x in ((0.0, 0.0), (0.5, distance))
     )
-    found = violations(clips.from_text('figure = "human"\n' + text, name="slide"), "slide")
+    found = violations(recordings.from_text('figure = "human"\n' + text, name="slide"), "slide")
     assert [each.name for each in found] == (["left_foot", "right_foot"] if slides else [])
     for each in found:
         assert each.amount == pytest.approx(distance / 0.5)

@@ -16,7 +16,7 @@ import pytest
 from paper.penetration import penetration
 from rich.console import Console
 
-from dynsplines import Keyframe, build, inbetween, load_motion, motion, solving
+from dynsplines import Keyframe, build, inbetween, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
@@ -61,7 +61,7 @@ def read(text: str, figure: str = "", folder: Path | None = None) -> Clip:
     if folder is not None:
         (folder / "it.xml").write_text(figure, encoding="utf-8")
         text = 'figure = "it.xml"\n' + text
-    return clip.from_text(text, name="it", folder=folder)
+    return recordings.from_text(text, name="it", folder=folder)
 
 
 def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:

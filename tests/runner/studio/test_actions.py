@@ -9,7 +9,7 @@ import tomllib
 import numpy as np
 import pytest
 
-from dynsplines.clip import load as clips
+from dynsplines import recordings
 from dynsplines.errors import UserError
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
@@ -252,7 +252,7 @@ def test_what_follows_an_edit_at_once_is_of_the_path_after_it(session):
 
 def test_a_free_body_has_a_row_of_its_own(tmp_path):
     (tmp_path / "leg.xml").write_text(FIGURE)
-    figure = clips.from_text(CLIP, name="leg", folder=tmp_path).figure
+    figure = recordings.from_text(CLIP, name="leg", folder=tmp_path).figure
     assert [(limb["name"], limb["joints"]) for limb in limbs(figure)] == [
         ("root … ankle", ["root", "hip", "knee", "ankle"]),
         ("crate", ["crate"]),

@@ -12,8 +12,7 @@ from penalty_slope import penalty_slope
 from random_samples import random_samples
 from rich.console import Console
 
-from dynsplines import solving
-from dynsplines.clip import load as clip
+from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import CouplingPenalty, LoopClosure, closures, couplings
@@ -66,7 +65,7 @@ FOUR_BAR = """
 
 def read(text: str, keys: str, folder: Path) -> Clip:
     (folder / "it.xml").write_text(text, encoding="utf-8")
-    return clip.from_text('figure = "it.xml"\n' + keys, name="it", folder=folder)
+    return recordings.from_text('figure = "it.xml"\n' + keys, name="it", folder=folder)
 
 
 def solved(text: str, keys: str, folder: Path) -> solving.Solved:
