@@ -107,17 +107,6 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         assert contact["point"] == "left_toe"
         assert contact["to"] - contact["from"] == pytest.approx(0.3, abs=0.05)
 
-        # what is wrong, read until nothing is: edits that went too far are taken back
-        tab.press("o")
-        for _ in range(6):
-            tab.settled()
-            if not tab.evaluate("studio.model.violations.length"):
-                break
-            page.locator("#panel-problems .violations button").first.click()
-            assert tab.evaluate("studio.model.time") is not None
-            tab.changes(lambda: tab.press("Control+z"))
-        tab.until(page.locator("#nothing-wrong").is_visible)
-
         # saved, and there again
         tab.press("Control+s")
         tab.until("!studio.model.document.dirty")
@@ -127,7 +116,18 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         page.reload()
         tab.until("window.studio !== undefined && studio.model.now !== null && studio.model.document !== null")
         assert not tab.evaluate("studio.model.document.dirty")
+
+        # what is wrong is found, and nothing is once the edits are taken back
+        tab.press("o")
         tab.settled()
+        if tab.evaluate("studio.model.violations.length"):
+            page.locator("#panel-problems .violations button").first.click()
+            assert tab.evaluate("studio.model.time") is not None
+        for _ in range(3):
+            tab.changes(lambda: tab.press("Control+z"))
+        assert tab.evaluate("studio.model.document.keys.length") == len(tomllib.loads(first)["keyframe"])
+        tab.settled()
+        tab.until(page.locator("#nothing-wrong").is_visible)
 
         # exported and rendered
         page.locator("#files").click()
@@ -140,7 +140,7 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         page.locator("#files").click()
         page.get_by_role("menuitem", name="Render").click()
         page.locator("dialog input[aria-label='file name of the video']").fill("sheet.png")
-        page.locator("dialog input[aria-label='size, pixels']").fill("160x90")
+        page.locator("dialog input[aria-label='size, pixels']").fill("32x18")
         page.locator("dialog button.main").click()
         tab.until(lambda: (tmp_path / "sheet.png").is_file(), 100)
         assert tab.errors == []
@@ -149,7 +149,13 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
 
 
 def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser, cache, tmp_path):
-    file = clip_in(tmp_path)
+    rows = tomllib.loads(models.clip_text("run_and_step"))["keyframe"]
+    keys = "".join(
+        f"[[keyframe]]\ntime = {row['time']}\nroot.position = [{row['time']}, 0, 1]\n"
+        "root.rotation = {rotvec = [0, 0, 0]}\njoints.left_knee = {rotvec = [0, 0, 0]}\n"
+        for row in rows
+    )
+    file = tiny.written(tmp_path, tiny.CLIP.partition("[[keyframe]]")[0] + keys, "run.toml")
     first = file.read_text(encoding="utf-8")
     running = Studio(tmp_path, "run.toml")
     one, two = Tab(browser, running.address), Tab(browser, running.address)
