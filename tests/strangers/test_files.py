@@ -97,13 +97,9 @@ def tampered(saved: Saved, target: Path, **changes: Any) -> Path:
 # names of files in motions
 
 
-LEADING = ["/{there}/prey.stl", "sub/../../prey.stl"]
-ODD = ["../prey.stl", ".prey.stl", "C:prey.stl", "a\\prey.stl", ""]
-
-
 @pytest.mark.parametrize(
     ("to", "name"),
-    [("thin", LEADING[0]), *((to, LEADING[1]) for to in ("thin", "mjcf", "gmr")), *(("thin", name) for name in ODD)],
+    [("thin", "/{there}/prey.stl"), ("mjcf", "sub/../../prey.stl"), ("gmr", "C:prey.stl"), ("thin", "a\\prey.stl")],
 )
 def test_a_motion_writes_no_file_that_its_names_lead_to(run: Run, meshed: Saved, tmp_path: Path, to: str, name: str):
     (tmp_path / "prey.stl").write_bytes(b"before")
