@@ -17,7 +17,6 @@ COMMAND = [sys.executable, "-c", browsers.COMMAND, "studio"]
     ("words", "told"),
     [
         (["--host", "0.0.0.0"], "add --allow-remote to allow it"),
-        (["nowhere.toml"], "no file 'nowhere.toml'"),
         (["--port", "70000"], "65535"),
     ],
 )

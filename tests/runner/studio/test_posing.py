@@ -79,22 +79,6 @@ def test_a_hand_out_of_reach_takes_the_figure_along_but_for_its_soles(clip, pose
     assert after.xpos[1][2] < before.xpos[1][2]  # it crouched
 
 
-def test_the_pelvis_goes_down_and_knees_bend_forward(clip, poser):
-    model, home = clip.figure.model, np.array(clip.keys[-1].state)
-    pelvis = model.body("pelvis").id
-    before = placed(model, home)
-    grip = poser.gripped(home, pelvis, np.zeros(3))
-    last = home
-    for _ in range(4):
-        found = poser.pulled(grip, before.xpos[pelvis] - [0, 0, 0.25], last)
-        last = found.qpos
-    after = placed(model, last)
-    assert after.xpos[pelvis][2] == pytest.approx(before.xpos[pelvis][2] - 0.25, abs=5e-3)
-    for side in ("left", "right"):
-        assert after.body(f"{side}_shin").xpos[0] > before.body(f"{side}_shin").xpos[0]
-        np.testing.assert_allclose(after.site(f"{side}_toe").xpos, before.site(f"{side}_toe").xpos, atol=5e-3)
-
-
 def test_places_that_nobody_reaches_are_come_near_to_in_bounded_time(clip, poser):
     home = np.array(clip.keys[-1].state)
     grip = poser.gripped(home, clip.figure.model.body("right_foot").id, np.zeros(3))

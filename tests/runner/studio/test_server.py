@@ -37,11 +37,16 @@ def client(session):
     return TestClient(app, base_url=ORIGIN)  # without its life: no process is begun
 
 
-def test_the_page_is_there_for_who_has_the_token(client):
+def test_the_page_is_there_for_who_has_the_token_and_loads_nothing_from_elsewhere_nor_is_shown_in_another(client):
     found = client.get("/", params={"token": TOKEN})
     assert found.status_code == 200
     assert "<title>dynsplines studio</title>" in found.text
-    assert "default-src 'none'" in found.headers["content-security-policy"]
+    policy = found.headers["content-security-policy"]
+    for words in ("default-src 'none'", "script-src 'self'", "connect-src 'self'", "frame-ancestors 'none'"):
+        assert words in policy
+    assert "unsafe-eval" not in policy
+    assert found.headers["cache-control"] == "no-store"
+    assert found.headers["referrer-policy"] == "no-referrer"
     assert client.get("/studio.js").status_code == 200
     assert client.get("/studio.css").status_code == 200
 
@@ -225,18 +230,7 @@ def test_one_that_others_reach_says_what_they_can_do(session, monkeypatch):
     assert "not encrypted" in said[2]
 
 
-def test_a_page_may_load_and_ask_for_nothing_from_elsewhere_and_be_shown_in_no_other(client):
-    headers = client.get("/", params={"token": TOKEN}).headers
-    policy = headers["content-security-policy"]
-    for words in ("default-src 'none'", "script-src 'self'", "connect-src 'self'", "frame-ancestors 'none'"):
-        assert words in policy
-    assert "unsafe-eval" not in policy
-    assert headers["cache-control"] == "no-store"
-    assert headers["referrer-policy"] == "no-referrer"
-
-
 def test_a_port_that_is_taken_is_reported(tmp_path):
-    import socket
 
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
@@ -248,23 +242,3 @@ def test_a_port_that_is_taken_is_reported(tmp_path):
 def test_undo_with_nothing_to_undo_is_refused(session):
     with pytest.raises(UserError, match="nothing to undo"):
         asyncio.run(session.undo())
-
-
-def test_words_of_the_server_do_not_wait_for_each_other():
-    """A small message after another one would wait for a sign of life from the page, 40 ms on Linux."""
-
-    async def delays():
-        told = asyncio.get_running_loop().create_future()
-        listening = launch._bound("127.0.0.1", 0)
-
-        def came(reader, writer):
-            told.set_result(writer.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY))
-            writer.close()
-
-        async with await asyncio.start_server(came, sock=listening):
-            _, writer = await asyncio.open_connection(*listening.getsockname()[:2])
-            found = await told
-            writer.close()
-        return found == 0
-
-    assert not asyncio.run(delays())
