@@ -382,15 +382,6 @@ def test_what_cannot_be_done_is_reported(motion, attempt, complaint, tmp_path, m
     assert names(tmp_path) == []
 
 
-def test_thinned_keeps_its_bound(motion):
-    thin = motion.thinned("5mm", max_angle=3)
-    far = motion.difference(thin)
-    assert far.distance <= 0.005
-    assert far.angle <= 3
-    assert 3 <= thin.key_times.size < 12
-    assert thin.saved.timeline.variable_count == 0
-
-
 @pytest.mark.slow
 def test_files_go_there_and_back(motion, loop, tmp_path):
     for each in (motion, loop):

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import crew
@@ -53,14 +50,6 @@ def test_a_command_reports_a_warning_once_and_leaves_no_log(run: Command):
         assert len(notes(run(*words).err)) == 1
     assert not Path("MUJOCO_LOG.TXT").exists()
     assert mujoco.get_mju_user_warning() is None
-
-
-@pytest.mark.slow
-def test_a_process_of_its_own_reports_it_too(run: Command):
-    script = "import sys; sys.argv = ['dynsplines', 'solve', 'clip.toml']; from dynsplines.__main__ import main; main()"
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, env=os.environ)
-    assert len(notes(done.stderr)) == 1
-    assert not Path("MUJOCO_LOG.TXT").exists()
 
 
 def test_python_gets_a_warning_at_its_line(run: Command):

@@ -36,10 +36,8 @@ def exported(saved: Saved, target: Path) -> None:
 
 WRITERS: dict[str, Write] = {
     ".npz": motion.save,
-    ".png": filmed,
     ".gif": filmed,
     ".mp4": filmed,
-    ".html": exported,
     ".csv": exported,
 }
 

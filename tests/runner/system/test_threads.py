@@ -47,7 +47,7 @@ from threadpoolctl import threadpool_info
 def threads():
     return [library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"]
 
-clip, seen, before = load("run_and_step"), [], threads()
+clip, seen, before = load("tumble"), [], threads()
 inbetween(clip.with_problem(settings=Settings(max_evaluations=2)).problem, improved=lambda _: seen.append(threads()))
 print(json.dumps([before, seen, threads()]))
 """
