@@ -6,6 +6,7 @@ import tomllib
 from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,8 +22,9 @@ FILMS = (".mp4", ".webm", ".gif", ".png")  # extensions of rendered files
 Step = tuple[str, str]  # description of an edit, and the text before or after it
 
 
+@lru_cache(maxsize=8)
 def parsed(text: str) -> TomlTable:
-    """Return a valid TOML text as plain tables."""
+    """Return a TOML text as plain tables, which are shared: callers must not change them."""
     return tomllib.loads(text)
 
 
@@ -47,7 +49,6 @@ class Document:
     _back: list[Step] = field(default_factory=list)
     _forth: list[Step] = field(default_factory=list)
     _revisions: deque[tuple[int, str]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
-    _plain: tuple[int, TomlTable] | None = None  # a revision, and its plain tables
 
     @property
     def is_dirty(self) -> bool:
@@ -73,18 +74,11 @@ class Document:
         """Return the text in editable blocks. Raises UserError for invalid TOML."""
         from .edits.tables import Blocks  # imported here because it is only needed for edits
 
-        parsed_text = self._plain
-        return Blocks.of(
-            self.text,
-            self.place,
-            parsed_text[1] if parsed_text is not None and parsed_text[0] == self.revision else None,
-        )
+        return Blocks.of(self.text, self.place)
 
     def tree_rows(self) -> list[TomlTable]:
         """Return the [[keyframe]] tables as plain ones."""
-        if self._plain is None or self._plain[0] != self.revision:
-            self._plain = self.revision, parsed(self.text)
-        return self._plain[1].get("keyframe", [])
+        return parsed(self.text).get("keyframe", [])
 
     def commit(self, text: str, words: str) -> None:
         """Set the present text; `words` describe the edit."""

@@ -20,7 +20,7 @@ ONLY_IN = {
     "nlopt": {"solver/search/refinement.py"},
     "imageio": {"runner/picture/film.py"},
     "threadpoolctl": {"solver/one_thread.py"},
-    "tomllib": {"runner/clip/parse.py", "runner/studio/document.py", "runner/studio/edits/tables.py"},
+    "tomllib": {"runner/clip/parse.py", "runner/studio/document.py"},
     "typer": {"runner/cli.py", "runner/cli_options.py", "runner/system/exit_status.py"},
     "pygltflib": {"runner/exchange/format/gltf.py", "runner/exchange/nodes/gltf_file.py"},
     "pxr": {"runner/exchange/format/usd.py", "runner/exchange/nodes/usd_file.py"},

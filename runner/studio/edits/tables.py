@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -20,6 +19,7 @@ from tomlkit.items import AoT, InlineTable, Table
 
 from ...errors import UserError
 from ...system.quantity import LARGEST
+from ..document import parsed
 
 DIGITS = 5  # decimal places of metres and degrees
 DOTTED = ("root", "roots", "joints", "sites", "bodies")  # tables of a keyframe with one entry per line
@@ -70,14 +70,11 @@ class Blocks:
     blocks: list[Block] = field(default_factory=list)
 
     @classmethod
-    def of(cls, text: str, where: str, entries: Mapping[str, Any] | None = None) -> Blocks:
-        """Return the blocks of a text, with `entries` as its parsed content if already known.
-
-        Raises UserError for invalid TOML, and for notation that cannot be edited by blocks.
-        """
+    def of(cls, text: str, where: str) -> Blocks:
+        """Return the blocks of a text. Raises UserError for invalid TOML, and for notation that cannot be edited."""
         try:
-            entries = tomllib.loads(text) if entries is None else entries
-        except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+            entries = parsed(text)
+        except (RecursionError, ValueError) as error:
             raise UserError(f"{where}: not valid TOML: {error}") from None
         heads: list[tuple[int, tuple[str, ...], bool]] = [(0, (), False)]
         for header in HEADER.finditer(text):
