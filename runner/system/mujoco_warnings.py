@@ -10,7 +10,7 @@ import re
 import sys
 import warnings
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from typing import Any
 
 from ..errors import one_line
@@ -47,15 +47,9 @@ def install() -> None:
         _mujoco().set_mju_user_warning(_receive)
 
 
-@contextmanager
-def intercepted() -> Iterator[None]:
+def intercepted() -> AbstractContextManager[None]:
     """Report MuJoCo's warnings in this block, or drop them if this process does not report warnings."""
-    before = _mujoco().get_mju_user_warning()
-    _mujoco().set_mju_user_warning(_receive)
-    try:
-        yield
-    finally:
-        _mujoco().set_mju_user_warning(before)
+    return reported_to(_sinks[-1] if _sinks else lambda text: None)
 
 
 @contextmanager
