@@ -273,7 +273,7 @@ class Actions:
     async def copy(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Copy keyframes to the clipboard that all pages share."""
         keys = self._present_indices(revision, keys=keys)["keys"]
-        self.session.clipboard = [_plain(self._row(index)) for index in sorted(keys)]
+        self.session.clipboard = [self._row(index) for index in sorted(keys)]
         self.session.send_outline()
         return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
 
@@ -351,7 +351,3 @@ def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
 def _named(entries: TomlTable, poser: Poser) -> set[str]:
     root = {poser.root} if poser.root is not None and entries.get("root") else set()
     return {*entries["joints"], *entries.get("roots", {}), *root}
-
-
-def _plain(row: TomlTable) -> TomlTable:
-    return {key: value for key, value in row.items() if value is not None}

@@ -8,7 +8,7 @@ from ..clip.constraints import chosen, weight_factors
 from ..clip.kinds import KINDS
 from ..clip.parse import table_of
 from ..clip.table import ClipTable
-from ..clip.text import TomlTable, tables
+from ..clip.text import tables
 from .document import FILMS
 
 
@@ -20,7 +20,7 @@ def outline(text: str, where: str) -> dict[str, Any]:
     return {
         "figure": table.figure,
         "fps": table.fps,
-        "keys": [_key(row) for row in content.get("keyframe", [])],
+        "keys": [{"others": "free", **row} for row in content.get("keyframe", [])],
         "contacts": content.get("contact", []),
         "grasps": content.get("grasp", []),
         "weights": weights(table, where),
@@ -68,7 +68,3 @@ def formats() -> dict[str, list[Any]]:
         if entry.writes
     ]
     return {"formats": rows, "films": list(FILMS)}
-
-
-def _key(row: TomlTable) -> TomlTable:
-    return {"others": "free", **row}

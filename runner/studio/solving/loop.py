@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from queue import Empty, SimpleQueue
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -85,14 +85,6 @@ def _read(line: Line, inbox: SimpleQueue[Message | None], loop: SolverLoop) -> N
     loop.interrupt()
 
 
-class Outlet(Protocol):
-    """The receiver of messages."""
-
-    def send(self, obj: Any, /) -> None:
-        """Send one message completely."""
-        ...
-
-
 @dataclass(frozen=True, eq=False)
 class Speculation:
     """The speculative result for a text that may follow: a clip edited from `before`, and the search of its path.
@@ -112,7 +104,7 @@ class Speculation:
 class SolverLoop:
     """A clip, the best path through its keyframes, and the connection to the server."""
 
-    def __init__(self, line: Outlet) -> None:
+    def __init__(self, line: Any) -> None:
         self.line = line
         self.clip: Clip | None = None
         self.solution: Solution | None = None
@@ -362,7 +354,9 @@ class SolverLoop:
             if begin is not None and improvement.evaluation == 1:
                 return  # the initial guess is already shown
             if time.monotonic() - self._sent >= SEND_INTERVAL:
-                self._send_path(improvement.build(), "best", **_progress(improvement))
+                value, parts = float(improvement.value), _plain(improvement.parts)
+                timeline, evaluation = improvement.build(), improvement.evaluation
+                self._send_path(timeline, "best", evaluation=evaluation, value=value, parts=parts)
                 self._send_raw()
 
         solution = self._minimise(clip, begin, between, improved)
@@ -526,14 +520,6 @@ class SolverLoop:
 def _bare(timeline: Timeline) -> Timeline:
     """Return a timeline without caches derived from its times."""
     return Timeline(timeline.frames, timeline.end_slope, timeline.ends)
-
-
-def _progress(improvement: Improvement) -> dict[str, Any]:
-    return {
-        "evaluation": improvement.evaluation,
-        "value": float(improvement.value),
-        "parts": _plain(improvement.parts),
-    }
 
 
 def _plain(parts: dict[str, float]) -> dict[str, float]:
