@@ -38,24 +38,18 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
 
     fps is unused: the files contain their rate. scale [m]: the file's unit of length; None infers it.
     """
-    skeleton, rate = bvh_file.read(path)
-    return recording(skeleton, rate, path, model, scale)
+    return recording(*bvh_file.read(path), path, model, scale)
 
 
 def recording(
-    skeleton: Skeleton,
-    rate: float,
-    path: Path,
-    model: mujoco.MjModel | None,
-    scale: float | None,
-    notes: tuple[str, ...] = (),
+    skeleton: Skeleton, rate: float, path: Path, model: mujoco.MjModel | None, scale: float | None
 ) -> Recording:
     """Read a skeleton's motion, from any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`."""
-    return of_captured(CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording), rate, path, model, notes)
+    return of_captured(CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording), rate, path, model)
 
 
 def of_captured(
-    captured: CapturedSkeleton, rate: float, path: Path, model: mujoco.MjModel | None, notes: tuple[str, ...]
+    captured: CapturedSkeleton, rate: float, path: Path, model: mujoco.MjModel | None, notes: tuple[str, ...] = ()
 ) -> Recording:
     """Read a captured motion as a new figure or on a figure; rate [1/s], path is the label in errors."""
     time = np.arange(len(captured.position)) / rate

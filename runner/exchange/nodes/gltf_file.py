@@ -21,6 +21,7 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...system import size_limit
+from ..skeleton.bvh_file import Skeleton
 from .node_tree import Nodes, moving_tree, rate_of
 
 KINDS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -33,14 +34,14 @@ SOON = 1e-6  # [s] tolerance before a key's time, which is rounded to float32
 SINGULAR = 1e-12  # determinant below which a matrix counts as singular
 
 
-def read(path: Path, fps: float | None) -> tuple[Nodes, tuple[str, ...]]:
-    """Return the nodes that the first animation moves, and notes on what was chosen.
+def read(path: Path, fps: float | None) -> tuple[Skeleton, float]:
+    """Return the skeleton of the nodes that the first animation moves, and its rate [1/s].
 
     fps [1/s] to resample, else the animation's rate. Raises UserError for a file without an animation, or with
     references to other files.
     """
     try:
-        return _File(path).nodes(fps)
+        return _File(path).nodes(fps).skeleton()
     except UserError:
         raise
     except Exception as error:  # a damaged file raises nearly anything
@@ -84,8 +85,8 @@ class _File:
         out = raw.astype(float)
         return np.maximum(out / np.iinfo(kind).max, -1) if accessor.normalized and kind.kind != "f" else out
 
-    def nodes(self, fps: float | None) -> tuple[Nodes, tuple[str, ...]]:
-        """Return the moving nodes at equal time steps, and notes on what was chosen."""
+    def nodes(self, fps: float | None) -> Nodes:
+        """Return the moving nodes at equal time steps."""
         if not self.asset.animations or not self.asset.animations[0].channels:
             raise UserError(f"{self.path}: it holds no animation")
         animation = self.asset.animations[0]
@@ -110,7 +111,7 @@ class _File:
         rest, world = self._placed(order, above, moved, count)
         place = {row: k for k, row in enumerate(rows)}
         names = [self.asset.nodes[order[row]].name or f"node_{order[row]}" for row in rows]
-        return Nodes(names, [place.get(above[row], -1) for row in rows], rest[rows], world[:, rows], rate), notes
+        return Nodes(names, [place.get(above[row], -1) for row in rows], rest[rows], world[:, rows], rate, notes)
 
     def _choice(self) -> tuple[str, ...]:
         names = [animation.name or f"animation {i}" for i, animation in enumerate(self.asset.animations)]

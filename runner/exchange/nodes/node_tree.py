@@ -7,7 +7,7 @@ rotation is that of its node relative to the rest pose, which becomes the skelet
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -28,6 +28,7 @@ class Nodes:
     rest      (J, 4, 4) matrices to the world in the pose to which the mesh is bound
     moving    (T, J, 4, 4) matrices to the world, at equal time steps
     fps       [1/s]
+    notes     on what was chosen in the file
     """
 
     names: Sequence[str]
@@ -35,9 +36,11 @@ class Nodes:
     rest: Array
     moving: Array
     fps: float
+    notes: tuple[str, ...] = ()
 
-    def skeleton(self) -> Skeleton:
-        """Return the nodes as joints of a BVH file: channels of positions and of rotations from the rest pose."""
+    def skeleton(self) -> tuple[Skeleton, float]:
+        """Return the nodes as joints of a BVH file, with channels of positions and of rotations from the rest pose, and
+        the rate [1/s]."""
         turn = quat.product(rotations(self.moving), quat.conjugate(rotations(self.rest)))
         place, offset = self.moving[..., :3, 3].copy(), self.rest[:, :3, 3].copy()
         relative = turn.copy()
@@ -48,7 +51,7 @@ class Nodes:
                 relative[:, i] = quat.product(above, turn[:, i])
                 offset[i] -= self.rest[parent, :3, 3]
         joints = [Joint(*row) for row in zip(self.names, self.parents, offset, strict=True)]
-        return bvh_file.skeleton(joints, place, relative, 1 / self.fps)
+        return replace(bvh_file.skeleton(joints, place, relative, 1 / self.fps), notes=self.notes), self.fps
 
 
 def rotations(matrices: Array) -> Array:

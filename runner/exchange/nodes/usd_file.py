@@ -6,6 +6,7 @@ other files are refused. https://openusd.org/release/api/usd_skel_page_front.htm
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,21 +18,22 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...system import size_limit
+from ..skeleton.bvh_file import Skeleton
 from .node_tree import Nodes, moving_tree
 
 REST = "rest"  # in custom data of prims written by this program: translation and rotation wxyz in the rest pose
 FEWEST = 2  # least number of samples of a motion
 
 
-def read(path: Path, fps: float | None, scale: float | None) -> tuple[Nodes, tuple[str, ...]]:
-    """Read the moving parts of a stage, y up, and notes on what was chosen.
+def read(path: Path, fps: float | None, scale: float | None) -> tuple[Skeleton, float]:
+    """Return the skeleton of the moving parts of a stage, y up, and its rate [1/s].
 
     fps [1/s] to resample, else the stage's rate; scale [m], the unit if the user names it, else lengths become metres.
     Raises UserError for a stage without motion, or with references to other files.
     """
     try:
         stage = _stage(path)
-        nodes, notes = _nodes(stage, path, fps)
+        nodes = _nodes(stage, path, fps)
     except Tf.ErrorException as error:
         raise UserError(f"{path}: not a readable USD file: {' '.join(str(error).split())[:200]}") from None
     unit = UsdGeom.GetStageMetersPerUnit(stage) if scale is None else 1.0
@@ -39,7 +41,7 @@ def read(path: Path, fps: float | None, scale: float | None) -> tuple[Nodes, tup
         if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z:
             matrices[..., :3, :] = np.roll(matrices[..., :3, :], -1, axis=-2)
         matrices[..., :3, 3] *= unit
-    return nodes, notes
+    return nodes.skeleton()
 
 
 def _stage(path: Path) -> Usd.Stage:
@@ -55,15 +57,15 @@ def _stage(path: Path) -> Usd.Stage:
     return stage
 
 
-def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> tuple[Nodes, tuple[str, ...]]:
-    """Return the moving nodes at equal time steps, and notes on what was chosen."""
+def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> Nodes:
+    """Return the moving nodes at equal time steps."""
     queries = [query for query in _skeletons(stage) if query.GetAnimQuery()]
     if queries:
         query = max(queries, key=lambda each: len(each.GetJointOrder()))
         codes = query.GetAnimQuery().GetJointTransformTimeSamples()
         times, rate = _times(stage, path, codes, fps, len(query.GetJointOrder()))
         note = f"read the skeleton {query.GetPrim().GetPath()}, the largest of {len(queries)}"
-        return _of_skeleton(query, times, rate), (note,) if len(queries) > 1 else ()
+        return replace(_of_skeleton(query, times, rate), notes=(note,) if len(queries) > 1 else ())
     prims = [prim for prim in stage.Traverse() if prim.IsA(UsdGeom.Xformable) and not prim.IsA(UsdGeom.Gprim)]
     animated = [len(UsdGeom.Xformable(prim).GetTimeSamples()) >= FEWEST for prim in prims]
     codes = sorted({code for prim in prims for code in UsdGeom.Xformable(prim).GetTimeSamples()})
@@ -71,7 +73,7 @@ def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> tuple[Nodes, tupl
     place = {prim.GetPath(): i for i, prim in enumerate(prims)}
     parents = [place.get(prim.GetPath().GetParentPath(), -1) for prim in prims]
     rows = moving_tree(parents, animated)
-    return _of_prims([prims[i] for i in rows], [parents[i] for i in rows], rows, times, rate), ()
+    return _of_prims([prims[i] for i in rows], [parents[i] for i in rows], rows, times, rate)
 
 
 def _skeletons(stage: Usd.Stage) -> list[Any]:
