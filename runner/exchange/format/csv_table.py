@@ -60,20 +60,17 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; {missing_input.FIGURE}")
     source = table_text.table(path)
-    notes: tuple[str, ...] = source.notes
-    is_certain = source.names is not None
+    notes, is_ordered = (), True
     if source.names is None:
         time, qpos = without_heading(path, source.numbers, model.nq, fps or source.fps)
     else:
-        resolved = headings.resolve(model, columns(model), list(map(_named, source.names)), path)
-        qpos, notes = resolved.qpos(source.numbers), (*notes, *resolved.notes)
-        is_certain = not resolved.is_numbered
-        time = resolved.time(source.numbers)
+        names = list(map(_named, source.names))
+        qpos, time, is_ordered, notes = headings.resolve(model, columns(model), names, source.numbers, path)
         if time is None:
             time = times(len(qpos), rate_of(path, fps or source.fps))
-    order = None if is_certain else False
-    result = layouts.recording(model, time, {(): lambda: qpos}, scalar_last=order, has_names=is_certain)
-    return layouts.with_notes(result, notes)
+    order = False if is_ordered else None
+    result = layouts.recording(model, time, {(): lambda: qpos}, scalar_last=order, has_names=not is_ordered)
+    return layouts.with_notes(result, (*source.notes, *notes))
 
 
 def without_heading(path: Path, numbers: Array, width: int, fps: float | None) -> tuple[Array, Array]:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import mujoco
 import numpy as np
@@ -32,36 +31,20 @@ TIMES = {"time", "t", "timestamp", "sec", "seconds", "times"}
 NUMBERED = re.compile(r"^(.*?)[\W_]*([0-9]+)\W*$")
 
 
-@dataclass(frozen=True)
-class Columns:
-    """The columns of a table with the components of qpos.
-
-    places  column of each component of qpos, and its factor to metres or radians
-    clock   column of the times, and its factor to seconds
-    is_numbered  whether columns are only numbered, so that their order is the file's
-    """
-
-    places: tuple[tuple[int, float], ...]
-    clock: tuple[int, float] | None
-    is_numbered: bool
-    notes: tuple[str, ...]
-
-    def qpos(self, numbers: Array) -> Array:
-        """Return qpos (T, nq) of the table (T, n)."""
-        return numbers[:, [place for place, _ in self.places]] * np.array([factor for _, factor in self.places])
-
-    def time(self, numbers: Array) -> Array | None:
-        """Return the times (T,) [s] of the table, None without any."""
-        return None if self.clock is None else numbers[:, self.clock[0]] * self.clock[1]
-
-
-def resolve(model: mujoco.MjModel, components: Sequence[str], names: Sequence[str], where: object) -> Columns:
-    """Return the columns of qpos in a table with named columns.
+def resolve(
+    model: mujoco.MjModel, components: Sequence[str], names: Sequence[str], numbers: Array, where: object
+) -> tuple[Array, Array | None, bool, tuple[str, ...]]:
+    """Return the configurations in a table with named columns.
 
     Args:
         components: (nq,) names of the components of qpos in this program.
         names: (n,) of the table's columns.
+        numbers: (T, n) the table.
         where: Label of the file in errors.
+
+    Returns:
+        qpos (T, nq) [m, rad], the times (T,) [s] or None, whether columns are only numbered, so that their order is the
+        file's, and notes.
 
     Raises:
         UserError: A component has no column, or several.
@@ -92,12 +75,8 @@ def resolve(model: mujoco.MjModel, components: Sequence[str], names: Sequence[st
     if any(name in hinges and factor != 1 for name, factor in zip(components, factors, strict=True)):
         notes.append("angles in degrees, by their columns' names")
     clock = _clock(bare, units, set(places.values()))
-    return Columns(
-        tuple((places[name], factor) for name, factor in zip(components, factors, strict=True)),
-        clock,
-        is_numbered,
-        tuple(notes),
-    )
+    qpos = numbers[:, [places[name] for name in components]] * np.array(factors)
+    return qpos, None if clock is None else numbers[:, clock[0]] * clock[1], is_numbered, tuple(notes)
 
 
 def _factor(unit: str, name: str, *, is_hinge: bool) -> float:
