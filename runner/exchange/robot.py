@@ -16,7 +16,7 @@ from . import missing_input
 from .skeleton.hinge_joints import HingeLayout
 from .skeleton.root_motion import placed
 
-FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
+FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,10 +33,8 @@ class Robot:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, form: str) -> Robot:
-        """Return the robot of a model; raises UserError, which names the format, for other models."""
+        """Return the robot of a model without ball joints; raises UserError that names the format for other models."""
         kinds = model.jnt_type.tolist()
-        if BALL in kinds:
-            raise UserError(f"{form}: '{model.joint(kinds.index(BALL)).name}' is a ball joint")
         if kinds.count(FREE) != 1:
             many = kinds.count(FREE) or "none"
             raise UserError(f"the format '{form}' is for a figure with one free joint, its root; this one has {many}")

@@ -78,10 +78,6 @@ class Stage:
         """Release the OpenGL context. No pictures can be drawn afterwards."""
         self._renderer.close()
 
-    @property
-    def cameras(self) -> tuple[str, ...]:
-        return tuple(self.model.camera(k).name for k in range(self.model.ncam))
-
     def picture(self, qpos: ArrayLike | None, view: View, *, ghosts: Sequence[Ghost] = ()) -> Picture:
         """Return the figure and its ghosts from a view, (height, width, 3).
 
@@ -92,11 +88,6 @@ class Stage:
             ghosts: More figures, each with its shade.
         """
         figures = list(ghosts) if qpos is None else [Ghost(np.asarray(qpos, dtype=np.float64)), *ghosts]
-        for figure in figures:
-            if figure.qpos.shape != (self.model.nq,):
-                raise ValueError(f"a qpos of shape {figure.qpos.shape}; this model's is ({self.model.nq},)")
-        if view.fixed is not None and view.fixed not in self.cameras:
-            raise ValueError(f"no camera '{view.fixed}'; the model's cameras: {', '.join(self.cameras) or 'none'}")
         solid = [figure for figure in figures if figure.opacity == 1]
         plain = self._draw(solid, view)
         translucent = sorted({figure.opacity for figure in figures} - {0.0, 1.0})
