@@ -30,7 +30,7 @@ from dynsplines.solver.search.refinement import METHODS
 from dynsplines.solver.search.selection import common_grid
 from dynsplines.system.progress import Progress
 
-CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")
+CLIPS = ("sit_down", "tumble", "walk_loop", "run_loop", "cartwheel", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)
 SHORT = 2
 BRIEF = (1, 2, 5, 20)  # evaluations of the short run

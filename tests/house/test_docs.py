@@ -72,8 +72,8 @@ def other_command(name: str, words: list[str]) -> str:
 
 
 def draw_small(draw: Callable[..., None], saved: Saved, look: show.Look, *more: Any) -> None:
-    """Draw one small frame a second."""
-    draw(saved, dataclasses.replace(look, width=32, height=18, fps=1.0), *more)
+    """Draw few frames, and small ones."""
+    draw(saved, dataclasses.replace(look, width=32, height=18, fps=0.5), *more)
 
 
 def write_file(example: Example) -> None:

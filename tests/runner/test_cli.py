@@ -627,11 +627,6 @@ def test_a_travel_that_does_not_fit_is_refused(run, tmp_path, travel, words):
     assert_refused(run("solve", "loop.toml"), "loop.toml", *words)
 
 
-def test_travel_without_a_loop_is_refused(run, tmp_path):
-    (tmp_path / "free.toml").write_text(changed("frames = 2", "travel = [1, 0, 0]"), encoding="utf-8")
-    assert_refused(run("solve", "free.toml"), "travel is for ends = 'periodic', not 'free'")
-
-
 @pytest.mark.slow
 def test_edits_write_a_motion_named_after_what_is_done(run, motion_file, tmp_path):
     assert told_last(run("trim", motion_file, "--from", 0.1, "--to", 0.3)) == "wrote tiny_trimmed.npz"

@@ -18,7 +18,6 @@ from small_disk import largest_file
 from tiny import CLIP, changed, written
 
 from dynsplines.batch.inputs import sources
-from dynsplines.clip.starter import starter
 from dynsplines.errors import UserError, one_line, unknown
 from dynsplines.exchange.format import csv_table
 
@@ -124,14 +123,6 @@ def test_a_report_is_printed_in_terminals_of_few_letters(encoding: str, tmp_path
     done = subprocess.run([sys.executable, "-c", said], env=environment, capture_output=True, check=True)
     accents = {"ascii": "5 deg -> 2 x 3 m2, naive | \\u4eba", "latin-1": "5° -> 2 × 3 m², naïve | \\u4eba"}
     assert done.stdout.decode(encoding) == accents[encoding]
-
-
-def test_keyframes_that_are_no_numbers_are_reported_by_new_as_well(tmp_path: Path):
-    ball = '<worldbody><body><freejoint/><geom size=".1"/></body></worldbody>'
-    keys = '<keyframe><key/><key time="1" qpos="0 0 nan 1 0 0 0"/></keyframe>'
-    (tmp_path / "nan.xml").write_text(f"<mujoco>{ball}{keys}</mujoco>", encoding="utf-8")
-    with pytest.raises(UserError, match=r"nan.xml: keyframe 2: an entry is not a finite number"):
-        starter(str(tmp_path / "nan.xml"), tmp_path / "a.toml")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")

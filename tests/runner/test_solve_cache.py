@@ -104,13 +104,10 @@ def test_a_clip_that_is_only_written_otherwise_or_lies_elsewhere_is_not_solved_a
     "text",
     [
         changed("rotvec = [0, 40, 0]", "rotvec = [0, 41, 0]"),
-        changed("time = 0.41", "time = 0.42"),
         changed("evaluations = 8", "evaluations = 7"),
         changed("[solve]", '[[penalty]]\nkind = "posture"\nweight = 2\n[solve]'),
-        changed("[solve]", "[solve]\ncriterion = 'residual'"),
         changed("[solve]", "[[scene.sphere]]\nposition = [2, 0, 0]\nradius = 0.1\n[solve]"),
         changed("[solve]", '[[contact]]\npoint = "left_toe"\nfrom = 0.2\nto = 0.3\n[solve]'),
-        changed('position = [0.1, 0, "free"]', "position = [0.1, 0, 1.0]"),
     ],
 )
 def test_whatever_changes_its_solution_makes_it_another_clip(tmp_path, text):

@@ -15,7 +15,6 @@ from tiny import FIGURE, written
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
-from dynsplines.measure.quantities import Side
 from dynsplines.measure.report import report, tables
 from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of
@@ -117,18 +116,6 @@ def test_clearance_over_the_edge_of_a_step_is_the_height_above_it(tmp_path):
     assert list(data["edge clearance, m"].values()) == [pytest.approx(0.15, abs=1e-6)]
     (name,) = data["edge clearance, m"]
     assert "over step at 0.5" in name
-
-
-def test_unit_deviation_is_that_of_the_path_itself(solved: Solved):
-    data = report(solved.clip, solved.motion, 0.0)
-    for name, timeline in (("before", solved.motion.raw), ("after", solved.motion.timeline)):
-        length = np.linalg.norm(
-            Side.of(solved.clip, solved.motion.objective, timeline, solved.motion.raw).samples.q, axis=0
-        )
-        found = data[name]["unit deviation"]
-        assert found["largest"] == pytest.approx(np.abs(length - 1).max())
-        assert found["shortest"] == pytest.approx(length.min())
-    assert data["after"]["unit deviation"]["largest"] < data["before"]["unit deviation"]["largest"]
 
 
 @pytest.mark.slow

@@ -481,17 +481,6 @@ def said(saved: motion.Saved) -> set[tuple[str, str]]:
 
 
 @pytest.mark.slow
-def test_a_motion_from_a_file_has_the_problems_that_it_had(walked, tmp_path):
-    assert said(walked) >= {("contact", "right_toe"), ("placement", "left_hand")}
-    motion.save(walked, tmp_path / "m.npz")
-    again = motion.load(tmp_path / "m.npz")
-    assert [each.text for each in violation.of_motion(again)] == [each.text for each in violation.of_motion(walked)]
-    assert [each.text for each in load_motion(tmp_path / "m.npz").violations] == [
-        each.text for each in violation.of_motion(walked)
-    ]
-
-
-@pytest.mark.slow
 def test_edited_motions_are_looked_at_as_what_they_are(walked):
     assert said(edits.mirrored(walked)) >= {("contact", "left_toe"), ("placement", "right_hand")}
     fast = violation.of_motion(edits.retimed(walked, 2.0))

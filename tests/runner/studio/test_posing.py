@@ -61,24 +61,6 @@ def test_a_limb_that_is_to_go_alone_does_so_out_of_reach_as_well(clip, poser):
     assert set(poser.keyframe_entries(last, home)["joints"]) == {"left_shoulder"}
 
 
-def test_a_hand_out_of_reach_takes_the_figure_along_but_for_its_soles(clip, poser):
-    model, home = clip.figure.model, np.array(clip.keys[-1].state)
-    body = model.body("left_forearm").id
-    before = placed(model, home)
-    goal = np.array([before.xpos[body][0] + 0.35, before.xpos[body][1], before.xpos[body][2] - 0.35])
-    grip = poser.gripped(home, body, np.zeros(3))
-    assert len(grip.standing) == 2
-    last = home
-    for _ in range(6):
-        found = poser.pulled(grip, goal, last)
-        last = found.qpos
-    after = placed(model, last)
-    np.testing.assert_allclose(after.xpos[body], goal, atol=0.01)
-    for name in ("left_heel", "left_toe", "right_heel", "right_toe"):
-        np.testing.assert_allclose(after.site(name).xpos, before.site(name).xpos, atol=0.01)
-    assert after.xpos[1][2] < before.xpos[1][2]  # it crouched
-
-
 def test_places_that_nobody_reaches_are_come_near_to_in_bounded_time(clip, poser):
     home = np.array(clip.keys[-1].state)
     grip = poser.gripped(home, clip.figure.model.body("right_foot").id, np.zeros(3))

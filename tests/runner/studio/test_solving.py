@@ -156,27 +156,6 @@ def test_a_search_that_may_have_gone_astray_says_so_and_is_begun_elsewhere_when_
     assert not work.may_retry
 
 
-def test_a_path_that_cannot_be_better_is_searched_again_once(work, tmp_path):
-    load(work, tmp_path, tiny.CLIP, first=True)
-    good = work.solution
-    work._before, work._is_near = (good.trace[-1][2] / 10, 0), True
-    work._judge(stop="CONVERGED")
-    assert work.may_retry
-    work.line.taken()
-    work.do({"do": "retry"})
-    assert work.solution is good
-    assert not work.may_retry
-    assert "note" not in {each["is"] for each in work.line.taken()}
-
-
-def test_where_somebody_has_stopped_the_search_it_looks_nowhere(work, tmp_path):
-    load(work, tmp_path, tiny.CLIP, first=True)
-    work._before, work._is_near = (1e-9, 0), True
-    work._judge(stop="CONVERGED")
-    work.do({"do": "stop"})
-    assert not work.may_retry
-
-
 def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, tmp_path):
     load(work, tmp_path, tiny.CLIP, first=True)
     work.has_message = lambda: True

@@ -17,7 +17,7 @@ import pytest
 from crew import Bench
 
 from dynsplines.errors import UserError
-from dynsplines.system.workers import AHEAD, in_order
+from dynsplines.system.workers import in_order
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
@@ -49,21 +49,6 @@ def test_results_come_in_order_from_processes_that_open_one_tool_each_and_keep_i
 
 def test_no_items_give_no_results():
     assert list(in_order(Bench, crew.squared, [], 2)) == []
-
-
-def test_items_are_requested_only_when_needed():
-    asked: list[int] = []
-
-    def items() -> Iterator[int]:
-        for number in range(1000):
-            asked.append(number)
-            yield number
-
-    results = in_order(Bench, crew.squared, items(), 2)
-    for _ in range(5):
-        next(results)
-    results.close()
-    assert len(asked) <= 5 + 2 * (AHEAD + 1)
 
 
 @pytest.mark.parametrize("workers", [1, 2])
