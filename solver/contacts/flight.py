@@ -49,7 +49,8 @@ def flights(
     """
     if not points or not surfaces or not figure.gravity.any():
         return ()
-    with_height = np.flatnonzero(_tell_height(figure, root, keys, points))
+    stands = keys.known[:, figure.links[root].qpos + 2] & _Keys.of(figure, keys, points, surfaces, stances, body).flat
+    with_height = np.flatnonzero(_tell_height(figure, root, keys, points) | stands)
     if with_height.size < 2:
         return ()
     keys = Timeline(tuple(keys.frames[i] for i in with_height), keys.end_slope, keys.ends)
@@ -61,13 +62,14 @@ def flights(
         if not contact.free[k]:
             first = k + 1
         elif k + 2 == times.size or contact.touched[k + 1] or not contact.free[k + 1]:
-            is_told = contact.leaves(first) and contact.lands(k + 1) and not contact.leaves_room(times, first, k + 1)
+            begin, end = contact.in_the_air(first, k + 1)
+            is_told = contact.leaves(begin) and contact.lands(end) and not contact.leaves_room(times, begin, end)
             if (
-                with_height[k + 1] - with_height[first] > k + 1 - first
+                with_height[end] - with_height[begin] > end - begin
             ):  # some keyframes are ignored, so a foot that touches must push
-                is_told &= not contact.ends_down(first, k + 1)
-            if is_told and _falls(figure, times, rising, first, k + 1):
-                intervals.append(arcs.extended(first, k + 1))
+                is_told &= not contact.ends_down(begin, end)
+            if is_told and _falls(figure, times, rising, begin, end):
+                intervals.append(arcs.extended(begin, end))
             first = k + 1
     return tuple(sorted(intervals))
 
@@ -98,7 +100,7 @@ class _Keys:
         body: Sequence[Point],
     ) -> _Keys:
         height, limits = heights_of(figure, keys, points, surfaces)[0], Thresholds.of(figure)
-        low = np.abs(height) < limits.near_surface
+        low = height < limits.near_surface
         known = np.logical_and.reduce(placed(figure, keys.known, points))
         known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > limits.aloft)  # otherwise contact is unknown
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
@@ -120,6 +122,13 @@ class _Keys:
     def leaves(self, k: int) -> bool:
         """Return whether a flight may begin at a keyframe."""
         return not self.touched[k] or (not self.flat[k] and (k == 0 or not self.free[k - 1]))
+
+    def in_the_air(self, first: int, last: int) -> tuple[int, int]:
+        """Return the first and last of several keyframes in the air, if flat feet before or after are no part of the
+        flight; otherwise `first` and `last`."""
+        inner = slice(first + 1, last)
+        is_whole = last - first < 3 or not (self.touched[first] and self.touched[last] and self.aloft[inner].all())
+        return (first, last) if is_whole or (self.leaves(first) and self.lands(last)) else (first + 1, last - 1)
 
     def ends_down(self, first: int, last: int) -> bool:
         """Return whether the keyframes begin with `first` or end with `last`, and a foot touches there."""

@@ -87,13 +87,13 @@ class Grounding:
         low = heights(self.surfaces, centres, radii)[0].min(axis=0)
         bottom = (centres[2] - radii[:, None]).min(axis=0)
         sets_height = timeline.known[:, self._height]
+        standing = self._must_stand(timeline, low)
         moved = list(keys)
         for k, key in enumerate(keys):
-            beside = _beside(sets_height, k, loop=timeline.ends == "periodic")
+            beside = _beside(sets_height | standing, k, loop=timeline.ends == "periodic")
             between = len(beside) > 1
-            if sets_height[k] or not self._stands(
-                timeline, k, low[beside if between else sets_height], between=between
-            ):
+            nearest = np.where(standing, 0.0, low)[beside if between else sets_height | standing]
+            if sets_height[k] or not (standing[k] or self._stands(timeline, k, nearest, between=between)):
                 continue
             levels = [np.max(bottom[beside] - low[beside])] if beside else [bottom[k], bottom[k] + self._length]
             above = [np.array([0.0, 0.0, level + DEEP - bottom[k]]) for level in levels]
@@ -130,6 +130,26 @@ class Grounding:
     def _length(self) -> float:
         return height(self.figure, self.root)
 
+    def _must_stand(self, timeline: Timeline, low: Array) -> Mask:
+        """Return the keyframes before or after all those with a height that stand because no free fall lasts until the
+        nearest of these, (K,). Those with a height are all in the air, low (K,) [m] above the ground."""
+        sets_height, g = timeline.known[:, self._height], -float(self.figure.gravity[2])
+        out = np.zeros_like(sets_height)
+        if not sets_height.any() or g <= 0 or timeline.ends == "periodic" or (low[sets_height] < self._high).any():
+            return out
+        top = np.maximum(low, self._limits.rise)
+        longest = (np.sqrt(2 * top) + np.sqrt(2 * (top - low))) / np.sqrt(g)
+        for k in np.flatnonzero(~sets_height).tolist():
+            beside = _beside(sets_height, k, loop=False)
+            out[k] = len(beside) == 1 and abs(timeline.times[k] - timeline.times[beside[0]]) > longest[beside[0]]
+        return out & ~np.array([any(first < time < last for first, last in self.aloft) for time in timeline.times])
+
+    @property
+    def _high(self) -> float:
+        """The height above the ground [m] from which the figure is in the air."""
+        alone = self.figure.tables.free_links.size == int(self.figure.links[self.root].kind is JointKind.FREE)
+        return max(HANGING * self._length, self._limits.touching) if alone else self._limits.touching
+
     def _stands(self, timeline: Timeline, k: int, low: Array, *, between: bool) -> bool:
         """Return whether keyframe k, which sets no height, stands.
 
@@ -137,12 +157,10 @@ class Grounding:
                  must be low; in all such keyframes, if they are all before or all after
         between  whether there are two; then keyframe k must set the position of its feet, except the height
         """
-        is_free = self.figure.links[self.root].kind is JointKind.FREE
-        touching = self._limits.touching
-        time, alone = timeline.times[k], self.figure.tables.free_links.size == int(is_free)
+        time = timeline.times[k]
         if any(first < time < last for first, last in self.aloft):
             return False
-        if low.size and not (low < (max(HANGING * self._length, touching) if alone else touching)).any():
+        if low.size and not (low < self._high).any():
             return False
         if not between:
             return True

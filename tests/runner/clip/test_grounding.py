@@ -197,6 +197,18 @@ def test_no_flight_is_found_past_a_landing_of_no_height_at_the_end():
     assert clearance(problem, inbetween(problem).at(0.63)) < 0.02
 
 
+def test_a_jump_of_which_only_the_top_has_a_height_starts_and_ends_on_the_ground():
+    top = 'others = "rest"\nroot.position = [0, 0, 1.35]\n'
+    problem = read(STANDING + OPEN, CROUCHED + OPEN, top, CROUCHED + OPEN, STANDING + OPEN)
+    assert [clearance(problem, key.state) for key in problem.keys if key.time != 1.0] == pytest.approx(
+        [0] * 4, abs=NEARLY
+    )
+    ((first, last),) = problem.context.schedule.flights
+    assert 0.5 < first < 1 < last < 1.5
+    key = read(top, 'others = "rest"\n' + OPEN).keys[1]
+    assert key.posed is None or not key.posed[2]  # half a second may be a fall
+
+
 def test_who_steps_on_and_is_cut_short_does_not_fly():
     box = HEAD + '[[scene.box]]\nname = "box"\nsize = [1.2, 2, 0.2]\nposition = [1.1, 0, 0.1]\n'
     bodies = (
