@@ -531,8 +531,9 @@ def batch(
     cleaning = option.cleaning_source(
         clean=clean_all, robot=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, max_displacement=within
     )
-    limits = batches.Limits(limit_time, limit_memory)
-    options = batches.Options(listed, workers, scheduler, to, fps, limits, measure, retry_failed, cleaning, within)
+    options = batches.Options(
+        listed, workers, scheduler, to, fps, limit_time, limit_memory, measure, retry_failed, cleaning, within
+    )
     with terminal.Progress() as progress:
         tally = batches.run(clips or [], output, progress, options)
     if tally.failed:

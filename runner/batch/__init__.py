@@ -16,13 +16,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import missing_package
-from .task import Limits, Options
+from .task import Options
 
 if TYPE_CHECKING:
     from ..system.progress import Progress
     from .tally import Tally
 
-__all__ = ["Limits", "Options", "run"]
+__all__ = ["Options", "run"]
 
 
 def run(words: list[str], folder: Path, progress: Progress, options: Options) -> Tally:

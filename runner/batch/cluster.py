@@ -19,7 +19,7 @@ from distributed import Client, Worker, WorkerPlugin, get_worker
 
 from ..errors import UserError, one_line
 from ..system.progress import Progress
-from .task import Limits, Outcome
+from .task import Outcome
 from .worker import Pool, SolveTask, Workers
 
 CONNECT_SECONDS = 10  # [s] time limit of the connection to a cluster
@@ -44,10 +44,10 @@ class _Processes(WorkerPlugin):
         self.pool.stop()
 
 
-def _run(batch: str, solve_task: SolveTask, task: object, limits: Limits) -> Outcome:
+def _run(batch: str, solve_task: SolveTask, task: object, seconds: float, megabytes: float | None = None) -> Outcome:
     """Run a clip at a Dask worker, in the processes for this batch."""
     worker = get_worker()
-    outcome = cast(_Processes, worker.plugins[batch]).pool.run(solve_task, task, limits)
+    outcome = cast(_Processes, worker.plugins[batch]).pool.run(solve_task, task, seconds, megabytes)
     return replace(outcome, worker=worker.address)
 
 

@@ -113,8 +113,8 @@ class Batch:
         if before.cause == "lost" or self.options.retry_failed:
             return False
         if before.cause == "time":
-            return before.bound == self.options.limits.seconds
-        return before.cause == "error" or self.options.limits.megabytes in (None, before.bound)
+            return before.bound == self.options.limit_time
+        return before.cause == "error" or self.options.limit_memory in (None, before.bound)
 
     def solve(self, workers: Workers) -> None:
         """Solve all clips that are waiting. Raises UserError if the workers or the folder no longer exist."""
@@ -153,7 +153,8 @@ class Batch:
             return
         task = replace(task, output=PurePosixPath(output).name, allow_outside=is_allowed())
         self.tries[name] += 1
-        self.running[workers.submit(self.solve_task, task, options.limits)] = name, source
+        limits = options.limit_time, options.limit_memory
+        self.running[workers.submit(self.solve_task, task, *limits)] = name, source
         begun = replace(entry, input=task.digest, state="running", attempts=entry.attempts + 1)  # it may have changed
         self.manifest.record([begun])
 

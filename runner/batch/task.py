@@ -27,21 +27,11 @@ def program() -> str:
 
 
 @dataclass(frozen=True)
-class Limits:
-    """Limits of one clip: wall-clock time [s] and resident memory [MB], of which an idle process has about 220.
-
-    With `megabytes` None, the limit is an equal share of the memory of the machine or the Dask worker.
-    """
-
-    seconds: float = 3600.0
-    megabytes: float | None = None
-
-
-@dataclass(frozen=True)
 class Options:
     """The options of the command, in its units, with their defaults as None. Raises UserError for invalid ones.
 
     Attributes:
+        limit_memory: The resident memory of a clip [MB]; None: an equal share of that of its machine or Dask worker.
         cleaning: A recording to clean, but for its file; None for clips.
     """
 
@@ -50,7 +40,8 @@ class Options:
     scheduler: str | None = None
     to: str = NPZ
     fps: float | None = None
-    limits: Limits = Limits()
+    limit_time: float = 3600.0
+    limit_memory: float | None = None
     report: bool = False
     retry_failed: bool = False
     cleaning: Recording | None = None

@@ -23,7 +23,7 @@ from ..system import workers
 from ..system.scratch import scratch
 from ..system.threads import THREADS
 from ..system.workers import LimitExceeded, WorkerEnded
-from .task import Limits, Outcome
+from .task import Outcome
 
 SolveTask = Callable[[Any, Path], Outcome]
 
@@ -36,19 +36,19 @@ class Pool:
 
     Args:
         folder: A folder for temporary files.
-        megabytes: The memory limit of a clip whose limits specify none [MB].
+        share: The memory limit of a clip without one [MB].
     """
 
-    def __init__(self, folder: Path, megabytes: float | None = None) -> None:
-        self._folder, self._megabytes = folder, megabytes
+    def __init__(self, folder: Path, share: float | None = None) -> None:
+        self._folder, self._share = folder, share
         self._workers = workers.Pool(partial(_prepared, folder), _outcome, IDLE_SECONDS, folder)
 
-    def run(self, solve_task: SolveTask, task: object, limits: Limits) -> Outcome:
-        """Return the outcome of solve_task(task, empty folder) in a process."""
-        megabytes = self._megabytes if limits.megabytes is None else limits.megabytes
+    def run(self, solve_task: SolveTask, task: object, seconds: float, megabytes: float | None = None) -> Outcome:
+        """Return the outcome of solve_task(task, empty folder) in a process, within limits [s], [MB]."""
+        megabytes = self._share if megabytes is None else megabytes
         with tempfile.TemporaryDirectory(dir=self._folder, ignore_cleanup_errors=True) as place:
             try:
-                outcome = self._workers.run((solve_task, task, Path(place)), limits.seconds, megabytes)
+                outcome = self._workers.run((solve_task, task, Path(place)), seconds, megabytes)
             except LimitExceeded as error:
                 return Outcome(error.kind, str(error), error.bound)
             except WorkerEnded as error:
@@ -92,7 +92,7 @@ def _outcome(_: None, clip: tuple[SolveTask, Any, Path]) -> Outcome:
 
 
 class Workers(NamedTuple):
-    """An executor of clips: submit(solve_task, task, limits) returns a future outcome.
+    """An executor of clips: submit(solve_task, task, seconds, megabytes) returns a future outcome.
 
     `count` returns the number of clips to submit at a time, 0 while there are no workers. It raises UserError if they
     are lost.

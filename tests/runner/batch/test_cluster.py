@@ -14,7 +14,6 @@ pytest.importorskip("distributed")
 from distributed import LocalCluster
 
 from dynsplines.batch import cluster
-from dynsplines.batch.task import Limits
 from dynsplines.system.progress import Progress
 
 
@@ -45,8 +44,8 @@ def test_clips_are_solved_at_the_workers_and_heavy_meshes_go_without_a_warning(
 ) -> None:
     with cluster.connected(address, quiet()) as workers:
         assert workers.count() == 4
-        outcome = workers.submit(deeds.lasts, 0.1, Limits(60.0)).result(60)
-        assert not workers.submit(deeds.litters, bytes(11_000_000), Limits(60.0)).result(60).cause
+        outcome = workers.submit(deeds.lasts, 0.1, 60.0).result(60)
+        assert not workers.submit(deeds.litters, bytes(11_000_000), 60.0).result(60).cause
     assert not outcome.cause
     assert outcome.worker.startswith("tcp://127.0.0.1:")
     assert not [str(warning.message) for warning in recwarn if "large graph" in str(warning.message)]

@@ -17,7 +17,7 @@ from dynsplines.batch.dispatch import Batch
 from dynsplines.batch.inputs import sources
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
 from dynsplines.batch.solving import solved
-from dynsplines.batch.task import Limits, Options
+from dynsplines.batch.task import Options
 from dynsplines.system.progress import Progress
 
 
@@ -98,11 +98,11 @@ def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(manifest: Manif
         ("error", None, Options(), False),
         ("error", None, Options(retry_failed=True), True),
         ("lost", None, Options(), True),
-        ("time", 3.0, Options(limits=Limits(3.0)), False),
-        ("time", 3.0, Options(limits=Limits(5.0)), True),
-        ("memory", 500.0, Options(limits=Limits(3.0, 500.0)), False),
-        ("memory", 500.0, Options(limits=Limits(3.0)), False),
-        ("memory", 500.0, Options(limits=Limits(3.0, 700.0)), True),
+        ("time", 3.0, Options(limit_time=3.0), False),
+        ("time", 3.0, Options(limit_time=5.0), True),
+        ("memory", 500.0, Options(limit_time=3.0, limit_memory=500.0), False),
+        ("memory", 500.0, Options(limit_time=3.0), False),
+        ("memory", 500.0, Options(limit_time=3.0, limit_memory=700.0), True),
     ],
 )
 def test_what_failed_is_done_again_if_it_may_go_better(manifest: Manifest, cause, bound, options, again: bool):

@@ -17,12 +17,11 @@ pytest.importorskip("psutil")
 
 import psutil
 
-from dynsplines.batch.task import Limits
 from dynsplines.batch.worker import Pool
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits")
 
-AMPLE = Limits(60.0)
+AMPLE = 60.0
 
 
 @pytest.fixture(scope="module")
@@ -65,7 +64,7 @@ def test_every_clip_finds_its_folder_empty(kept: Pool):
 
 def test_what_takes_too_much_memory_little_by_little_is_ended(kept: Pool):
     process = number(kept)
-    outcome = kept.run(deeds.grows, None, Limits(60.0, 300.0))
+    outcome = kept.run(deeds.grows, None, 60.0, 300.0)
     assert (outcome.cause, outcome.error) == ("memory", "it took more memory than 300 MB")
     assert gone(process)
 
@@ -73,7 +72,7 @@ def test_what_takes_too_much_memory_little_by_little_is_ended(kept: Pool):
 def test_what_never_ends_is_ended(kept: Pool):
     process = number(kept)
     begin = time.monotonic()
-    outcome = kept.run(deeds.hangs, None, Limits(0.5))
+    outcome = kept.run(deeds.hangs, None, 0.5)
     assert (outcome.cause, outcome.error, outcome.bound) == ("time", "it took longer than 0.5 s", 0.5)
     assert 0.5 <= time.monotonic() - begin < 2
     assert gone(process)
@@ -96,7 +95,7 @@ def test_nothing_is_left_when_it_stops(tmp_path: Path):
 def test_what_a_clip_took_is_given_back_before_the_next(kept: Pool):
     process = psutil.Process(number(kept))
     before = process.memory_info().rss
-    assert not kept.run(deeds.pins, None, Limits()).cause
+    assert not kept.run(deeds.pins, None, 60.0).cause
     assert number(kept) == process.pid
     assert process.memory_info().rss < before + 50e6
 
