@@ -108,11 +108,12 @@ class Tab:
 
     def until(self, condition: str | Callable[[], bool], seconds: float = 60.0) -> None:
         """Waits until it is so; asked from outside, for the page forbids itself to evaluate text."""
-        end = time.monotonic() + seconds
+        end, pause = time.monotonic() + seconds, 0.02
         while time.monotonic() < end:
             if condition() if callable(condition) else self.evaluate(condition):
                 return
-            time.sleep(0.03)
+            time.sleep(pause)
+            pause = min(1.3 * pause, 0.3)
         raise AssertionError(
             f"never: {condition}; {self.evaluate('JSON.stringify(studio.model.status)')} {self.errors}"
         )
