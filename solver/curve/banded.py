@@ -50,10 +50,6 @@ class Tridiagonal:
         if info != 0:
             raise ArithmeticError("the tridiagonal matrix is singular")
 
-    @property
-    def size(self) -> int:
-        return sum(part.size for part in self.factor)
-
     def solved(self, right: Array, *, transposed: bool = False) -> Array:
         """Return A⁻¹ b, or A⁻ᵀ b, for right-hand sides (n, m)."""
         return np.ascontiguousarray(_GTTRS(*self.factor, right, trans="T" if transposed else "N")[0])

@@ -53,12 +53,6 @@ class Spline:
         self._slopes = np.concatenate([-step, step], axis=1)
         self._collocation = self._closed() if ends == "periodic" else self._tridiagonal()
 
-    @property
-    def factor_size(self) -> int:
-        """The number of entries of the factor of the collocation matrix."""
-        factor = self._collocation
-        return factor.size if isinstance(factor, Tridiagonal) else factor.L.nnz + factor.U.nnz
-
     def _closed(self) -> SuperLU:
         from scipy.sparse.linalg import splu  # imported here: slow to load, used by loops alone
 

@@ -97,15 +97,9 @@ def test_the_oracle_finds_a_turn_about_one_axis_to_be_the_natural_cubic_of_the_a
     assert path.energy == pytest.approx(expected, rel=1e-10)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(2))
-def test_three_variable_frames_come_within_a_two_thousandth_of_the_exact_energy(seed: int) -> None:
-    assert 1 - 1e-9 <= ratio(seed, 3) <= 1.0005
-
-
-@pytest.mark.parametrize("seed", range(2))
-def test_fifteen_variable_frames_come_within_a_millionth_of_the_exact_energy(seed: int) -> None:
-    assert 1 - 1e-9 <= ratio(seed, 15) <= 1 + 1e-6
+def test_three_variable_frames_come_close_to_the_exact_energy_and_fifteen_within_a_millionth() -> None:
+    assert 1 - 1e-9 <= ratio(0, 3) <= 1.0005
+    assert 1 - 1e-9 <= ratio(0, 15) <= 1 + 1e-6
 
 
 @pytest.mark.slow
@@ -169,12 +163,12 @@ def test_what_the_weak_form_still_promises_falls_as_the_fourth_power_for_samples
     assert left[0] > 8 * left[1] > 64 * left[2] > 0
 
 
-@pytest.mark.parametrize(("seed", "variable"), [(0, 1), (1, 1), (0, 3)])
-def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(seed: int, variable: int) -> None:
-    found = motion(seed, variable)
+@pytest.mark.parametrize("variable", [1, 3])
+def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(variable: int) -> None:
+    found = motion(0, variable)
     weak = WeakForm.of(found.objective, found.path)
     promised = weak.decrements(midpoints(found.timeline)).sum()
-    gap = found.objective.value(found.path) - found.objective.value(motion(seed, 15).path)
+    gap = found.objective.value(found.path) - found.objective.value(motion(0, 15).path)
     assert 0.3 <= promised / gap <= 3
 
 

@@ -1,13 +1,11 @@
 """The objective: renormalisation, and its gradient in x over whole clips."""
 
-import gc
 from dataclasses import replace
 
 import mujoco
 import numpy as np
 import pytest
 from every_penalty import clip, every_penalty
-from figures import BALL_TREE, figure_of
 from random_keys import TIMES
 from scipy.interpolate import CubicSpline
 from taylor import taylor_slope
@@ -201,27 +199,6 @@ def test_a_long_clip_in_runs_of_samples_has_the_value_and_gradient_of_one_piece(
     np.testing.assert_allclose(found.gradient, expected, rtol=1e-10, atol=1e-12 * np.abs(expected).max())
     for own, g in zip(objective.sample_gradients(samples), gradients, strict=True):
         np.testing.assert_allclose(problem.weights[:, None] * own, g, rtol=1e-10, atol=1e-12 * np.abs(g).max())
-
-
-@pytest.mark.slow
-def test_an_evaluation_leaves_nothing_for_the_garbage_collector(rng):
-    figure = figure_of(BALL_TREE)
-    problem = Objective.of(figure, every_penalty(figure)).on(clip(figure, rng))
-    x = problem.unknowns.start
-    problem(x)
-    gc.collect()
-    gc.disable()
-    gc.set_debug(gc.DEBUG_SAVEALL)
-    try:
-        problem(x)
-        gc.collect()
-        # other threads, as those of a parallel run of the tests, leave things of their own
-        left = [type(thing) for thing in gc.garbage if type(thing).__module__.startswith("dynsplines.solver")]
-    finally:
-        gc.set_debug(0)
-        gc.garbage.clear()
-        gc.enable()
-    assert not left
 
 
 def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_by_the_raw_path_alone(figure, rng):

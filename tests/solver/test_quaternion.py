@@ -43,12 +43,6 @@ def test_rotations_compose_and_turn_vectors_as_scipys_do(p, q, v):
 
 
 @few
-@given(quaternions, quaternions)
-def test_right_matrix_is_the_product_from_the_right(p, q):
-    np.testing.assert_allclose(quat.right_matrix(q) @ p, quat.product(p, q), atol=1e-14)
-
-
-@few
 @given(quaternions)
 def test_exponential_and_logarithm_are_inverse_and_agree_with_scipy(q):
     log = quat.rotation_vector(q)

@@ -220,7 +220,7 @@ MISTAKES = {
             "left_hip, left_knee, left_ankle",
         ],
     ),
-    "a little out of reach": ('others = "rest"\nsites.left_toe = ["free", "free", -0.106]', [" mm short"]),
+    "a little out of reach": ('others = "rest"\nsites.left_hand = ["free", "free", 0.836]', [" mm short"]),
     "nothing free": (
         f'others = "rest"\njoints.{HELD}\nsites.left_heel = [0, 0, 0.2]',
         ["site 'left_heel' cannot move", "every joint on the way to it", "(root, left_hip, left_knee, left_ankle)"],
@@ -272,9 +272,14 @@ def test_all_places_without_a_pose_are_reported_at_once():
     assert told.count("no pose found that puts site") == 3 and "\n" not in told
     hand = "keyframe 2 (t = 1 s): no pose found that puts site 'left_hand'"
     assert all(words in told for words in (hand, "'right_heel'", "keyframe 3 (t = 2 s)"))
+
+
+@pytest.mark.slow
+def test_a_place_without_a_pose_is_as_near_as_it_comes_where_that_is_wanted():
     unmet: list[str] = []
+    text = second('others = "rest"\nsites.left_hand = [3, 0, 1]\n')
     problem = clip.from_parsed(parse(text, "c", "c.toml"), unmet=unmet)
-    assert [line.split(" (")[0] for line in unmet] == ["keyframe 2", "keyframe 2", "keyframe 3"]
+    assert [line.split(" (")[0] for line in unmet] == ["keyframe 2"]
     hand = seen(problem, problem.keys[1].state).site("left_hand").xpos
     shoulder = seen(problem, problem.keys[1].state).body("left_upper_arm").xpos
     way = np.array([3, 0, 1]) - shoulder

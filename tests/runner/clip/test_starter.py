@@ -23,15 +23,15 @@ BODY = '<body name="b" pos="0 0 1">{}<geom type="capsule" size=".05" fromto="0 0
 ARM = BODY.format('<joint name="swing" axis="0 1 0" {}/>', "")
 KINDS = {
     "limited hinge": ARM.format('range="-10 20" limited="true"'),
-    "hinge off zero": ARM.format('range="30 80" limited="true" ref="10"'),
+    "hinge off zero of an odd name": ARM.format('range="30 80" limited="true" ref="10"').replace(
+        '"swing"', '"robot0:swing joint"'
+    ),
     "ball": BODY.format('<joint type="ball" range="0 40" limited="true"/>', ""),
-    "free and a hinge": BODY.format("<freejoint/>", '<body><joint axis="0 1 0"/><geom size=".1" pos=".3 0 0"/></body>'),
     "free not first": BODY.format(
         "", ""
     ).replace('name="b"', 'name="post"') + ARM.format("").replace('"b"', '"arm"') + BODY.format("<freejoint/>", ""),
     "two free": BODY.format("<freejoint/>", "") + BODY.format("<freejoint/>", "").replace('"b"', '"c d"') + ARM.replace(
         '"b"', '"e"').format(""),
-    "odd names": ARM.format("").replace('"swing"', '"robot0:swing joint"'),
     "nothing to see": '<body><joint axis="0 1 0"/><inertial mass="1" pos=".1 0 0" diaginertia=".1 .1 .1"/></body>',
     "mixed": BODY.format(
         "<freejoint/>",

@@ -49,7 +49,6 @@ OTHER = {
     "bodies in another order": ({"body_pos_w": PLACE[:, ::-1], "body_quat_w": TURN[:, ::-1],
                                  "body_names": BODIES[::-1]},
                                 ""),
-    "the world first": ({"body_pos_w": PLACE, "body_quat_w": TURN, "body_names": None}, "the world first"),
     "the world first, and qpos": ({"joint_pos": QPOS, "body_pos_w": PLACE, "body_quat_w": TURN, "body_names": BODIES},
                                   "qpos in joint_pos"),
     "qpos, with the root's name": ({"joint_pos": QPOS, "joint_names": ["root", *NAMES]}, "qpos in joint_pos"),
@@ -57,10 +56,7 @@ OTHER = {
                     "body_quat_w": np.roll(TURN[:, 1:], -1, -1)},
                    "qpos in joint_pos and quaternions xyzw"),
     "qpos without names": ({"joint_pos": QPOS, "joint_names": None, "body_names": None}, "qpos in joint_pos"),
-    "breadth first": ({"joint_pos": QPOS[:, 7:][:, BREADTH], "joint_names": None, "body_names": None},
-                      "joints breadth first"),
     "names that lie": ({"joint_names": np.array(NAMES)[MIXED]}, "not that of joint_names"),
-    "xyzw": ({"body_quat_w": np.roll(TURN[:, 1:], -1, -1)}, "quaternions xyzw"),
     "xyzw, breadth first, the world first": (
         {"joint_pos": QPOS[:, 7:][:, BREADTH], "joint_names": None, "body_names": None, "body_pos_w": PLACE,
          "body_quat_w": np.roll(TURN, -1, -1)},
@@ -85,8 +81,7 @@ def test_body_poses_that_no_layout_reproduces_are_refused_with_distance_and_angl
         read(tmp_path / "a.npz")
 
 
-@pytest.mark.parametrize("heading", [0.6, np.pi])
-@pytest.mark.parametrize("has_time", [False, True])
+@pytest.mark.parametrize(("heading", "has_time"), [(0.6, False), (np.pi, True)])
 @pytest.mark.parametrize("order", ["wxyz", "xyzw"])
 def test_a_table_without_heading_is_read_in_the_order_of_quaternions_that_is_plausible(
     heading, has_time, order, tmp_path

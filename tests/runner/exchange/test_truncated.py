@@ -208,13 +208,3 @@ def test_a_transposed_array_is_refused_with_its_shape(tmp_path):
         recording(path, model=biped.model())
     with gaps.allowed(), pytest.raises(UserError, match="12 columns of joints with 7 names"):
         recording(path, model=biped.model())
-
-
-def test_a_sample_without_numbers_is_left_out_of_a_file_that_is_cut_short(tmp_path):
-    qpos = QPOS.copy()
-    qpos[4, 8] = np.nan
-    path = written(tmp_path / "a.qpos.npz", {"qpos": qpos, "time": TIME[:9]})
-    with gaps.allowed():
-        found = gaps.without_missing(recording(path, model=biped.model()), path)
-    np.testing.assert_allclose(found.time, np.delete(TIME[:9], 4))
-    np.testing.assert_allclose(found.qpos, np.delete(QPOS[:9], 4, 0), atol=1e-9)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -99,7 +99,3 @@ def test_lengths_times_and_speeds_grow_with_the_figure():
         assert found.step == pytest.approx(np.sqrt(factor) * 0.2, rel=1e-6)
         assert found.fast == pytest.approx(np.sqrt(factor) * 0.35, rel=1e-6)
         assert found.lively == pytest.approx(np.sqrt(factor) * 100, rel=1e-6)
-
-
-def test_every_threshold_has_a_dimension():
-    assert all({"length", "time"} & each.metadata.keys() for each in fields(Thresholds))

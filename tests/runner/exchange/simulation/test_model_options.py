@@ -35,13 +35,12 @@ REST = 'others = "rest"'
 SQUAT, LEAN = "root.position = [0, 0, 0.72]", "root.position = [0.3, 0, 0.72]"
 DEFAULTS = {
     "motors": '<motor ctrllimited="true" ctrlrange="-.3 .3" gear="40"/>',
-    "inherited ranges": '<position inheritrange=".5"/>',
+    "ranges": '<position inheritrange=".5"/><joint actuatorfrcrange="-3 3" actuatorfrclimited="true"/>',
     "general": """<general dyntype="filterexact" gaintype="affine" biastype="affine" dynprm=".2" gainprm="3 1 1"
         biasprm="5 5 5" actlimited="true" actrange="-.1 .1" forcelimited="true" forcerange="-.5 .5" group="4"
         actdim="1"/>""",
     "nested": """<motor gear="9"/><default class="limb"><position ctrlrange="-.1 .1" gear="5"/>
         <default class="simulate_position"><general ctrlrange="0 1" gear="2"/></default></default>""",
-    "limits of joints": '<joint actuatorfrcrange="-3 3" actuatorfrclimited="true"/>',
 }
 OPTIONS = {  # each of which alone lets the figure fall
     "all but constraints": {
