@@ -38,7 +38,6 @@ ROUND = """<body name="{name}_ankle" pos="0 0 -.3"><joint name="{name}_ankle" ax
 
 FOUR = {"fl": (0.3, 0.1), "fr": (0.3, -0.1), "bl": (-0.3, 0.1), "br": (-0.3, -0.1)}
 TWO = {"l": (0.0, 0.1), "r": (0.0, -0.1)}
-NONE = np.zeros((0, 0))
 
 
 def soles(figure: Figure) -> list[str]:

@@ -132,7 +132,7 @@ def test_a_motion_that_follows_a_recording_is_saved_or_thinned_as_a_clip_that_ne
 
 @pytest.mark.slow
 def test_one_that_follows_what_ships_is_saved_as_the_same_edit(tmp_path):
-    saved = shipped.solved("step_on_kerb").saved(quiet(), with_report=False)
+    saved = solving.unsolved(recordings.load("step_on_kerb")).saved(quiet(), with_report=False)
     clip_file.write(saved, tmp_path / "kerb.toml", overwrite=False)
     again = recordings.load(str(tmp_path / "kerb.toml"))
     assert again.has_recording

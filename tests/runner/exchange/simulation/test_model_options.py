@@ -58,8 +58,8 @@ SILENT = {
         "rest": '<size memory="60K"/>',
     },
     "forces": {
-        "joint": 'damping="5" stiffness="30" springref=".4" frictionloss="2"',
         "option": 'density="50" viscosity=".2" wind="2 0 1"',
+        "joint": 'damping="5" stiffness="30" springref=".4" frictionloss="2"',
         "geom": 'contype="0" conaffinity="0"',
     },
 }

@@ -28,7 +28,6 @@ joints.left_knee = {rotvec = [0, 60, 0]}
 others = "rest"
 """
 ROOTS = {
-    "box first": scene(BOX, biped()),
     "in the middle": scene(CART, biped(), BALL),
     "nested behind a box": scene(BOX, nested(("tx", "ty", "tz", "rz", "rx", "ry"))),
 }
