@@ -69,7 +69,7 @@ class Actions:
         self._grip, self._home, self._last, self._body = grip, qpos, qpos, int(body)
         return ""
 
-    async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
+    async def drag(self, *, position: Sequence[float]) -> Message:
         """Return the pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
         if self._grip is None:
             raise UserError("no limb is grabbed; press the mouse on one first")
@@ -82,7 +82,7 @@ class Actions:
         self._restart_timer()
         return {**bodies, "missed": round(pose.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
-    async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> dict[str, Any]:
+    async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> Message:
         """Return the pose with one joint rotated, in the format of `drag`."""
         self._mark_moved(time, partial)
         poser, turned = await self.poser(), (float(time), joint)
@@ -340,7 +340,7 @@ def prepared(session: Session) -> Poser:
     return poser
 
 
-def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
+def _bodies(poser: Poser, qpos: Any) -> Message:
     """Return positions (nbody · 3) [m] and rotations (nbody · 4), xyzw, of all bodies."""
     from .paths import poses
 
