@@ -2,28 +2,37 @@
 
 MuJoCo reads MUJOCO_GL once, during its import, and an unusable value makes the import fail. Some drivers even abort the
 process. Every candidate is therefore tried in a child process, and `choose` must run before the first `import mujoco`;
-this file never imports mujoco.
+this file never imports mujoco. A trial takes about a second. The renderer that worked is therefore cached for a day,
+until the machine restarts or a dependency changes.
 """
 
 from __future__ import annotations
 
 import ctypes
 import functools
+import hashlib
 import os
+import platform
 import subprocess
 import sys
+import time
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from importlib import import_module
+from pathlib import Path
 from typing import Literal
 
 from ..errors import UserError
+from ..system.cache_folder import place
 
 Kind = Literal["egl", "osmesa", "display", "software"]
 
 OVERRIDE = "DYNSPLINES_RENDERER"
 PROBE_SECONDS = 60.0  # [s] time limit of a trial
+REMEMBERED = 24 * 3600.0  # [s] age up to which a trial is valid, because drivers can be updated at run time
+BOOT = Path("/proc/sys/kernel/random/boot_id")
 
 _NAMES: dict[Kind, str] = {
     "egl": "EGL",
@@ -190,6 +199,47 @@ def _opens(*names: str) -> bool:
 
 @functools.cache
 def _draws(backend: str) -> bool:
+    """Return whether a recent trial succeeded, or else a new one does."""
+    mark = _mark(backend)
+    if mark is not None:
+        with suppress(OSError):
+            if 0 <= time.time() - mark.stat().st_mtime < REMEMBERED:
+                return True
+    drawn = _tried(backend)
+    if drawn and mark is not None:
+        with suppress(OSError):
+            mark.parent.mkdir(parents=True, exist_ok=True)
+            for older in mark.parent.glob(f"{mark.stem}.*"):
+                older.unlink()
+            mark.touch()
+    return drawn
+
+
+def _mark(backend: str) -> Path | None:
+    """Return the cache file of a working backend, named for its dependencies; None if caching is off."""
+    folder = place()
+    try:
+        boot = BOOT.read_text()
+    except OSError:
+        return None
+    words = ("GL", "DISPLAY", "MESA", "GALLIUM", "NVIDIA", "CUDA", "LD_")
+    settings = sorted(item for item in os.environ.items() if any(word in item[0] for word in words))
+    packages = [_version(name) for name in ("mujoco", "PyOpenGL", "glfw")]
+    whole = repr((boot, platform.node(), sys.executable, packages, settings))
+    name = hashlib.blake2b(whole.encode("utf-8", "surrogateescape"), digest_size=20).hexdigest()
+    return None if folder is None else folder / f"draws-{backend or 'default'}.{name}"
+
+
+def _version(package: str) -> str:
+    from importlib.metadata import PackageNotFoundError, version  # imported here because it is slow
+
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "none"
+
+
+def _tried(backend: str) -> bool:
     """Return whether a child process can draw; it contains exceptions, aborts and hangs."""
     if not sys.executable:
         return False

@@ -9,6 +9,10 @@ import pytest
 from dynsplines.errors import UserError
 from dynsplines.picture import graphics
 
+TELLS_ITS_START = pytest.mark.skipif(
+    not graphics.BOOT.is_file(), reason="nobody says when the machine was started, so nothing is remembered"
+)
+
 SHOW = """
 import os
 from dynsplines.picture.graphics import choose
@@ -106,6 +110,40 @@ def test_a_driver_that_aborts_draws_nothing_or_hangs_does_not_pass(monkeypatch: 
     monkeypatch.setattr(graphics, "_PROBE", probe)
     monkeypatch.setattr(graphics, "PROBE_SECONDS", 1.0)
     assert not graphics._draws.__wrapped__("egl")
+
+
+@TELLS_ITS_START
+def test_what_drew_is_remembered_until_something_that_it_depends_on_is_another(monkeypatch, tmp_path):
+    monkeypatch.setenv("DYNSPLINES_CACHE", str(tmp_path))
+    tries: list[str] = []
+    monkeypatch.setattr(graphics, "_tried", lambda backend: not tries.append(backend))
+    draws = graphics._draws.__wrapped__
+    assert draws("egl") and draws("egl")
+    assert tries == ["egl"]
+    assert draws("osmesa")
+    monkeypatch.setenv("LIBGL_ALWAYS_SOFTWARE", "1")
+    assert draws("egl")
+    assert tries == ["egl", "osmesa", "egl"]
+    (file,) = tmp_path.glob("draws-egl*")
+    long_ago = file.stat().st_mtime - 2 * graphics.REMEMBERED
+    os.utime(file, (long_ago, long_ago))
+    assert draws("egl")
+    monkeypatch.setenv("DYNSPLINES_CACHE", "off")
+    assert draws("egl")
+    assert tries == ["egl", "osmesa", "egl", "egl", "egl"]
+
+
+@TELLS_ITS_START
+def test_what_did_not_draw_is_tried_again_and_a_folder_that_cannot_be_written_is_no_error(monkeypatch, tmp_path):
+    draws = graphics._draws.__wrapped__
+    monkeypatch.setenv("DYNSPLINES_CACHE", str(tmp_path))
+    monkeypatch.setattr(graphics, "_tried", lambda backend: False)
+    assert not draws("egl")
+    assert not list(tmp_path.iterdir())
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("DYNSPLINES_CACHE", str(tmp_path / "file"))
+    monkeypatch.setattr(graphics, "_tried", lambda backend: True)
+    assert draws("egl")
 
 
 def test_nothing_is_launched_when_the_libraries_are_absent(monkeypatch: pytest.MonkeyPatch):
