@@ -8,7 +8,7 @@ import pytest
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
-from dynsplines.measure.swings import runs, swing_text, swings
+from dynsplines.measure.swings import swing_text, swings
 from dynsplines.motion import samples_at
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
@@ -62,10 +62,3 @@ def test_swings_are_reported_in_words():
     assert swing_text([]) == "never"
     assert swing_text([{"height, m": 0.0812}, {"height, m": 0.3}]) == "81, 300 mm"
     assert swing_text([{"height, m": 0.01 * k} for k in range(2, 12)]) == "10 times, 20 to 110 mm"
-
-
-@pytest.mark.parametrize(
-    ("mask", "expected"), [([], []), ([0, 0], []), ([1, 1], [(0, 2)]), ([1, 0, 1, 1, 0], [(0, 1), (2, 4)])]
-)
-def test_runs_are_where_a_mask_is_true(mask, expected):
-    assert runs(np.array(mask, bool)) == expected
