@@ -1,4 +1,4 @@
-"""Detection of gaps, jumps, duplicate and invalid samples, and rest poses at the ends of a recording.
+"""Detection of gaps, dropouts, jumps, duplicate and invalid samples, and rest poses at the ends of a recording.
 
 An implausible sample is discarded, and the motion there is interpolated from the samples before and after it.
 """
@@ -15,6 +15,7 @@ from dynsplines.solver.curve.recording import groups, places
 from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError
+from ..exchange import gaps
 from .rest_pose_trim import RestPose, find_rest_pose
 
 FEWEST = 5  # least number of samples of a motion
@@ -53,6 +54,7 @@ def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
     time, qpos = _without_duplicates(time, qpos, notes)
     known = _numbers(figure, qpos, time, notes)
     time, qpos, known = _without_rest(figure, time, qpos, known, notes)
+    time, qpos, known = _without_dropouts(figure, time, qpos, known, notes)
     if time.size < FEWEST:
         raise UserError(f"{where}: {time.size} samples are left; a motion to clean has {FEWEST} at least")
     time, qpos, known = _interpolated(figure, time, qpos, known, notes, where)
@@ -109,6 +111,17 @@ def _without_rest(figure: Figure, time: Array, qpos: Array, known: Mask, notes: 
     return time[first:last], qpos[first:last], known[first:last]
 
 
+def _without_dropouts(
+    figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]
+) -> tuple[Array, Array, Mask]:
+    """Remove samples that repeat the one before because of a dropout."""
+    whole, keep = np.flatnonzero(known.all(axis=1)), np.ones(time.size, bool)
+    keep[whole] = ~gaps.repeated(figure, time[whole], qpos[whole])
+    if not keep.all():
+        notes.append(f"{gaps.repetition_note(time, ~keep)}: taken as missing")
+    return time[keep], qpos[keep], known[keep]
+
+
 def _ending(back: RestPose, time: Array) -> str:
     """Return the note on a lead-in of the motion played backward."""
     span = f"{time[-1]:.3f} s" if back.count == 1 else f"{-back.last:.3f} to {time[-1]:.3f} s"
@@ -125,8 +138,8 @@ def _interpolated(
         long = float(time[i + 1] - time[i])
         if long > LONGEST_GAP:
             raise UserError(
-                f"{where}: nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s, over {LONGEST_GAP:g} s; "
-                "cut the recording there"
+                f"{where}: nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s, over {LONGEST_GAP:g} s "
+                "(samples that repeat the one before until a jump do not count); cut the recording there"
             )
         notes.append(f"nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s: bridged")
     if not missing.any():

@@ -101,6 +101,9 @@ def import_recording(
     clip = clips.from_qpos(
         record.name, compose(record.spec, bare=record.model), record.time, record.qpos, record.fps, source.name
     )
+    if (is_repeated := gaps.repeated(clip.figure, record.time, record.qpos)).any():
+        line = gaps.repetition_note(record.time, is_repeated)
+        progress.report(f"note: {line}: kept; `dynsplines clean` takes them as missing")
     if record.loops:
         try:
             return unsolved(clip.with_problem(ends="periodic")).saved(progress, with_report=False)

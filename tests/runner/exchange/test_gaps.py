@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 import numpy as np
 import pytest
 import shipped
+from rich.console import Console
 
 from dynsplines import UserError
 from dynsplines.exchange import formats, gaps
@@ -66,3 +68,15 @@ def test_a_file_of_nothing_else_is_refused_all_the_same(folder: Path, tmp_path: 
     np.savez(tmp_path / "none.qpos.npz", **arrays)
     with gaps.allowed(), pytest.raises(UserError, match="'qpos': an entry is not a finite number"):
         read_recording(tmp_path / "none.qpos.npz")
+
+
+def test_import_keeps_repeated_samples_and_reports_them(folder: Path, tmp_path: Path) -> None:
+    with np.load(folder / "whole.qpos.npz") as file:
+        arrays = dict(file)
+    arrays["qpos"][10:15] = arrays["qpos"][9]
+    np.savez(tmp_path / "frozen.qpos.npz", **arrays)
+    text = io.StringIO()
+    saved = import_recording(tmp_path / "frozen.qpos.npz", figure="human", progress=Progress(Console(file=text)))
+    assert len(saved.keys) == len(arrays["qpos"])
+    printed = " ".join(text.getvalue().split())
+    assert "note: 5 samples repeat the one before until a jump, first at 0.333 s: kept" in printed
