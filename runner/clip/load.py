@@ -38,6 +38,7 @@ from .posing.root_entries import ambiguities
 from .table import ClipTable, KeyframeTable, SolveTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
 
+MOST = 3  # most keyframes with unreachable positions that an error lists
 OUTDATED = re.compile(
     rf"""kind\s*=\s*["']({"|".join(RENAMED)})["']|^\[\[hold\]\]|others\s*=\s*["']hold["']""", re.MULTILINE
 )
@@ -60,7 +61,7 @@ def load(
         keys: An .npz of keyframes.
         figure_file: The present path of a TOML clip's figure, if it has moved.
         fps: Samples per second [1/s] of outputs, instead of the clip's.
-        unmet: Receives a line for every unreachable position, which otherwise raises an error.
+        unmet: Receives a line for every keyframe with unreachable positions, which otherwise raises an error.
 
     Raises:
         UserError: In one line with the file, the keyframe and the key.
@@ -93,7 +94,7 @@ def from_parsed(
         figure_file: The present path of the figure, if it has moved.
         fps: Samples per second [1/s] of outputs, instead of the clip's.
         spec: The figure, instead of the one that the text names.
-        unmet: Receives a line for every unreachable position, which otherwise raises an error.
+        unmet: Receives a line for every keyframe with unreachable positions, which otherwise raises an error.
         like: A clip from which this one was edited. Its figure and scene are reused if the text has the same.
         recording: The motion that the text follows, if any.
 
@@ -108,7 +109,7 @@ def from_parsed(
     follows = None if table.recording is None else followed(table.recording, figure, recording, where)
     posed = pose(source, figure, None if follows is None else follows.pose)
     if posed.unreached and unmet is None:
-        raise UserError(f"{where}: {'; '.join(posed.unreached)}")
+        raise UserError(f"{where}: {_unreached(posed.unreached, is_file=where.endswith('.toml'))}")
     if unmet is not None:
         unmet += posed.unreached
     if follows is not None:
@@ -135,6 +136,13 @@ def scene_of(source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec
         return compose(spec, obstacles(table.scene), keys=keys)
     except UserError as error:
         raise UserError(f"{where}: {error}") from None
+
+
+def _unreached(lines: Sequence[str], *, is_file: bool) -> str:
+    """Return the error on keyframes with unreachable positions, the first few, and a command that shows the poses."""
+    more = [f"and {len(lines) - MOST} keyframes more"] if len(lines) > MOST else []
+    shows = ["`dynsplines render CLIP --only keys` shows the nearest poses"] if is_file else []
+    return "; ".join([*lines[:MOST], *more, *shows])
 
 
 def _ground(source: Parsed, figure_file: str | None, spec: mujoco.MjSpec | None) -> tuple[Scene, Figure]:

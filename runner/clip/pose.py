@@ -19,6 +19,7 @@ from ..errors import UserError, unknown
 from .constraints import listed_flights, posing_bends
 from .obstacles import lying
 from .parse import Parsed, keyframe_label
+from .posing import unmet_goals
 from .posing.couplings import follow
 from .posing.feet import sole_points
 from .posing.placement import Wanted, check_search, wanted, with_pose
@@ -35,7 +36,7 @@ class Posed:
 
     Attributes:
         placed: Points whose positions the search determines.
-        unreached: A line for each unreachable position; the keyframe is then as near as possible.
+        unreached: A line for each keyframe with unreachable positions; it is then as near as possible.
     """
 
     keys: list[Frame]
@@ -68,8 +69,11 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
             keys[k] = _based(partial, base)
             if want.goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
-                keys[k], lines = with_pose(figure, among, index, want.goals, stander, here)
-                missed += [f"{keyframe_label(k + 1, row.time)}: {line}" for line in lines]
+                unposed = among[index]
+                keys[k], nearest = with_pose(figure, among, index, want.goals, stander, here)
+                if not nearest.is_met:
+                    note = unmet_goals.describe(figure, unposed, row, want.goals, nearest)
+                    missed.append(f"{keyframe_label(k + 1, row.time)}: {note}")
                 keys[k] = _based(keys[k], base)
     for key, want, here in zip(keys, wants, places, strict=True):
         if want.placed:

@@ -2,6 +2,7 @@
 
 places         names of points and bodies
 placement      joint values from specified positions
+unmet_goals    notes on positions out of reach
 feet           the soles' points
 standing_feet  stances of feet in partial keyframes
 grounding      placing of keyframes on the ground

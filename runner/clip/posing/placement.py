@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
@@ -19,13 +18,11 @@ from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Placed
 from dynsplines.solver.posing import (
-    MET,
     BodyGoal,
     Goal,
     PointGoal,
     Posed,
     chain,
-    entries,
     in_winding,
     limb,
     posed,
@@ -38,8 +35,7 @@ from .places import Places
 from .root_entries import posed_roots, root_links
 from .rotation import quaternion_of
 from .standing_feet import Stander
-
-BESIDE = 0.1  # least reported error of a goal relative to the largest, as smaller ones result from the largest
+from .unmet_goals import can_move, immovable
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,8 +99,8 @@ def with_pose(
     goals: Sequence[Goal],
     stander: Stander,
     where: str,
-) -> tuple[Frame, list[str]]:
-    """Return keyframe k posed for its goals, with the joints on which they depend fixed, and notes on unmet goals.
+) -> tuple[Frame, Posed]:
+    """Return keyframe k posed for its goals, with the joints on which they depend fixed, and the pose with its errors.
 
     The pose is the nearest one to the spline through the other keyframes, if possible with feet in their stances.
     """
@@ -122,15 +118,15 @@ def with_pose(
         best = posed(figure, home, ~key.fixed, goals, stander.bends)
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
-    return posed_key, [] if best.is_met else _complaints(figure, key, goals, best)
+    return posed_key, best
 
 
 def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: str) -> None:
     """Raise UserError for a point left to the search that no free joint moves."""
     for point in placed:
         body = figure.links[point.point.link].body
-        if not _free_joints(figure, key, body):
-            raise UserError(f"{where}: site '{point.point.name}' {_held(figure, body)}")
+        if not can_move(figure, key, body):
+            raise UserError(f"{where}: site '{point.point.name}' {immovable(figure, body)}")
 
 
 def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal]:
@@ -149,48 +145,3 @@ def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal
 def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
     if not chain(figure, goal.bodies(figure.model)[0]):
         raise UserError(f"{what} is not part of the figure: no joint moves it")
-
-
-def _complaints(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed) -> list[str]:
-    """Return notes on unmet goals with their errors, without small errors that result from larger ones."""
-    least = max(MET, BESIDE * found.worst)
-    missing = [(goal, float(missed)) for goal, missed in zip(goals, found.missed, strict=True) if missed > least]
-    return [_complaint(figure, key, goal, missed, found.starts) for goal, missed in missing]
-
-
-def _complaint(figure: Figure, key: Frame, goal: Goal, missed: float, starts: int) -> str:
-    body = goal.bodies(figure.model)[0]
-    joints = _free_joints(figure, key, body)
-    kind = _kind(figure, goal)
-    if not joints:
-        return f"{kind} '{goal.name}' {_held(figure, body)}"
-    free = f"with the joints that are free: {', '.join(joints)}"
-    if isinstance(goal, PointGoal):
-        where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
-        closest = f"({starts} starts; closest: {_metres(missed)} short)"
-        return f"no pose found that puts {kind} '{goal.name}' at ({where}) {closest} {free}"
-    closest = f"({starts} starts; closest: {np.degrees(missed):.3g} degrees short)"
-    return f"no pose found that turns body '{goal.name}' so {closest} {free}"
-
-
-def _kind(figure: Figure, goal: Goal) -> str:
-    model, named = figure.model, mujoco.mjtObj
-    if isinstance(goal, BodyGoal):
-        return "body"
-    if mujoco.mj_name2id(model, int(named.mjOBJ_SITE), goal.name) >= 0:
-        return "site"
-    return "body" if mujoco.mj_name2id(model, int(named.mjOBJ_BODY), goal.name) >= 0 else "point"
-
-
-def _free_joints(figure: Figure, key: Frame, body: int) -> list[str]:
-    links = [link for link in reversed(chain(figure, body)) if not key.fixed[entries(figure, link)].all()]
-    return [figure.links[link].name for link in links]
-
-
-def _held(figure: Figure, body: int) -> str:
-    names = ", ".join(figure.links[link].name for link in reversed(chain(figure, body)))
-    return f"cannot move: every joint on the way to it is given ({names}); leave one of them free"
-
-
-def _metres(length: float) -> str:
-    return f"{length:.3g} m" if length >= 0.01 else f"{1000 * length:.2g} mm"

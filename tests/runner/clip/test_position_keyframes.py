@@ -215,9 +215,10 @@ MISTAKES = {
     "out of reach": (
         'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]',
         [
-            "no pose found that puts site 'left_heel' at (0, 0.09, -0.23) (12 starts; closest: 0.2",
-            "m short",
-            "left_hip, left_knee, left_ankle",
+            "no pose found that puts site 'left_heel' at (0, 0.09, -0.23): 0.2",
+            "m short with left_hip, left_knee, left_ankle free; ",
+            'others = "rest" fixes root: write root.position = "free", or move the target',
+            "; `dynsplines render CLIP --only keys` shows the nearest pose",
         ],
     ),
     "a little out of reach": ('others = "rest"\nsites.left_hand = ["free", "free", 0.836]', [" mm short"]),
@@ -231,7 +232,20 @@ MISTAKES = {
     ),
     "a body that cannot turn": (
         'others = "rest"\nroot.position = [0, 0, 0.93]\nbodies.chest = {rotvec = [0, 0, 170]}',
-        ["no pose found that turns body 'chest' so (12 starts; closest: 110 degrees short)", "spine"],
+        [
+            "no pose found that turns body 'chest' so: 110 degrees short with spine free; ",
+            'others = "rest" fixes root: write root.rotation = "free"',
+        ],
+    ),
+    "a joint of the limb fixed": (
+        'root = {position = "free", rotation = "free"}\njoints.left_elbow = {euler = [0, 0, 0]}\n'
+        'sites.left_heel = [0, 0.09, 0]\nsites.left_hand = [0, 0.09, 2.5]',
+        ["the keyframe fixes left_elbow: write joints.left_elbow = \"free\", or move one of the targets"],
+    ),
+    "out of reach of a free root": (
+        'root.position = "free"\nroot.rotation = "free"\nsites.left_heel = [0, 0.09, 0]\n'
+        'sites.right_heel = [3, -0.09, 0]',
+        ["m short with root, right_hip, right_knee, right_ankle free; move one of the targets; `dynsplines render"],
     ),
     "every axis free": ('sites.left_heel = ["free", "free", "free"]', ["sites.left_heel: every axis is free"]),
     "a word": ('sites.left_heel = "free"', ["sites.left_heel must be [x, y, z] in metres", "not 'free'"]),
