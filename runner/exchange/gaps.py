@@ -97,8 +97,8 @@ def without_missing(recording: Recording, where: object) -> Recording:
     if is_present.size != recording.time.size:
         raise UserError(f"{where}: some of its numbers are not finite, and no single samples can be removed")
     count, first = int(gaps.missing.sum()), float(recording.time[gaps.missing][0])
-    many = "samples hold" if count > 1 else "sample holds"
-    notes = (*recording.notes, f"{count} {many} no numbers, first at {first:.3f} s: left out")
+    many = "samples lack" if count > 1 else "sample lacks"
+    notes = (*recording.notes, f"{count} {many} some or all numbers, first at {first:.3f} s: left out as a whole")
     return replace(recording, time=recording.time[is_present], qpos=recording.qpos[is_present], notes=notes)
 
 
