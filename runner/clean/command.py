@@ -26,6 +26,7 @@ from ..errors import UserError
 from ..exchange import formats, gaps
 from ..exchange.motion_import import read_recording
 from ..exchange.skeleton import maps
+from ..measure import violation
 from ..motion import Saved
 from ..scene import file_access
 from ..scene.assets import Scene
@@ -73,7 +74,10 @@ def run(
     overwrite: bool = False,
     progress: Progress,
 ) -> Path:
-    """Clean a recording and write it; return its path. Raises UserError, if possible before any long computation."""
+    """Clean a recording, write it, and report its violations; return its path.
+
+    Raises UserError, if possible before any long computation.
+    """
     target = target or _target(source)
     form = formats.by_ending(target)
     if form is not None or target.suffix != ".npz":
@@ -96,7 +100,9 @@ def run(
     progress.console.print(table)
     for line in notes:
         progress.report(line)
-    progress.report(f"wrote {target}")
+    violations = violation.by_name(violation.of_motion(saved))
+    for line in (f"wrote {target}", *violation.lines(violations, None if form else target)):
+        progress.report(line)
     return target
 
 

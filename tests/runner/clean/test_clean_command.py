@@ -1,5 +1,6 @@
 """`dynsplines clean`: a recording's file in, a clean one of its format or another out, bad input told."""
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -79,6 +80,28 @@ def test_a_motion_of_feet_that_slide_and_sink_comes_out_clean(command, squats, t
     assert after[:, 2].min() > -0.002
     saved = motion.load(tmp_path / "clean.npz")
     np.testing.assert_allclose(saved.raw.times[[0, -1]], TIMES[[0, -1]], atol=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command_of", [("clean", "--figure"), ("retarget", "--to")])
+def test_violations_that_remain_are_printed_last(command, squats, tmp_path, monkeypatch, command_of):
+    """The figure of the recording rises without cause, with an arm inside its trunk."""
+    monkeypatch.chdir(tmp_path)
+    saved = motion.load(squats / "bobs.npz")
+    qpos = np.array([key.state for key in saved.keys])
+    at = saved.figure.model.joint("left_shoulder").qposadr[0]
+    qpos[:, at : at + 4] = np.cos(0.35), -np.sin(0.35), 0, 0
+    qpos[:, 2] += 3.0 * TIMES / TIMES[-1]
+    arm = unsolved(clips.from_qpos("arm", saved.scene, TIMES, qpos, 30.0, "arm")).saved(Progress(), with_report=False)
+    formats.export(arm, "bvh", tmp_path / "arm.bvh")
+    name, figure = command_of
+    done = command(name, "arm.bvh", figure, "human", "-o", "out.npz")
+    assert done.code == 0, done.err
+    lines = done.err.splitlines()
+    reported = json.loads(command("report", "out.npz", "--json").out)["violations"]
+    assert {"float", "self"} == {each["kind"] for each in reported}
+    texts = [each["text"].removeprefix(f"keyframe {each['keyframe']} itself: ") for each in reported]
+    assert lines[lines.index("wrote out.npz") + 1 :] == [f"violation: {text}" for text in texts]
 
 
 @pytest.mark.slow
