@@ -26,7 +26,7 @@ from ..scene.model_files import is_there
 from .constraints import chosen
 from .kinds import Options
 from .table import ClipTable, SolveTable, Table
-from .table_errors import describe
+from .table_errors import describe, describe_toml
 from .tracking.penalties import WEIGHTS
 
 Tables = TypeVar("Tables", bound=Table)
@@ -145,7 +145,7 @@ def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise UserError(f"{where}: not valid TOML: {error}") from None
+        raise UserError(f"{where}: {describe_toml(error, text, kind)}") from None
     except RecursionError:
         raise UserError(f"{where}: not valid TOML: nested too deeply") from None
     except ValueError:  # Python's limit of digits in an integer

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin
@@ -13,6 +14,27 @@ from ..system.quantity import LARGEST
 from .table import Expected, Table
 
 RENAMED = {"hold": "grasp"}  # tables of a clip
+LONGEST_LINE = 60  # maximum number of letters of a line of TOML in an error
+
+# How to correct invalid TOML: the start of the parser's message, a pattern of the text at its place, and what to do.
+TOML_REMEDIES = (
+    ("Invalid value", r"true\b|false\b", "true and false are lower case"),
+    ("Invalid value", "[“”„‘’]", "put texts in straight quotes"),
+    ("Invalid value", r"([a-z_]([^,\]}#=]*[^,\]}#=\s])?)", 'texts need quotes: "{}"'),
+    ("Invalid value", r"\(", "lists have square brackets: [1, 2, 3]"),
+    ("Invalid value", r"[+-]?(\.\d+)", "numbers have a digit before the point: 0{}"),
+    ("Invalid value", r"$|#", "write a value after ="),
+    ("Expected newline", r",\s*$", "remove the last comma"),
+    ("Expected newline", r",\d", "numbers have a point, not a comma"),
+    ("Expected '='", r"", "write key = value; a key with spaces needs quotes"),
+    ("Illegal character '\\n'", r"", 'close the text with a quote: "'),
+    ("Unclosed array", r"", "put commas between the values of a list, and ] after the last"),
+    ("Invalid initial character for a key part", r"$|}", "write {} tables in one line, without a comma before the }"),
+    ("Invalid hex value", r"", "write paths with /"),
+    ("Unescaped", r"", "write paths with /"),
+    ("Cannot overwrite", r"", "give each key once"),
+)
+TWICE = ("Cannot declare", "Cannot overwrite", "Cannot mutate")  # messages on a table that is given twice
 
 
 def describe(
@@ -50,6 +72,40 @@ def describe(
             return f"{where}{key} must be {bound} {limit:g}, not {actual}"
     plain = "a table" if kind.endswith(("model_type", "dict_type")) else first["msg"].removeprefix("Input should be ")
     return f"{where}{key + ' ' if key else ''}must be {expected or plain}, not {_shown(actual)}"
+
+
+def describe_toml(error: ValueError, text: str, schema: type[Table]) -> str:
+    """Return a line on invalid TOML: the number and the text of the line, what is wrong, and what to do.
+
+    Args:
+        schema: The type of the table that the text describes.
+    """
+    words, _, place = str(error).rpartition(" (at ")
+    match = re.fullmatch(r"line (\d+), column (\d+)\)", place)
+    lines = text.replace("\r\n", "\n").split("\n")
+    number, column = (int(match[1]), int(match[2])) if match else (len(lines), 1)
+    if words.startswith(TWICE) and (header := re.fullmatch(r"\s*\[+\s*([\w.]+)\s*\]+\s*(#.*)?", lines[number - 1])):
+        return _repeated(lines, number, header[1], schema)
+    line, at = lines[number - 1].strip(), lines[number - 1][column - 1 :].strip()
+    shown = line if len(line) <= LONGEST_LINE else f"{line[: LONGEST_LINE - 3]}..."
+    remedy = ""
+    for start, pattern, advice in TOML_REMEDIES:
+        found = re.match(pattern, at, re.IGNORECASE) if words.startswith(start) else None
+        if found:
+            remedy = f"; {advice.replace('{}', found[1]) if found.groups() else advice}"
+            break
+    return f"line {number}: '{shown}' is not valid TOML: {words[:1].lower()}{words[1:]}{remedy}"
+
+
+def _repeated(lines: list[str], number: int, name: str, schema: type[Table]) -> str:
+    """Return a line on a table that is given twice, the second time in line `number`."""
+    kind: Any = schema
+    for part in name.split("."):
+        kind = _entry(kind, part)
+    if not any(get_origin(option) is list for option in _alternatives(kind)):
+        return f"line {number}: a second table [{name}]; write its keys into the first one"
+    single = (i for i, line in enumerate(lines, 1) if re.match(rf"\s*\[\s*{re.escape(name)}\s*\]", line))
+    return f"line {next(single, number)}: [{name}] is a single table, and there are several; write [[{name}]]"
 
 
 def _walked(
