@@ -30,7 +30,7 @@ from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
 from ..clip.table import ClipTable, ContactTable, GraspTable, PenaltyTable, SolveTable
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
-from ..measure.violation import stop_of
+from ..measure.violation import is_recording, stop_of
 from ..motion import Saved
 from ..solving import Solved
 from ..system.progress import Progress
@@ -243,7 +243,8 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
 
 
 def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
-    """Return a motion with its report; `edit` is the stop reason of motions without a search."""
+    """Return a motion with its report; `edit` is the stop reason of motions that were neither searched nor
+    cleaned."""
     clip = clip_from_motion(saved)
     objective = clip.problem.plain_objective
     if clip.settings.renormalise:
@@ -251,7 +252,8 @@ def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
     evaluations = saved.search.get("evaluations", 0)
     solution = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
     again = Solved(clip, solution, saved.search.get("seconds")).saved(progress)
-    return replace(saved, report=again.report | {"stopped because": saved.search.get("stopped because", edit)})
+    reason = "cleaned recording" if is_recording(saved) and not solution.is_raw else edit
+    return replace(saved, report=again.report | {"stopped because": saved.search.get("stopped because", reason)})
 
 
 def _key_on(figure: Figure, timeline: Timeline, number: int) -> Frame:

@@ -43,14 +43,16 @@ def report(
     report_progress  receives the progress of the local solves
 
     Ctrl-C omits only the segments, which take longest. An imported recording is measured once for both columns. It has
-    no segments and no remaining decrease, because nothing is optimised. A motion that follows a
-    recording has no segments either, since its frames are not keyframes.
+    no segments and no remaining decrease, because nothing is optimised. A cleaned recording has neither, because this
+    is not the objective that was minimised. A motion that follows a recording has no segments either, since its frames
+    are not keyframes.
     """
-    searched = not motion.is_raw
+    is_compared = not motion.is_raw
+    searched = is_compared and (motion.evaluations > 0 or motion.timeline.variable_count > 0)
     before = Side.of(clip, motion.objective, motion.raw, motion.raw)
-    after = Side.of(clip, motion.objective, motion.timeline, motion.raw) if searched else before
+    after = Side.of(clip, motion.objective, motion.timeline, motion.raw) if is_compared else before
     first = before.quantities()
-    sides = {"before": first, "after": after.quantities() if searched else dict(first)}
+    sides = {"before": first, "after": after.quantities() if is_compared else dict(first)}
     drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
     sides["after"][DRIFT] = {"largest": float(drift.max())}
     return {
@@ -142,17 +144,19 @@ def tables(data: dict[str, Any]) -> Group:
         f"; about {data['left to gain']['share']:.1%} of the objective is left to gain" if data["left to gain"] else ""
     )
     took = f" in {data['seconds']:.2f} s" if "seconds" in data else ""
+    evaluations = f"{data['evaluations']} evaluations{took}; " if data["evaluations"] else ""
     head = (
         f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes "
         f"({data['partial keyframes']} partial), {data['variable frames']} variable frames; "
-        f"{data['evaluations']} evaluations{took}; {data['stopped because']}"
+        f"{evaluations}{data['stopped because']}"
         f"{gain}{_cycle_words(data)}"
     )
     searched = bool(data["left to gain"])
-    sides = ("before", "after") if searched else ("recording",)
+    is_compared = searched or after[DRIFT]["largest"] > 0
+    sides = ("before", "after") if is_compared else ("recording",)
     main = Table("measure", *sides, title_justify="left")
     for name, one, two in rows(before, after):
-        main.add_row(name, *((one, two) if searched else (two,)))
+        main.add_row(name, *((one, two) if is_compared else (two,)))
     segments = Table("segment, s", "EL before", "EL after", "δ", "δ · EL", "left", "variable", title="segments")
     for row in data["segments"]:
         segments.add_row(

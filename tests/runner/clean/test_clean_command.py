@@ -78,6 +78,13 @@ def test_a_motion_of_feet_that_slide_and_sink_comes_out_clean(command, squats, t
     assert np.ptp(after, axis=0).max() < 0.005
     assert before[:, 2].min() < -0.01
     assert after[:, 2].min() > -0.002
+    table = " ".join(command("report", "clean.npz").out.split())
+    assert "0 variable frames; cleaned recording ┏" in table
+    assert "before" in table and "after" in table
+    data = json.loads(command("report", "clean.npz", "--json").out)
+    assert (data["segments"], data["left to gain"]) == ([], {})
+    deepest = [data[side]["penetration, m"]["deepest"] for side in ("before", "after")]
+    assert deepest[1] < 0.002 < 0.01 < deepest[0]
     saved = motion.load(tmp_path / "clean.npz")
     np.testing.assert_allclose(saved.raw.times[[0, -1]], TIMES[[0, -1]], atol=1e-9)
 
