@@ -20,11 +20,13 @@ from .goals import chain as chain
 from .goals import entries as entries
 from .goals import limb as limb
 from .goals import reached as reached
+from .goals import same_heading as same_heading
 from .inverse_kinematics import STARTS as STARTS
 from .inverse_kinematics import in_winding as in_winding
 from .inverse_kinematics import posed as posed
 from .least_squares import LeastSquares as LeastSquares
 from .least_squares import Residuals as Residuals
+from .limits import Balance as Balance
 from .limits import FloorClearance as FloorClearance
 from .limits import SupportPolygon as SupportPolygon
 from .pose_search import MET as MET

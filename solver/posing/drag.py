@@ -72,7 +72,15 @@ def dragged(
         range_shares: By link, the share of its range that a joint may use.
     """
     goals = (target, *constraints.fixed)
-    search = PoseSearch(figure, np.array(home, float), np.asarray(free, bool), goals, bends, range_shares=range_shares)
+    search = PoseSearch(
+        figure,
+        np.array(home, float),
+        np.asarray(free, bool),
+        goals,
+        bends,
+        range_shares=range_shares,
+        preferred=constraints.preferred,
+    )
     if not search.dofs.size:
         return search.result(search.home)
     drag = _Drag(search, constraints)
@@ -122,9 +130,6 @@ class _Drag:
         weights = np.full(off.size, stiffness * FIXED_WEIGHT)
         weights[: self.target_size] = TARGET_WEIGHT * np.sqrt(min(1.0, MAX_MISS / max(miss, MAX_MISS)))
         parts: list[Part] = [distance, (weights * off, weights[:, None] * by_off)]
-        for weight, goal in self.constraints.preferred:
-            values, rows = goal.missed(search.model, search.data), goal.rows(search.model, search.data)
-            parts.append((weight * values, weight * rows[:, search.dofs]))
         two_sided = sum(values.size for values, _ in parts)
         parts.append((stiffness * RANGE_WEIGHT * over, stiffness * RANGE_WEIGHT * by_over))
         for limit in self.constraints.limits:

@@ -153,6 +153,17 @@ class BodyGoal:
         return rows if self.rotation is not None else rows[:2]
 
 
+def same_heading(figure: Figure, qpos: Array, body: int) -> BodyGoal:
+    """Return the goal that a body is upright as in the rest pose, with the heading that it has in a pose (nq,)."""
+    model, data = figure.model, mujoco.MjData(figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    at_rest = _at_rest(model, body)
+    turn = quat.product(data.xquat[body], quat.inverse(at_rest)) * [1.0, 0, 0, 1]
+    heading = turn / np.linalg.norm(turn) if np.linalg.norm(turn) > UPRIGHT else np.array([1.0, 0, 0, 0])
+    return BodyGoal(str(model.body(body).name), quat.product(heading, at_rest), body)
+
+
 @dataclass(frozen=True, eq=False)
 class GraspGoal:
     """A target that makes a point of one body coincide with a point of another.

@@ -1,7 +1,8 @@
-"""Limits of a dragged figure: the floor, and the support polygon of its centre of mass."""
+"""The floor and balance: limits of a dragged figure, and a preference of other poses."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,8 +11,9 @@ import numpy as np
 
 from ..array import Array, Index
 from .bounds import Part
+from .goals import PointGoal
 
-SUPPORT_SHARE = 0.8  # size of the polygon for the centre of mass, relative to the support polygon
+SUPPORT_SHARE = 0.8  # size of the polygon for the centre of mass in a drag, relative to the support polygon
 MIN_SUPPORT = 1e-3  # [m] width below which contact points form no polygon
 NEAR_FLOOR = 0.05  # [m] height below which a body's clearance is linearized
 
@@ -31,7 +33,7 @@ class SupportPolygon:
     distances: Array
 
     @classmethod
-    def of(cls, root: int, points: Array) -> SupportPolygon | None:
+    def of(cls, root: int, points: Array, share: float = SUPPORT_SHARE) -> SupportPolygon | None:
         """Return the polygon inside the convex hull of contact points (n, 3) [m], or None if they are collinear."""
         if len(points) < 3 or np.linalg.matrix_rank(points[1:, :2] - points[0, :2], tol=MIN_SUPPORT) < 2:
             return None
@@ -39,7 +41,7 @@ class SupportPolygon:
 
         corners = points[ConvexHull(points[:, :2]).vertices, :2]
         centre = corners.mean(axis=0)
-        equations = ConvexHull(centre + SUPPORT_SHARE * (corners - centre)).equations
+        equations = ConvexHull(centre + share * (corners - centre)).equations
         return cls(root, equations[:, :2], -equations[:, 2])
 
     def linearized(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
@@ -51,6 +53,38 @@ class SupportPolygon:
     def excess(self, data: mujoco.MjData) -> float:
         """Return the distance [m] of the centre of mass beyond the polygon, negative inside."""
         return float((self.normals @ data.subtree_com[self.root, :2] - self.distances).max())
+
+
+@dataclass(frozen=True, eq=False)
+class Balance:
+    """Goal: the centre of mass of a tree is above the support polygon of points at their current positions.
+
+    Attributes:
+        root: MuJoCo's id of the tree's root body.
+        points: The points of feet; their target positions are not used.
+    """
+
+    name: str
+    root: int
+    points: tuple[PointGoal, ...]
+
+    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
+        return [point.index for point in self.points]
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return self._worst(model, data)[0]
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return self._worst(model, data)[1]
+
+    def _worst(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
+        """Return the largest excess (1,) [m] over an edge, 0 inside, and its Jacobian (1, nv) for feet at rest."""
+        polygon = SupportPolygon.of(self.root, np.array([point.place(data) for point in self.points]), share=1.0)
+        if polygon is None:
+            return np.zeros(1), np.zeros((1, model.nv))
+        values, rows = polygon.linearized(model, data)
+        k = int(values.argmax())
+        return (values[[k]], rows[[k]]) if values[k] > 0 else (np.zeros(1), np.zeros((1, model.nv)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ exactly at weights that keep the least-squares problem well conditioned.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -74,6 +74,7 @@ class PoseSearch:
         bends: The knees and elbows on ball joints, with their bounds.
         beyond: The permitted excess of hinges and ball joints over their ranges [rad].
         range_shares: The permitted share of a joint's range, by the index of its link.
+        preferred: Pairs of a weight [1/rad or 1/m] and a goal that is met approximately.
     """
 
     def __init__(
@@ -85,8 +86,10 @@ class PoseSearch:
         bends: BendLimits | None,
         beyond: float = 0.0,
         range_shares: Mapping[int, float] | None = None,
+        preferred: Sequence[tuple[float, Goal]] = (),
     ) -> None:
         self.figure, self.model, self.home, self.goals = figure, figure.model, home, goals
+        self.preferred = preferred
         self.data = mujoco.MjData(self.model)
         links = sorted({link for goal in goals for link in moved_by(figure, goal)})
         self.fixed = reached(figure, goals)
@@ -244,8 +247,8 @@ class PoseSearch:
         """Return three residuals of a pose (nq,), each with its Jacobian.
 
         Returns:
-            The weighted distance from home, including sideways and twist angles of knees and elbows; the residuals of
-            the goals; and the excess over bounds, which is negative within them.
+            The weighted distance from home, including sideways and twist angles of knees and elbows, and the preferred
+            goals; the residuals of the goals; and the excess over bounds, which is negative within them.
         """
         self._place(qpos)
         from_home = np.zeros(self.model.nv)
@@ -254,6 +257,9 @@ class PoseSearch:
         for goal in self.goals:
             missed, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
             off.append((missed, rows[:, self.dofs]))
+        for weight, goal in self.preferred:
+            values, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
+            near.append((weight * values, weight * rows[:, self.dofs]))
         over = [self.ranges.linearised(qpos)]
         if self.bends is not None:
             crooked, beyond = self.bends.linearised(qpos, self.model.nv)

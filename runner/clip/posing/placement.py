@@ -10,14 +10,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Placed
 from dynsplines.solver.posing import (
+    Balance,
     BodyGoal,
     Goal,
     PointGoal,
@@ -27,15 +31,23 @@ from dynsplines.solver.posing import (
     limb,
     posed,
     reached,
+    same_heading,
 )
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.heights import heights
+from dynsplines.solver.surface.points import Point, body_points, places_of
 
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
+from .feet import sole_points
 from .places import Places
 from .root_entries import posed_roots, root_links
 from .rotation import quaternion_of
 from .standing_feet import Stander
 from .unmet_goals import can_move, immovable
+
+HEADING, BALANCE = 2.0, 100.0  # [1/rad], [1/m] weights of preferences relative to 1 rad of a limb joint
+MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,12 +125,65 @@ def with_pose(
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
     also = stander.beside(path, key, k, goals)
-    best = posed(figure, home, ~key.fixed, [*goals, *also], stander.bends) if also else None
-    if best is None or not best.is_met:
-        best = posed(figure, home, ~key.fixed, goals, stander.bends)
+    soles = sole_points(figure, np.reshape([frame.state for frame in keys if frame.is_key], (-1, figure.width)))
+    is_slow = _speed(figure, path, k) < Thresholds.of(figure).travels
+    best = None
+    for chosen in ([*goals, *also], goals) if also else (goals,):
+        best = posed(figure, home, ~key.fixed, chosen, stander.bends)
+        preferred = _preferred(figure, home, best.qpos, chosen, soles, stander.surfaces if is_slow else ())
+        if best.is_met and preferred:
+            other = posed(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
+            best = other if other.is_met else best
+        if best.is_met:
+            break
+    assert best is not None, "there are goals"
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
     return posed_key, best
+
+
+def _preferred(
+    figure: Figure, home: Array, pose: Array, goals: Sequence[Goal], soles: Sequence[Point], surfaces: Sequence[Surface]
+) -> list[tuple[float, Goal]]:
+    """Return preferences with weights that a pose (nq,) for goals misses by far; none for most poses.
+
+    Feet with goals have the heading of the pose `home` and are level. A figure of which all feet have goals is
+    balanced, unless another body touches one of the surfaces; without surfaces, it need not be.
+    """
+    feet = {figure.links[point.link].body for point in soles}
+    placed = {body for goal in goals for body in goal.bodies(figure.model)}
+    rotations = [goal for goal in goals if isinstance(goal, BodyGoal) and goal.rotation is not None]
+    turned = {goal.bodies(figure.model)[0] for goal in rotations}
+    preferred: list[tuple[float, Goal, float]] = [
+        (HEADING, same_heading(figure, home, body), MOST_TURNED) for body in sorted(feet & placed - turned)
+    ]
+    if feet and feet <= placed and figure.root is not None and figure.gravity.any():
+        others = [point for point in body_points(figure) if figure.links[point.link].body not in feet]
+        if surfaces and not _touches(figure, pose, others, surfaces):
+            points = tuple(PointGoal.of(figure, point) for point in soles)
+            most = Thresholds.of(figure).near_surface
+            preferred.append((BALANCE, Balance("balance", figure.links[figure.root.link].body, points), most))
+    data = mujoco.MjData(figure.model)
+    data.qpos[:] = pose
+    mujoco.mj_kinematics(figure.model, data)
+    mujoco.mj_comPos(figure.model, data)
+    if all(np.linalg.norm(goal.missed(figure.model, data)) <= most for _, goal, most in preferred):
+        return []
+    return [(weight, goal) for weight, goal, _ in preferred]
+
+
+def _touches(figure: Figure, pose: Array, points: Sequence[Point], surfaces: Sequence[Surface]) -> bool:
+    """Return whether one of the points touches a surface in a pose (nq,)."""
+    centres, _, _ = places_of(points, Samples.still(figure, figure.to_state(pose[None])))
+    radii = np.array([point.radius for point in points])
+    return bool((heights(surfaces, centres, radii)[0] < Thresholds.of(figure).near_surface).any())
+
+
+def _speed(figure: Figure, path: Timeline, k: int) -> float:
+    """Return the mean horizontal speed [m/s] of the root between the keyframes before and after keyframe k."""
+    first, last = max(k - 1, 0), min(k + 1, path.times.size - 1)
+    moves = (path.states[last] - path.states[first])[figure.tables.position_columns[:2]]
+    return float(np.linalg.norm(moves, axis=0).max(initial=0.0) / (path.times[last] - path.times[first]))
 
 
 def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: str) -> None:

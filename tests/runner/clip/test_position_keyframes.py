@@ -312,3 +312,19 @@ def test_keyframes_are_drawn_as_near_as_they_come(tmp_path: Path, monkeypatch, c
     assert not done.code and (tmp_path / "far.png").is_file()
     note = " ".join(done.err.split())
     assert "no pose found that puts site 'left_hand' at (3, 0, 1)" in note and "drawn as near as it comes" in note
+
+
+@pytest.mark.parametrize("height", [0.45, 0.6])
+@pytest.mark.parametrize("feet", ["", "flat"])
+def test_a_hand_that_reaches_down_bends_knees_and_trunk_over_feet_that_point_forward(height: float, feet: str):
+    body = f"sites.right_hand = [0.5, -0.2, {height}]\n"
+    for side, y in (("left", 0.09), ("right", -0.09)) if feet else ():
+        body += f"sites.{side}_heel = [-0.055, {y}, 0]\nbodies.{side}_foot = {{flat = true}}\n"
+    problem = read(f'{second(body)}[[keyframe]]\ntime = 1.6\nothers = "rest"\n')
+    data = seen(problem, problem.keys[1].state)
+    mujoco.mj_comPos(problem.figure.model, data)
+    toes = [data.site(f"{side}_toe").xpos for side in ("left", "right")]
+    assert -0.055 < data.subtree_com[1][0] < max(toe[0] for toe in toes) + 0.02  # [m]; the tip of the shoe
+    for side, toe in zip(("left", "right"), toes, strict=True):
+        ahead = toe - data.site(f"{side}_heel").xpos
+        assert abs(np.degrees(np.arctan2(ahead[1], ahead[0]))) < 10
