@@ -17,7 +17,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import closures, couplings, joint_ranges
+from dynsplines.solver.penalty import closures, couplings
 from dynsplines.solver.surface.points import Point, arrays_of, body_points
 from dynsplines.solver.surface.touch import TOUCHING, counts_all, movers
 from dynsplines.solver.surface.touch import solids as solids_of
@@ -29,7 +29,7 @@ from ..scene.urdf import fixed_base
 from .load import compiled_keys
 from .posing.couplings import follow
 from .posing.equalities import Equalities
-from .posing.feet import sole_points
+from .posing.feet import rest_within_ranges, sole_points
 from .posing.places import Places, places_at, posable_sites
 from .posing.pose_report import floor_height, lifts, lowest_point, violations
 from .table import KEY, KeyframeTable, RotationTable
@@ -93,7 +93,7 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     equalities = Equalities(figure)
     notes = [line] if (line := fixed_base(source, figure.model)) else []
     if not has_keys:
-        times, poses = np.zeros(1), _within(figure)[None]
+        times, poses = np.zeros(1), rest_within_ranges(figure)[None]
     given_poses, poses = poses, np.array([_settled(figure, qpos) for qpos in poses])
     for k, qpos in enumerate(poses):
         poses[k], lines = _closed(figure, qpos, equalities)
@@ -151,16 +151,6 @@ def _model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
 def _path(source: str, target: Path) -> str:
     """Return a model's path relative to the clip's folder."""
     return Path(os.path.relpath(Path(source).resolve(), target.resolve().parent)).as_posix()
-
-
-def _within(figure: Figure) -> Array:
-    """Return the rest pose (nq,) within the joints' ranges."""
-    qpos = np.array(figure.model.qpos0)
-    for joint in joint_ranges(figure):
-        if joint.kind is not JointKind.BALL:
-            column = figure.links[joint.link].qpos
-            qpos[column] = np.clip(qpos[column], joint.low, joint.high)
-    return qpos
 
 
 def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array, list[str]]:

@@ -2,9 +2,9 @@
 
 Named sites count if at least one of them is as low as the figure; points on the paths of muscles never do. Feet are the
 lowest ends of limbs in the pose in which the figure is tallest: the rest pose or one of its keyframes. The rest pose
-has precedence if it is nearly as tall, since a walking figure is tallest on its toes. These figures have no feet: one
-whose trunk is as low, one with a single limb that can fall in any direction, and one fixed to the world by hinges
-alone.
+has precedence if it is nearly as tall, since a walking figure is tallest on its toes. If no such pose shows feet, the
+rest pose within the joints' ranges is examined. These figures have no feet: one whose trunk is as low, one with a
+single limb that can fall in any direction, and one fixed to the world by hinges alone.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import Root, roots_of
+from dynsplines.solver.penalty import joint_ranges
 from dynsplines.solver.surface.points import Point, arrays_of, body_points, site_points
 from dynsplines.solver.surface.touch import movers
 
@@ -47,7 +48,23 @@ def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
     named = tuple(_grown(figure, point) for point in named if point.link)
     if named and _near_ground(figure, named, qpos):
         return named
-    return _lowest(figure, qpos) or named
+    return _lowest(figure, np.vstack([figure.model.qpos0, qpos])) or named or _lowest_within(figure)
+
+
+def rest_within_ranges(figure: Figure) -> Array:
+    """Return the rest pose (nq,) within the joints' ranges."""
+    qpos = np.array(figure.model.qpos0)
+    for joint in joint_ranges(figure):
+        if joint.kind is not JointKind.BALL:
+            column = figure.links[joint.link].qpos
+            qpos[column] = np.clip(qpos[column], joint.low, joint.high)
+    return qpos
+
+
+def _lowest_within(figure: Figure) -> tuple[Point, ...]:
+    """Return the lowest points of the feet in the rest pose within the joints' ranges, as legs may be level at rest."""
+    pose = rest_within_ranges(figure)
+    return () if np.array_equal(pose, figure.model.qpos0) else _lowest(figure, pose[None])
 
 
 def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
@@ -102,13 +119,14 @@ def _round(figure: Figure, link: int, kinds: Sequence[int]) -> Iterator[tuple[Ar
         yield ends, float(model.geom_size[geom, 0])
 
 
-def _lowest(figure: Figure, qpos: Array) -> tuple[Point, ...]:
+def _lowest(figure: Figure, poses: Array) -> tuple[Point, ...]:
+    """Return the lowest points of the feet in poses (K, nq), of which the first is at rest."""
     lowest: list[Point] = []
     body = body_points(figure)
     for root in _roots(figure):
         tree_points = [point for point in body if figure.tables.path[point.link, root.link]]
         if tree_points:
-            lowest += _feet(figure, root, tree_points, qpos)
+            lowest += _feet(figure, root, tree_points, poses)
     return tuple(lowest)
 
 
@@ -121,10 +139,9 @@ def _roots(figure: Figure) -> list[Root]:
     return [root for root in roots_of(figure.model) if root.is_free or steep.intersection(root.links)]
 
 
-def _feet(figure: Figure, root: Root, points: Sequence[Point], qpos: Array) -> list[Point]:
+def _feet(figure: Figure, root: Root, points: Sequence[Point], poses: Array) -> list[Point]:
     """Return the lowest points of a tree's lowest ends, in the pose in which it stands tallest. A tree that can fall
     sideways stands on at least two feet; otherwise, as in a kick, the next tallest pose is used."""
-    poses = np.vstack([figure.model.qpos0, qpos])
     states = figure.to_state(poses)
     links, positions, radii = arrays_of(points)
     samples = Samples.still(figure, states)

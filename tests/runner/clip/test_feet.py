@@ -40,6 +40,17 @@ FOUR = {"fl": (0.3, 0.1), "fr": (0.3, -0.1), "bl": (-0.3, 0.1), "br": (-0.3, -0.
 TWO = {"l": (0.0, 0.1), "r": (0.0, -0.1)}
 
 
+LEVEL = """<body euler="0 0 {heading}"><body pos=".4 0 0"><joint axis="0 1 0" range="{span}"/>
+  <geom name="leg{heading}" type="capsule" size=".04" fromto="0 0 0 .4 0 0"/></body></body>"""
+
+
+def spider(span: str) -> Figure:
+    """Return a trunk with four legs, which are level in the rest pose, with ranges of their hips [degrees]."""
+    legs = "".join(LEVEL.format(heading=heading, span=span) for heading in (0, 90, 180, 270))
+    text = f'<body name="trunk" pos="0 0 .6"><freejoint/><geom size=".15"/>{legs}</body>'
+    return Figure(mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{text}</worldbody></mujoco>"))
+
+
 def soles(figure: Figure) -> list[str]:
     return [point.name for point in sole_points(figure, np.zeros((0, figure.width)))]
 
@@ -152,3 +163,9 @@ def test_a_mark_on_what_is_round_is_as_round_as_that(foot, centre, radius):
         found = rounded(figure, mark)
         np.testing.assert_allclose((*found.position, found.radius), (*centre, radius), atol=1e-9)
         assert (found.name, found.link) == (mark.name, mark.link)
+
+
+def test_feet_of_level_legs_are_those_of_the_rest_pose_within_the_ranges():
+    assert soles(spider("40 80")) == ["leg0", "leg90", "leg180", "leg270"]
+    assert soles(spider("-40 80")) == []  # the rest pose is within the ranges
+    assert soles(spider("1 80")) == []  # the trunk is still lower
