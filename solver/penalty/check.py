@@ -29,7 +29,8 @@ def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
         seed: Seed of the random samples.
 
     Raises:
-        ValueError: Values are not finite, negative or of the wrong shape, or the gradient is wrong.
+        ValueError: Values are not finite, negative or of the wrong shape, the gradient is wrong, or all values are 0,
+            so that no one-sided residual was checked.
     """
     rng, name = np.random.default_rng(seed), penalty.name
     samples = _random(figure, rng)
@@ -44,6 +45,11 @@ def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
     slope = _taylor_slope(penalty, samples, scale, np.stack(cotangent.gradients()), rng)
     if slope < STEEP:
         raise ValueError(f"penalty '{name}': its gradient is not that of its values: Taylor slope {slope:.2f}, not 2")
+    if not np.any(values):
+        raise ValueError(
+            f"penalty '{name}': no residual was positive on the samples, so nothing was checked; "
+            "pass another seed, or check the penalty with a bound that random poses violate"
+        )
 
 
 def _random(figure: Figure, rng: np.random.Generator) -> Samples:

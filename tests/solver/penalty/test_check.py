@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +21,7 @@ from dynsplines.solver.penalty import (
     Torque,
     UnitMagnitude,
 )
+from dynsplines.solver.penalty.block import Block, Entries
 from dynsplines.solver.penalty.check import check
 
 FIGURE = figure_of(BALL_TREE)
@@ -102,3 +104,29 @@ def test_a_gradient_that_is_off_by_a_share_is_refused_with_its_slope_of_about_on
 def test_values_that_are_none_are_refused(wrong, words):
     with pytest.raises(ValueError, match=words):
         check(Odd(wrong), FIGURE)
+
+
+@dataclass(frozen=True)
+class Excess(Power):
+    """The excess of the root's x' over a bound, one-sided."""
+
+    bound: float = 0.0
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        return Penalty.evaluate(self, samples, into, scale)
+
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        at = np.arange(samples.count)
+        slope = Entries(at, 1, np.zeros_like(at), 1 + self.error)
+        yield Block(at, samples.y_d[:, 0] - self.bound, (slope,), one_sided=True)
+
+
+def test_a_one_sided_penalty_is_checked_only_where_a_residual_is_positive():
+    check(Excess(1, bound=-1.0), FIGURE)
+    with pytest.raises(ValueError, match=r"its gradient is not that"):
+        check(Excess(1, error=1.0, bound=-1.0), FIGURE)
+    for error in (0.0, 1.0):
+        with pytest.raises(
+            ValueError, match=r"^penalty 'power': no residual was positive .* nothing was checked; pass"
+        ):
+            check(Excess(1, error=error, bound=100.0), FIGURE)
