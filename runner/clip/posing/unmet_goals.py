@@ -65,8 +65,9 @@ def _remedy(figure: Figure, key: Frame, row: KeyframeTable, goal: Goal) -> str:
     named: list[str] = []
     inherited: list[str] = []
     for link in _joints(figure, key, goal.bodies(figure.model)[0], is_fixed=True):
-        name = figure.links[link].name
+        is_whole = bool(key.fixed[entries(figure, link)].all())
         entry, is_named = _entry(figure, key, row, link, goal)
+        name = figure.links[link].name if is_whole else entry
         if is_named or row.others != "free":  # otherwise an equality constraint determines it
             keys.append(entry)
             (named if is_named else inherited).append(name)

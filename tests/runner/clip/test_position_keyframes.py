@@ -242,6 +242,10 @@ MISTAKES = {
         'sites.left_heel = [0, 0.09, 0]\nsites.left_hand = [0, 0.09, 2.5]',
         ["the keyframe fixes left_elbow: write joints.left_elbow = \"free\", or move one of the targets"],
     ),
+    "out of reach of a root that cannot turn": (
+        'others = "rest"\nroot.position = "free"\nsites.left_heel = [0, 0.09, 0]\nsites.right_heel = [3, -0.09, 0]',
+        ['others = "rest" fixes root.rotation: write root.rotation = "free", or move one of the targets'],
+    ),
     "out of reach of a free root": (
         'root.position = "free"\nroot.rotation = "free"\nsites.left_heel = [0, 0.09, 0]\n'
         'sites.right_heel = [3, -0.09, 0]',
