@@ -374,11 +374,11 @@ class Motion(Renames):
 
         Args:
             path: Output file.
-            exact: Only for .toml: write a [solve] table that makes solving the clip reproduce this spline. Otherwise,
-                solving it runs the search again, and the result may differ.
-            overwrite: Only for .toml: the scene is written to a second file beside the clip. If a file of that name
-                exists with other content, overwrite it; otherwise, raise UserError. The clip or motion itself is
-                overwritten in any case.
+            exact: Only for .toml: write a [solve] table with which a solve of the clip gives exactly this spline.
+                Otherwise, a solve runs the search again, and the result may differ.
+            overwrite: Only for .toml, whose scene is written to a second file beside the clip: overwrite this file if
+                it exists with other content. If False, UserError is raised in that case. The clip or motion itself
+                is always overwritten.
 
         Returns:
             The path of the file.

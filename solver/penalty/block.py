@@ -201,7 +201,7 @@ class Block:
 
 @dataclass(frozen=True, eq=False)
 class Dense:
-    """R residuals at each of S samples, with a function for their gradients. f is the sum of their squares.
+    """R residuals at each of S samples, with a function for their gradients. f is the sum of their squares and `more`.
 
     Attributes:
         value: Residuals, (R, S).

@@ -26,18 +26,16 @@ from .one_sided import OneSidedResiduals
 
 @dataclass(frozen=True)
 class Normalization:
-    """The normalization of a soft constraint, see `Objective.renormalised`.
+    """Numbers by which the solver scales a soft constraint, so that constraints are comparable.
 
     Attributes:
         reference: The value of f_j for a violation of 1 cm or 1°, on a figure of an adult's size. For speeds and
-            accelerations: the value for 1 m/s, 2 m/s² or 8 rad/s² if keyframes are 1 s apart. If they are T seconds
-            apart, it is divided by T to the power `time_power`.
+            accelerations: the value for 1 m/s, 2 m/s² or 8 rad/s² if keyframes are 1 s apart. The solver divides it
+            by T to the power `time_power` if they are T seconds apart.
         is_violation: Whether f_j is zero wherever the constraint is satisfied, as for a depth. Otherwise almost
             every motion has a cost, as for an acceleration.
-        length_power: The exponent p with which f_j grows to λ^p f_j for a figure λ times as large; 2 for squared
-            lengths.
-        time_power: The exponent p with which f_j falls to f_j / λ^p in a clip slowed by a factor λ; 4 for squared
-            accelerations.
+        length_power: The exponent p: on a figure λ times as large, f_j is λ^p times as large; 2 for squared lengths.
+        time_power: The exponent p: in a clip slowed by a factor λ, f_j is divided by λ^p; 4 for squared accelerations.
         normalize_by: The name of another term. If the objective contains that term, f_j / `reference` is divided by
             the number that the other term is divided by, not by the integral of f_j over the raw spline.
         raw_cap: The upper limit of the divisor of f_j, per second of the clip.
