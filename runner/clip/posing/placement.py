@@ -130,11 +130,10 @@ def with_pose(
     best = None
     for chosen in ([*goals, *also], goals) if also else (goals,):
         best = posed(figure, home, ~key.fixed, chosen, stander.bends)
-        preferred = _preferred(figure, home, best.qpos, chosen, soles, stander.surfaces if is_slow else ())
-        if best.is_met and preferred:
-            other = posed(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
-            best = other if other.is_met else best
         if best.is_met:
+            if preferred := _preferred(figure, home, best.qpos, chosen, soles, stander.surfaces if is_slow else ()):
+                other = posed(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
+                best = other if other.is_met else best
             break
     assert best is not None, "there are goals"
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
