@@ -142,7 +142,11 @@ class Grounding:
         for k in np.flatnonzero(~sets_height).tolist():
             beside = _beside(sets_height, k, loop=False)
             out[k] = len(beside) == 1 and abs(timeline.times[k] - timeline.times[beside[0]]) > longest[beside[0]]
-        return out & ~np.array([any(first < time < last for first, last in self.aloft) for time in timeline.times])
+        return out & ~np.array([self._is_aloft(time) for time in timeline.times])
+
+    def _is_aloft(self, time: float) -> bool:
+        """Return whether a time [s] is in a flight."""
+        return any(first < time < last for first, last in self.aloft)
 
     @property
     def _high(self) -> float:
@@ -157,8 +161,7 @@ class Grounding:
                  must be low; in all such keyframes, if they are all before or all after
         between  whether there are two; then keyframe k must set the position of its feet, except the height
         """
-        time = timeline.times[k]
-        if any(first < time < last for first, last in self.aloft):
+        if self._is_aloft(timeline.times[k]):
             return False
         if low.size and not (low < self._high).any():
             return False
