@@ -90,9 +90,9 @@ def describe_toml(error: ValueError, text: str, schema: type[Table]) -> str:
     shown = line if len(line) <= LONGEST_LINE else f"{line[: LONGEST_LINE - 3]}..."
     remedy = ""
     for start, pattern, advice in TOML_REMEDIES:
-        found = re.match(pattern, at, re.IGNORECASE) if words.startswith(start) else None
-        if found:
-            remedy = f"; {advice.replace('{}', found[1]) if found.groups() else advice}"
+        match = re.match(pattern, at, re.IGNORECASE) if words.startswith(start) else None
+        if match:
+            remedy = f"; {advice.replace('{}', match[1]) if match.groups() else advice}"
             break
     return f"line {number}: '{shown}' is not valid TOML: {words[:1].lower()}{words[1:]}{remedy}"
 
@@ -173,8 +173,8 @@ def _keys(kind: Any) -> list[str]:
 def _expected(kind: Any) -> str:
     """Return the value that a type expects, in words; "" if they are pydantic's."""
     if get_origin(kind) is Annotated:
-        given = [entry.words for entry in kind.__metadata__ if isinstance(entry, Expected)]
-        return given[-1] if given else _expected(get_args(kind)[0])
+        expected = [entry.words for entry in kind.__metadata__ if isinstance(entry, Expected)]
+        return expected[-1] if expected else _expected(get_args(kind)[0])
     options = get_args(kind) if get_origin(kind) in (Union, UnionType) else ()
     return next(filter(None, map(_expected, options)), "")
 
