@@ -49,11 +49,11 @@ def flights(
     """
     if not points or not surfaces or not figure.gravity.any():
         return ()
-    tells = _tell_height(figure, root, keys, points)
-    is_posed = keys.known[:, figure.links[root].qpos + 2] & ~tells
-    if is_posed.any():  # such keyframes tell their height if they stand
-        tells |= is_posed & _Keys.of(figure, keys, points, surfaces, stances, body).flat
-    with_height = np.flatnonzero(tells)
+    has_height = _tell_height(figure, root, keys, points)
+    is_posed = keys.known[:, figure.links[root].qpos + 2] & ~has_height
+    if is_posed.any():  # such keyframes count if they stand
+        has_height |= is_posed & _Keys.of(figure, keys, points, surfaces, stances, body).flat
+    with_height = np.flatnonzero(has_height)
     if with_height.size < 2:
         return ()
     keys = Timeline(tuple(keys.frames[i] for i in with_height), keys.end_slope, keys.ends)
