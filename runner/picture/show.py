@@ -79,7 +79,7 @@ class Look:
 
 @dataclass(frozen=True)
 class Pane:
-    """One picture of an image: the configuration (nq,), the title above it, and the text in the lower corner."""
+    """One picture of an image: the configuration (nq,), a title or "", and the text in the lower corner."""
 
     qpos: Array
     title: str
@@ -171,7 +171,8 @@ def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int) -> Stage:
 def _drawn(stage: Stage, shot: Shot) -> Picture:
     halves = []
     for pane in shot.panes:
-        picture = layout.caption(stage.picture(pane.qpos, shot.view, ghosts=shot.ghosts), pane.title)
+        picture = stage.picture(pane.qpos, shot.view, ghosts=shot.ghosts)
+        picture = layout.caption(picture, pane.title) if pane.title else picture
         halves.append(layout.caption(picture, pane.corner, place="bottom right") if pane.corner else picture)
     return halves[0] if len(halves) == 1 else layout.side_by_side(*halves)
 
@@ -188,6 +189,7 @@ def _key_shots(saved: Saved, look: Look) -> list[Shot]:
 def _moving_shots(saved: Saved, look: Look) -> list[Shot]:
     sides = {"before": saved.raw, "after": saved.timeline}
     shown = [look.only] if look.only else ["before", "after"]
+    titles = {name: name if len(shown) > 1 else "" for name in shown}
     runs = {name: sampled(saved.figure, sides[name], look.fps * look.slow) for name in shown}
     roots = np.stack([root_path(saved, run.qpos) for run in runs.values()])
     views = _plan(saved, look, roots, look.fps * look.slow, len(shown))
@@ -195,7 +197,7 @@ def _moving_shots(saved: Saved, look: Look) -> list[Shot]:
     time = next(iter(runs.values())).time
     chosen = range(len(time)) if look.at is None else [int(np.abs(time - look.at).argmin())]
     return [
-        Shot(views[i], tuple(Pane(run.qpos[i], name, f"{time[i]:.2f} s") for name, run in runs.items()), ghosts)
+        Shot(views[i], tuple(Pane(runs[name].qpos[i], title, f"{time[i]:.2f} s") for name, title in titles.items()), ghosts)
         for i in chosen
     ]
 

@@ -36,8 +36,9 @@ def test_before_and_after_stand_side_by_side_in_one_picture_of_the_requested_siz
     assert {image.dtype for image in both} == {np.dtype(np.uint8)}
     left, right = (shot(saved, only=name, width=W // 2) for name in ("before", "after"))
     for whole, before, after in zip(both, left, right, strict=True):
-        np.testing.assert_array_equal(whole[:, : W // 2 - 1], before[:, :-1])
-        np.testing.assert_array_equal(whole[:, W // 2 + 1 :], after[:, 1:])
+        np.testing.assert_array_equal(whole[H // 2 :, : W // 2 - 1], before[H // 2 :, :-1])
+        np.testing.assert_array_equal(whole[H // 2 :, W // 2 + 1 :], after[H // 2 :, 1:])
+        assert apart(whole[: H // 2, : W // 2 - 1], before[: H // 2, :-1]) > 5  # a title tells the two apart
 
 
 def test_slower_means_more_images_of_the_same_motion(saved):
