@@ -1,4 +1,5 @@
-"""Hooks of the site: pictures beside docs/, links to code, and the package as the reference's generator reads it."""
+"""Hooks of the site: the README as its home page, pictures beside docs/, links to code, and the package as the
+reference's generator reads it."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
 
 ROOT = Path(__file__).parents[2]
 RENDERS = ROOT / "renders"
@@ -32,7 +34,10 @@ def on_files(files: Files, config: Any) -> Files:
     return files
 
 
-def on_page_markdown(markdown: str, **_: Any) -> str:
-    """Replace a link out of docs/ by the name of the file."""
-    markdown = markdown.replace("](../renders/", "](renders/")
+def on_page_markdown(markdown: str, page: Page, **_: Any) -> str:
+    """Make the README the home page, and replace a link to a file that is no page by the name of the file."""
+    if page.file.src_uri == "index.md":
+        markdown = (ROOT / "README.md").read_text(encoding="utf-8").replace("](docs/", "](")
+        markdown = re.sub(r"\]\((?=[A-Z])", "](../", markdown)
+    markdown = markdown.replace("](../renders/", "](renders/").replace("](../README.md)", "](index.md)")
     return re.sub(r"\[`?([^\]`]+)`?\]\(\.\./[^)]*\)", r"`\1`", markdown)
