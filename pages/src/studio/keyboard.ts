@@ -54,8 +54,8 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: H
     which.value = next;
     which.dispatchEvent(new Event("change"));
   }],
-  ["H", "ghosts of the keyframes", click("ghosts")],
-  ["T", "trails and contact points", click("trails")],
+  ["H", "onion skin: the figure at every keyframe", click("ghosts")],
+  ["T", "motion paths and contact points", click("trails")],
   ["C", "curves", toggleCurves],
   ["U", "limb rows on the timeline", () => { timeline.unfolded = !timeline.unfolded; timeline.draw(); }],
   ["Z", "show all of the timeline", () => timeline.fit()],
