@@ -197,7 +197,11 @@ def _moving_shots(saved: Saved, look: Look) -> list[Shot]:
     time = next(iter(runs.values())).time
     chosen = range(len(time)) if look.at is None else [int(np.abs(time - look.at).argmin())]
     return [
-        Shot(views[i], tuple(Pane(runs[name].qpos[i], title, f"{time[i]:.2f} s") for name, title in titles.items()), ghosts)
+        Shot(
+            views[i],
+            tuple(Pane(runs[name].qpos[i], title, f"{time[i]:.2f} s") for name, title in titles.items()),
+            ghosts,
+        )
         for i in chosen
     ]
 
