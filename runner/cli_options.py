@@ -168,7 +168,7 @@ Ghosts = Annotated[
         "Draw one picture with the figure at all keyframes (darkest), inserted frames, and times between (lightest)",
     ),
 ]
-AsJson = Annotated[bool, flag("--json", "Print the result as JSON")]
+AsJson = Annotated[bool, flag("--json", "Print numbers and violations as JSON")]
 SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose or rest pose before the motion")]
 Repeat = Annotated[int | None, number("N", "If the clip is a loop, repeat it N times", 1, default="1", kind=int)]
 Rate = Annotated[float | None, number("HZ", "Samples per second of the output", 0.01, 100_000, "the clip's, or 30")]
@@ -194,7 +194,7 @@ Within = Annotated[
     float | None,
     quantity(
         "length",
-        "Keep pelvis, hands and feet within this distance of the recording, e.g. 3cm, where stances allow it",
+        "Keep pelvis, hands and feet within this distance of the recording, e.g. 3cm; feet that stand may exceed it",
         "--max-displacement",
         "--within",
     ),
@@ -204,7 +204,7 @@ Contacts = Annotated[
     Path | None,
     value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
 ]
-WriteMap = Annotated[bool, flag("--write-map", "Infer the bone map, and write it to the file that --map names")]
+WriteMap = Annotated[bool, flag("--write-map", "Also write the inferred bone map to the file that --map names")]
 Model = Annotated[
     str | None, value("MODEL", "Figure of the keyframes in --keys: name of a shipped figure, or MJCF file", "none")
 ]
@@ -219,7 +219,7 @@ Map = Annotated[
     Path | None,
     value(
         "FILE",
-        "Which bones are the pelvis, hands, feet etc.: a TOML file, or a shipped map (g1, human)",
+        "Names of pelvis, hands, feet etc. in recording and figure: a TOML file, or a shipped map (g1, human)",
         "inferred",
         "--map",
     ),

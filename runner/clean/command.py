@@ -203,9 +203,9 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
             if not met or source.map is None or not source.writes_map:
                 raise
             _write_map(source.map, met[0], progress)
-            raise UserError(f"{error}; '{source.map}' is to be filled in") from None
+            raise UserError(f"{error}; complete '{source.map}' by hand") from None
     if source.map is not None and not met:
-        raise UserError(f"'{source.file}': its format is already one of the figure's joints; a map says nothing of it")
+        raise UserError(f"'{source.file}': it already contains joints of the figure; omit --map")
     if source.map is not None and source.writes_map:
         _write_map(source.map, met[0], progress)
     scene = compose(take.spec, obstacles(around.scene), bare=take.model)
@@ -244,7 +244,7 @@ def _cleaned(
         ground, repaired_recording, requested, max_displacement=max_displacement, verdict=verdict, improved=improved
     )
     if not result.rests:
-        progress.report("note: no stance is found in it: nothing is kept from slipping")
+        progress.report("note: no stance was detected, so feet may slip")
     for line in _stances(result):
         progress.report(line)
     return result, _saved(result, recording)

@@ -50,7 +50,7 @@ BOUNDS = {
         Bound("speed", 10.0, "degrees/s", "or 5 % of the limit, if that is more: a soft constraint gives as much"),
         Bound("whip", 500.0, "rad/s²", "or 4 times what the raw spline needs, if that is more; run_loop comes to 370"),
         Bound("length", 0.5, "", "quaternions so far from length 1 turn fast between samples"),
-        Bound("search", 1.0, "", "the search ended before it was done"),
+        Bound("search", 1.0, "", "the search ended early"),
     )
 }
 WHIP_SHARE = 4.0  # [1] multiple of the raw spline's largest angular acceleration that is tolerated

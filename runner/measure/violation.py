@@ -81,7 +81,7 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     for row, amount, time, key in airborne(motion):
         violations.append(_as_violation(row, amount, time, None if key is None else int(motion.numbers[key])))
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
-        row = row_of("search", stop.name.lower(), f"the search ended before it was done: {stop.value}")
+        row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")
         violations.append(_as_violation(row, row.bound, None))
     return tuple(sorted(violations, key=lambda violation: -violation.severity))
 

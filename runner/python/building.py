@@ -32,25 +32,27 @@ Table = Mapping[str, Any]
 class Keyframe:
     """A keyframe, complete or partial. The arguments have the names of the clip file's keys.
 
-    Rotations are {"rotvec": [x, y, z]} or {"euler": [...], "order": "xyz"}, both in degrees, {"quat": [w, x, y, z]}, or
-    a scipy Rotation. Euler angles are intrinsic, as in MuJoCo: "xyz" is SciPy's "XYZ".
+    A rotation is {"rotvec": [x, y, z]} in degrees, {"euler": [...], "order": "xyz"} in degrees, {"quat": [w, x, y, z]},
+    or a scipy Rotation. Euler angles are intrinsic, as in MuJoCo: "xyz" is SciPy's "XYZ". The solver chooses values
+    that are "free".
 
     Args:
         time: Time [s].
         root: {"position": [x, y, z], "rotation": ...} in the world, metres; each of x, y and z
             may be "free".
         joints: By name: a rotation relative to the parent (ball joint), degrees (hinge) or metres (slide), or "free".
-        sites: By name of a site, geom, body or foot (see `dynsplines new`): its target position [x, y, z] in the world,
-            metres. Inverse kinematics computes one pose that meets all targets.
+        sites: By name of a site, geom, body or foot (`dynsplines new FIGURE` lists the feet): its target position
+            [x, y, z] in the world, metres. Inverse kinematics computes one pose that meets all targets.
         bodies: By name: {"flat": True} (as level as in the rest pose, with any heading), a rotation in the world, or
-            {"position": [x, y, z]} of the body's origin. With "at": [x, y, z], the position is that of a point in the
-            body's axes [m].
+            {"position": [x, y, z]} of the body's origin. With "at": [x, y, z], a point in the body's axes [m], it
+            is the position of this point instead.
         roots: As `root`, for other free bodies, by the name of their free joint or body. This includes objects that
             `scene` adds.
         others: Unspecified joints and root: "free", "rest" (as in qpos0), "previous" (as in the keyframe before), or
             "key:NAME" (a <key> of the model). Limbs with a target in `sites` or `bodies` are still
             moved by inverse kinematics.
-        qpos: (nq,) complete configuration in MuJoCo's order, overridden by the other arguments.
+        qpos: (nq,) complete configuration in MuJoCo's order. Joints, roots, sites and bodies that are also specified
+            replace its values; `others` then has no effect.
     """
 
     time: float

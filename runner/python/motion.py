@@ -259,7 +259,7 @@ class Motion(Renames):
         return violation.of_motion(self.saved) if self._solved is None else self._solved.violations
 
     def difference(self, other: Motion) -> MotionDifference:
-        """Return the largest distance and angle to another motion of the same figure.
+        """Compare the positions and rotations of all bodies with those in another motion of the same figure.
 
         Args:
             other: A motion that covers this one's interval; compared at this one's samples.
@@ -374,10 +374,10 @@ class Motion(Renames):
 
         Args:
             path: Output file.
-            exact: Only for .toml: write a [solve] table with which a solve of the clip gives exactly this spline.
-                Otherwise, a solve runs the search again, and the result may differ.
-            overwrite: Only for .toml, whose scene is written to a second file beside the clip: overwrite this file if
-                it exists with other content. If False, UserError is raised in that case. The clip or motion itself
+            exact: Only for .toml: add a [solve] table to the clip, so that solving it reproduces exactly this spline.
+                Otherwise, the search runs again, and the result may differ.
+            overwrite: Only for .toml. The scene of a clip is written to a second file beside it. If such a file
+                exists with other content, it is overwritten, or, if False, UserError is raised. The file at `path`
                 is always overwritten.
 
         Returns:
@@ -458,7 +458,7 @@ class Motion(Renames):
         """Return a loop repeated without a seam.
 
         Args:
-            count: Number of repetitions, 1 or more.
+            count: Number of cycles of the result, 1 or more.
 
         Returns:
             The longer motion.
@@ -508,13 +508,14 @@ class Motion(Renames):
 
     @as_python_warnings()
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:
-        """Return a motion with the fewest keyframes found that stays within an error bound of this one.
+        """Return a motion with fewer keyframes, within an error bound of this one.
 
         Args:
             max_error: Largest displacement of a body's origin, a site or the tip of a limb: metres, or text such as
                 "2cm". A quarter of it applies to hands, feet and other end effectors while they rest.
             max_angle: Largest rotation of a body [degrees].
-            solve: Apply the bound to the solved motion, not to the spline through the keyframes.
+            solve: Solve the keyframes, and apply the bound to the result. Otherwise, the result is the spline through
+                the keyframes.
 
         Returns:
             The motion with fewer keyframes.

@@ -79,8 +79,9 @@ class Block:
     Attributes:
         at: Indices of the residuals' samples, (P,).
         value: Residuals, (P,).
-        changes: A tuple of `Wrenches` and `Entries`, whose sum is the derivative. Each has one item per residual, in
-            the same order, unless `of` is given.
+        changes: The derivatives of the residuals: a tuple of `Wrenches`, for changes with the motion of links, and
+            `Entries`, for changes with entries of the state. Each has one item per residual, in the same order,
+            unless `of` is given. The derivative is their sum.
         weight: Weights of the squared residuals, (P,).
         one_sided: Whether only positive residuals count.
         of: If residuals have several wrenches each: for each of the Q wrenches, the index of its residual, (Q,).
@@ -201,16 +202,17 @@ class Block:
 
 @dataclass(frozen=True, eq=False)
 class Dense:
-    """R residuals at each of S samples, with a function for their gradients. f is the sum of their squares and `more`.
+    """R residuals at each of S samples, with a function for their gradients. f(s) is Σ_i r[i, s]² + `more`[s].
 
     Attributes:
         value: Residuals, (R, S).
         pulled_back: pulled_back(cotangent, bar) adds the gradient of Σ bar[i, s] · r[i, s] to the cotangent, bar
-            (R, S). For the gradient of Σ_s scale_s f(s), it is called with bar = 2 · scale · r.
+            (R, S).
         curved: curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,). If
             None, they are computed by an adjoint sweep of the kinematics for every residual.
-        more: Summand of f in addition to the squares, (S,). With bar = 2 · scale · r, `pulled_back` must add the
-            gradient of all of f. This holds without a term for `more` if f is a minimum over other variables.
+        more: Summand of f in addition to the squares, (S,). Its gradient is not computed: the gradient of f is
+            taken to be that of the squares. Use it only where this holds: if f is the minimum of squares and `more`
+            over further variables, and the gradient of r is that for constant further variables (envelope theorem).
     """
 
     value: Array

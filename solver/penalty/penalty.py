@@ -28,6 +28,8 @@ from .one_sided import OneSidedResiduals
 class Normalization:
     """Numbers by which the solver scales a soft constraint, so that constraints are comparable.
 
+    The solver divides f_j / `reference` by its integral over the raw spline, the spline through the keyframes.
+
     Attributes:
         reference: The value of f_j for a violation of 1 cm or 1°, on a figure of an adult's size. For speeds and
             accelerations: the value for 1 m/s, 2 m/s² or 8 rad/s² if keyframes are 1 s apart. The solver divides it
@@ -36,11 +38,10 @@ class Normalization:
             every motion has a cost, as for an acceleration.
         length_power: The exponent p: on a figure λ times as large, f_j is λ^p times as large; 2 for squared lengths.
         time_power: The exponent p: in a clip slowed by a factor λ, f_j is divided by λ^p; 4 for squared accelerations.
-        normalize_by: The name of another term. If the objective contains that term, f_j / `reference` is divided by
-            the number that the other term is divided by, not by the integral of f_j over the raw spline.
-        raw_cap: The upper limit of the divisor of f_j, per second of the clip.
+        normalize_by: The name of another term. If the objective contains it, the integral of that term is used.
+        raw_cap: The upper limit of the integral, divided by the duration of the clip [s].
         is_sharp: Whether f_j changes abruptly in time. The search then computes its curvature at all samples instead
-            of a few. Only for penalties of `Block`s with `Wrenches`, and of `Dense` with `Curvature.add_rows`.
+            of a few. This affects only a `Block` with `Wrenches`, and a `Dense` that uses `Curvature.add_rows`.
         by_tension: The weight of f_j is divided by `Objective.tension` to this power. The tension rises with the time
             between keyframes.
     """
@@ -58,17 +59,17 @@ class Normalization:
 class Role(Enum):
     """The purpose of a soft constraint.
 
-    After a poor local minimum, the solver restarts without the roles that trap limbs: first without contacts and
-    physics, then without limits.
+    If the search ends in a poor local minimum, the solver restarts without constraints that may trap a limb: first
+    without CONTACT and PHYSICS, then also without LIMIT.
     """
 
-    SMOOTHNESS = "what all motion costs"
-    CONTACT = "feet and hands stay where they stand or hold"
-    OBSTACLE = "nothing goes through a surface or a limb"
-    LIMIT = "joints keep to their bounds"
-    PHYSICS = "forces that the ground can supply, without impacts"
-    EQUALITY = "joints and points that belong together"
-    TRACKING = "target poses and positions"
+    SMOOTHNESS = "accelerations and speeds are low"
+    CONTACT = "feet and hands stay in place"
+    OBSTACLE = "surfaces and limbs do not penetrate each other"
+    LIMIT = "joints stay within their bounds"
+    PHYSICS = "the ground can supply the forces, without impacts"
+    EQUALITY = "joints and points are coupled"
+    TRACKING = "poses and positions are near targets"
 
 
 class Penalty(ABC):
@@ -98,7 +99,7 @@ class Penalty(ABC):
         return False
 
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
-        """Return the residuals whose sum of squares is f_j.
+        """Return the residuals. f_j is the weighted sum of their squares.
 
         Of one-sided residuals, only positive ones count. The others may be omitted.
 
@@ -106,8 +107,8 @@ class Penalty(ABC):
         the gradient.
 
         Args:
-            samples: S samples of the motion: the state y, y', y'' (S, N), and positions, velocities and accelerations
-                of all links (3, L, S) in `samples.links`.
+            samples: S samples of the motion: the state y and its time derivatives y', y'', each (S, N), and in
+                `samples.links` the positions, velocities and accelerations of all links, each (3, L, S).
 
         Returns:
             Blocks of residuals with their derivatives.

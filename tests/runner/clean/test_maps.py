@@ -74,7 +74,7 @@ def test_an_incomplete_map_is_written_and_named(command, walk, tmp_path, monkeyp
     assert "--map FILE" in done.last and "--write-map" in done.last
     done = command(*words, "--map", "m.toml", "--write-map")
     assert done.code == 2
-    assert done.last.endswith("'m.toml' is to be filled in")
+    assert done.last.endswith("complete 'm.toml' by hand")
     figure, recording = (tmp_path / "m.toml").read_text(encoding="utf-8").split("[recording]")
     assert 'left_thigh = "left_thigh"' in figure
     assert "# Not found by name. Names without a role: bone0, bone1," in recording

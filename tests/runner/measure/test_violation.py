@@ -427,7 +427,7 @@ def test_a_search_that_ended_early(stop):
     assert kinds(found) == ({"search"} if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS) else set())
     for each in found:
         assert each.time is None
-        assert each.text == f"the search ended before it was done: {stop.value}"
+        assert each.text == f"the search ended early: {stop.value}"
 
 
 # in what order, how many, how fast
@@ -526,4 +526,4 @@ def test_the_bounds_of_the_page_are_those_of_the_code():
         for kind, bound in BOUNDS.items()
     }
     assert told == said | {"search": "–"}
-    assert f"{WHIP_SHARE:g} times the largest one in the raw spline" in page
+    assert f"{WHIP_SHARE:g} times the largest one of all limbs in the raw spline" in page
