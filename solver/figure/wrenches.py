@@ -242,7 +242,7 @@ def _chains(figure: Figure) -> _Chains:
     in_world = tables.quaternion_links[tables.in_world[tables.quaternion_links]]
     kinds = tables.free_links, tables.slide_links, tables.hinge_links, in_world, relatives(figure)
     free, slides, hinges, world, relative = (_padded(path, links) for links in kinds)
-    after = np.where(world > 0, followers(figure)[np.arange(len(path)), world], 0)
+    after = followers(figure)[np.arange(len(path)), world]
     return _Chains(free, slides, hinges, world, after, relative)
 
 
@@ -326,7 +326,7 @@ class _Sweep:
 
     def _on_axes(self, moments: Orders, frame: Index, at: Index) -> Orders:
         """Return the coefficients of axes that rotate with links `frame` (Q,)."""
-        if moments[1] is None and moments[2] is None:
+        if moments[1] is None:  # nor is there then a moment of angular acceleration
             return moments
         alpha = None if moments[2] is None else self.motion.alpha[:, frame, at]
         return on_moving_axes(moments, self.motion.omega[:, frame, at], alpha)
