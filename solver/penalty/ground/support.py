@@ -152,7 +152,7 @@ class Support(Penalty):
         offset = applied(rotation, positions[:, which])
         edges_at = edges[:, which]
         lever = (x + offset - wrench.centre[:, sample]) / self.length
-        pyramid = np.zeros((6, max(int(slot.max(initial=-1)) + 1, 1), EDGES, known.size))
+        pyramid = np.zeros((6, int(slot.max(initial=0)) + 1, EDGES, known.size))
         pyramid[:3, slot, :, at] = edges_at.transpose(1, 0, 2)
         pyramid[3:, slot, :, at] = cross(lever[:, :, None], edges_at).transpose(1, 0, 2)
         pyramid = pyramid.reshape(6, -1, known.size)
