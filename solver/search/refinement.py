@@ -62,7 +62,7 @@ def refine(search: Search, factor: Array, tolerance: float, method: str = LBFGS)
     Raises:
         StopSearch: The search was interrupted.
     """
-    layout, around, gradient, unit = search.layout, search.x, search.gradient, sqrt(search.value or 1.0)
+    layout, around, gradient, unit = search.layout, search.x, search.gradient, sqrt(search.value)
     values, is_converged, remaining = [search.value] * PATIENCE, False, search.budget - search.count
 
     def fun(z: Array) -> tuple[float, Array]:
