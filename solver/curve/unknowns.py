@@ -117,7 +117,7 @@ def _loose(figure: Figure, timeline: Timeline) -> Mask:
     if timeline.ends == "periodic":
         loose[-3] = False
     if timeline.ends == "held":
-        loose[[0, 1, -4, -3]] = False
+        loose[[1, -4]] = False
     return loose
 
 

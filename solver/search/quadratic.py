@@ -235,7 +235,6 @@ class Layout:
             for order in range(3):
                 self._tie_seam(matrix, spline, order)
         if spline.ends == "held":
-            is_held[[1, -4]] = False
             self._hold_curvature(matrix, spline)
         if unknowns.ties is not None:
             tied = is_held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
