@@ -56,11 +56,7 @@ class PoseProcess:
         if at is not None:
             out[:, : times.size] += REST * _smooth(at, times, self.poses.limits.smooth)
             return out
-        alike = REST * _smooth(times, times, self.poses.limits.smooth)
-        for first in range(0, out.shape[0], times.size):
-            block = slice(first, first + times.size)
-            out[block, block] += alike
-        return out
+        return out + REST * np.kron(np.eye(sides), _smooth(times, times, self.poses.limits.smooth))
 
     def predicted(self, period: float, at: Array) -> tuple[Array, Array]:
         """Return the poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""

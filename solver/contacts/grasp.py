@@ -80,7 +80,7 @@ class Grasp:
 
     def _during(self, t: Array) -> Iterator[tuple[Spot, Mask]]:
         """Yield the spots, each with the mask of its times among t (S,)."""
-        which = np.clip(np.searchsorted([spot.last for spot in self.spots], t), 0, len(self.spots) - 1)
+        which = np.searchsorted([spot.last for spot in self.spots[:-1]], t)
         for i, spot in enumerate(self.spots):
             yield spot, which == i
 
