@@ -4,7 +4,8 @@
     python benchmarks/mutations.py --only solver/search/descent.py     those of some files alone
     python benchmarks/mutations.py --only solver/search/descent.py:49  every mutation of some lines
 
-Constants that a module begins with are left alone: they are choices, each with its reason beside it.
+Constants that a module begins with, and numbers with a decimal point in the defaults of a class, are left alone: they
+are choices, each with its reason beside it.
 
 A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
 `or`. No file is touched: a process of its own compiles the mutated source under the name of the module and runs pytest
@@ -122,10 +123,12 @@ def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
 def _ignored_parts(tree: ast.AST) -> Iterator[ast.AST]:
     """Parts that change nothing when they change, annotations, decorators (the size of a cache), messages of errors and
     functions that have a docstring alone, which others stand in for; the −1 of `reshape`, for which any negative number
-    does; and constants of a module, which are choices: others would do as well."""
+    does; and constants of a module and floats of a class, which are choices: others would do as well."""
     for node in tree.body if isinstance(tree, ast.Module) else ():
         if isinstance(node, (ast.Assign, ast.AnnAssign)):
             yield from ast.walk(node)
+    for node in _class_defaults(tree):
+        yield from (part for part in ast.walk(node) if isinstance(part, ast.Constant) and type(part.value) is float)
     for node in ast.walk(tree):
         if isinstance(node, ast.Raise) or (isinstance(node, ast.FunctionDef) and not _does_anything(node)):
             yield from ast.walk(node)
@@ -137,6 +140,12 @@ def _ignored_parts(tree: ast.AST) -> Iterator[ast.AST]:
         for part in (*parts, *getattr(node, "decorator_list", ())):
             if part is not None:
                 yield from ast.walk(part)
+
+
+def _class_defaults(tree: ast.AST) -> Iterator[ast.AST]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ClassDef):
+            yield from (line for line in node.body if isinstance(line, (ast.Assign, ast.AnnAssign)))
 
 
 def _does_anything(function: ast.FunctionDef) -> bool:
