@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from unittest import mock
+
 import mujoco
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from closed_forms import assert_near
 from random_model import random_figure
 from random_samples import random_samples
 
+from dynsplines.solver import compiled
 from dynsplines.solver.array import Index
 from dynsplines.solver.figure.adjoint import Cotangent, Quantity
 from dynsplines.solver.figure.dynamics import velocities
@@ -46,16 +49,29 @@ def by_adjoint(samples: Samples, given: Wrenches) -> np.ndarray:
 
 
 def check(figure: Figure, rng: np.random.Generator) -> None:
+    """With the compiled kernel, if there is one, and without."""
     samples = random_samples(figure, rng)
     for names in (ALL, ("force",), ("torque",), ("force", "torque"), ("force_d", "torque_d"), ("torque_dd",)):
         given = some(figure, samples, rng, names)
         expected = by_adjoint(samples, given)
         if np.abs(expected).max() > 0.1:
             assert_near(given.rows(samples), expected, 1e-11)
+            with mock.patch.object(compiled, "kernel", None):
+                assert_near(given.rows(samples), expected, 1e-11)
 
 
 def test_rows_are_those_of_the_adjoint_sweep(figure, rng):
     check(figure, rng)
+
+
+def test_joined_wrenches_have_the_rows_of_all_parts(figure, rng):
+    samples = random_samples(figure, rng)
+    parts = [some(figure, samples, rng, names) for names in (("force", "torque"), ("force", "torque_d"))]
+    rows = Wrenches.joined(parts).rows(samples)
+    expected = [part.rows(samples) for part in parts]
+    np.testing.assert_allclose(rows[:, 0], np.concatenate([part[:, 0] for part in expected]), atol=1e-12)
+    np.testing.assert_allclose(rows[len(expected[0]) :], expected[1], atol=1e-12)
+    assert not rows[: len(expected[0]), 1].any()
 
 
 @pytest.mark.parametrize("coordinates", ["auto", "joint"])
