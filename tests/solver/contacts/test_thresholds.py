@@ -95,7 +95,7 @@ def test_lengths_times_and_speeds_grow_with_the_figure():
         size, found = Size.of(figure), Thresholds.of(figure)
         assert size.length == pytest.approx(factor, rel=1e-6)
         assert size.time == pytest.approx(np.sqrt(factor), rel=1e-6)
-        assert found.near_surface == pytest.approx(factor * 0.012, rel=1e-6)
-        assert found.step == pytest.approx(np.sqrt(factor) * 0.2, rel=1e-6)
-        assert found.fast == pytest.approx(np.sqrt(factor) * 0.35, rel=1e-6)
-        assert found.lively == pytest.approx(np.sqrt(factor) * 100, rel=1e-6)
+        speeds = ("travels", "lowering", "fast", "drift", "fastest", "slowest")
+        powers = {"near_surface": 1, "step": 0.5, "finest": -0.5, "lively": 0.5, "height_turn": -1}
+        for name, power in (powers | dict.fromkeys(speeds, 0.5)).items():
+            assert getattr(found, name) == pytest.approx(factor**power * getattr(Thresholds(), name), rel=1e-6)

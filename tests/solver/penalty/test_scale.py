@@ -69,6 +69,15 @@ def test_a_centimetre_counts_as_the_reference_specifies(name):
     assert Sum((penalty,), "both").normalization == penalty.normalization
 
 
+@pytest.mark.parametrize("name", sorted({*CENTIMETRE} - {"self"}))
+def test_a_violation_on_a_larger_figure_counts_more_by_the_power_that_its_scale_specifies(name):
+    """By the length of a violation: a deviation that is twice as large."""
+    figure, penalty = figure_of(BALL), CENTIMETRE[name]
+    y = np.array([[0, 0, -away if name == "contact" else away, 1, 0, 0, 0.0] for away in (0.01, 0.02)])
+    one, two = penalty.evaluate(Samples(figure, y, 0 * y, 0 * y, t=np.zeros(2)))
+    assert two / one == pytest.approx(2.0**penalty.normalization.length_power, rel=1e-3)
+
+
 @pytest.mark.parametrize("degrees", [-1.0, 1.0])
 def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts_as_the_reference_specifies(degrees):
     hinge = figure_of(CHAIN.format("hinge"), "joint")
