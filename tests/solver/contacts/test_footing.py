@@ -8,7 +8,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 from dynsplines.clip import load as clips
-from dynsplines.solver.contacts import Footing, flights, footings, stances
+from dynsplines.solver.contacts import Contacts, Footing, Stance, flights, footings, stances
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -98,6 +98,23 @@ def test_the_shipped_run_has_its_three_flights():
     support = clips.load("run_and_step").context.support
     assert support is not None
     assert support.flights == ((0.12, 0.26), (0.49, 0.63), (0.88, 1.20))
+
+
+@pytest.mark.parametrize(("seconds", "stands"), [(0.12, True), (0.11, False)])
+def test_a_foot_that_moves_faster_than_35_cm_a_second_does_not_stand(seconds, stands):
+    timeline = raw_timeline(FIGURE, [key(5.0, 0.0, STAND), key(5.0 + seconds, 0.04, STAND)])
+    assert bool(stances(FIGURE, timeline, SOLES, (FLOOR,))) is stands
+
+
+def test_contacts_overlap_stances_of_the_same_point_at_the_same_times():
+    def stance(point: Point, first: float, last: float) -> Stance:
+        return Stance(point, first, last, np.zeros(3), np.zeros(3))
+
+    contacts = Contacts(stances=(stance(SOLES[0], 0.1, 0.3),))
+    for first, last, overlaps in ((0.0, 0.1, False), (0.3, 0.4, False), (0.2, 0.4, True), (0.0, 0.101, True)):
+        assert contacts.overlaps(stance(SOLES[0], first, last)) is overlaps
+        assert not contacts.overlaps(stance(SOLES[1], first, last))
+        assert not contacts.overlaps(stance(SOLES[2], first, last))
 
 
 def test_standing_and_walking_never_fly():

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from figures import EVERY_JOINT, figure_of
 from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 from walker import FINE
 
@@ -12,6 +13,7 @@ from dynsplines.clip.context import Context
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait_period import SLIP, Gait
+from dynsplines.solver.contacts.pose_vectors import PoseVectors
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -72,6 +74,16 @@ def test_its_poses_are_those_of_the_walk():
     plain = FIGURE.to_qpos(path_of(seen.keys).at(gait_cycle.times))[:, columns]
     assert np.degrees(quat.angle_between(gait_cycle.rotations, real).mean()) < 2
     assert np.degrees(quat.angle_between(plain, real).mean()) > 4
+
+
+def test_equal_poses_have_no_vectors():
+    figure = figure_of(EVERY_JOINT)
+    poses = np.tile(figure.model.qpos0, (4, 1))
+    poses[:, figure.tables.hinge_columns] = 0.3
+    poses[3, figure.tables.hinge_columns[0]] = 0.4
+    keys = [Frame.key(0.5 * k, pose) for k, pose in enumerate(poses)]
+    assert PoseVectors.of(figure, raw_timeline(figure, keys[:3])) is None
+    assert PoseVectors.of(figure, raw_timeline(figure, keys)) is not None
 
 
 def test_poses_without_a_rhythm_tell_none(rng):

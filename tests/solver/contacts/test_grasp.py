@@ -104,16 +104,20 @@ def test_the_rows_of_its_sides_are_its_gradient(link, rng):
 
 
 def test_a_limb_that_holds_on_may_stay_as_deep_as_it_took_hold_while_the_hold_lasts_and_no_longer():
-    figure = figure_of()
+    """The arm of the trunk holds on, but not a wing in the world, though it is as free."""
+    wing = '<body pos="0 0 1"><joint type="ball"/><geom type="capsule" size=".1" fromto="0 0 0 0 0 .3"/></body>'
+    figure = Figure(mujoco.MjModel.from_xml_string(CARRIER.replace("</worldbody>", wing + "</worldbody>")))
     arm = np.zeros(figure.width, bool)
-    arm[figure.links[2].qpos : figure.links[2].qpos + 4] = True
+    for link in (2, 5):
+        arm[figure.links[link].qpos : figure.links[link].qpos + 4] = True
     keys = []
     for time, is_free in ((0.0, True), (1.0, False), (2.0, True), (3.0, True), (4.0, True)):
         qpos = np.array(figure.model.qpos0)
         crate = figure.links[3].qpos
         qpos[crate : crate + 3] = [0, 0, 1.2]  # the arm's tip is in it
         keys.append(Frame(time, qpos, ~arm if is_free else np.ones(figure.width, bool)))
-    timeline, contact = raw_timeline(figure, keys), clearing(figure, 3)
+    timeline, points = raw_timeline(figure, keys), covering_points(figure)
+    contact = Contact(tuple(p for p in points if p.link in (1, 2, 5)), surfaces_on(figure, 3), carrier=3)
     plain = contact.allowing(figure, timeline).allowed
     holding = contact.allowing(figure, timeline, [(2, 1.0, 3.0)]).allowed
     assert plain is not None
@@ -124,3 +128,4 @@ def test_a_limb_that_holds_on_may_stay_as_deep_as_it_took_hold_while_the_hold_la
     np.testing.assert_array_equal(plain.excess[limb].max(axis=0), [0, deep, 0, 0, 0])
     np.testing.assert_array_equal(holding.excess[limb].max(axis=0), [0, deep, deep, deep, 0])
     np.testing.assert_array_equal(plain.excess[~limb], holding.excess[~limb])
+    assert plain.excess[[point.link == 5 for point in contact.points], 1].max() > 0.05

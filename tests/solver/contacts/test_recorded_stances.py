@@ -16,6 +16,7 @@ from dynsplines.solver.contacts.recorded_stances import (
     DEAR,
     RecordedStance,
     _cut,
+    _moves,
     infer_stances,
     largest_noise,
     position_noise,
@@ -175,6 +176,14 @@ def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rate
         assert _cut(times, place, height, moving, known, noise, ADULT) == least
         seen.add(len(least))
     assert seen >= ({0, 1, 2} if most == count else {1, 2, 3})
+
+
+@pytest.mark.parametrize(("moved", "noise", "moves"), [(0.05, 0.0, True), (0.054, 0.005, True), (0.052, 0.005, False)])
+def test_a_run_moves_by_more_than_drift_and_the_noise_of_means(moved, noise, moves):
+    """15 samples in 0.23 s drift by 4.7 cm; means of five differ by 3 standard errors, 6.7 mm of 5 mm of noise."""
+    place = np.zeros((3, 15))
+    place[0, 8:] = moved
+    assert bool(_moves(np.arange(15) / FPS, place, 0, 15, noise, ADULT)) is moves
 
 
 def test_a_stance_on_an_edge_is_on_what_ends_there():

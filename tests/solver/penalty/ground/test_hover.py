@@ -100,6 +100,10 @@ def test_segments_with_an_end_in_the_air_are_left_out():
     timeline = raw_timeline(figure, keys)
     assert grounded(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
     assert grounded(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0), (1.0, 1.5), (1.7, 2.0))
+    down, flight = np.array([False, True, True, True, False]), ((0.5, 3.5),)
+    assert grounded_intervals(timeline, down, flight) == ()
+    assert grounded_intervals(timeline, ~down, flight, 0.1) == ((0.0, 0.4), (3.6, 4.0))
+    assert grounded_intervals(timeline, ~down, ((-0.5, 4.5),)) == grounded_intervals(timeline, ~down, flight, 0.6) == ()
     assert grounded(figure, timeline, (), (FLOOR,)) == grounded(figure, timeline, (FOOT,), ()) == ()
 
 
