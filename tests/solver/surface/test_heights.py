@@ -31,6 +31,14 @@ def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
     np.testing.assert_array_less(np.linalg.norm((where - points)[:, 0], axis=0), REACH + 1e-12)
 
 
+@pytest.mark.parametrize(("height", "is_on_top"), [(0.07, False), (0.08, True)])
+def test_the_ground_below_wins_unless_that_beside_is_nearer_by_5_cm(height, is_on_top):
+    low = Box("low", np.array([0.0, 0.0, 0.05]), np.eye(3), np.array([0.5, 0.5, 0.05]))
+    points = np.array([[[0.55, -0.55]], [[0.0, 0.0]], [[height + 0.05] * 2]])
+    found, _ = grounds([FLOOR, low], points, np.array([0.05]), REACH)
+    np.testing.assert_allclose(found, height - 0.1 * is_on_top, atol=1e-12)
+
+
 def test_over_a_slope_it_is_that_of_the_slope_unless_it_is_far_off():
     slope = Plane("slope", np.zeros(3), TILT)
     points = np.array([[0.0, 0.3], [0.0, 0.0], [0.06, 0.0]])[:, None]

@@ -56,6 +56,18 @@ def test_outside_the_distance_is_that_to_the_nearest_mixture_of_corners(seed):
     np.testing.assert_allclose(np.maximum(distance, 0), expected, atol=2e-6)
 
 
+def test_over_the_middle_of_every_edge_the_distance_is_that_to_the_edge(rng):
+    vertices = rng.normal(size=(60, 3))
+    vertices /= np.linalg.norm(vertices, axis=1, keepdims=True)
+    oracle = ConvexHull(vertices)
+    points = []
+    for simplex, normal, neighbours in zip(oracle.simplices, oracle.equations[:, :3], oracle.neighbors, strict=True):
+        for opposite, neighbour in enumerate(neighbours):
+            outward = normal + oracle.equations[neighbour, :3]
+            points.append(vertices[np.delete(simplex, opposite)].mean(axis=0) + 0.1 * outward / np.linalg.norm(outward))
+    np.testing.assert_allclose(of_points(vertices).distance(np.array(points).T)[0], 0.1, atol=1e-6)
+
+
 @settings(deadline=None, max_examples=15)
 @given(SEEDS)
 def test_inside_the_distance_is_that_to_the_nearest_half_space_of_qhulls(seed):
