@@ -110,6 +110,10 @@ def changed(old: str, new: str, text: str = ROBOT) -> Figure:
         (changed('pos="0 -.2 0"', 'pos="0 -.2 .1"'), "'LeftPitch' at rest is no mirror image of 'RightPitch'"),
         (changed('"RightRoll" axis="1 0 0"', '"RightRoll" axis="1 0 1"'), "axes of .* are no mirror images"),
         (Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), "no partner .* 'shoulder', 'hip';"),
+        (
+            changed('"root"/><geom size=".1"', '"root"/><geom size=".1" pos="0 .3 0" mass="50"'),
+            "no partner on the other side for: 'root'",
+        ),
     ],
 )
 def test_a_figure_without_two_sides_is_refused_by_the_joints_that_have_no_partner(figure, words):
@@ -182,6 +186,14 @@ def test_frames_turned_at_random_have_mirrored_places_and_come_back(rng, names, 
         np.testing.assert_allclose(mirror.configurations(mirror.configurations(qpos)), qpos, atol=1e-9)
         np.testing.assert_allclose(mirror.states(mirror.states(state)), state, atol=1e-9)
         np.testing.assert_allclose(mirror.states(state + slope), mirror.states(state) + mirror.slopes(slope), atol=1e-9)
+
+
+def test_unnamed_sides_are_paired_by_their_mass_wherever_hinges_are_on_their_axes():
+    arm = '<body pos="0 {} 0"><joint axis="0 1 0"/><geom size=".1" pos="0 {} 0"/></body>'
+    arms = arm.format(0.2, 0.1) + arm.format(-0.1, -0.2)
+    text = f'<mujoco><worldbody><body><freejoint/><geom size=".1"/>{arms}</body></worldbody></mujoco>'
+    mirror = Mirror.of(Figure(mujoco.MjModel.from_xml_string(text)))
+    np.testing.assert_allclose(mirror.configurations(np.array([0, 0, 0, 1, 0, 0, 0, 0.3, 0.1]))[7:], [0.1, 0.3])
 
 
 def test_names_that_lack_a_side_are_paired_with_the_side_that_the_other_has():

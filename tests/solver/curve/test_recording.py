@@ -5,7 +5,7 @@ import pytest
 from figures import TINY, figure_of
 from scipy.spatial.transform import Rotation
 
-from dynsplines.solver.curve.recording import LIVELINESS, RecordedMotion, between
+from dynsplines.solver.curve.recording import LIVELINESS, ORDER, RecordedMotion, between
 from dynsplines.solver.figure.figure import Figure
 
 TIMES = np.linspace(0.3, 3.3, 181)
@@ -44,6 +44,14 @@ def test_the_noise_is_as_large_as_it_was_made(figure, rng):
         assert 0.5 * noise < np.median(found.noise) < 1.3 * noise  # quaternions were longer than one
         clean = RecordedMotion.of(figure, TIMES, swung(figure, np.random.default_rng(3)))
         assert np.median(clean.noise) < 0.4 * noise
+
+
+@pytest.mark.parametrize("count", [2, ORDER, ORDER + 1])
+def test_samples_too_few_to_measure_noise_have_the_least(count):
+    figure = figure_of(TINY)
+    still = np.tile(figure.model.qpos0, (TIMES.size, 1))
+    few, many = (RecordedMotion.of(figure, TIMES[:n], still[:n]) for n in (count, TIMES.size))
+    np.testing.assert_allclose(few.noise, many.noise)
 
 
 def test_a_gap_is_bridged_and_what_is_in_it_does_not_matter(figure, rng):

@@ -36,6 +36,14 @@ def test_a_travelling_loop_is_smooth_across_its_seam_for_every_x(rng, coordinate
         np.testing.assert_allclose(y_dd[1], y_dd[0] * seam.signs, atol=1e-9)
 
 
+def test_a_discontinuity_is_the_largest_jump_of_each_derivative():
+    figure = figure_of(TINY)
+    first, slope = np.array(figure.model.qpos0), np.array([[0, 1, 0], [0, 4, 0]]) @ np.eye(3, figure.width)
+    path = path_of(raw_timeline(figure, [Frame.key(t, first) for t in (0.0, 0.5, 1.0)], "clamped", slope))
+    seam = Seam.between(figure, first, first)
+    np.testing.assert_allclose(seam.discontinuity(path), [0, 3, np.ptp(path.at([0.0, 1.0], 2)[:, 1])], atol=1e-12)
+
+
 @pytest.mark.parametrize("free", [(), ("root x",), ("root x", "root y", "root z")])
 def test_travel_given_is_met_whatever_the_ends_leave_free(rng, free):
     figure = figure_of(TINY)
