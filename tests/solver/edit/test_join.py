@@ -31,6 +31,13 @@ from dynsplines.solver.refine.subdivision import evenly, split
 from dynsplines.solver.search.descent import optimised
 
 LENGTH = 0.4
+SPINE = """<mujoco><worldbody><body><freejoint name="root"/><geom size=".1"/>
+  <body><joint name="leg" type="ball"/><geom size=".05"/></body>
+  <body><joint name="waist" type="ball"/><geom size=".1"/><body><joint name="chest" type="ball"/><geom size=".1"/>
+    <body><joint name="left" type="ball"/><geom size=".05"/></body>
+    <body><joint name="right" type="ball"/><geom size=".05"/></body></body></body></body>
+<body name="object"><freejoint/><geom size=".5"/><body><joint name="lid"/><geom size=".5"/></body>
+  <body><joint name="drawer"/><geom size=".5"/></body></body></worldbody></mujoco>"""
 
 
 def sides(figure: Figure, rng: np.random.Generator) -> tuple[Timeline, Timeline]:
@@ -156,6 +163,8 @@ def test_a_walk_continues_the_way_that_its_trunk_faces_whichever_foot_is_ahead()
     """At a step the pelvis turns 4 degrees one way and the chest as much the other: the walk goes straight on."""
     figure = Figure(figure_spec("human").compile())
     assert [figure.links[i].name for i in trunk(figure)] == ["root", "spine"]
+    spine = figure_of(SPINE)
+    assert [spine.links[i].name for i in trunk(spine)] == ["root", "chest"]
     for way in (0.0, 1.2, -2.9):
         still = np.zeros((2, figure.width))
         before, after = Timeline(step(figure, 4.0, way), still), Timeline(step(figure, -4.0, 0.0), still)
@@ -192,5 +201,14 @@ def test_a_transition_that_is_none_is_refused(rng):
     with pytest.raises(TimelineError, match="at least 4 variable frames, not 2"):
         bridge(figure, before, after, variable=2)
     begin = bridge(figure, before, after)
-    with pytest.raises(TimelineError, match="held ends need a variable frame next to each end"):
-        Timeline(begin.frames[:1] + begin.frames[-1:], begin.end_slope, "held")
+    ends = begin.frames[:2], begin.frames[-2:]
+    assert len(Timeline(ends[0] + ends[1], begin.end_slope, "held").frames) == 4
+    key = Frame.key(begin.times[1], begin.states[1]), Frame.key(begin.times[-2], begin.states[-2])
+    for frames in (
+        ends[0][:1] + ends[1][1:],
+        ends[0] + ends[1][1:],
+        (begin.frames[0], key[0], *begin.frames[2:]),
+        (*begin.frames[:-2], key[1], begin.frames[-1]),
+    ):
+        with pytest.raises(TimelineError, match="held ends need a variable frame next to each end"):
+            Timeline(frames, begin.end_slope, "held")
