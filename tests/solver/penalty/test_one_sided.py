@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from figures import TINY, figure_of
+from random_samples import random_samples
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.penalty import one_sided
+from dynsplines.solver.penalty.block import Block, Entries
 from dynsplines.solver.penalty.one_sided import OneSidedResiduals, Rows
 
 SAMPLES, WIDTH = 5, 7
@@ -84,6 +87,17 @@ def joined(rng: np.random.Generator) -> OneSidedResiduals:
     return OneSidedResiduals.joined(
         [OneSidedResiduals(dense(rows)[0], rng.normal(size=rows.of.size), (rows,)) for rows in parts]
     )
+
+
+def test_weights_of_a_block_are_in_its_residuals_and_their_rows(rng):
+    figure, at, column = figure_of(TINY), np.array([0, 1, 1]), np.array([2, 0, 5])
+    samples, weight = random_samples(figure, rng, 2), np.array([4.0, 0.25, 9.0])
+    entries = Entries(at, 0, column, np.array([1.0, -2.0, 3.0])), Entries(at, 0, column + 1)
+    sides = Block(at, np.array([0.1, 0.2, 0.3]), entries, weight, one_sided=True).one_sided_residuals(samples)
+    np.testing.assert_allclose(sides.value, [0.2, 0.1, 0.9])
+    expected = np.zeros((3, figure.width))
+    expected[np.arange(3), column], expected[np.arange(3), column + 1] = [2.0, -1.0, 9.0], [2.0, 0.5, 3.0]
+    np.testing.assert_allclose(sides.rows, expected)
 
 
 def test_joined_they_follow_one_another(rng):

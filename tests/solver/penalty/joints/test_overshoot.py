@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, EVERY_JOINT
+from figures import BALL_TREE, EVERY_JOINT, ONE_BALL
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.spatial.transform import Rotation
@@ -75,7 +75,7 @@ def test_the_height_of_a_root_is_not_held_in_a_flight() -> None:
     assert steady(figure, keys, aloft=[(1.0, 2.0)]) == ()
 
 
-@pytest.fixture(params=[(BALL_TREE, "world"), (BALL_TREE, "joint"), (EVERY_JOINT, "joint")])
+@pytest.fixture(params=[(BALL_TREE, "world"), (BALL_TREE, "joint"), (EVERY_JOINT, "joint"), (ONE_BALL, "world")])
 def figure(request: pytest.FixtureRequest) -> Figure:
     text, coordinates = request.param
     return Figure(mujoco.MjModel.from_xml_string(text), coordinates)

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import HUMAN_AND_CHAINS
-from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
+from gaits import FIGURE, GROUND, SOLES, TIME, WALK, gait
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 from scipy.spatial.transform import Rotation
@@ -23,6 +23,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.refine.subdivision import evenly
 
 LYING = """<mujoco><worldbody><body pos="0 0 1" quat=".7071 .7071 0 0"><freejoint/><geom size=".1"/>
   <body pos="0 -.3 0" quat=".8 0 .6 0"><joint type="ball"/><geom size=".1" pos="0 -.1 0"/></body>
@@ -109,14 +110,19 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
     assert gait_cycle is not None and len(SOLES) == 4
     cycle = Cycle(FIGURE, gait_cycle)
     initial_guess = cycle.initial_guess(seen.keys, None)
-    assert np.diff(initial_guess.times).max() <= 1.05 * PERIOD / 8
+    spacing = gait_cycle.period / 8
+    needed = sum(int(np.ceil(span / spacing - 1e-9)) - 1 for span in np.diff(seen.keys.times))
+    assert initial_guess.variable_count == needed
+    assert np.diff(initial_guess.times).max() <= 1.001 * spacing
     fixed = [frame for frame in initial_guess.frames if not frame.is_variable]
     np.testing.assert_array_equal([f.state for f in fixed], seen.keys.states)
     loose = np.array([frame.state for frame in initial_guess.frames if frame.is_variable])
     times = np.array([frame.time for frame in initial_guess.frames if frame.is_variable])
     off = cycle.deviation(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
     assert np.degrees(off.max()) < 0.1
-    assert cycle.initial_guess(seen.keys, 0).variable_count == 0
+    for present in (0, 5):
+        keys = evenly(seen.keys, present)
+        assert cycle.initial_guess(keys, 0).variable_count == keys.variable_count
 
 
 def test_what_it_leads_with_is_as_long_as_the_clip_though_the_last_keyframe_fixes_nothing():

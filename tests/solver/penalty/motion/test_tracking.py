@@ -124,12 +124,17 @@ def test_its_frames_hold_the_detail_that_it_asks_for_and_are_few(figure, rng):
 
 def test_it_leads_variable_frames_to_the_recording_and_no_others(figure, rng):
     found = near(figure, rng)
-    state = figure.to_state(figure.model.qpos0[None])[0]
-    frames = [Frame.key(0.0, state), Frame.variable(1.0, state), Frame.key(2.0, state)]
-    initial_guess = found.initial_guess(Timeline(tuple(frames), np.zeros((2, figure.width))), None)
-    wanted = found.recorded.path.at(np.array([1.0]))[0]
-    np.testing.assert_allclose(np.abs(initial_guess.frames[1].state), np.abs(wanted))
-    assert all(np.array_equal(initial_guess.frames[k].state, state) for k in (0, 2))
+    state, wanted = figure.to_state(figure.model.qpos0[None])[0], found.recorded.path.at([1.0])[0]
+    columns = figure.tables.quaternion_columns
+    signs = np.where(np.sum(state[columns] * wanted[columns], axis=0) < 0, -1, 1)
+    for flip in (1, -1):  # quaternions have the signs of the timeline's
+        start, expected = np.array(state), np.array(wanted)
+        start[columns] *= flip
+        expected[columns] *= flip * signs
+        frames = [Frame.key(0.0, start), Frame.variable(1.0, start), Frame.key(2.0, start)]
+        initial_guess = found.initial_guess(Timeline(tuple(frames), np.zeros((2, figure.width))), None)
+        np.testing.assert_allclose(initial_guess.frames[1].state, expected)
+        assert all(np.array_equal(initial_guess.frames[k].state, start) for k in (0, 2))
 
 
 def test_a_limb_that_is_off_by_one_joint_for_a_while_counts_one_however_long_it_is():
