@@ -303,6 +303,13 @@ def test_a_part_has_its_share_of_the_budget_of_frames_but_keeps_what_it_has():
         assert np.all((new > 1.5) & (new < 3.0))
 
 
+@pytest.mark.parametrize(("between", "segments"), [((), 12), (((2.0, 2.5),), 5)])
+def test_without_a_budget_there_are_twelve_frames_a_segment_at_most(between, segments):
+    _, begin, found, _ = resumed_between(*between, frames=None, threshold=0.0, batch=100.0)
+    outside = begin.variable_count - (12 if segments == 12 else 3)
+    assert found.timeline.variable_count == outside + 12 * segments
+
+
 def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
     seen = []
 

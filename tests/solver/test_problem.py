@@ -7,8 +7,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from figures import TINY, figure_of
 
-from dynsplines.solver.problem import SPACING, Settings
+from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import OvershootPenalty, TrackingPenalty
+from dynsplines.solver.problem import SPACING, Guides, Settings, guide_of
 
 
 @pytest.mark.parametrize("name", ["variable", "frames", "max_evaluations", "tolerance", "batch", "threshold"])
@@ -66,3 +70,16 @@ def test_in_windows_a_budget_is_shared_out_between_two_and_three_a_segment():
         3, 2, 2, 2, 2, 3, 3,
     ]  # fmt: skip
     assert [Settings(frames=n).in_each(10, in_windows=False) for n in (None, 0, 30)] == [2, 2, 2]
+
+
+def test_limits_are_the_last_of_the_guides_that_have_a_weight():
+    figure = figure_of(TINY)
+    states = figure.to_state(np.tile(figure.model.qpos0, (9, 1)))
+    recorded = RecordedMotion(figure, np.arange(9.0), states, np.ones_like(states))
+    limit, tracking = OvershootPenalty((), figure=figure), TrackingPenalty(recorded)
+    for penalties in ((limit, tracking), (tracking, limit)):
+        guides = guide_of(Objective.of(figure, [(penalty, 1.0) for penalty in penalties]))
+        assert isinstance(guides, Guides)
+        assert guides.parts == (tracking, limit)
+        assert guide_of(Objective.of(figure, [(tracking, 1.0), (limit, 0.0)])) is tracking
+    assert guide_of(Objective.of(figure, [(limit, 0.0)])) is None

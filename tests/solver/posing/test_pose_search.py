@@ -12,6 +12,7 @@ from oracles import placed
 from scipy.spatial.transform import Rotation
 from site_goal import SiteGoal
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Bend, BendLimits
@@ -119,6 +120,20 @@ def test_what_a_search_adds_up_changes_as_its_rows_say(rng):
     )
     np.testing.assert_allclose(rows, expected[:, search.dofs], atol=2e-2)
     np.testing.assert_allclose(rows[search.dofs.size :], expected[search.dofs.size :, search.dofs], atol=1e-5)
+
+
+@pytest.mark.parametrize(("flexion", "added"), [(0.0, 0.4), (0.3, 0.1), (0.5, 0.0)])
+def test_a_start_bends_knees_that_are_straighter_and_no_others(flexion, added):
+    figure = figure_of(RANGED)
+    knee = next(i for i, link in enumerate(figure.links) if link.name == "knee")
+    bends = BendLimits((Bend("knee", knee, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])),))
+    free, goals = np.ones(figure.model.nq, bool), (SiteGoal("toe", np.zeros(3)),)
+    search = PoseSearch(figure, np.array(figure.model.qpos0), free, goals, bends)
+    qpos, columns = np.array(figure.model.qpos0), figure.links[knee].qpos + np.arange(4)
+    lateral = quat.rotated(quat.inverse(figure.links[knee].turn), np.array([0.0, 1, 0]))
+    qpos[columns] = quat.from_rotation_vector(flexion * lateral)
+    start = search.begun(qpos, 0.4)
+    np.testing.assert_allclose(start[columns], quat.from_rotation_vector((flexion + added) * lateral), atol=1e-12)
 
 
 @pytest.mark.parametrize("starts", [1, 3, 5])

@@ -20,7 +20,7 @@ from dynsplines.solver.penalty import Contact
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
-from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton
+from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton, Search
 from dynsplines.solver.search.quadratic import Model, Proposal
 from dynsplines.solver.search.refinement import minimise
 from dynsplines.solver.surface.points import Point
@@ -226,6 +226,16 @@ def test_at_the_minimum_it_converges_at_once(rng):
     found = optimiser(again, tolerance=1e-6)
     assert found.evaluations <= 2
     assert found.stop is Stop.CONVERGED
+
+
+def test_a_decrease_is_negligible_relative_to_e_or_to_a_thousandth_of_the_first_e(rng):
+    search = Search(problem_of(rng), 9, 0.0, None)
+    search.start()
+    for value, size in ((0.5, 0.5), (1e-2, 1e-2), (1e-3, 1e-3), (1e-9, 1e-3)):
+        search.value = value * search.first
+        limit = 1e-4 * min(size * search.first, search.problem.objective.heavy)
+        assert search.is_negligible(0.999 * limit, 1e-4)
+        assert not search.is_negligible(1.001 * limit, 1e-4)
 
 
 def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
