@@ -16,7 +16,8 @@ from typing import Any
 
 import pytest
 
-FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+FLAGS = ["--no-sandbox", "--disable-gpu-compositing", *GRAPHICS]  # only WebGL is drawn by the software GPU
 COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
 
 
