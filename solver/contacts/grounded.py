@@ -40,7 +40,7 @@ def grounded_intervals(
     intervals = list(_outside(flights, [(first, last) for first, last, both in segments if both]))
     for begin, end in flights:
         before, after = np.searchsorted(keys.times, begin) - 1, np.searchsorted(keys.times, end, side="right")
-        if before >= 0 and down[before] and begin - lift_off > keys.times[before]:
+        if down[before] and begin - lift_off > keys.times[before]:  # false if no keyframe is before the flight
             intervals.append((float(keys.times[before]), begin - lift_off))
         if after < keys.times.size and down[after] and end + lift_off < keys.times[after]:
             intervals.append((end + lift_off, float(keys.times[after])))
