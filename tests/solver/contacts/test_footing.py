@@ -5,10 +5,11 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
+from figures import CHAIN, figure_of
 from scipy.spatial import ConvexHull
 
 from dynsplines.clip import load as clips
-from dynsplines.solver.contacts import Contacts, Footing, Stance, flights, footings, stances
+from dynsplines.solver.contacts import Contacts, ContactSchedule, Footing, Stance, flights, footings, stances
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -104,6 +105,12 @@ def test_the_shipped_run_has_its_three_flights():
 def test_a_foot_that_moves_faster_than_35_cm_a_second_does_not_stand(seconds, stands):
     timeline = raw_timeline(FIGURE, [key(5.0, 0.0, STAND), key(5.0 + seconds, 0.04, STAND)])
     assert bool(stances(FIGURE, timeline, SOLES, (FLOOR,))) is stands
+
+
+def test_a_figure_without_a_free_joint_is_not_held_down():
+    figure = figure_of(CHAIN.format("hinge"))
+    timeline = raw_timeline(figure, [Frame.key(t, figure.model.qpos0) for t in (0, 1)])
+    assert ContactSchedule(figure, timeline, (Point("tip", 2, np.zeros(3)),), (FLOOR,)).held_down == ()
 
 
 def test_contacts_overlap_stances_of_the_same_point_at_the_same_times():

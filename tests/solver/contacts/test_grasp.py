@@ -6,7 +6,7 @@ import pytest
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
-from dynsplines.solver.contacts import Grasp, grasped_links, surfaces_on
+from dynsplines.solver.contacts import ContactSchedule, Grasp, grasped_links, surfaces_on
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
@@ -60,6 +60,13 @@ def test_what_another_tree_holds_is_carried_with_all_its_parts():
     assert grasped_links(figure, [Grasp(hand, 1, "trunk", 0, 1)]) == ()
     assert grasped_links(figure, [Grasp(hand, 3, "crate", 0, 1), Grasp(knee, 2, "arm", 0, 1)]) == (3, 4)
     assert [surface.name for surface in surfaces_on(figure, 3)] == ["crate", "knob"]
+    schedule = ContactSchedule(
+        figure,
+        raw_timeline(figure, [Frame.key(t, figure.model.qpos0) for t in (0, 1)]),
+        grasps=(Grasp(hand, 3, "crate", 0, 1),),
+    )
+    assert schedule.exclude_grasped([hand, knee, Point("lid", 4, np.zeros(3))]) == (hand, knee)
+    assert {point.link for point in schedule.low_points} == {1, 2}
 
 
 @pytest.mark.parametrize("link", [3, 4])

@@ -16,6 +16,7 @@ from dynsplines.solver.contacts.recorded_stances import (
     DEAR,
     RecordedStance,
     _cut,
+    _is_low,
     _moves,
     infer_stances,
     largest_noise,
@@ -184,6 +185,13 @@ def test_a_run_moves_by_more_than_drift_and_the_noise_of_means(moved, noise, mov
     place = np.zeros((3, 15))
     place[0, 8:] = moved
     assert bool(_moves(np.arange(15) / FPS, place, 0, 15, noise, ADULT)) is moves
+
+
+@pytest.mark.parametrize(("noise", "low"), [(0.0, False), (0.002, True)])
+def test_a_planted_point_is_raised_by_rolling_feet_and_noise_at_most(noise, low):
+    place = np.zeros((3, 9))
+    place[2, 8] = ADULT.rolls + 0.005
+    np.testing.assert_array_equal(_is_low(place, 0, 9, noise, ADULT), [True] * 8 + [low])
 
 
 def test_a_stance_on_an_edge_is_on_what_ends_there():

@@ -188,12 +188,22 @@ def test_frames_turned_at_random_have_mirrored_places_and_come_back(rng, names, 
         np.testing.assert_allclose(mirror.states(state + slope), mirror.states(state) + mirror.slopes(slope), atol=1e-9)
 
 
-def test_unnamed_sides_are_paired_by_their_mass_wherever_hinges_are_on_their_axes():
-    arm = '<body pos="0 {} 0"><joint axis="0 1 0"/><geom size=".1" pos="0 {} 0"/></body>'
-    arms = arm.format(0.2, 0.1) + arm.format(-0.1, -0.2)
-    text = f'<mujoco><worldbody><body><freejoint/><geom size=".1"/>{arms}</body></worldbody></mujoco>'
-    mirror = Mirror.of(Figure(mujoco.MjModel.from_xml_string(text)))
-    np.testing.assert_allclose(mirror.configurations(np.array([0, 0, 0, 1, 0, 0, 0, 0.3, 0.1]))[7:], [0.1, 0.3])
+@pytest.mark.parametrize("size", [0.1, 1.0, 10.0])
+def test_unnamed_sides_are_paired_by_their_mass_wherever_hinges_are_on_their_axes(size):
+    """Masses may be off by a twentieth of the figure's size, axes by a hundredth: 60 cm times `size`."""
+
+    def mirror(trunk: float, axis: float) -> Mirror:
+        arm = '<body pos="{} {} 0"><joint axis="0 1 0"/><geom size=".1" pos="0 {} 0" mass="1"/></body>'
+        arms = arm.format(axis * size, 0.2 * size, 0.1 * size) + arm.format(0, -0.1 * size, -0.2 * size)
+        body = f'<freejoint/><geom size=".1" pos="0 {trunk * size} 0" mass="8"/>{arms}'
+        text = f"<mujoco><worldbody><body>{body}</body></worldbody></mujoco>"
+        return Mirror.of(Figure(mujoco.MjModel.from_xml_string(text)))
+
+    qpos = np.array([0, 0, 0, 1, 0, 0, 0, 0.3, 0.1])
+    np.testing.assert_allclose(mirror(0.005, 0.002).configurations(qpos)[7:], [0.1, 0.3])
+    for trunk, axis in ((0.03, 0.0), (0.0, 0.02)):
+        with pytest.raises(MirrorError, match="no partner on the other side"):
+            mirror(trunk, axis)
 
 
 def test_names_that_lack_a_side_are_paired_with_the_side_that_the_other_has():

@@ -91,6 +91,7 @@ def test_the_ends_of_a_transition_are_held_for_every_x(rng):
 def test_the_gradient_and_the_step_under_held_ends_are_exact(rng):
     figure = figure_of(TINY)
     begin = bridge(figure, *sides(figure, rng), variable=5)
+    assert begin.variable_count == 5
     objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(begin))
     problem = objective.on(begin)
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)

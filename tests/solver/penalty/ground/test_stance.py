@@ -111,6 +111,7 @@ def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
     here, there = [0.0, 0, 0.3], [0.01, 0, 0.3]
     found = resting_objects(figure, box_keys(figure, [here, here, there, there], [True] * 4), [1])
     assert [(stance.first, stance.last) for stance in found] == [(0.0, 1.0)] * 3 + [(2.0, 3.0)] * 3
+    np.testing.assert_allclose([stance.landed for stance in found], [stance.spot for stance in found], atol=1e-12)
     for told in ([True, False], [False, True], [False, False]):
         assert resting_objects(figure, box_keys(figure, [here, here], told), [1]) == ()
     assert resting_objects(figure, box_keys(figure, [here, here], [True, True]), []) == ()
