@@ -98,12 +98,12 @@ def test_an_ellipsoid_is_small_spheres_at_its_tips():
 
 
 LIMB = """
-<mujoco><worldbody><body pos="0 0 1"><freejoint/><geom name="limb" type="capsule" size=".03" fromto="0 0 0 0 0 -.4"/>
+<mujoco><worldbody><body pos="0 0 1"><freejoint/><geom name="limb" type="capsule" size=".03" fromto="0 0 .1 0 0 -.3"/>
   <geom name="lump" type="sphere" size="{size}" pos="0 0 {z}"/></body></worldbody></mujoco>"""
 
 
 @pytest.mark.parametrize(
-    ("size", "z", "both"), [(0.01, -0.2, True), (0.2, -0.4, False), (0.2, 0, False), (0.5, -0.2, None)]
+    ("size", "z", "both"), [(0.01, -0.1, True), (0.2, -0.3, False), (0.2, 0.1, False), (0.5, -0.1, None)]
 )
 def test_along_a_capsule_whose_ends_both_stick_out_are_spheres_closer_than_their_radius_and_along_others_none(
     size, z, both
@@ -115,7 +115,7 @@ def test_along_a_capsule_whose_ends_both_stick_out_are_spheres_closer_than_their
     assert {point.radius for point in points} == {0.03}
     own = np.array([point.position for point in points])
     along = np.sort(own[:, 2])
-    np.testing.assert_allclose(along[[0, -1]], [-0.4, 0], atol=1e-12)
+    np.testing.assert_allclose(along[[0, -1]], [-0.3, 0.1], atol=1e-12)
     np.testing.assert_allclose(own[:, :2], 0, atol=1e-12)
     gaps = np.diff(along)
     np.testing.assert_allclose(gaps, gaps[0])
