@@ -35,6 +35,7 @@ from dynsplines.solver.penalty import (
     RestPenalty,
     RootAcceleration,
     Skate,
+    Speed,
     StancePenalty,
     Sum,
     Torque,
@@ -112,7 +113,7 @@ def points_of(figure) -> tuple[Point, ...]:
     return tuple(Point(f"{i}", i, np.array([0.1, 0.2, -0.3])) for i in range(1, len(figure.links)))
 
 
-@pytest.mark.parametrize("name", ["covariant", "root", "posture", "peak", "skate"])
+@pytest.mark.parametrize("name", ["covariant", "root", "posture", "peak", "skate", "speed"])
 def test_a_clip_that_is_played_slower_costs_less_by_the_power_that_its_scale_specifies(name, rng):
     figure = figure_of(BALL_TREE)
     penalty: Penalty = {
@@ -121,13 +122,14 @@ def test_a_clip_that_is_played_slower_costs_less_by_the_power_that_its_scale_spe
         "posture": Posture(),
         "peak": PeakAcceleration(),
         "skate": Skate(points_of(figure), (FLOOR,), reach=5.0),
+        "speed": Speed.of(figure, 0.0),
     }[name]
     seen = random_samples(figure, rng)
     slower = Samples(figure, seen.y, seen.y_d / 3, seen.y_dd / 9)
     values: Array = penalty.evaluate(seen)
     assert values.any()
     np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**penalty.normalization.time_power, values, rtol=1e-9)
-    assert not penalty.normalization.is_violation
+    assert penalty.normalization.is_violation is (name == "speed")
 
 
 def test_a_newton_metre_counts_as_the_reference_of_torques_says():

@@ -68,6 +68,10 @@ def test_the_value_is_how_far_joints_are_off(cycled, rng):
     samples, some = at_its_times(cycled, rng, 5)
     expected = cycled.gait_cycle.trust[some] * np.sum(residuals(cycled, samples.y, some) ** 2, axis=1)
     np.testing.assert_allclose(cycled.evaluate(samples), expected, rtol=1e-9)
+    halves = (
+        residuals(cycled, samples.y, some)[:, : 3 * cycled.figure.tables.quaternion_links.size].reshape(5, -1, 3) / 2
+    )
+    np.testing.assert_allclose(cycled.deviation(samples).T, 2 * np.arcsin(np.linalg.norm(halves, axis=2)), rtol=1e-6)
 
 
 def test_the_gradient_has_taylor_slope_two(cycled, rng):
