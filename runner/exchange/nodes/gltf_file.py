@@ -22,7 +22,7 @@ from dynsplines.solver.array import Array
 from ...errors import UserError
 from ...system import size_limit
 from ..skeleton.bvh_file import Skeleton
-from .node_tree import Nodes, moving_tree, rate_of
+from .node_tree import Nodes, float32_step, moving_tree, rate_of
 
 KINDS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
@@ -97,7 +97,7 @@ class _File:
             raise UserError(f"{self.path}: its animation '{animation.name}' moves no node")
         first, last = min(float(times[0]) for times in keys), max(float(times[-1]) for times in keys)
         rate = fps or rate_of(max(keys, key=len))
-        count = int((last - first) * rate + 1e-6) + 1
+        count = int((last - first + float32_step(np.array([first, last]))) * rate + 1e-6) + 1
         size_limit.check(self.path, 8 * 16 * count * len(self.asset.nodes), "its animation")
         at = first + np.arange(count) / rate
         order, parents = self._order()

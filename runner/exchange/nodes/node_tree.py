@@ -63,9 +63,18 @@ def rotations(matrices: Array) -> Array:
     return quat.aligned(q) if q.ndim == 3 else q
 
 
+def float32_step(times: Array) -> float:
+    """Return the resolution [s] of times that were stored as float32, at the largest of them."""
+    return float(np.spacing(np.float32(np.abs(times).max())))
+
+
 def rate_of(times: Array) -> float:
-    """Return the rate [1/s] of rising times [s], by their median step."""
-    return fps_of(float(np.median(np.diff(times))), 6) if times.size > 1 else 30.0
+    """Return the rate [1/s] of rising times [s], by their median step, or by their mean step if the two differ only by
+    the rounding of float32."""
+    if times.size < 2:
+        return 30.0
+    median, mean = float(np.median(np.diff(times))), float(times[-1] - times[0]) / (times.size - 1)
+    return fps_of(mean if abs(mean - median) <= float32_step(times) else median, 6)
 
 
 def moving_tree(parents: Sequence[int], is_animated: Iterable[bool]) -> list[int]:

@@ -14,6 +14,7 @@ from dynsplines.edit import edits
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import import_recording
+from dynsplines.exchange.nodes import gltf_file
 from dynsplines.motion import sampled
 from dynsplines.system.progress import Progress
 
@@ -203,6 +204,20 @@ def test_other_files_are_not_read(tmp_path):
     stage.write_text("#usda 1.0\n(\n    subLayers = [@/etc/other.usda@]\n)\n", encoding="utf-8")
     with pytest.raises(UserError, match=r"refers to another file, '/etc/other.usda'; flatten it"):
         formats.recording(stage)
+
+
+@pytest.mark.parametrize(("rate", "last"), [(50.0, 65), (120.0, 7), (30.0, 49), (100.0, 6000), (24.0, 3001)])
+def test_times_in_float32_lose_no_sample_and_no_rate(rate, last, tmp_path):
+    file = Glb()
+    file.asset.nodes = [gl.Node(name="a", children=[1]), gl.Node(name="b", translation=[0, 1, 0])]
+    file.asset.scenes, file.asset.scene = [gl.Scene(nodes=[0])], 0
+    times = np.arange(last + 1)[:, None] / rate
+    values = np.hstack([np.sin(times), times, 0 * times])
+    sampler = gl.AnimationSampler(input=file.accessor(times, "SCALAR"), output=file.accessor(values, "VEC3"))
+    channel = gl.AnimationChannel(sampler=0, target=gl.AnimationChannelTarget(node=0, path="translation"))
+    file.asset.animations = [gl.Animation(samplers=[sampler], channels=[channel])]
+    skeleton, fps = gltf_file.read(file.save(tmp_path / "a.glb"), None)
+    assert (fps, len(skeleton.local[0])) == (rate, last + 1)
 
 
 @pytest.mark.parametrize("name", ["a.glb", "a.gltf", "a.usda", "a.usdc"])
