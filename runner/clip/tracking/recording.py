@@ -230,8 +230,10 @@ def _clip_time(time: Array, table: RecordingTable, begin: float | None = None) -
 
 
 def _warp(recorded_times: Array, clip_times: Array) -> Callable[[Array], Array]:
-    """Return a rising, smooth function through pairs of times, linear beyond them."""
-    curve = _smooth(recorded_times, clip_times)
+    """Return a rising, smooth function through pairs of times. Beyond them it is linear, as fast as between the two
+    pairs next to it: the slope of a curve that ends there could be zero, which would stop the clip's time."""
+    ends = [np.array([2 * t[0] - t[1], *t, 2 * t[-1] - t[-2]]) for t in (recorded_times, clip_times)]
+    curve = _smooth(*ends)
     slopes = curve(recorded_times[[0, -1]], 1)
 
     def mapped(t: Array) -> Array:

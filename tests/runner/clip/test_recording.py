@@ -117,6 +117,15 @@ def test_what_of_the_recording_comes_when_is_as_the_clip_specifies(folder, saved
     np.testing.assert_allclose(np.abs(figure.to_qpos(own)), np.abs(figure.to_qpos(wanted)), atol=2e-3)
 
 
+@pytest.mark.parametrize("pairs", [[[0.3, 0.0], [0.8, 1.5], [1.3, 1.9]], [[0.5, 0.3], [1.0, 0.6], [1.5, 3.0]]])
+def test_beyond_pairs_of_times_the_speed_is_that_of_the_neighbouring_interval(folder, saved, pairs):
+    clip = recordings.from_text(f"{BARE}times = {pairs}", name="cut", folder=folder)
+    recorded, there = np.array(pairs).T
+    slopes = np.diff(there) / np.diff(recorded)
+    ends = [there[0] - slopes[0] * recorded[0], there[-1] + slopes[-1] * (2.2 - recorded[-1])]
+    assert [clip.keys[0].time, clip.keys[-1].time] == pytest.approx(ends, abs=1e-9)
+
+
 @pytest.mark.parametrize(
     ("text", "told"),
     [
