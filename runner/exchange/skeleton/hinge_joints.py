@@ -167,7 +167,8 @@ class HingeLayout:
     def mjcf(self, text: str) -> str:
         """Return the variant's complete MJCF for the model's, without keyframes and references to ball joints.
 
-        Each hinge has the ball joint's damping, stiffness and armature, and no range.
+        Each hinge has the ball joint's damping, stiffness and armature, and no range. Joints without a name get theirs
+        from `names`, because MuJoCo numbers them otherwise in the variant.
         """
         root = ElementTree.fromstring(text)
         for keyframes in root.findall("keyframe"):
@@ -187,6 +188,8 @@ class HingeLayout:
             for joint, child in zip(range(first, first + count), written, strict=True):
                 if len(hinges_of[joint]) == 3:
                     _replace(element, child, hinges_of[joint])
+                elif child.tag == "joint" and not child.get("name"):
+                    child.set("name", hinges_of[joint][0])
         _drop_references(root, {self.model.joint(joint).name for joint in self.balls})
         ElementTree.indent(root)
         return ElementTree.tostring(root, encoding="unicode")

@@ -10,6 +10,7 @@ from figures import BALL_TREE
 from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
+from dynsplines.exchange.robot import Robot
 from dynsplines.exchange.skeleton.hinge_joints import HingeLayout, HingeModel, angles, rates, rotation_of
 from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.scene.assets import Scene
@@ -95,6 +96,14 @@ def test_what_acts_on_ball_joints_goes_and_anchors_and_damping_stay():
     hips = [variant.joint(f"hip_{axis}") for axis in "xzy"]
     assert all(joint.damping[0] == 0.5 and not variant.jnt_limited[joint.id] for joint in hips)
     np.testing.assert_array_equal([joint.pos for joint in hips], [[0.01, 0.02, 0.03]] * 3)
+
+
+def test_joints_without_a_name_have_in_the_variant_the_name_that_a_reader_with_the_figure_expects():
+    text = """<mujoco><worldbody><body><freejoint/><geom size=".1"/><body><joint type="ball"/><geom size=".1"/>
+    <body><joint axis="0 1 0"/><geom size=".1"/></body></body></body></worldbody></mujoco>"""
+    model = mujoco.MjModel.from_xml_string(text)
+    hinged = HingeModel.of(model, Scene(text), model.qpos0[None], np.zeros((1, model.nv)))
+    assert Robot.of(hinged.model, "mjlab").joint_names == HingeLayout(model).names[1:]
 
 
 def test_a_figure_of_hinges_stays_as_it_is_and_a_name_twice_is_refused(tmp_path):
