@@ -224,7 +224,8 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
 
 def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
     """Return the joint that carries all parts of the body known by name. Without such names it is the first joint from
-    the top that carries several joints, or one without position channels."""
+    the top that carries several joints, one without position channels, or that moves while the one below does not
+    translate in it, as in the chain of an arm."""
     parents, names = skeleton.parents, unique(skeleton.names)
     parts = set(apply_bone_map(roles(names, parents), bone_map, names, "recording").values())
     if len(parts) > 1:
@@ -235,7 +236,14 @@ def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
         below = [i for i, parent in enumerate(parents) if parent == root]
         if len(below) != 1 or not any(channel.endswith("position") for channel in skeleton.joints[below[0]].channels):
             return root
+        if _spread(skeleton.local[0][:, below[0]]) <= STILL < max(_spread(part[:, root]) for part in skeleton.world):
+            return root
         root = below[0]
+
+
+def _spread(values: Array) -> float:
+    """Return the largest change of an entry of values (T, n) in time."""
+    return float(np.ptp(values, axis=0).max())
 
 
 def _at_zero(skeleton: Skeleton, carried: Array, root: int) -> Array:

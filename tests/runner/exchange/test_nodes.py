@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from dynsplines import solving
+from dynsplines import Keyframe, build, import_motion, inbetween, solving
 from dynsplines.clip import load as clip
 from dynsplines.edit import edits
 from dynsplines.errors import UserError
@@ -218,6 +218,31 @@ def test_times_in_float32_lose_no_sample_and_no_rate(rate, last, tmp_path):
     file.asset.animations = [gl.Animation(samplers=[sampler], channels=[channel])]
     skeleton, fps = gltf_file.read(file.save(tmp_path / "a.glb"), None)
     assert (fps, len(skeleton.local[0])) == (rate, last + 1)
+
+
+CHAIN = """<mujoco><worldbody><body name="a" pos="0 0 1"><joint name="a" axis="0 0 1"/><geom size=".05"/>
+<body name="b" pos=".3 0 0"><joint name="b" axis="0 1 0"/><geom size=".05"/>
+<body name="c" pos=".3 0 0"><joint name="c" type="ball"/><geom size=".05"/><site pos=".3 0 0"/></body></body></body>
+</worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize("root", ["hinge", "free"])
+@pytest.mark.parametrize("ending", ["glb", "usdc"])
+def test_the_joints_of_a_chain_come_back(ending, root, tmp_path):
+    text = CHAIN.replace('<joint name="a" axis="0 0 1"/>', "<freejoint/>") if root == "free" else CHAIN
+    start = mujoco.MjModel.from_xml_string(text).qpos0
+    turned = start + np.linspace(0.1, 0.5, start.size)
+    arm = inbetween(build(text, [Keyframe(0, qpos=start), Keyframe(1, qpos=turned)]))
+    back = import_motion(arm.export(tmp_path / f"arm.{ending}", fps=30))
+    assert [back.model.body(i).name for i in range(1, back.model.nbody)] == ["a", "b", "c"]
+    for time in np.arange(31) / 30:
+        places = []
+        for each in (arm, back):
+            data = mujoco.MjData(each.model)
+            data.qpos = each.at(time)
+            mujoco.mj_kinematics(each.model, data)
+            places.append(data.xpos[1:].copy())
+        np.testing.assert_allclose(places[1], places[0], atol=CLOSE)
 
 
 @pytest.mark.parametrize("name", ["a.glb", "a.gltf", "a.usda", "a.usdc"])
