@@ -1,7 +1,7 @@
 """Holds: joints with the same value in two neighbouring keyframes stay at this value in between.
 
-A spline through a hold next to a fast motion overshoots in the hold. Where the raw spline does so, a joint is bounded
-to the keyframes' value, see `JointRange`. In an oscillation, two keyframes on both sides of a peak may have the same
+A spline through a hold next to a fast motion overshoots in the hold. Where the raw spline of a joint does so, all joints
+that the keyframes hold there are bounded to their values, see `JointRange`: the others must not move for its sake. In an oscillation, two keyframes on both sides of a peak may have the same
 value; such turning points are not holds. A clip oscillates if it repeats itself with segments of similar length.
 """
 
@@ -154,7 +154,7 @@ def steady(
     for i, (_, k) in enumerate(holds):
         by_segment.setdefault(k, []).append(i)
     segments = np.array(sorted(by_segment), int)
-    swings: set[tuple[int, int]] = set()
+    swings: set[int] = set()
     for first in range(0, segments.size, SEGMENTS_AT_ONCE):
         batch = segments[first : first + SEGMENTS_AT_ONCE]
         share = (np.arange(LOOKS) + 0.5) / LOOKS
@@ -165,10 +165,10 @@ def steady(
                 track = holds[i][0]
                 off = np.linalg.norm(track.deviation(row, qpos[k, track.columns]), axis=-1)
                 if off.max() > SWINGS[track.unit]:
-                    swings.add((i, k))
+                    swings.add(k)
     times = keys.times.tolist()
     return tuple(
-        holds[i][0].constant_range(qpos[k, holds[i][0].columns], times[k], times[k + 1]) for i, k in sorted(swings)
+        track.constant_range(qpos[k, track.columns], times[k], times[k + 1]) for track, k in holds if k in swings
     )
 
 
@@ -185,10 +185,8 @@ def _held_segments(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) 
         step = qpos[both + 1][:, track.columns] - homes
     is_same = np.zeros(len(fixed) - 1, bool)
     is_same[both] = np.linalg.norm(step, axis=1) <= SAME[track.unit]
-    moves = np.pad(~is_same, FELT, mode="wrap" if keys.ends == "periodic" else "constant")
-    near = np.convolve(moves, np.ones(2 * FELT + 1), "valid") > 0
     fixing = np.flatnonzero(fixed)
-    for k in np.flatnonzero(is_same & near).tolist():
+    for k in np.flatnonzero(is_same).tolist():
         beside, length = _neighbours(keys, fixing, k), float(keys.times[k + 1] - keys.times[k])
         lengths = [span for _, span in filter(None, beside)]
         is_long, is_brief = length >= LONG * min(lengths, default=0.0), length < BRIEF
