@@ -1,8 +1,9 @@
 """Holds: joints with the same value in two neighbouring keyframes stay at this value in between.
 
-A spline through a hold next to a fast motion overshoots in the hold. Where the raw spline of a joint does so, all joints
-that the keyframes hold there are bounded to their values, see `JointRange`: the others must not move for its sake. In an oscillation, two keyframes on both sides of a peak may have the same
-value; such turning points are not holds. A clip oscillates if it repeats itself with segments of similar length.
+A spline through a hold next to a fast motion overshoots in the hold. Where the raw spline of a joint does so, all
+joints that the keyframes hold there are bounded to their values, see `JointRange`: the others must not move for its
+sake. In an oscillation, two keyframes on both sides of a peak may have the same value; such turning points are not
+holds. A clip oscillates if it repeats itself with segments of similar length.
 """
 
 from __future__ import annotations
