@@ -16,6 +16,7 @@ import drawing
 import mujoco
 import numpy as np
 import pytest
+import shared_figures
 import shipped
 import tiny
 from figures import FIGURES
@@ -33,6 +34,7 @@ from dynsplines.system.progress import Progress
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
 report.LOCAL_EVALUATIONS = 2  # the local solves of a report take most of its time; test_report has all of them
 shipped.open_folder()
+shared_figures.share()
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:

@@ -7,11 +7,13 @@ from pathlib import Path
 import crew
 import mujoco
 import pytest
+import shared_figures
 from command import Command, commanded
 
 from dynsplines import Keyframe, build, inbetween
 from dynsplines.batch import solving
 from dynsplines.batch.task import Options, Task
+from dynsplines.clip import load
 from dynsplines.system import mujoco_warnings
 from dynsplines.system.workers import in_order
 
@@ -31,6 +33,7 @@ joints = {a = 20, b = 30}
 @pytest.fixture
 def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Command:
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(load, "figure_of", shared_figures.BUILT)  # MuJoCo warns while a figure is built
     Path("arm.xml").write_text(SINGULAR)
     Path("clip.toml").write_text(CLIP)
     return commanded(monkeypatch, capsys)
