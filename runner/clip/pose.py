@@ -105,8 +105,8 @@ def _based(key: Frame, base: Callable[[float], Array] | None) -> Frame:
 
 
 def _later(key: Frame, base: Callable[[float], Array], by: int) -> Frame:
-    """Return a keyframe, or the pose of the recording `by` seconds later."""
-    return key if not by else Frame.key(key.time + by, base(key.time))
+    """Return a keyframe with its specified degrees of freedom only, or the pose of the recording `by` seconds later."""
+    return Frame.key(key.time + by, base(key.time)) if by else Frame(key.time, key.state, key.fixed)
 
 
 def _targets(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]) -> list[Wanted]:
