@@ -50,7 +50,9 @@ def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     """Return the external wrench at the free root; raises UserError without a free root."""
     root_wrench, root = forces.wrench, trajectory.figure.root
     if root_wrench is None or root is None or not root.is_free:
-        raise UserError(f"{trajectory.name}: the figure has no free root, so no wrench moves it from outside")
+        raise UserError(
+            f"{trajectory.name}: the figure has no free root, so no wrench moves it from outside; omit `wrench`"
+        )
     name = trajectory.figure.links[root_wrench.root].name
     return (
         _vector(f"{name}.f", "N", root_wrench.force)
@@ -63,7 +65,8 @@ def ground(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     """Return the ground reactions of every foot with a stance; raises UserError if there is none."""
     if not forces.feet:
         raise UserError(
-            f"{trajectory.name}: no stance is known, so the ground reaction force is unknown; add a [[contact]]"
+            f"{trajectory.name}: no stance is known, so the ground reaction force is unknown; add a [[contact]], "
+            "or omit `ground`"
         )
     out: Columns = {}
     for foot in forces.feet:

@@ -51,7 +51,7 @@ def close_loop(
         raise TimelineError(
             f"periodic ends: the last keyframe (t = {last.time:g} s) differs from the first at "
             f"{_where(figure, int(np.argmax(difference)), seam)} by {difference.max():.3g}; "
-            "they must agree, or leave it free in one of them"
+            "they must agree, or leave it free in one of them. Only a root with a free joint can travel in a loop"
         )
     posed = is_known & ~fixed
     ends = [replace(frame, state=at, fixed=fixed, posed=posed) for frame, at in ((first, begin), (last, end))]

@@ -100,7 +100,7 @@ def _target(position: Sequence[float | str], where: str, what: str) -> Array:
     """Return a position (3,) [m] of a table, NaN along free axes."""
     target = np.array([np.nan if axis == "free" else float(axis) for axis in position])
     if np.all(np.isnan(target)):
-        raise UserError(f"{where}: every axis is free; leave {what} out, or give it a where")
+        raise UserError(f"{where}: every axis is free; omit {what}, or give a coordinate")
     return target
 
 

@@ -57,7 +57,11 @@ def of_captured(
         qpos, more = retarget.onto(captured, model, str(path))
         return Recording(time, qpos, fps=rate, notes=(*notes, *captured.notes, *more))
     lift = -captured.ground
-    raised = (f"raised by {lift:+.3f} m, so that feet meet the ground",) if abs(lift) > LIFTED else ()
+    raised = (
+        (f"{'raised' if lift > 0 else 'lowered'} by {abs(lift):.3f} m, so that feet meet the ground",)
+        if abs(lift) > LIFTED
+        else ()
+    )
     mjcf, qpos = captured_figure.figure(captured.raised(lift))
     return Recording(time, qpos, mjcf, rate, (*notes, *captured.notes, *raised))
 

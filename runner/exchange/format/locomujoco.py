@@ -30,7 +30,7 @@ from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts, missing_input
 from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times
-from ..robot import configurations, needs_figure
+from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Recording, SampledTrajectory
 from .mjlab import companions as companions
 
@@ -47,7 +47,7 @@ WIDTHS = {0: 7, 2: 1, 3: 1}  # entries in qpos by type of joint
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write in double precision."""
     hinged = trajectory.hinged
-    model = hinged.model
+    model = Robot.of(hinged.model, NAME).model
     arrays = {
         "qpos": hinged.qpos,
         "qvel": hinged.qvel,

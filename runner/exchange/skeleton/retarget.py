@@ -176,7 +176,9 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     qpos, lift = _on_ground(standing, root, qpos)
     notes = [*standing.notes, f"scaled by {scale:.3f}, the ratio of the legs"]
     notes += _beyond_root(model, root, qpos, turns, missed)
-    notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
+    notes += (
+        [f"{'raised' if lift > 0 else 'lowered'} by {abs(lift):.3f} m, so that soles meet the ground"] if lift else []
+    )
     toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
     joints_of_roles = {
         joint for role in (*shared, *toes_of_feet) for joint in lineage(captured.roles[role], captured.parents)

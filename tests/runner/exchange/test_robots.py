@@ -222,7 +222,7 @@ def test_figures_that_a_format_cannot_hold_are_refused(tmp_path):
         wild.ROBOT.replace('<freejoint name="floating"/>', '<joint name="swing" axis="0 1 0"/>')
     )
     fixed = wild.through(str(tmp_path / "post.xml"), np.array([0, 0.5]), np.zeros((2, 6)))
-    for kind in ("mjlab", "mjlab-csv", "gmr"):
+    for kind in ("mjlab", "mjlab-csv", "gmr", "locomujoco"):
         with pytest.raises(
             UserError, match=f"'{kind}' is for a figure with one free joint, its root; this one has none"
         ):
