@@ -18,15 +18,18 @@ from dynsplines.system import mujoco_warnings
 from dynsplines.system.workers import in_order
 
 SINGULAR = """<mujoco><worldbody><geom type="plane" size="1 1 1"/><body pos="0 0 1">
-    <joint name="a" axis="0 1 0"/><joint name="b" axis="0 1 0"/><geom size=".1" pos=".3 0 0"/></body>
+    <freejoint/><geom size=".2"/><body>
+    <joint name="a" axis="0 1 0"/><joint name="b" axis="0 1 0"/><geom size=".1" pos=".3 0 0"/></body></body>
     </worldbody></mujoco>"""
 CLIP = """figure = "arm.xml"
 [[keyframe]]
 time = 0
 joints = {a = 0, b = 0}
+others = "rest"
 [[keyframe]]
 time = 1
 joints = {a = 20, b = 30}
+others = "rest"
 """
 
 
@@ -57,7 +60,10 @@ def test_a_command_reports_a_warning_once_and_leaves_no_log(run: Command):
 
 def test_python_gets_a_warning_at_its_line(run: Command):
     spec = mujoco.MjSpec.from_string(SINGULAR)
-    keys = [Keyframe(0, joints={"a": 0.0, "b": 0.0}), Keyframe(1, joints={"a": 20.0, "b": 30.0})]
+    keys = [
+        Keyframe(0, joints={"a": 0.0, "b": 0.0}, others="rest"),
+        Keyframe(1, joints={"a": 20.0, "b": 30.0}, others="rest"),
+    ]
     with pytest.warns(UserWarning, match="MuJoCo: Inertia matrix") as issued:
         clip = build(spec, keys)
     assert [warning.filename for warning in issued] == [__file__]
