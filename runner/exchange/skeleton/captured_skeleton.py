@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array
 from .. import missing_input
 from . import bvh_file
 from .bvh_file import Skeleton, placed
-from .roles import apply_bone_map, lineage, roles, unique, with_trunk
+from .roles import apply_bone_map, first_hinge, lineage, roles, unique, with_trunk
 from .up_axis import NONE, TO_Z, standing_turn, vertical
 
 REACH = 1.25  # [m] typical distance from an adult's hips along the bones to the fingertips or toes
@@ -93,6 +93,10 @@ class CapturedSkeleton:
             return by_role
         trunk = with_trunk(by_role, self.names, self.parents)  # as limbs of the map have it
         return by_role | {role: joint for role, joint in trunk.items() if role not in {*by_role, *self.bone_map}}
+
+    def start_of(self, role: str) -> int:
+        """Return the joint where a part of a limb begins: the first of several for the hinges of a robot's hip."""
+        return first_hinge(self.roles[role], self.names, self.parents)
 
     @cached_property
     def at_zero(self) -> Array:

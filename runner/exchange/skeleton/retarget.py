@@ -84,9 +84,8 @@ class _Standing:
         Such a foot is flat only under a leg that is vertical below this offset."""
         if len(hierarchy.joints(self.model, self._below(f"{side}_shin", f"{side}_foot"))) > 1:
             return np.zeros(3)
-        first, thigh = self.joint_of(f"{side}_thigh"), self.place[self.roles[f"{side}_thigh"]]
-        down = unit(self.place[self.roles[f"{side}_shin"]] - thigh)
-        return (thigh - first) - down * (down @ (thigh - first))
+        thigh, shin = (self.place[self.roles[f"{side}_{part}"]] for part in ("thigh", "shin"))
+        return _aside(self.joint_of(f"{side}_thigh"), thigh, shin)
 
     def _below(self, upper: str, lower: str) -> list[int]:
         """Return the bodies below one part down to another; none if the latter does not exist."""
@@ -165,7 +164,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
         for role in shared
     }
     qpos = _angles(model, turns)
-    leg = float(np.mean([_leg({role: p[captured.roles[role]] for role in shared}) for p in captured.position]))
+    leg = _leg({role: _line_of(captured, standing, role) for role in shared})
     if not leg > 0:
         raise UserError(f"{where}: its legs are without length, which would tell how large it is")
     scale = _leg({role: standing.along_limb(role) for role in shared}) / leg
@@ -201,15 +200,37 @@ def _limbs(captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, 
             continue
         first, last = standing.first_of(chain[0]), standing.roles[chain[-1]]
         bodies = [body for body in hierarchy.above(standing.model, last, itself=True) if body >= first]
-        joints = [captured.roles[role] for role in chain]
-        theirs = max(_length(captured.at_zero[joints]), SHORTEST)
-        size = scale if parts is LEG else _length([standing.along_limb(role) for role in chain]) / theirs
-        about = captured.position[:, joints[-1]] - captured.position[:, joints[0]]
+        length = max(_length([_line_of(captured, standing, role) for role in chain]), SHORTEST)
+        size = scale if parts is LEG else _length([standing.along_limb(role) for role in chain]) / length
+        about = captured.position[:, captured.roles[chain[-1]]] - captured.position[:, captured.start_of(chain[0])]
         pelvis = standing.roles.get("pelvis", -1)
         if parts is LEG and pelvis in turns:
-            bracket = quat.rotated(quat.conjugate(standing.turn[pelvis]), standing.bracket(side))
-            about = about + quat.rotated(turns[pelvis], bracket) / size
+            mine, theirs = standing.bracket(side), _bracket(captured, standing, side)
+            about = about - quat.rotated(captured.rotation[:, captured.roles["pelvis"]], theirs)
+            mine = quat.rotated(quat.conjugate(standing.turn[pelvis]), mine)
+            about = about + quat.rotated(turns[pelvis], mine) / size
         yield Limb(bodies, size * about, {body: turns[body] for body in bodies if body in turns})
+
+
+def _line_of(captured: CapturedSkeleton, standing: _Standing, role: str) -> Array:
+    """Return `_Standing.along_limb` (3,) of the skeleton's zero pose, next to a figure."""
+    if role.endswith(ENDS):
+        return captured.at_zero[captured.roles[role]]
+    start, (side, _, part) = captured.at_zero[captured.start_of(role)], role.partition("_")
+    return start + _bracket(captured, standing, side) if part == "thigh" else start
+
+
+def _bracket(captured: CapturedSkeleton, standing: _Standing, side: str) -> Array:
+    """Return `_Standing.bracket` (3,) [m] of the skeleton's zero pose; zero if that of the figure is."""
+    start, zero = captured.start_of(f"{side}_thigh"), captured.at_zero
+    thigh, shin = (zero[captured.roles[f"{side}_{part}"]] for part in ("thigh", "shin"))
+    return _aside(zero[start], thigh, shin) if np.any(standing.bracket(side)) else np.zeros(3)
+
+
+def _aside(first: Array, thigh: Array, shin: Array) -> Array:
+    """Return the offset (3,) of the thigh from the hip's first hinge across the leg."""
+    down = unit(shin - thigh)
+    return (thigh - first) - down * (down @ (thigh - first))
 
 
 def _length(places: Sequence[Array] | Array) -> float:
@@ -480,7 +501,7 @@ def _placed(
     """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin. Also return the
     position error (T, 3) [m] of a root on slides, which is zero for a free joint."""
     model = standing.model
-    hips = captured.position[:, [captured.roles["left_thigh"], captured.roles["right_thigh"]]].mean(axis=1)
+    hips = captured.position[:, [captured.start_of(f"{side}_thigh") for side in ("left", "right")]].mean(axis=1)
     middle = 0.5 * (standing.joint_of("left_thigh") + standing.joint_of("right_thigh"))
     pelvis = standing.roles["pelvis"]
     offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.place[pelvis])

@@ -108,7 +108,7 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
     next to the skeleton's, "L_Humerus" next to "LeftArm".
     """
     parts = [split(name) for name in without_prefix(names)]
-    hinged = [bool(AXES.intersection(word.lower() for word in SPLIT.findall(name))) for name in names]
+    hinged = [_is_hinge(name) for name in names]
     by_role: dict[str, int] = {}
     for side in ("left", "right"):
         on = {role: _going_on(role, side, parts, parents) for role in WORDS}
@@ -134,6 +134,18 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
     by_role = with_trunk(by_role, names, parents)
     _spine_above_chest(by_role, parts, parents)
     return by_role
+
+
+def first_hinge(joint: int, names: Sequence[str], parents: Sequence[int]) -> int:
+    """Return the first of several joints for the hinges of one part, such as the hip's; otherwise the joint itself."""
+    parts = [split(name) for name in without_prefix(names)]
+    same = [i for i in lineage(joint, parents) if parts[i] == parts[joint] and _is_hinge(names[i])]
+    return same[-1] if _is_hinge(names[joint]) else joint
+
+
+def _is_hinge(name: str) -> bool:
+    """Return whether a name contains an axis, as for a robot's hip pitch."""
+    return bool(AXES.intersection(word.lower() for word in SPLIT.findall(name)))
 
 
 def with_trunk(found: Mapping[str, int], names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:

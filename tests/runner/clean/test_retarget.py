@@ -11,7 +11,7 @@ import shipped
 from android import ANDROID
 from command import Command, commanded
 
-from dynsplines import models, motion
+from dynsplines import import_motion, models, motion
 from dynsplines.edit.edits import repeated
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
@@ -189,6 +189,25 @@ def test_a_hip_that_holds_the_thigh_aside_keeps_the_leg_upright_if_the_foot_cann
         down = quat.rotated(found.rotation[:, model.body("left_knee_link").id], np.array([0.0, 0, -1]))
         tilt.append(np.degrees(np.median(np.abs(np.arcsin(down[:, 1])))))
     assert tilt[1] < 0.5 * tilt[0], tilt
+
+
+@pytest.mark.parametrize("rolls", [True, False], ids=["ankles that roll", "ankles that do not"])
+def test_a_robot_s_own_skeleton_moves_it_as_before(files, tmp_path, rolls):
+    """Its hinges of a hip are apart from each other, as is its thigh from them."""
+    text = re.sub(
+        r'(name="(left|right)_hip_(roll|yaw)_link")',
+        lambda m: f'{m[1]} pos=".02 {"" if m[2] == "left" else "-"}.05 -.04"',
+        ANDROID,
+    )
+    text = text if rolls else re.sub(r'<joint name="\w+_ankle_roll" [^>]*>', "", text)
+    (tmp_path / "robot.xml").write_text(text, encoding="utf-8")
+    model = mujoco.MjModel.from_xml_string(text)
+    qpos, _ = retarget.onto(CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0]), model, "walk.bvh")
+    np.savez(tmp_path / "robot.qpos.npz", time=np.arange(len(qpos)) / 30, qpos=qpos)
+    import_motion(tmp_path / "robot.qpos.npz", tmp_path / "robot.xml").export(tmp_path / "robot.bvh", fps=30)
+    again = import_motion(tmp_path / "robot.bvh", tmp_path / "robot.xml").sampled(30).qpos
+    np.testing.assert_allclose(np.delete(again, 2, axis=1), np.delete(qpos, 2, axis=1), atol=2e-3)
+    assert np.ptp(again[:, 2] - qpos[:, 2]) < 2e-3
 
 
 def test_legs_that_hang_on_the_world_are_told(files):
