@@ -8,19 +8,17 @@ import one_thread  # noqa: F401 - before NumPy
 import signals_heard  # noqa: F401
 # isort: on
 
-import io
 import os
 from pathlib import Path
 
 import drawing
-import mujoco
 import numpy as np
 import pytest
 import shared_figures
 import shipped
 import tiny
-from figures import FIGURES
-from rich.console import Console
+from figures import FIGURES, figure_of
+from quiet import quiet
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
@@ -29,7 +27,6 @@ from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solving import Solved
-from dynsplines.system.progress import Progress
 
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
 report.LOCAL_EVALUATIONS = 2  # the local solves of a report take most of its time; test_report has all of them
@@ -45,7 +42,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 @pytest.fixture(params=FIGURES)
 def figure(request: pytest.FixtureRequest) -> Figure:
     text, coordinates = FIGURES[request.param]
-    return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    return figure_of(text, coordinates)
 
 
 @pytest.fixture(scope="session")
@@ -63,13 +60,13 @@ def rng() -> np.random.Generator:
 def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
     """The tiny clip, solved."""
     path = tiny.written(tmp_path_factory.mktemp("tiny"))
-    return solving.solve(clip.load(str(path)), Progress(Console(file=io.StringIO())))
+    return solving.solve(clip.load(str(path)), quiet())
 
 
 @pytest.fixture(scope="session")
 def saved(solved: Solved) -> Saved:
     """What goes into a motion file of it, report and all."""
-    return solved.saved(Progress(Console(file=io.StringIO())))
+    return solved.saved(quiet())
 
 
 @pytest.fixture(scope="session")

@@ -22,7 +22,7 @@ import tiny
 import wild
 from fuzz import grammar
 from fuzz.mangle import Rng, mangled_arrays, mangled_bytes, mangled_text, mangled_tree
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
@@ -36,7 +36,6 @@ from dynsplines.measure import violation
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
-from dynsplines.system.progress import Progress
 
 READ, REFUSED = "read", "refused"
 Make = Callable[[Rng], bytes]
@@ -72,19 +71,15 @@ FIGURES = (
 )  # fmt: skip
 
 
-def told() -> Progress:
-    return Progress(Console(file=io.StringIO()))
-
-
 @cache
 def _saved(figure: str) -> Saved:
     """A motion of a few frames, good to be written in any format."""
     if figure == "tiny":
-        return solving.unsolved(recordings.from_text(tiny.CLIP, name="tiny", spec=grammar.spec())).saved(told())
+        return solving.unsolved(recordings.from_text(tiny.CLIP, name="tiny", spec=grammar.spec())).saved(quiet())
     saved = wild.motion_of("human") if figure == "human" else wild.through(figure, *_robot_keys())
     hinged = wild.with_hinges(saved, "knee", "elbow") if figure == "human" else saved
     clip = clips.of_motion(hinged)
-    return solving.unsolved(clips.with_keys(clip, list(clip.keys)[:3])).saved(told(), with_report=False)
+    return solving.unsolved(clips.with_keys(clip, list(clip.keys)[:3])).saved(quiet(), with_report=False)
 
 
 def _robot_keys() -> tuple[Any, Any]:
@@ -185,7 +180,7 @@ def _solve(path: Path) -> None:
     own = clip.settings
     few = {"max_evaluations": min(own.max_evaluations, FEW), "frames": min(own.frames or 0, FEW)}
     clip = clip.with_problem(settings=replace(own, variable=min(own.variable or 0, 1), **few))
-    timeline = solving.solve(clip, told()).motion.timeline
+    timeline = solving.solve(clip, quiet()).motion.timeline
     assert np.isfinite(timeline.rows).all(), "a motion that is not finite"
     largest = max(1.0, *(float(np.abs(key.state[key.fixed]).max(initial=0.0)) for key in clip.keys))
     error = keyframe_error(clip, timeline)
@@ -215,7 +210,7 @@ def _import(kind: str, figure: str | None, path: Path) -> object:
     if crc32(path.read_bytes()) % WHOLE_OF:
         model = None if figure is None else _model(figure)
         return formats.recording(path, kind, model=model, fps=30.0 if kind == "mjlab-csv" else None)
-    return import_recording(path, kind, figure=figure, fps=30.0 if kind == "mjlab-csv" else None, progress=told())
+    return import_recording(path, kind, figure=figure, fps=30.0 if kind == "mjlab-csv" else None, progress=quiet())
 
 
 @cache

@@ -7,14 +7,13 @@ together, and of those that ship, of which some take minutes each.
 
 from __future__ import annotations
 
-import io
 import os
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from fuzz import grammar
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.clip import load as clips
@@ -28,7 +27,6 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.search.refinement import METHODS
 from dynsplines.solver.search.selection import common_grid
-from dynsplines.system.progress import Progress
 
 CLIPS = ("sit_down", "tumble", "walk_loop", "run_loop", "cartwheel", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)
@@ -109,7 +107,7 @@ def test_a_quaternion_that_passes_zero_between_two_samples_gains_nothing(seed):
 
 def assert_no_worse(clip: Clip) -> None:
     """Searched, and held against its raw spline on a grid of its own."""
-    motion = solving.solve(clip, Progress(Console(file=io.StringIO()))).motion
+    motion = solving.solve(clip, quiet()).motion
     assert np.isfinite(motion.timeline.rows).all()
     assert keyframe_error(clip, motion.timeline) <= EXACT
     edges = common_grid([motion.timeline, motion.raw])

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import pytest
 from paper.penetration import penetration
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.motion import sampled
-from dynsplines.system.progress import Progress
 
 LIMB = """
 <mujoco><compiler angle="degree"/>
@@ -57,9 +55,7 @@ def test_a_limb_goes_through_an_obstacle_on_the_raw_spline_and_at_most_two_milli
     tmp_path: Path, obstacle: str
 ):
     (tmp_path / "limb.xml").write_text(LIMB.replace("{obstacle}", OBSTACLES[obstacle]), encoding="utf-8")
-    solved = solving.solve(
-        recordings.from_text(CLIP, name="limb", folder=tmp_path), Progress(Console(file=io.StringIO()))
-    )
+    solved = solving.solve(recordings.from_text(CLIP, name="limb", folder=tmp_path), quiet())
     figure, deepest = solved.clip.figure, []
     for timeline in (solved.motion.raw, solved.motion.timeline):
         run = sampled(figure, timeline, 1000.0)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import mujoco
 import numpy as np
 import pytest
 import walkers
+from oracles import kinematics
 from squats import Measured, measured, solved, squat
 
 from dynsplines import recordings
@@ -51,9 +51,7 @@ def posed_feet(problem: Clip) -> list[str]:
 def soles(problem: Clip, k: int) -> Array:
     """(n, 3) [m] the sole points of keyframe k on the raw spline, by MuJoCo."""
     timeline = raw_timeline(problem.figure, list(problem.keys), problem.ends, np.zeros((2, problem.figure.width)))
-    data = mujoco.MjData(problem.figure.model)
-    data.qpos[:] = problem.figure.to_qpos(timeline.states[k])
-    mujoco.mj_kinematics(problem.figure.model, data)
+    data = kinematics(problem.figure.model, problem.figure.to_qpos(timeline.states[k]))
     return np.array([data.site(point.name).xpos for point in problem.context.points])
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import os
 import sys
 from dataclasses import replace
@@ -11,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command import commanded
-from rich.console import Console
+from quiet import quiet
 from tiny import CLIP, FIGURE, changed, names, written
 
 from dynsplines import solve_cache, solving
@@ -49,10 +48,6 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return done
 
 
-def progress() -> Progress:
-    return Progress(Console(file=io.StringIO()))
-
-
 def tiny(folder: Path, text: str = CLIP) -> Clip:
     folder.mkdir(exist_ok=True)
     return clip.load(str(written(folder, text)))
@@ -86,17 +81,17 @@ def assert_same(one: Solved, other: Solved) -> None:
 
 
 def test_an_unchanged_clip_is_not_solved_again_and_is_the_same(tmp_path, cache, counted):
-    first = solve_cache.solved(tiny(tmp_path / "a"), progress())
-    again = solve_cache.solved(tiny(tmp_path / "a"), progress())
+    first = solve_cache.solved(tiny(tmp_path / "a"), quiet())
+    again = solve_cache.solved(tiny(tmp_path / "a"), quiet())
     assert counted == ["tiny"]
     assert_same(first, again)
     assert len(names(cache)) == 1
 
 
 def test_a_clip_that_is_only_written_otherwise_or_lies_elsewhere_is_not_solved_again(tmp_path, cache, counted):
-    solve_cache.solved(tiny(tmp_path / "a"), progress())
-    solve_cache.solved(tiny(tmp_path / "b", "# Other words.\n" + changed("fps = 20", "fps = 25")), progress())
-    solve_cache.solved(tiny(tmp_path / "c", changed("time = 0\n", "time    =   0\n")), progress())
+    solve_cache.solved(tiny(tmp_path / "a"), quiet())
+    solve_cache.solved(tiny(tmp_path / "b", "# Other words.\n" + changed("fps = 20", "fps = 25")), quiet())
+    solve_cache.solved(tiny(tmp_path / "c", changed("time = 0\n", "time    =   0\n")), quiet())
     assert counted == ["tiny"]
 
 
@@ -191,14 +186,14 @@ DAMAGE = {
 
 
 def test_a_damaged_file_is_as_good_as_none_and_is_replaced(tmp_path, cache, counted):
-    first = solve_cache.solved(tiny(tmp_path / "a"), progress())
+    first = solve_cache.solved(tiny(tmp_path / "a"), quiet())
     whole = only(cache).read_bytes()
     for name, damage in DAMAGE.items():
         only(cache).write_bytes(whole)
         assert solve_cache.read(only(cache), first.clip) is not None
         damage(only(cache))
         assert solve_cache.read(only(cache), first.clip) is None, name
-    again = solve_cache.solved(tiny(tmp_path / "a"), progress())
+    again = solve_cache.solved(tiny(tmp_path / "a"), quiet())
     assert counted == ["tiny", "tiny"]
     np.testing.assert_array_equal(again.motion.timeline.rows, first.motion.timeline.rows)
     assert solve_cache.read(only(cache), first.clip) is not None
@@ -209,14 +204,14 @@ def test_old_ones_make_room_and_nothing_else_is_touched(tmp_path, cache, monkeyp
     texts = [changed("rotvec = [0, 40, 0]", f"rotvec = [0, {angle}, 0]") for angle in (40, 41, 42, 43)]
     problems = [tiny(tmp_path / f"{i}", text) for i, text in enumerate(texts)]
     for age, problem in enumerate(problems[:3]):
-        solve_cache.solved(problem, progress())
+        solve_cache.solved(problem, quiet())
         os.utime(cache / f"{solve_cache.key_of(problem)}.npz", (1e9 + age, 1e9 + age))
     (cache / "mine.npz").write_bytes(bytes(10_000))
-    solve_cache.solved(problems[0], progress())  # used: now it is the youngest
+    solve_cache.solved(problems[0], quiet())  # used: now it is the youngest
     monkeypatch.setattr(
         solve_cache, "MOST_BYTES", 2.5 * (cache / f"{solve_cache.key_of(problems[0])}.npz").stat().st_size
     )
-    solve_cache.solved(problems[3], progress())
+    solve_cache.solved(problems[3], quiet())
     assert names(cache) == sorted([f"{solve_cache.key_of(problems[i])}.npz" for i in (0, 3)] + ["mine.npz"])
 
 
@@ -224,7 +219,7 @@ def test_old_ones_make_room_and_nothing_else_is_touched(tmp_path, cache, monkeyp
 def test_where_nothing_can_be_kept_it_is_solved(tmp_path, cache, counted):
     cache.write_text("no folder", encoding="utf-8")
     for _ in range(2):
-        solve_cache.solved(tiny(tmp_path / "a"), progress())
+        solve_cache.solved(tiny(tmp_path / "a"), quiet())
     assert counted == ["tiny", "tiny"]
     assert cache.read_text(encoding="utf-8") == "no folder"
 
@@ -234,7 +229,7 @@ def test_nothing_is_kept_if_nothing_is_to_be(tmp_path, cache, monkeypatch):
     for word in ("off", "0", "OFF"):
         monkeypatch.setenv("DYNSPLINES_CACHE", word)
         assert solve_cache.place() is None
-    solve_cache.solved(tiny(tmp_path / "a"), progress())
+    solve_cache.solved(tiny(tmp_path / "a"), quiet())
     assert not cache.exists()
 
 
@@ -251,7 +246,7 @@ def test_by_default_it_is_the_users_folder_for_such_things(monkeypatch, tmp_path
 def test_a_search_that_was_stopped_is_not_kept(tmp_path, cache, monkeypatch, solved):
     stopped = replace(solved, motion=replace(solved.motion, stop=Stop.INTERRUPTED))
     monkeypatch.setattr(solving, "solve", lambda *_: stopped)
-    solve_cache.solved(tiny(tmp_path / "a"), progress())
+    solve_cache.solved(tiny(tmp_path / "a"), quiet())
     assert not cache.exists()
 
 

@@ -6,6 +6,7 @@ import io
 
 import numpy as np
 import pytest
+from quiet import quiet
 from rich.console import Console
 from tiny import CLIP, changed, written
 
@@ -85,7 +86,7 @@ def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
     solved = solving.unsolved(problem)
     assert solved.motion.timeline is solved.motion.raw
     assert solved.motion.evaluations == 0
-    kept = solved.saved(Progress(Console(file=io.StringIO())), with_report=False)
+    kept = solved.saved(quiet(), with_report=False)
     assert kept.report == {}
     assert kept.timeline.times.tolist() == [0, 0.2, 0.41]
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 import pytest
 import shared_figures
+from figures import figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracles import kinematics
 from site_goal import SiteGoal
 
 from dynsplines import models, recordings
@@ -31,7 +32,7 @@ VALUES = st.lists(st.sampled_from([0.0, -0.0, 1.0, np.nextafter(1, 2), np.nan]),
 
 
 def human() -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")))
+    return figure_of(models.figure_text("human"))
 
 
 def test_an_answer_is_found_once_and_the_one_that_is_requested_longest_ago_goes():
@@ -74,8 +75,7 @@ def test_content_tells_kinds_and_shapes_apart():
 
 def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_alone(monkeypatch):
     figure, rng = human(), np.random.default_rng(1)
-    data = mujoco.MjData(figure.model)
-    mujoco.mj_kinematics(figure.model, data)
+    data = kinematics(figure.model)
     goals = [SiteGoal("left_hand", data.site("left_hand").xpos + np.array([0.2, 0, 0.3]))]
     home, free = np.array(figure.model.qpos0), np.ones(figure.width, bool)
     free[:7] = False
@@ -101,8 +101,7 @@ def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_a
 
 def test_a_pose_that_anything_it_depends_on_differs_for_is_another():
     figure = human()
-    data = mujoco.MjData(figure.model)
-    mujoco.mj_kinematics(figure.model, data)
+    data = kinematics(figure.model)
     place = data.site("left_hand").xpos + np.array([0.2, 0, 0.3])
     goals, home, free = [SiteGoal("left_hand", place)], np.array(figure.model.qpos0), np.ones(figure.width, bool)
     free[:7] = False

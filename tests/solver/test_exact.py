@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import cache
 from typing import cast
 
-import mujoco
 import numpy as np
 import pytest
 from exact_path import ExactPath, exact_path
+from figures import figure_of
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
@@ -35,7 +35,7 @@ INTRINSIC = ((CovariantAcceleration(), 5 / 7), (UnitMagnitude(), 2 / 7))
 
 @cache
 def one_ball() -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(ONE_BALL))
+    return figure_of(ONE_BALL)
 
 
 def orientations(seed: int) -> Array:

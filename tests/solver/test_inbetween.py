@@ -3,10 +3,9 @@
 from dataclasses import replace
 from importlib import import_module
 
-import mujoco
 import numpy as np
 import pytest
-from figures import ONE_BALL
+from figures import BALL, ONE_BALL, figure_of
 from hinged import PENALTIES, hinge_keys, hinged
 from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
 
@@ -15,7 +14,6 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import _Loop, continue_from, inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, UnitMagnitude
@@ -191,11 +189,7 @@ TIMES_OF_HINGES = np.array([0.0, 0.5, 1.4, 2.0])
 
 
 def test_a_floor_lifts_the_path_off_it():
-    figure = Figure(
-        mujoco.MjModel.from_xml_string(
-            '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
-        )
-    )
+    figure = figure_of(BALL)
     heights = [0.5, 0.15, 0.15, 0.5]
     keys = [Frame.key(t, [t, 0, z, 1, 0, 0, 0]) for t, z in zip(TIMES, heights, strict=True)]
     floor = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
@@ -236,7 +230,7 @@ def test_nothing_to_choose_gives_the_keyframes_spline(figure, rng):
 
 
 def test_the_clock_does_not_matter(rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(ONE_BALL))
+    figure = figure_of(ONE_BALL)
     turns = [[0.0, 0, 0], [0.7, 0.2, 0], [0.9, -0.8, 0.4], [0.1, -1.2, 1.0]]
     penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
     paths = []

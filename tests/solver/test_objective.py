@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-import mujoco
 import numpy as np
 import pytest
 from every_penalty import clip, every_penalty
+from figures import figure_of
 from random_keys import TIMES
 from scipy.interpolate import CubicSpline
 from taylor import taylor_slope
@@ -76,7 +76,7 @@ def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_cli
 
 def hinge_path(times: np.ndarray, angles: np.ndarray) -> tuple[Objective, Path]:
     """One hinge, whose covariant acceleration is its angle's own, and the natural spline through angles [rad]."""
-    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    figure = figure_of(ONE_HINGE)
     raw = raw_timeline(figure, [Frame.key(t, [angle]) for t, angle in zip(times, angles, strict=True)])
     return Objective.of(figure, [(CovariantAcceleration(), 2.0)]), path_of(raw)
 
@@ -232,7 +232,7 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
 
 
 def test_motion_costs_the_weights_of_what_its_own_integrals_measure():
-    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    figure = figure_of(ONE_HINGE)
     keys = [Frame.key(t, [q]) for t, q in ((0, 0.0), (1, 1.0), (2, 0.5))]
     objective = Objective.of(figure, [(CovariantAcceleration(), 2.0), (Posture(), 5.0), (RootAcceleration(), 0.25)])
     assert objective.raw_cost == 2.25
@@ -291,7 +291,7 @@ class Bell(Momentary):
 
 
 def clock_and_bell(quadrature: Quadrature) -> tuple[Objective, Path]:
-    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    figure = figure_of(ONE_HINGE)
     objective = Objective.of(figure, [(Bell(), 2.0), (Clock(), 3.0)], quadrature=quadrature)
     return objective, path_of(raw_timeline(figure, [Frame.key(t, [t]) for t in (0.0, 0.7, 1.1, 2.0)]))
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import mujoco
 import numpy as np
 import pytest
-from figures import CHAIN
+from figures import CHAIN, figure_of
 from hinged import hinge_keys, hinged
 from taylor import taylor_slope
 
@@ -77,7 +76,7 @@ def test_it_multiplies_the_curvature_as_well(same, rng):
 
 
 def test_the_gradient_has_taylor_slope_two(rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(CHAIN.format("ball")))
+    figure = figure_of(CHAIN.format("ball"))
     timeline = evenly(raw_timeline(figure, swing_keys(figure, np.array([0.0, 0.2, 0.5, 1.1]))), 1)
     problem = objective_of(timeline, figure, timeline.times[timeline.fixed.any(axis=1)]).on(timeline)
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
@@ -92,7 +91,7 @@ def swing_keys(figure: Figure, times: Array) -> list[Frame]:
 
 def test_joints_overshoot_less_between_keyframes_that_are_farther_apart():
     """Relative to the same motion at another speed, of which plain accelerations make the same path."""
-    figure = Figure(mujoco.MjModel.from_xml_string(CHAIN.format("ball")))
+    figure = figure_of(CHAIN.format("ball"))
 
     def overshoot(gap: float, weight: float) -> float:
         keys = swing_keys(figure, np.linspace(0, 3 * gap, 4))

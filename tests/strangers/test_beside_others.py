@@ -8,20 +8,18 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
-import io
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
 import wild
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton.hinge_joints import HingeModel
 from dynsplines.motion import Saved
-from dynsplines.system.progress import Progress
 
 SQUAT = """
 figure = "{file}"
@@ -41,8 +39,7 @@ others = "rest"
 
 
 def motion_of(text: str) -> Saved:
-    quiet = Progress(Console(file=io.StringIO()))
-    return solving.solve(recordings.from_text(text, name="squat"), quiet).saved(quiet, with_report=False)
+    return solving.solve(recordings.from_text(text, name="squat"), quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.mark.filterwarnings("ignore:.*torch.jit:DeprecationWarning")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 from collections.abc import Callable, Mapping
@@ -15,7 +14,7 @@ import numpy as np
 import pytest
 from command import commanded
 from meshes import stl
-from rich.console import Console
+from quiet import quiet
 
 import dynsplines
 from dynsplines import cli, motion, solving
@@ -31,7 +30,6 @@ from dynsplines.scene import file_access
 from dynsplines.scene.assets import Scene
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.system.lock import locked
-from dynsplines.system.progress import Progress
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="links are another matter there")
 MODEL = """<mujoco><compiler meshdir="{folder}"/>{more}<asset>{asset}</asset><worldbody>
@@ -57,10 +55,6 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureF
     return run
 
 
-def told() -> Progress:
-    return Progress(Console(file=io.StringIO()))
-
-
 def model(folder: Path, *, asset: str = BONE, more: str = "", meshes: str = "meshes") -> Path:
     """A model in a folder, with a mesh below it."""
     (folder / "meshes").mkdir(parents=True)
@@ -77,7 +71,7 @@ def tree(folder: Path) -> dict[str, bytes]:
 @pytest.fixture
 def meshed(tmp_path: Path) -> Saved:
     """A motion that brings a mesh along."""
-    return solving.unsolved(clip.load(str(model(tmp_path / "model")))).saved(told(), with_report=False)
+    return solving.unsolved(clip.load(str(model(tmp_path / "model")))).saved(quiet(), with_report=False)
 
 
 def tampered(saved: Saved, target: Path, **changes: Any) -> Path:

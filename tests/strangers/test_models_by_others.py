@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 import importlib.util
-import io
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -17,7 +16,7 @@ import mujoco
 import numpy as np
 import pytest
 import squats
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -28,7 +27,6 @@ from dynsplines.picture.show import Look, images
 from dynsplines.scene import file_access
 from dynsplines.scene.compose import compose, figure_spec, is_lit
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.system.progress import Progress
 
 SUITE, GYM = "dm_control/suite/", "gymnasium/envs/mujoco/assets/"
 ROBOTICS, SUITE_OF_ROBOTS = "gymnasium_robotics/envs/assets/", "robosuite/models/assets/"
@@ -88,10 +86,10 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     problem = clip.load(str(target))
     assert len(problem.context.points) == FEET[path]
     settings = replace(problem.settings, max_evaluations=EVALUATIONS, frames=FRAMES)
-    found = solving.solve(problem.with_problem(settings=settings), Progress(Console(file=io.StringIO())))
+    found = solving.solve(problem.with_problem(settings=settings), quiet())
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
     small = problem.figure.width <= SMALL
-    saved = found.saved(Progress(Console(file=io.StringIO())), with_report=small)
+    saved = found.saved(quiet(), with_report=small)
     error = saved.report["after"]["keyframe error"] if small else keyframe_error(problem, found.motion.timeline)
     assert error <= 1e-12
     motion.save(saved, tmp_path / "its.npz")

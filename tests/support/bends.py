@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import mujoco
 import numpy as np
+from figures import figure_of
 
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import (
@@ -28,7 +28,7 @@ KNEE, ELBOW = np.array([0.0, 1, 0]), np.array([0.0, -1, 0])
 
 
 def limb(coordinates: str = "world", quat: str = "1 0 0 0") -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(LIMB.format(quat=quat)), coordinates)
+    return figure_of(LIMB.format(quat=quat), coordinates)
 
 
 def limits(lateral: np.ndarray, *, least: float = 0.0, sideways: float = TEN, twist: float = TEN) -> BendLimits:

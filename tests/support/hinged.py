@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import mujoco
+from figures import figure_of
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
@@ -16,12 +16,8 @@ PENALTIES: list[tuple[Penalty, float]] = [
 
 
 def hinged() -> Figure:
-    return Figure(
-        mujoco.MjModel.from_xml_string(
-            """<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/><body pos="0 0 -1"><joint axis="0 1 0"/>
-            <geom size=".1"/></body></body></worldbody></mujoco>"""
-        )
-    )
+    arm = '<joint axis="0 1 0"/><geom size=".1"/>'
+    return figure_of(f'<mujoco><worldbody><body>{arm}<body pos="0 0 -1">{arm}</body></body></worldbody></mujoco>')
 
 
 def hinge_keys() -> list[Frame]:

@@ -8,6 +8,7 @@ from functools import cache, cached_property
 import mujoco
 import numpy as np
 import shipped
+from oracles import kinematics
 from paper.penetration import Penetration, penetration
 
 from dynsplines.clip.build import Clip
@@ -44,11 +45,9 @@ class Move:
     @cached_property
     def _poses(self) -> tuple[Array, Array, Array]:
         """Sites (T, n, 3), the centre of mass (T, 3) and bodies' upward axes (T, b, 3) at all times."""
-        data, sites, centre, up = mujoco.MjData(self.scene), [], [], []
+        sites, centre, up = [], [], []
         for qpos in self.qpos:
-            data.qpos[:] = qpos
-            mujoco.mj_kinematics(self.scene, data)
-            mujoco.mj_comPos(self.scene, data)
+            data = kinematics(self.scene, qpos)
             sites.append(data.site_xpos.copy())
             centre.append(data.subtree_com[1].copy())
             up.append(data.xmat.reshape(-1, 3, 3)[:, :, 2].copy())
@@ -77,9 +76,7 @@ class Move:
 
     def gap(self, time: float, words: tuple[str, ...], obstacle: str) -> float:
         """The least distance [m] of geoms whose names begin with some words from an obstacle."""
-        data = mujoco.MjData(self.scene)
-        data.qpos[:] = self.qpos[self.at(time)]
-        mujoco.mj_kinematics(self.scene, data)
+        data = kinematics(self.scene, self.qpos[self.at(time)])
         own = [g for g in range(self.scene.ngeom) if self.scene.geom(g).name.startswith(words)]
         solid = self.scene.geom(obstacle).id
         return min(mujoco.mj_geomDistance(self.scene, data, geom, solid, 1.0, None) for geom in own)

@@ -39,18 +39,11 @@ def mujoco_forces(samples: Samples) -> np.ndarray:
     return np.array(out)
 
 
-def posed(model: mujoco.MjModel, qpos: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Positions (nbody, 3) and rotations (nbody, 3, 3) of the bodies."""
+def kinematics(model: mujoco.MjModel, qpos: Array | None = None) -> mujoco.MjData:
+    """Return bodies, sites, centres of mass and Jacobians of a pose, by default the model's own, by MuJoCo."""
     data = mujoco.MjData(model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
-    return data.xpos.copy(), data.xmat.reshape(-1, 3, 3).copy()
-
-
-def placed(model: mujoco.MjModel, qpos: Array) -> mujoco.MjData:
-    """A pose's bodies and Jacobians by MuJoCo."""
-    data = mujoco.MjData(model)
-    data.qpos[:] = qpos
+    data.qpos[:] = model.qpos0 if qpos is None else qpos
+    mujoco.mj_normalizeQuat(model, data.qpos)
     mujoco.mj_kinematics(model, data)
     mujoco.mj_comPos(model, data)
     return data

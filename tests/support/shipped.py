@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import os
 import shutil
 import tempfile
@@ -13,10 +12,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import recordings, solve_cache, solving
 from dynsplines.clip.build import Clip
+from dynsplines.motion import Saved
 from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
 
@@ -37,7 +37,12 @@ def remove_folder() -> None:
 @cache
 def solved(name: str) -> Solved:
     """A shipped clip as `dynsplines solve` solves it."""
-    return _cached(recordings.load(name), Progress(Console(file=io.StringIO())), SOLVE)
+    return _cached(recordings.load(name), quiet(), SOLVE)
+
+
+def unsolved(name: str) -> Saved:
+    """The raw motion of a shipped clip, without a report."""
+    return solving.unsolved(recordings.load(name)).saved(quiet(), with_report=False)
 
 
 def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import mujoco
 import numpy as np
 from dense_hessian import tiny_clip
 from every_penalty import clip
@@ -26,7 +25,7 @@ from dynsplines.solver.refine.subdivision import evenly
 
 def turning(turns: list[float], variable: int) -> tuple[Objective, Timeline]:
     """One ball joint turned about a slanted axis by so many degrees from keyframe to keyframe."""
-    figure = Figure(mujoco.MjModel.from_xml_string(ONE_BALL))
+    figure = figure_of(ONE_BALL)
     axis = np.array([0.6, 0, 0.8])
     poses = [quat.from_rotation_vector(np.radians(angle) * axis) for angle in np.cumsum([0, *turns])]
     raw = raw_timeline(figure, [Frame.key(float(i), pose) for i, pose in enumerate(poses)])
@@ -56,11 +55,7 @@ def discretised(figure: Figure, rng: np.random.Generator, ends: str):
 
 def slider(times: np.ndarray, variable: int):
     """One slide under its acceleration energy, the flat case."""
-    figure = Figure(
-        mujoco.MjModel.from_xml_string(
-            '<mujoco><worldbody><body><joint type="slide"/><geom size=".1"/></body></worldbody></mujoco>'
-        )
-    )
+    figure = figure_of('<mujoco><worldbody><body><joint type="slide"/><geom size=".1"/></body></worldbody></mujoco>')
     keys = [Frame.key(t, [np.sin(3 * t)]) for t in times]
     raw = raw_timeline(figure, keys)
     return Objective.of(figure, [(RootAcceleration(), 1.0)]).renormalised(path_of(raw)).on(evenly(raw, variable))

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import io
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
@@ -19,7 +18,6 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, JointRange, joint_ranges
 from dynsplines.solver.surface.points import places_of
-from dynsplines.system.progress import Progress
 
 RATE = 1000.0  # [Hz]
 
@@ -44,7 +42,7 @@ class Measured:
 
 def solved(problem: Clip, **settings: Any) -> solving.Solved:
     problem = problem.with_problem(settings=replace(problem.settings, **settings))
-    return solving.solve(problem, Progress(Console(file=io.StringIO())))
+    return solving.solve(problem, quiet())
 
 
 def squat(height: float, *, contacts: bool, figure: str = "human") -> Clip:

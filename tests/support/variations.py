@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import mujoco
 import numpy as np
+from oracles import kinematics
 
 from dynsplines import recordings
 from dynsplines.clip import load as clips
@@ -21,9 +22,7 @@ REACH = 0.05
 
 def nearest(model: mujoco.MjModel, qpos: Array) -> float:
     """Signed distance [m] of the figure's nearest geom to the scene, at most `REACH`."""
-    data = mujoco.MjData(model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model, qpos)
     least, moving = REACH, np.array(movers(model))
     for solid in solids(model):
         away = np.maximum(np.abs(data.geom_xpos[moving] - data.geom_xpos[solid]) - model.geom_size[solid], 0)

@@ -3,8 +3,8 @@
 Hips go back evenly and forward faster, knees bent meanwhile.
 """
 
-import mujoco
 import numpy as np
+from figures import figure_of
 
 from dynsplines import models
 from dynsplines.clip.posing.feet import sole_points
@@ -19,7 +19,7 @@ FINE = 400  # samples a second
 
 
 def walker(coordinates: str = "auto") -> tuple[Figure, tuple[Point, ...]]:
-    figure = Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), coordinates)
+    figure = figure_of(models.figure_text("human"), coordinates)
     return figure, sole_points(figure, np.zeros((0, figure.width)))
 
 

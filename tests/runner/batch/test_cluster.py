@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator
 
 import deeds
 import pytest
-from rich.console import Console
+from quiet import quiet
 
 pytest.importorskip("distributed")
 
 from distributed import LocalCluster
 
 from dynsplines.batch import cluster
-from dynsplines.system.progress import Progress
-
-
-def quiet() -> Progress:
-    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.fixture(scope="module")

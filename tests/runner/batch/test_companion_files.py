@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import mujoco
 import pytest
 import tiny
-from rich.console import Console
+from quiet import quiet
 
 pytest.importorskip("distributed")
 
@@ -16,7 +15,6 @@ from dynsplines.batch.dispatch import run
 from dynsplines.batch.manifest import Manifest
 from dynsplines.batch.tally import Tally
 from dynsplines.batch.task import Options
-from dynsplines.system.progress import Progress
 
 CORNERS = "v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nv 0 0 {size}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 MESHED = tiny.FIGURE.replace("<worldbody>", '<asset><mesh name="part" file="part.obj"/></asset><worldbody>').replace(
@@ -39,7 +37,7 @@ def clips(tmp_path: Path) -> Path:
 
 def done(clips: Path) -> Tally:
     options = Options(workers=1, to="mjcf")
-    return run([str(clips)], clips.parent / "out", options, Progress(Console(file=io.StringIO())))
+    return run([str(clips)], clips.parent / "out", options, quiet())
 
 
 @pytest.mark.slow

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import io
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-from rich.console import Console
+from quiet import quiet
 from tiny import CLIP, FIGURE, changed, written
 
 pytest.importorskip("psutil")
@@ -18,7 +17,6 @@ from dynsplines.batch.inputs import sources
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
 from dynsplines.batch.solving import solved
 from dynsplines.batch.task import Options
-from dynsplines.system.progress import Progress
 
 
 @pytest.fixture
@@ -35,7 +33,7 @@ def left(manifest: Manifest, options: Options = Options()) -> list[str]:  # noqa
     manifest = Manifest.of(manifest.path.parent)
     folder = manifest.path.parent.parent
     found = sources([str(folder / "tiny.toml"), str(folder / "other.toml")])
-    batch = Batch(manifest, options, Progress(Console(file=io.StringIO())), solved)
+    batch = Batch(manifest, options, quiet(), solved)
     assert batch.plan(found) == ["tiny", "other"]
     return [name for name, _ in batch.waiting]
 
@@ -120,7 +118,7 @@ def test_a_clip_that_cannot_be_read_waits_for_its_turn(manifest: Manifest, monke
 
     monkeypatch.setattr(Path, "read_bytes", gone)
     found = sources([str(manifest.path.parent.parent / "tiny.toml")])
-    batch = Batch(manifest, Options(), Progress(Console(file=io.StringIO())), solved)
+    batch = Batch(manifest, Options(), quiet(), solved)
     batch.plan(found)
     assert [name for name, _ in batch.waiting] == ["tiny"]
     assert manifest.entries["tiny"].input == ""

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import shipped
 from command import commanded, refusal
+from quiet import quiet
 from rich.console import Console
 
 pytest.importorskip("distributed")
@@ -23,10 +24,6 @@ from dynsplines.batch.task import Options
 from dynsplines.clean.command import Source
 from dynsplines.exchange import formats
 from dynsplines.system.progress import Progress
-
-
-def quiet() -> Progress:
-    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.fixture(scope="module")

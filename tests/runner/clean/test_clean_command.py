@@ -4,10 +4,10 @@ import json
 from pathlib import Path
 from typing import Any
 
-import mujoco
 import numpy as np
 import pytest
 from command import Command, commanded
+from oracles import kinematics
 
 from dynsplines import UserError, load_motion, motion
 from dynsplines.clip import load as clips
@@ -37,12 +37,8 @@ def squats(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for side in ("left", "right"):
             at = model.joint(f"{side}_{joint}").qposadr[0]
             qpos[:, at], qpos[:, at + 2] = np.cos(share * bend / 2), np.sin(share * bend / 2)
-    data, lowest = mujoco.MjData(model), np.zeros(TIMES.size)
     soles = [i for i in range(model.nsite) if any(word in model.site(i).name for word in ("heel", "toe"))]
-    for i, row in enumerate(qpos):
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
-        lowest[i] = data.site_xpos[soles, 2].min()
+    lowest = np.array([kinematics(model, row).site_xpos[soles, 2].min() for row in qpos])
     qpos[:, 2] += 0.015 * np.sin(3 * TIMES) - lowest
     qpos[:, 0] += 0.04 * TIMES
     found = clips.from_qpos("bobs", scene, TIMES, qpos, 30.0, "bobs")
@@ -57,12 +53,7 @@ def soles(source: Path) -> np.ndarray:
     """(T, 3) [m] the left heel, by MuJoCo."""
     saved = motion.load(source)
     samples, model = motion.sampled(saved.figure, saved.timeline, 120), saved.figure.model
-    data, out = mujoco.MjData(model), np.zeros((samples.time.size, 3))
-    for i, row in enumerate(samples.qpos):
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
-        out[i] = data.site("left_heel").xpos
-    return out
+    return np.array([kinematics(model, row).site("left_heel").xpos for row in samples.qpos])
 
 
 @pytest.mark.slow
@@ -183,12 +174,8 @@ def test_what_cannot_be_cleaned_is_told_and_nothing_is_written(command, squats, 
 @pytest.mark.slow
 def test_from_python_a_motion_is_cleaned_by_a_method(squats):
     found = load_motion(squats / "bobs.npz").cleaned(max_displacement="5cm")
-    model, heel = found.clip.figure.model, []
-    data = mujoco.MjData(model)
-    for t in np.linspace(0, TIMES[-1], 40):
-        data.qpos[:] = found.at(t)
-        mujoco.mj_kinematics(model, data)
-        heel.append(data.site("left_heel").xpos.copy())
+    model = found.clip.figure.model
+    heel = [kinematics(model, found.at(t)).site("left_heel").xpos for t in np.linspace(0, TIMES[-1], 40)]
     assert np.ptp(heel, axis=0).max() < 0.01
     with pytest.raises(UserError, match="max_displacement 3: the unit is missing"):
         load_motion(squats / "bobs.npz").cleaned(max_displacement="3")

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shipped
 from command import Command, commanded
 from rich.console import Console
 
-from dynsplines import cli, solving
+from dynsplines import cli
 from dynsplines.clean import command as clean_command
-from dynsplines.clip import load as clip
 from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.skeleton import maps, retarget
 from dynsplines.exchange.skeleton.bvh_file import read
@@ -23,7 +23,7 @@ ROLES = [f"{side}_{part}" for side in ("left", "right") for part in ("upper_arm"
 
 @pytest.fixture(scope="module")
 def walk(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    moved = solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
+    moved = shipped.unsolved("walk_loop")
     return Path(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh"))
 
 

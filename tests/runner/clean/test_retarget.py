@@ -10,6 +10,7 @@ import pytest
 import shipped
 from android import ANDROID
 from command import Command, commanded
+from oracles import kinematics
 
 from dynsplines import import_motion, models, motion
 from dynsplines.edit.edits import repeated
@@ -54,12 +55,8 @@ def played(saved: Saved, fps: float = 120.0) -> tuple[np.ndarray, np.ndarray, np
     """Times, qpos, and the soles' lowest points (T, 8, 3) [m], by MuJoCo."""
     samples, model = motion.sampled(saved.figure, saved.timeline, fps), saved.figure.model
     soles = [i for i in range(model.ngeom) if "_sole_" in model.geom(i).name]
-    data, out = mujoco.MjData(model), []
-    for row in samples.qpos:
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
-        out.append(data.geom_xpos[soles] - [0, 0, 0.01])
-    return samples.time, samples.qpos, np.array(out)
+    lowest = [kinematics(model, row).geom_xpos[soles] - [0, 0, 0.01] for row in samples.qpos]
+    return samples.time, samples.qpos, np.array(lowest)
 
 
 @pytest.mark.slow

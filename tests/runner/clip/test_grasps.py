@@ -1,7 +1,6 @@
 """The clip's [[grasp]] tables and things of its scene: what they become, what moves with what, every mistake in one
 line."""
 
-import io
 from dataclasses import replace
 from typing import Any
 
@@ -9,7 +8,8 @@ import mujoco
 import numpy as np
 import pytest
 from carried import in_carried
-from rich.console import Console
+from oracles import kinematics
+from quiet import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.clip import load as clips
@@ -25,7 +25,6 @@ from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, GraspPenalty, StancePenalty, Sum
-from dynsplines.system.progress import Progress
 
 SCENE = """
 figure = "human"
@@ -74,9 +73,7 @@ def lift(*more: str, hands: tuple[str, ...] = ("left", "right")) -> str:
 
 def place(clip: clips.Clip, qpos: np.ndarray, hand: str) -> np.ndarray:
     """(3,) where a hand is on the crate, by MuJoCo."""
-    data = mujoco.MjData(clip.figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(clip.figure.model, data)
+    data = kinematics(clip.figure.model, qpos)
     crate = data.body("crate")
     return crate.xmat.reshape(3, 3).T @ (data.site(hand).xpos - crate.xpos)
 
@@ -249,7 +246,7 @@ def test_at_another_speed_and_in_a_part_of_the_clip_grasps_keep_their_place():
     clip = recordings.from_text(lift() + '[solve]\nends = "free"\n', name="lift")
     fast = retimed_tables(table_of(clip.text, "lift"), 2.0)
     assert [(row.start, row.end) for row in fast.grasp] == [(0.3, 0.75)] * 2
-    part = trimmed(solving.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
+    part = trimmed(solving.unsolved(clip).saved(quiet(), with_report=False), 0.8, 1.3)
     (left, right) = clips.clip_from_motion(part).context.schedule.grasps
     assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
     assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.grasp") == 1

@@ -8,6 +8,7 @@ import pytest
 import shipped
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracles import kinematics
 
 from dynsplines import inbetween, load, recordings
 from dynsplines.clip.build import Clip
@@ -39,18 +40,14 @@ def read(*bodies: str, head: str = HEAD, tail: str = "") -> Clip:
 def clearance(problem: Clip, qpos: Array) -> float:
     """[m] between the geoms that move and those that do not, by MuJoCo; negative for a depth."""
     model = problem.figure.model
-    data = mujoco.MjData(model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model, qpos)
     moves = model.body_weldid[model.geom_bodyid] != 0
     fixed, moving = np.flatnonzero(~moves), np.flatnonzero(moves)
     return min(mujoco.mj_geomDistance(model, data, int(a), int(b), 3.0, None) for a in fixed for b in moving)
 
 
 def site(problem: Clip, qpos: Array, name: str) -> Array:
-    data = mujoco.MjData(problem.figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(problem.figure.model, data)
+    data = kinematics(problem.figure.model, qpos)
     return np.array(data.site(name).xpos)
 
 

@@ -6,13 +6,13 @@ import io
 import json
 
 import pytest
+from quiet import quiet
 from rich.console import Console
 from tiny import CLIP, FIGURE, HINGE, changed, written
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.report import report, tables
-from dynsplines.system.progress import Progress
 
 LIMITED = FIGURE.replace('name="left_knee" type="ball"', 'name="left_knee" type="ball" limited="true" range="0 42"')
 SWING = """figure = "hinge.xml"
@@ -36,7 +36,7 @@ def kinds(problem: clip.Clip) -> set[str]:
 
 
 def solved(problem: clip.Clip) -> dict:
-    found = solving.solve(problem, Progress(Console(file=io.StringIO())))
+    found = solving.solve(problem, quiet())
     return report(found.clip, found.motion, 0.0)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 from tiny import CLIP, FIGURE, written
 
 from dynsplines.clip import load as clip
@@ -47,8 +48,7 @@ def loaded(folder, scene: str) -> clip.Clip:
 def geom(problem: clip.Clip, name: str) -> tuple[mujoco.MjModel, np.ndarray, np.ndarray]:
     """The model compiled from the clip's MJCF text, and a geom's place and axes."""
     model = mujoco.MjModel.from_xml_string(problem.mjcf)
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     return model, data.geom(name).xpos, data.geom(name).xmat.reshape(3, 3)
 
 

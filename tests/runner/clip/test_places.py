@@ -5,6 +5,8 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
+from oracles import kinematics
 
 from dynsplines import recordings
 from dynsplines.clip.build import Clip
@@ -32,7 +34,7 @@ HEAD = 'figure = "robot.xml"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyfram
 
 
 def figure() -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(ROBOT))
+    return figure_of(ROBOT)
 
 
 def read(said: str, more: str = "") -> Clip:
@@ -45,19 +47,14 @@ def places() -> Places:
 
 
 def seen(problem: Clip, k: int = 1) -> mujoco.MjData:
-    data = mujoco.MjData(problem.figure.model)
-    data.qpos[:] = problem.keys[k].state
-    mujoco.mj_kinematics(problem.figure.model, data)
-    return data
+    return kinematics(problem.figure.model, problem.keys[k].state)
 
 
 @pytest.mark.parametrize("name", ["left_ball", "left_calf 2", "left_calf 1", "left_calf", "box"])
 def test_a_point_is_where_mujoco_has_the_geom_or_the_body(name, rng):
     found, whole = places().point(name), figure()
     assert found is not None
-    data = mujoco.MjData(whole.model)
-    data.qpos[:] = rng.normal(size=whole.width)
-    mujoco.mj_kinematics(whole.model, data)
+    data = kinematics(whole.model, rng.normal(size=whole.width))
     geoms = {"left_ball": 3, "left_calf 1": 2, "left_calf 2": 4, "box": 0}
     there = data.geom_xpos[geoms[name]] if name in geoms else data.body(name).xpos
     link = whole.links[found.link].body

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
 from command import commanded
-from rich.console import Console
+from oracles import kinematics
+from quiet import quiet
 from tiny import HINGE
 
 from dynsplines import recordings, solving
@@ -22,7 +22,6 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.penalty import Placement
 from dynsplines.solver.posing import MET
-from dynsplines.system.progress import Progress
 
 HEAD = 'figure = "human"\n'
 REST = HEAD + '[[keyframe]]\ntime = 0.0\nothers = "rest"\n'
@@ -48,10 +47,7 @@ def second(body: str, first: str = REST) -> str:
 
 
 def seen(problem: Clip, qpos: np.ndarray) -> mujoco.MjData:
-    data = mujoco.MjData(problem.figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(problem.figure.model, data)
-    return data
+    return kinematics(problem.figure.model, qpos)
 
 
 def fixed_joints(problem: Clip, key: Frame) -> set[str]:
@@ -149,10 +145,6 @@ def test_hinges_and_slides_are_solved_too(tmp_path):
     problem = recordings.from_text(text, name="h", folder=tmp_path)
     assert problem.keys[1].is_key
     np.testing.assert_allclose(seen(problem, problem.keys[1].state).site("tip").xpos, [0.5, 0, 0.6], atol=MET)
-
-
-def quiet() -> Progress:
-    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.mark.slow

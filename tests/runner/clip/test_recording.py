@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import shipped
 from command import commanded
+from oracles import kinematics
 from paper.penetration import penetration
 
 import dynsplines
@@ -53,15 +54,9 @@ def saved(folder: Path) -> Saved:
 
 def bodies(saved_figure, path, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Places (T, n, 3) [m] of bodies and sites, by MuJoCo, and the bodies' rotations (T, n, 9)."""
-    model = saved_figure.model
-    data, places, turns = mujoco.MjData(model), [], []
-    for qpos in saved_figure.to_qpos(path.at(times)):
-        data.qpos[:] = qpos
-        mujoco.mj_normalizeQuat(model, data.qpos)
-        mujoco.mj_kinematics(model, data)
-        places.append(np.concatenate([data.xpos, data.site_xpos]))
-        turns.append(data.xmat.copy())
-    return np.array(places), np.array(turns)
+    seen = [kinematics(saved_figure.model, qpos) for qpos in saved_figure.to_qpos(path.at(times))]
+    places = [np.concatenate([data.xpos, data.site_xpos]) for data in seen]
+    return np.array(places), np.array([data.xmat for data in seen])
 
 
 @pytest.mark.slow
@@ -263,9 +258,7 @@ def test_a_target_of_a_hand_in_a_recording_leaves_the_feet_in_their_stances():
     keyframe = f"[[keyframe]]\ntime = 0.667\nsites.right_hand = {target.tolist()}\n"
     walk = '[recording]\nfile = "walk_loop"\n'
     reach = dynsplines.inbetween(recordings.from_text(f'figure = "human"\n{walk}{keyframe}', name="reach"))
-    data = mujoco.MjData(reach.model)
-    data.qpos[:] = reach.at(0.667)
-    mujoco.mj_kinematics(reach.model, data)
+    data = kinematics(reach.model, reach.at(0.667))
     assert np.linalg.norm(data.site("right_hand").xpos - target) < 1e-6
     assert abs(data.site("right_heel").xpos[2]) < 0.01
     assert reach.violations == []

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
 from dynsplines import inbetween, recordings
@@ -37,9 +37,7 @@ def read(model: str, folder: Path, *keys: str) -> Clip:
 
 def placed(problem: Clip, k: int, body: str) -> tuple[Array, Array]:
     """Where a body is in a keyframe (3,) [m], and its rotation (3, 3)."""
-    data = mujoco.MjData(problem.figure.model)
-    data.qpos[:] = problem.keys[k].state
-    mujoco.mj_kinematics(problem.figure.model, data)
+    data = kinematics(problem.figure.model, problem.keys[k].state)
     return data.body(body).xpos, data.body(body).xmat.reshape(3, 3)
 
 
@@ -158,8 +156,6 @@ def test_a_keyframe_of_no_height_is_put_down_on_the_ground(tmp_path: Path, names
 def test_the_trunk_stays_upright_in_a_squat_on_slides(tmp_path: Path) -> None:
     rest = 'others = "rest"'
     motion = inbetween(read(scene(biped(joints(PLANAR))), tmp_path, rest, "root.position = [0, 0, 0.7]", rest))
-    data = mujoco.MjData(motion.model)
-    data.qpos[:] = motion.at(0.5)
-    mujoco.mj_kinematics(motion.model, data)
+    data = kinematics(motion.model, motion.at(0.5))
     assert data.body("pelvis").xpos == pytest.approx([0, 0, 0.7], abs=1e-6)
     assert data.body("pelvis").xmat[8] > np.cos(np.radians(10))

@@ -10,6 +10,7 @@ import mujoco
 import numpy as np
 import pytest
 from command import commanded
+from oracles import kinematics
 
 from dynsplines import recordings
 from dynsplines.clip import load as clip
@@ -226,9 +227,7 @@ def noted(text: str, folder: Path) -> tuple[list[str], clip.Clip]:
 
 def open_by(model: mujoco.MjModel, qpos) -> float:
     """[m] how far the anchors of a connect are apart, by MuJoCo's kinematics."""
-    data = mujoco.MjData(model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model, qpos)
     ends = (int(model.eq_obj1id[0]), model.eq_data[0, :3]), (int(model.eq_obj2id[0]), model.eq_data[0, 3:6])
     one, two = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ anchor for body, anchor in ends)
     return float(np.linalg.norm(one - two))
@@ -301,9 +300,8 @@ def test_what_a_mocap_body_holds_stays_on_it(tmp_path):
       </worldbody>
       <equality><weld body1="mark" body2="base" relpose="0 0 -.1 1 0 0 0"/></equality></mujoco>"""
     notes, made = noted(text, tmp_path)
-    model, data = made.figure.model, mujoco.MjData(made.figure.model)
-    data.qpos[:] = made.keys[0].state
-    mujoco.mj_kinematics(model, data)
+    model = made.figure.model
+    data = kinematics(model, made.keys[0].state)
     assert data.body("base").xpos[2] == pytest.approx(0.8, abs=1e-6)
     assert not any(line.startswith("keyframe 1: equality") for line in notes)
     assert "keyframe 1: lowest point 0.50 m above the floor" in notes

@@ -1,15 +1,14 @@
 """What a motion that follows a recording keeps: frames away from keyframes, all of its feet out of the ground."""
 
-import mujoco
 import numpy as np
 import pytest
 import shipped
+from figures import figure_of
 
 from dynsplines.clip.tracking.penalties import NEXT_TO, Ground, ground_of, problem
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import TrackingPenalty
 
 
@@ -46,11 +45,9 @@ def test_geoms_below_the_soles_are_exempt():
         <site name="{side}_heel" pos="-.07 0 -.03"/><site name="{side}_toe" pos=".13 0 -.03"/></body></body>"""
         for side, y in (("left", 0.1), ("right", -0.1))
     )
-    figure = Figure(
-        mujoco.MjModel.from_xml_string(
-            f"""<mujoco><worldbody><geom type="plane" size="9 9 1"/><body name="trunk" pos="0 0 .63"><freejoint/>
-            <geom name="trunk" type="box" size=".1 .1 .1"/>{legs}</body></worldbody></mujoco>"""
-        )
+    figure = figure_of(
+        f"""<mujoco><worldbody><geom type="plane" size="9 9 1"/><body name="trunk" pos="0 0 .63"><freejoint/>
+        <geom name="trunk" type="box" size=".1 .1 .1"/>{legs}</body></worldbody></mujoco>"""
     )
     clear = ground_of(figure, figure.model.qpos0[None]).clear
     low = [point for point in clear if point.name == "left_shin" and point.position[2] < -0.29]

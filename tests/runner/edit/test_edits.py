@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import re
 import tomllib
 from typing import Any
@@ -12,7 +11,7 @@ import puppet
 import pytest
 import shipped
 import tiny
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import models, motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -29,17 +28,12 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.system.progress import Progress
 
 FPS = 97.0
 
 
-def progress() -> Progress:
-    return Progress(Console(file=io.StringIO()))
-
-
 def solved(text: str, name: str) -> Saved:
-    return solving.solve(recordings.from_text(text, name=name), progress()).saved(progress(), with_report=False)
+    return solving.solve(recordings.from_text(text, name=name), quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +71,7 @@ def test_edited_motions_have_the_edited_keyframes_and_raw_splines(steps):
     assert part.keys[0].is_key and part.keys[-1].is_key
     assert [key.time for key in part.keys[1:-1]] == [0.12, 0.26, 0.37, 0.49]
     np.testing.assert_array_equal(part.keys[2].fixed, steps.keys[2].fixed)
-    whole, end = edits.joined(steps, part, 0.25, progress()), steps.timeline.times[-1]
+    whole, end = edits.joined(steps, part, 0.25, quiet()), steps.timeline.times[-1]
     assert [key.time for key in whole.keys] == pytest.approx(
         [key.time for key in steps.keys] + [key.time - 10 / FPS + end + 0.25 for key in part.keys]
     )
@@ -88,7 +82,7 @@ def test_edited_motions_have_the_edited_keyframes_and_raw_splines(steps):
 @pytest.mark.slow
 def test_a_repeated_loop_is_sampled_without_a_doubled_image():
     fps = FPS
-    cycle = shipped.solved("run_loop").saved(progress(), with_report=False)
+    cycle = shipped.solved("run_loop").saved(quiet(), with_report=False)
     many, seam = edits.repeated(cycle, 3), Seam.of(cycle.figure, cycle.timeline)
     run = sampled(cycle.figure, many.timeline, fps)
     assert len(run.time) == int(3 * 0.74 * fps + 1e-9) + 1
@@ -113,10 +107,8 @@ LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3,
 @pytest.mark.slow
 def test_an_edited_loop_is_still_measured_as_one(tmp_path):
     found = clip.load(str(tiny.written(tmp_path, LOOP)))
-    edited = edits.repeated(
-        edits.retimed(solving.solve(found, progress()).saved(progress(), with_report=False), 2.0), 2
-    )
-    report = edits.measured(edited, progress(), "edited").report
+    edited = edits.repeated(edits.retimed(solving.solve(found, quiet()).saved(quiet(), with_report=False), 2.0), 2)
+    report = edits.measured(edited, quiet(), "edited").report
     for side in ("before", "after"):
         seam = report[side]["seam"]
         np.testing.assert_allclose(seam["travel, m"], [0.6, 0, 0.2], atol=1e-12)
@@ -143,18 +135,18 @@ def test_edits_that_make_no_motion_are_refused(steps, saved):
         edits.retimed(steps, 1e-3)
     with pytest.raises(UserError, match="only a loop"):
         edits.repeated(steps, 2)
-    cycle = shipped.solved("run_loop").saved(progress(), with_report=False)
+    cycle = shipped.solved("run_loop").saved(quiet(), with_report=False)
     with pytest.raises(UserError, match="over 600 s"):
         edits.repeated(cycle, 1000)
     for transition in (0.0, -1.0, np.nan, np.inf):
         with pytest.raises(UserError, match=r"a transition lasts 0\.001 to 600 s"):
-            edits.joined(steps, steps, transition, progress())
+            edits.joined(steps, steps, transition, quiet())
     with pytest.raises(UserError, match="of different figures; they differ in: left_ankle, left_elbow"):
-        edits.joined(steps, saved, 0.4, progress())
+        edits.joined(steps, saved, 0.4, quiet())
     text = steps.text.replace("[solve]", '[solve]\ncoordinates = "joint"')
-    other = solving.unsolved(recordings.from_text(text, name="other")).saved(progress(), with_report=False)
+    other = solving.unsolved(recordings.from_text(text, name="other")).saved(quiet(), with_report=False)
     with pytest.raises(UserError, match="'steps' is in world coordinates, 'other' in joint coordinates"):
-        edits.joined(steps, other, 0.4, progress())
+        edits.joined(steps, other, 0.4, quiet())
     with pytest.raises(UserError, match="puppet: no partner on the other side for: "):
         edits.mirrored(puppet.moved())
 
@@ -241,7 +233,7 @@ def test_keyframes_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_pa
     target = tmp_path / "deeper" / "two.toml"
     target.parent.mkdir()
     (tmp_path / "one.toml").write_text(ROUND, encoding="utf-8")
-    edit_files.run([str(tmp_path / "one.toml")], edit_files.mirrored(), target, overwrite=False, progress=progress())
+    edit_files.run([str(tmp_path / "one.toml")], edit_files.mirrored(), target, overwrite=False, progress=quiet())
     one, two = clip.load(str(tmp_path / "one.toml")), clip.load(str(target))
     mirror = Mirror.of(one.figure)
     for a, b in zip(two.keys, map(mirror.key, one.keys), strict=True):
@@ -263,13 +255,13 @@ def test_a_retimed_clip_has_other_times_also_of_contacts_flights_and_cycles_and_
     path = tiny.written(tmp_path)
     (tmp_path / "sub").mkdir()
     target = tmp_path / "sub" / "fast.toml"
-    edit_files.run([str(path)], edit_files.retimed(2.0, None), target, overwrite=False, progress=progress())
+    edit_files.run([str(path)], edit_files.retimed(2.0, None), target, overwrite=False, progress=quiet())
     before, after = clip.load(str(path)), clip.load(str(target))
     assert [key.time for key in after.keys] == pytest.approx([key.time / 2 for key in before.keys])
     for a, b in zip(after.keys, before.keys, strict=True):
         np.testing.assert_array_equal(a.state, b.state)
     assert after.settings == before.settings
-    edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=True, progress=progress())
+    edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=True, progress=quiet())
     assert clip.load(str(target)).keys[-1].time == pytest.approx(3)
     table = edits.retimed_tables(table_of(ROUND, "one"), 2.0)
     assert (table.contact[0].start, table.contact[0].end) == (0.3, 0.5)
@@ -283,17 +275,17 @@ def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
     was = source.read_bytes()
     edit = edit_files.trimmed(0.1, None)
     with pytest.raises(UserError, match="already exists; give another -o, or --overwrite"):
-        edit_files.run([str(source)], edit, source, overwrite=False, progress=progress())
+        edit_files.run([str(source)], edit, source, overwrite=False, progress=quiet())
     with pytest.raises(UserError, match=r"as a motion, \.npz, or as a clip, \.toml"):
-        edit_files.run([str(source)], edit, tmp_path / "out.mp4", overwrite=False, progress=progress())
+        edit_files.run([str(source)], edit, tmp_path / "out.mp4", overwrite=False, progress=quiet())
     with pytest.raises(UserError, match="not inside"):
-        edit_files.run([str(source)], edit_files.trimmed(-7, None), source, overwrite=True, progress=progress())
+        edit_files.run([str(source)], edit_files.trimmed(-7, None), source, overwrite=True, progress=quiet())
     assert source.read_bytes() == was
     assert tiny.names(tmp_path) == ["tiny.npz"]
-    edit_files.run([str(source)], edit, source, overwrite=True, progress=progress())
+    edit_files.run([str(source)], edit, source, overwrite=True, progress=quiet())
     assert motion.load(source).keys[0].time == 0.1
     edit_files.run(
-        [str(source)], edit_files.trimmed(None, 0.3), tmp_path / "cut.toml", overwrite=False, progress=progress()
+        [str(source)], edit_files.trimmed(None, 0.3), tmp_path / "cut.toml", overwrite=False, progress=quiet()
     )
     tiny.written(tmp_path)
     assert [key.time for key in clip.load(str(tmp_path / "cut.toml")).keys] == [0.1, 0.2, 0.3]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import numpy as np
 import pytest
 import shipped
 import tiny
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import models, motion, recordings, solving
 from dynsplines.clip import file as clip_file
@@ -22,14 +21,9 @@ from dynsplines.errors import UserError
 from dynsplines.measure import violation
 from dynsplines.motion import Saved, sampled
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.system.progress import Progress
 
 FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "own.npz"\n'
 FLYING = tiny.CLIP.replace("[[keyframe]]", '[[penalty]]\nkind = "flight"\nintervals = [[0.05, 0.15]]\n[[keyframe]]', 1)
-
-
-def quiet() -> Progress:
-    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.fixture(autouse=True)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shipped
 from tiny import names, written
 
 from dynsplines import motion, solving
@@ -28,7 +29,7 @@ BOUND = (0.02, np.radians(5))
 @pytest.fixture(scope="module")
 def walk() -> Saved:
     """The loop as its raw spline, which is quick to have."""
-    return solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
+    return shipped.unsolved("walk_loop")
 
 
 @pytest.fixture(scope="module")

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import numpy as np
 import pytest
 import tiny
-from rich.console import Console
+from quiet import quiet
 from scipy.spatial.transform import Rotation
 
 from dynsplines import motion, recordings, solving
@@ -27,7 +26,6 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.thin import thin
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.system.progress import Progress
 
 ENDS = 'frames = 2\nends = "periodic"\n'
 LAST = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}"
@@ -35,12 +33,8 @@ TOLD = tiny.changed("frames = 2\n", ENDS).replace(LAST, "root.position = [0.3, 0
 GIVEN = tiny.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 45\n").replace(LAST, "")
 
 
-def progress() -> Progress:
-    return Progress(Console(file=io.StringIO()))
-
-
 def solved(folder: Path, text: str) -> Saved:
-    return solving.solve(clips.load(str(tiny.written(folder, text))), progress()).saved(progress(), with_report=False)
+    return solving.solve(clips.load(str(tiny.written(folder, text))), quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -129,7 +123,7 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_contains_it(circle):
     assert np.degrees(seam.headings) == pytest.approx([45])
     np.testing.assert_allclose(seam.travel[:3], [0.3, 0.1, 0], atol=1e-12)
     assert seam.discontinuity(path_of(circle.timeline)).max() < 1e-9
-    report = edits.measured(circle, progress(), "edited").report
+    report = edits.measured(circle, quiet(), "edited").report
     for side in ("before", "after"):
         found = report[side]["seam"]
         assert found["turn, degrees"] == pytest.approx(45)

@@ -7,6 +7,7 @@ import mujoco
 import numpy as np
 import pytest
 from android import ANDROID
+from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
 from dynsplines import models
@@ -101,9 +102,7 @@ def test_a_body_that_lies_on_the_floor_stays_there(tmp_path, head, back, crawls)
         poses, trans = turned(back, poses, trans)
     found = read(tmp_path, poses, trans)
     assert any("on the floor" in note or "z is taken as up" in note for note in found.notes)
-    data = mujoco.MjData(HUMAN)
-    data.qpos = found.qpos[0]
-    mujoco.mj_kinematics(HUMAN, data)
+    data = kinematics(HUMAN, found.qpos[0])
     assert abs(data.body("chest").xpos - data.body("pelvis").xpos)[2] < 0.1
 
 
@@ -169,14 +168,12 @@ def test_without_a_figure_the_mean_shape_is_one(tmp_path):
     saved = import_recording(path)
     model = saved.figure.model
     recording = formats.recording(path)
-    data = mujoco.MjData(model)
     names = {name: name.replace("foot", "toe") for name in SMPL}
     offset = {name: model.body(names[name]).pos for name in SMPL}  # x forward, y left, z up; SMPL's are y, z, x
     assert offset["left_knee"] == pytest.approx([-0.007, 0.036, -0.379])
     assert offset["right_elbow"] == pytest.approx([-0.024, -0.257, -0.013])
     for row in (0, 40):
-        data.qpos = recording.qpos[row]
-        mujoco.mj_kinematics(model, data)
+        data = kinematics(model, recording.qpos[row])
         turn, place = {}, {}
         for joint, parent in SMPL.items():
             local = Rotation.from_rotvec(poses[row, _index(joint)])

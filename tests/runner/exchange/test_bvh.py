@@ -12,10 +12,11 @@ import mujoco
 import numpy as np
 import puppet
 import pytest
+import shipped
+from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
-from dynsplines import models, solving
-from dynsplines.clip import load as clip
+from dynsplines import models
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import bvh
@@ -33,12 +34,12 @@ TENTH = 1e-4  # [m]
 
 @pytest.fixture(scope="module")
 def cartwheel():
-    return SampledTrajectory.of(solving.unsolved(clip.load("cartwheel")).saved(Progress(), with_report=False), 15.0)
+    return SampledTrajectory.of(shipped.unsolved("cartwheel"), 15.0)
 
 
 @pytest.fixture(scope="module")
 def rail():
-    return SampledTrajectory.of(solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False), 12.0)
+    return SampledTrajectory.of(shipped.unsolved("hand_on_rail"), 12.0)
 
 
 def y_up(take):
@@ -282,13 +283,8 @@ def test_bones_of_other_lengths_bring_hands_and_feet_to_scaled_places_and_the_fe
     trunk = [model.body(name).id for name in ("pelvis", "chest")]
     turned = quat.angle_between(back.rotation[:, trunk], cartwheel.bodies.rotation[:, trunk])
     assert turned.max() < 1e-5
-    data, lowest = mujoco.MjData(model), []
-    for row in qpos:
-        data.qpos = row
-        mujoco.mj_kinematics(model, data)
-        lowest.append(
-            data.site_xpos[[model.site(f"{s}_{p}").id for s in ("left", "right") for p in ("heel", "toe")], 2].min()
-        )
+    soles = [model.site(f"{side}_{part}").id for side in ("left", "right") for part in ("heel", "toe")]
+    lowest = [kinematics(model, row).site_xpos[soles, 2].min() for row in qpos]
     assert abs(np.percentile(lowest, 2)) < 0.002
 
 

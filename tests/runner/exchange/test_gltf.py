@@ -11,6 +11,7 @@ import mujoco
 import numpy as np
 import puppet
 import pytest
+from oracles import kinematics
 
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
@@ -70,9 +71,7 @@ def test_rotations_are_unit_and_stay_on_their_hemisphere(target):
 def test_another_reader_sees_the_visible_geoms_and_no_others(take, target):
     """trimesh builds the scene of the nodes' own places, which is the first sample's."""
     scene = trimesh.load_scene(io.BytesIO(target.read_bytes()), file_type="glb")
-    data = mujoco.MjData(take.model)
-    data.qpos = take.qpos[0]
-    mujoco.mj_kinematics(take.model, data)
+    data = kinematics(take.model, take.qpos[0])
     names = hierarchy.names(take.model)
     asset = pygltflib.GLTF2().load(str(target))
     meshes = {node.name: asset.meshes[node.mesh] for node in asset.nodes if node.mesh is not None}

@@ -6,10 +6,11 @@ import avatar
 import mujoco
 import numpy as np
 import pytest
+import shipped
+from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
-from dynsplines import Keyframe, build, import_motion, inbetween, solving
-from dynsplines.clip import load as clip
+from dynsplines import Keyframe, build, import_motion, inbetween
 from dynsplines.edit import edits
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
@@ -139,15 +140,9 @@ def _relative(world: np.ndarray) -> np.ndarray:
 
 def places(saved, names: list[str]) -> np.ndarray:
     """(T, J, 3) [m] of bodies by MuJoCo."""
-    model = saved.figure.model
-    data = mujoco.MjData(model)
+    bodies = [saved.figure.model.body(name).id for name in names]
     samples = sampled(saved.figure, saved.timeline, saved.fps)
-    out = np.empty((len(samples.qpos), len(names), 3))
-    for row, qpos in enumerate(samples.qpos):
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(model, data)
-        out[row] = [data.body(name).xpos for name in names]
-    return out
+    return np.array([kinematics(saved.figure.model, qpos).xpos[bodies] for qpos in samples.qpos])
 
 
 FILES = {
@@ -175,7 +170,7 @@ def test_bones_are_where_the_files_matrices_put_them(name, tmp_path):
 @pytest.mark.parametrize("ending", ["glb", "usdc"])
 def test_a_motion_written_by_this_program_comes_back(ending, tmp_path):
     """Joints to the precision of the file; the root is placed on the ground, so it may be lifted as a whole."""
-    whole = solving.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False)
+    whole = shipped.unsolved("hand_on_rail")
     written = edits.trimmed(whole, 0.6, 1.0)
     file = formats.export(written, "gltf" if ending == "glb" else "usd", tmp_path / f"a.{ending}")
     back = import_recording(file, figure="human", progress=Progress())
@@ -238,9 +233,7 @@ def test_the_joints_of_a_chain_come_back(ending, root, tmp_path):
     for time in np.arange(31) / 30:
         places = []
         for each in (arm, back):
-            data = mujoco.MjData(each.model)
-            data.qpos = each.at(time)
-            mujoco.mj_kinematics(each.model, data)
+            data = kinematics(each.model, each.at(time))
             places.append(data.xpos[1:].copy())
         np.testing.assert_allclose(places[1], places[0], atol=CLOSE)
 

@@ -5,12 +5,12 @@ import csv
 import mujoco
 import numpy as np
 import pytest
+import shipped
 import wild
 from inverse_oracle import oracle
 from random_robots import motion_of
 
 from dynsplines import recordings, solving
-from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
 from dynsplines.exchange.forces import Forces
@@ -25,13 +25,9 @@ NAMES = (
 )  # fmt: skip
 
 
-def unsolved(name):
-    return solving.unsolved(clip.load(name)).saved(Progress(), with_report=False)
-
-
 @pytest.fixture(scope="module")
 def walk():
-    return unsolved("walk_loop")
+    return shipped.unsolved("walk_loop")
 
 
 @pytest.fixture(scope="module")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
@@ -33,13 +34,9 @@ def recorded() -> tuple[Array, Array, Array]:
 def poses(xml: str, qpos: Array) -> tuple[Array, Array]:
     """(T, 3, 3) [m] and (T, 3, 9) of pelvis and feet."""
     model = mujoco.MjModel.from_xml_string(xml)
-    data, out = mujoco.MjData(model), []
-    for row in qpos:
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
-        bodies = [data.body(name) for name in ("pelvis", "left_foot", "right_foot")]
-        out.append([np.append(body.xpos, body.xmat) for body in bodies])
-    return np.array(out)[..., :3], np.array(out)[..., 3:]
+    bodies = [model.body(name).id for name in ("pelvis", "left_foot", "right_foot")]
+    seen = [kinematics(model, row) for row in qpos]
+    return np.array([data.xpos[bodies] for data in seen]), np.array([data.xmat[bodies] for data in seen])
 
 
 @pytest.mark.parametrize("kind", FIGURES)

@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 import puppet
 import pytest
+from oracles import kinematics
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
@@ -43,9 +44,7 @@ def test_bodies_are_where_mujoco_has_them_at_every_time_code(take, stage):
 
 def test_geoms_reach_as_far_as_mujocos(take, stage):
     """The box round every geom that has one, in its own axes, is MuJoCo's aabb there."""
-    data, model = mujoco.MjData(take.model), take.model
-    data.qpos = take.qpos[3]
-    mujoco.mj_kinematics(model, data)
+    data, model = kinematics(take.model, take.qpos[3]), take.model
     cache = UsdGeom.XformCache(Usd.TimeCode(3))
     shown = [g for g in range(model.ngeom) if model.geom_group[g] < 3]
     prims = {p.GetName(): p for p in stage.Traverse() if p.IsA(UsdGeom.Gprim)}

@@ -10,6 +10,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
+from quiet import quiet
 from rich.console import Console
 from tiny import FIGURE, written
 
@@ -21,7 +22,6 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import optimised
 from dynsplines.solving import Solved
-from dynsplines.system.progress import Progress
 
 FOOT = """
 <mujoco><worldbody>
@@ -219,8 +219,8 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
     else:
         path = written(tmp_path)
         (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", "tip"), encoding="utf-8")
-    solved = solving.solve(clip.load(str(path)), Progress(Console(file=io.StringIO())))
-    data = solved.saved(Progress(Console(file=io.StringIO()))).report
+    solved = solving.solve(clip.load(str(path)), quiet())
+    data = solved.saved(quiet()).report
     json.dumps(data, allow_nan=False)
     assert data["after"]["skate"] == {}
     assert data["after"]["stances"] == []

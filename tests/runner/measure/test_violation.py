@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import itertools
 import re
 from collections.abc import Sequence
@@ -12,8 +11,9 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 from paper.penetration import penetration
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import Keyframe, build, inbetween, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -27,7 +27,6 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.system.progress import Progress
 
 REST = '\n[[keyframe]]\ntime = {}\nothers = "rest"\n'
 HIGH = REST + "root.position = [0, 0, 3]\n"  # above all floors
@@ -49,10 +48,6 @@ TRUNK = """<mujoco><compiler angle="degree"/><worldbody><body name="trunk" pos="
     <body name="hand" pos="0 0 -.2"><joint name="wrist" type="ball"/>
       <geom name="hand" type="capsule" size=".04" fromto="0 0 0 0 0 -.15" mass="1"/></body></body>
 </body></worldbody></mujoco>"""
-
-
-def quiet() -> Progress:
-    return Progress(Console(file=io.StringIO()))
 
 
 def read(text: str, figure: str = "", folder: Path | None = None) -> Clip:
@@ -361,9 +356,8 @@ def test_forearms_in_the_head_and_in_each_other_are_reported_as_deep_as_mujoco_h
     arms = arms.replace("{{", "{").replace("}}", "}")
     problem = read('figure = "human"\n' + HIGH.format(0) + HIGH.format(1) + arms + HIGH.format(2))
     found = {each.text.split(" are ")[0]: each.amount for each in wrong(problem) if each.keyframe == 2}
-    model, data = problem.figure.model, mujoco.MjData(problem.figure.model)
-    data.qpos[:] = problem.keys[1].state
-    mujoco.mj_kinematics(model, data)
+    model = problem.figure.model
+    data = kinematics(model, problem.keys[1].state)
     bodies = {model.body(body).name: model.body(body).id for body in range(model.nbody)}
     geoms = {name: np.flatnonzero(model.geom_bodyid == body).tolist() for name, body in bodies.items()}
     for pair in ("chest and left_forearm", "chest and right_forearm", "left_forearm and right_forearm"):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import drawing
@@ -11,14 +10,13 @@ import numpy as np
 import pytest
 from meshes import stl
 from PIL import Image
-from rich.console import Console
+from quiet import quiet
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.picture.show import Look, images
 from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.system.progress import Progress
 
 MODEL = """
 <mujoco><compiler meshdir="parts/mesh" texturedir="parts"/>
@@ -62,10 +60,6 @@ def model(tmp_path: Path, rng: np.random.Generator) -> Path:
     return home / "it.xml"
 
 
-def told() -> Progress:
-    return Progress(Console(file=io.StringIO()))
-
-
 def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
     scene = compose(figure_spec(str(model)))
     assert sorted(scene.assets) == ["bone.stl", "bone_2.stl", "corner.obj", "hill.png", "side.png", "wood.png"]
@@ -80,7 +74,7 @@ def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
 
 @pytest.mark.slow
 def test_a_motion_file_needs_no_other_files(model):
-    found = solving.unsolved(clip.load(str(model))).saved(told(), with_report=False)
+    found = solving.unsolved(clip.load(str(model))).saved(quiet(), with_report=False)
     target = model.parent.parent / "it.npz"
     motion.save(found, target)
     for path in sorted(model.parent.rglob("*"), reverse=True):
@@ -102,7 +96,7 @@ def test_a_motion_file_of_the_first_format_still_loads(motion_file, tmp_path):
 
 def test_a_motion_file_with_damaged_assets_is_refused(model, tmp_path):
     target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
-    motion.save(solving.unsolved(clip.load(str(model))).saved(told(), with_report=False), target)
+    motion.save(solving.unsolved(clip.load(str(model))).saved(quiet(), with_report=False), target)
     for damage in ("asset_0", "asset_names"):
         with np.load(target) as data:
             assert damage in data

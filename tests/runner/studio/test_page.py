@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import io
 import os
 import re
 import shutil
@@ -18,6 +17,7 @@ import psutil
 import pytest
 import tiny
 from browser import Studio, Tab
+from quiet import quiet
 
 from dynsplines import models
 from dynsplines.exchange.formats import export as exported
@@ -582,16 +582,14 @@ def test_what_is_part_of_a_thing_that_moves_is_moved_in_its_axes(tab):
 @pytest.fixture(scope="module")
 def saved_run():
     """A shipped clip's raw motion: what a recording is written of."""
-    from rich.console import Console
 
     from dynsplines.clip import load as clips
     from dynsplines.solver.solution import Solution
     from dynsplines.solving import Solved
-    from dynsplines.system.progress import Progress
 
     clip = clips.load("run_and_step")
     raw = Solution(clip.figure, clip.problem.plain_objective, clip.problem.raw, clip.problem.raw)
-    return Solved(clip, raw, None).saved(Progress(Console(file=io.StringIO())), with_report=False)
+    return Solved(clip, raw, None).saved(quiet(), with_report=False)
 
 
 def contrast(high: str, low: str) -> str:

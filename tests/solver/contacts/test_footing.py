@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import mujoco
 import numpy as np
 import pytest
 from figures import CHAIN, figure_of
@@ -12,7 +11,6 @@ from dynsplines.clip import load as clips
 from dynsplines.solver.contacts import Contacts, ContactSchedule, Footing, Stance, flights, footings, stances
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
@@ -22,7 +20,7 @@ WALKER = """<mujoco><worldbody><body pos="0 0 1"><freejoint name="root"/><geom s
   <body pos="0 .1 0"><joint name="left" type="slide" axis="0 0 1"/><geom size=".05" pos="0 0 -.95" mass="8"/></body>
   <body pos="0 -.1 0"><joint name="right" type="slide" axis="0 0 1"/><geom size=".05" pos="0 0 -.95" mass="8"/></body>
 </body></worldbody></mujoco>"""
-FIGURE = Figure(mujoco.MjModel.from_xml_string(WALKER))
+FIGURE = figure_of(WALKER)
 # two feet on sliding legs; a foot is lifted on its toe by tilting the figure, so that heels are 0.1 m behind toes
 SOLES = tuple(
     Point(f"{name}_{end}", link, np.array([x, 0, -1.0]))
@@ -240,7 +238,7 @@ def test_without_a_surface_points_or_gravity_there_is_no_flight():
     assert flights(FIGURE, 1, timeline, SOLES, (), ()) == ()
     assert flights(FIGURE, 1, timeline, (), (FLOOR,), ()) == ()
     text = WALKER.replace("<mujoco>", '<mujoco><option gravity="0 0 0"/>')
-    assert flights(Figure(mujoco.MjModel.from_xml_string(text)), 1, timeline, SOLES, (FLOOR,), ()) == ()
+    assert flights(figure_of(text), 1, timeline, SOLES, (FLOOR,), ()) == ()
 
 
 def footings_of(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[Footing, ...]:

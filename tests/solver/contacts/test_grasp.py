@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
@@ -79,11 +80,10 @@ def test_the_gradient_has_taylor_slope_two_with_few_spheres(link, rng):
 def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
     """MuJoCo puts every pose's crate into the world, as a surface of its own."""
     figure = figure_of()
-    model, data, samples, contact = figure.model, mujoco.MjData(figure.model), tangled(figure, rng), few(3)
+    model, samples, contact = figure.model, tangled(figure, rng), few(3)
     found, own = contact.evaluate(samples), [model.geom(name).id for name in ("crate", "knob")]
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(model, data)
+        data = kinematics(model, qpos)
         still = [moving_surface(model, g, data.geom_xpos[g], data.geom_xmat[g].reshape(3, 3)) for g in own]
         expected = Contact(contact.points, tuple(s for s in still if s is not None)).evaluate(
             samples.select(np.array([i]))

@@ -1,8 +1,8 @@
 """A recording set down: soles level and on the ground as far as they stood, and nothing else of it touched."""
 
-import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -10,17 +10,12 @@ from dynsplines.solver.contacts.ground_alignment import ENOUGH, LOWEST, align_to
 from dynsplines.solver.contacts.recorded_stances import RecordedStance
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import RecordedMotion
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 
-FIGURE = Figure(
-    mujoco.MjModel.from_xml_string(
-        """<mujoco><worldbody><body name="trunk"><freejoint/><geom size=".1"/>
-        <body name="foot" pos="0 0 -.5"><joint type="ball"/><geom size=".05"/></body></body></worldbody></mujoco>"""
-    )
-)
+FIGURE = figure_of("""<mujoco><worldbody><body name="trunk"><freejoint/><geom size=".1"/>
+        <body name="foot" pos="0 0 -.5"><joint type="ball"/><geom size=".05"/></body></body></worldbody></mujoco>""")
 FOOT = 2
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 TIMES = np.linspace(0, 1, 31)

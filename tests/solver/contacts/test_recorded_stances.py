@@ -1,11 +1,11 @@
 """Stances read off a recording: of a shipped run they are where soles rest; noise and a slow swing make none."""
 
-import mujoco
 import numpy as np
 import pytest
 import shipped
 from densities import log_normal
 from faulted import Take
+from figures import figure_of
 
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.tracking.penalties import Ground
@@ -24,7 +24,6 @@ from dynsplines.solver.contacts.recorded_stances import (
 )
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import ORDER, RecordedMotion
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import Box, Plane, static_surfaces
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, places_of
@@ -81,12 +80,8 @@ def test_what_shakes_slides_and_sinks_keeps_most_of_them(take, rng):
 
 
 # of the size of an adult
-SLED = Figure(
-    mujoco.MjModel.from_xml_string(
-        """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".527"/>
-        <body><joint type="slide" axis="0 0 1"/><geom size=".527"/></body></body></worldbody></mujoco>"""
-    )
-)
+SLED = figure_of("""<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".527"/>
+        <body><joint type="slide" axis="0 0 1"/><geom size=".527"/></body></body></worldbody></mujoco>""")
 RUNNER = Point("runner", 2, np.array([0.0, 0, -0.1]), 0.05)
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 

@@ -1,8 +1,8 @@
 """The straight way between keyframes: SciPy's SLERP for every joint, lines for positions, keyframes as they were."""
 
-import mujoco
 import numpy as np
 import pytest
+from figures import BALL, figure_of
 from oracles import by_scipy
 from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
 
@@ -16,7 +16,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.refine.subdivision import evenly, split
 
 GRID = np.linspace(TIMES[0], TIMES[-1], 53)
-BODY = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
 
 
 def apart(figure: Figure, a: Array, b: Array) -> float:
@@ -67,7 +66,7 @@ def test_free_ends_start_along_the_path_and_clamped_ones_as_specified(figure, rn
 
 
 def test_a_body_in_a_spin_goes_the_longer_way_round_where_its_signs_say_so():
-    figure = Figure(mujoco.MjModel.from_xml_string(BODY))
+    figure = figure_of(BALL)
     angles, times = np.array([0.0, 100, 300, 400]), np.arange(4.0)
     turns = quat.from_rotation_vector(np.radians(angles)[:, None] * [0.0, 0, 1])
     raw = raw_timeline(figure, [Frame.key(t, [0, 0, 1, *q]) for t, q in zip(times, turns, strict=True)])

@@ -5,8 +5,8 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE
-from oracles import posed
+from figures import BALL_TREE, figure_of
+from oracles import kinematics
 from random_keys import random_qpos
 
 from dynsplines import models
@@ -88,7 +88,7 @@ def test_sides_are_recognised_by_words_and_separate_letters(name, other):
 
 def changed(old: str, new: str, text: str = ROBOT) -> Figure:
     assert old in text
-    return Figure(mujoco.MjModel.from_xml_string(text.replace(old, new)))
+    return figure_of(text.replace(old, new))
 
 
 @pytest.mark.parametrize(
@@ -109,7 +109,7 @@ def changed(old: str, new: str, text: str = ROBOT) -> Figure:
         ),
         (changed('pos="0 -.2 0"', 'pos="0 -.2 .1"'), "'LeftPitch' at rest is no mirror image of 'RightPitch'"),
         (changed('"RightRoll" axis="1 0 0"', '"RightRoll" axis="1 0 1"'), "axes of .* are no mirror images"),
-        (Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), "no partner .* 'shoulder', 'hip';"),
+        (figure_of(BALL_TREE), "no partner .* 'shoulder', 'hip';"),
         (
             changed('"root"/><geom size=".1"', '"root"/><geom size=".1" pos="0 .3 0" mass="50"'),
             "no partner on the other side for: 'root'",
@@ -181,8 +181,12 @@ def test_frames_turned_at_random_have_mirrored_places_and_come_back(rng, names, 
         qpos = random_qpos(figure, rng)
         state, slope = figure.to_state(qpos), rng.normal(size=qpos.shape)
         image = figure.to_qpos(mirror.states(state))
-        np.testing.assert_allclose(posed(model, image)[0][partner], posed(model, qpos)[0] @ REFLECTION, atol=1e-9)
-        np.testing.assert_allclose(posed(model, mirror.configurations(qpos))[0], posed(model, image)[0], atol=1e-9)
+        np.testing.assert_allclose(
+            kinematics(model, image).xpos[partner], kinematics(model, qpos).xpos @ REFLECTION, atol=1e-9
+        )
+        np.testing.assert_allclose(
+            kinematics(model, mirror.configurations(qpos)).xpos, kinematics(model, image).xpos, atol=1e-9
+        )
         np.testing.assert_allclose(mirror.configurations(mirror.configurations(qpos)), qpos, atol=1e-9)
         np.testing.assert_allclose(mirror.states(mirror.states(state)), state, atol=1e-9)
         np.testing.assert_allclose(mirror.states(state + slope), mirror.states(state) + mirror.slopes(slope), atol=1e-9)
@@ -197,7 +201,7 @@ def test_unnamed_sides_are_paired_by_their_mass_wherever_hinges_are_on_their_axe
         arms = arm.format(axis * size, 0.2 * size, 0.1 * size) + arm.format(0, -0.1 * size, -0.2 * size)
         body = f'<freejoint/><geom size=".1" pos="0 {trunk * size} 0" mass="8"/>{arms}'
         text = f"<mujoco><worldbody><body>{body}</body></worldbody></mujoco>"
-        return Mirror.of(Figure(mujoco.MjModel.from_xml_string(text)))
+        return Mirror.of(figure_of(text))
 
     qpos = np.array([0, 0, 0, 1, 0, 0, 0, 0.3, 0.1])
     np.testing.assert_allclose(mirror(0.005, 0.002).configurations(qpos)[7:], [0.1, 0.3])
@@ -213,5 +217,5 @@ def test_names_that_lack_a_side_are_paired_with_the_side_that_the_other_has():
     )
     text = f"""<mujoco><worldbody><body><joint name="x" type="slide" axis="1 0 0"/><geom size=".1"/>{legs}</body>
         </worldbody></mujoco>"""
-    mirror = Mirror.of(Figure(mujoco.MjModel.from_xml_string(text)))
+    mirror = Mirror.of(figure_of(text))
     np.testing.assert_array_equal(mirror.states(np.array([0.3, 0.1, 0.2])), [0.3, 0.2, 0.1])

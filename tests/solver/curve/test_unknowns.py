@@ -1,9 +1,8 @@
 """The decision vector: keyframes are met for every x, whole or partial, and the map has an exact transpose."""
 
-import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE
+from figures import BALL_TREE, figure_of
 from random_keys import TIMES, distance_from_key, mask_without, masks_by_name, random_keys
 from scipy.interpolate import CubicSpline
 
@@ -171,7 +170,7 @@ def test_the_objective_does_not_feel_the_sign_of_a_whole_track(figure, rng, form
 
 @pytest.mark.parametrize("degrees", [150.0, 182.0])
 def test_a_joint_that_hardly_turns_stays_put_while_the_whole_figure_turns_half_round(degrees):
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE), "world")
+    figure = figure_of(BALL_TREE, "world")
     shoulder = figure.model.joint("shoulder").qposadr[0]
     keys = []
     for time, turn, bend in ((0.0, 0.0, -4.0), (1.0, degrees, 4.0)):

@@ -2,9 +2,9 @@
 
 import itertools
 
-import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
@@ -14,7 +14,6 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.curve.winding import NEARLY_HALF, signs
-from dynsplines.solver.figure.figure import Figure
 
 
 def turned_by(angles: list[float], axis: tuple[float, float, float] = (0, 0, 1)) -> np.ndarray:
@@ -77,7 +76,7 @@ def test_the_choice_is_the_best_of_all(turns, seed):
 @pytest.mark.parametrize("turn", [120.0, 160.0, 178.0])
 def test_a_limb_goes_with_a_body_that_turns_far(turn):
     """Root and hip turn the same way: the thigh turns by the sum in the world, not by the rest of the circle."""
-    figure = Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")))
+    figure = figure_of(models.figure_text("human"))
     hip = next(link for link in figure.links if link.name == "left_hip")
     keys = []
     for i in range(2):

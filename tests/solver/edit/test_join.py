@@ -12,7 +12,7 @@ from dense_hessian import SMOOTH, assert_dense
 from every_penalty import every_penalty
 from figures import BALL_TREE, TINY, figure_of
 from hopping_loop import TERMS, hop
-from oracles import posed
+from oracles import kinematics
 from random_keys import random_keys, random_qpos
 from taylor import taylor_slope
 
@@ -107,12 +107,13 @@ def test_a_placed_figure_is_turned_and_shifted_as_a_whole(rng, coordinates):
     place = Placement(quat.from_rotation_vector([0, 0, 0.7]), np.array([1.0, -2, 0]))
     qpos = random_qpos(figure, rng)
     turn = np.stack([quat.rotated(place.turn, e) for e in np.eye(3)], axis=1)
-    centres, rotations = posed(model, qpos)
+    before = kinematics(model, qpos)
     moved = figure.to_qpos(place.states(figure, figure.to_state(qpos)))
     for each in (moved, place.states(figure, qpos, "joint")):
-        got, got_turn = posed(model, each)
-        np.testing.assert_allclose(got[1:], centres[1:] @ turn.T + place.shift, atol=1e-9)
-        np.testing.assert_allclose(got_turn[1:], turn @ rotations[1:], atol=1e-9)
+        after = kinematics(model, each)
+        np.testing.assert_allclose(after.xpos[1:], before.xpos[1:] @ turn.T + place.shift, atol=1e-9)
+        rotations = (data.xmat[1:].reshape(-1, 3, 3) for data in (after, before))
+        np.testing.assert_allclose(next(rotations), turn @ next(rotations), atol=1e-9)
     timeline = raw_timeline(figure, random_keys(figure, rng))
     t = np.linspace(0, 1.3, 30)
     wanted = place.states(figure, path_of(timeline).at(t))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import mujoco
 import numpy as np
 import pytest
 from figures import BALL_TREE, TINY, figure_of
@@ -16,11 +15,10 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.edit.retime import repeated, retimed, trimmed
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.refine.subdivision import evenly
 
 FIGURE_OF_A_HOP = figure_of(TINY)
-FIGURE = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+FIGURE = figure_of(BALL_TREE)
 ENDS = ["free", "clamped", "periodic"]
 FIRST, LAST = TIMES[0], TIMES[-1]
 

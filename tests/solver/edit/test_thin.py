@@ -35,7 +35,7 @@ def recording(figure: Figure, seed: int, count: int = 14, bends: int = 5) -> tup
 
 def of(name: str) -> Figure:
     text, coordinates = FIGURES[name]
-    return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    return figure_of(text, coordinates)
 
 
 def apart_by_mujoco(figure: Figure, times: np.ndarray, qpos: np.ndarray, timeline) -> tuple[float, float]:
@@ -142,7 +142,7 @@ def test_refining_any_in_between_ends_within_the_bound():
 
 @pytest.mark.slow
 def test_a_loop_stays_a_loop():
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+    figure = figure_of(BALL_TREE)
     times = np.linspace(0, 1, 13)
     qpos = np.tile(figure.model.qpos0, (13, 1))
     qpos[:, 0] += 2 * times
@@ -160,7 +160,7 @@ def test_a_loop_stays_a_loop():
 
 
 def test_figures_without_names_are_reported_by_number():
-    figure = Figure(mujoco.MjModel.from_xml_string(EVERY_JOINT.replace('name="tip"', "")), "joint")
+    figure = figure_of(EVERY_JOINT.replace('name="tip"', ""), "joint")
     recorded = Recorded(figure, *recording(figure, 0), WIDE)
     assert any(name.startswith("body ") for name in recorded.points[0])
 
@@ -173,7 +173,7 @@ SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/
 @pytest.mark.parametrize(("hertz", "stands"), [(1.1, True), (4.0, False)])
 def test_what_stands_keeps_to_a_quarter_of_the_bound_and_what_moves_to_all_of_it(hertz, stands):
     """A foot comes, and then sways by a centimetre: below 0.1 m/s that is standing, above it is not."""
-    figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
+    figure = figure_of(SWAY)
     times = np.linspace(0, 3, 301)
     come = np.clip(times, 0, 1)
     qpos = (come**2 * (3 - 2 * come) + 0.01 * np.sin(2 * np.pi * hertz * (times - 1)) * (times > 1))[:, None]
@@ -192,7 +192,7 @@ def test_what_stands_keeps_to_a_quarter_of_the_bound_and_what_moves_to_all_of_it
 
 
 def test_a_stand_of_a_moment_is_none():
-    figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
+    figure = figure_of(SWAY)
     times = np.linspace(0, 1, 201)
     qpos = 0.5 * np.abs(times - 0.5)[:, None]  # turns round at once
     assert not Recorded(figure, times, qpos, WIDE).is_still.any()
@@ -201,7 +201,7 @@ def test_a_stand_of_a_moment_is_none():
 def test_a_body_between_others_may_stand_or_move():
     """Only the ends of limbs are held more closely: hips that pause over swinging legs are not."""
     text, coordinates = FIGURES["ball tree, joint"]
-    figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    figure = figure_of(text, coordinates)
     times = np.linspace(0, 1, 50)
     recorded = Recorded(figure, times, np.tile(figure.model.qpos0, (50, 1)), WIDE)
     parents = {link.parent for link in figure.links[1:]}
@@ -214,7 +214,7 @@ def test_limbs_without_a_site_are_looked_at_to_their_tips():
     <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
     <body name="lower" pos="0 0 -.3"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.25"/>{}
     </body></body></worldbody></mujoco>"""
-    bare, marked = (Figure(mujoco.MjModel.from_xml_string(arm.format(site))) for site in ("", '<site name="hand"/>'))
+    bare, marked = (figure_of(arm.format(site)) for site in ("", '<site name="hand"/>'))
     times, qpos = recording(bare, 0)
     names, links, places = Recorded(bare, times, qpos, WIDE).points
     at = names.index("tip of lower")
@@ -227,7 +227,7 @@ def test_limbs_without_a_site_are_looked_at_to_their_tips():
 @pytest.mark.parametrize("speed", [0.0, 0.05, 0.15])
 def test_a_miss_counts_as_a_share_of_the_bound_and_four_times_where_a_limbs_end_stands(speed):
     """A foot on a slide whose recording is a line, and an in-between that is 3 mm off it throughout."""
-    figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
+    figure = figure_of(SWAY)
     times = np.linspace(0, 1, 41)
     recorded = Recorded(figure, times, speed * times[:, None], Bound(0.02, np.radians(5)))
     off = recorded.spline([Frame.key(t, [speed * t + 0.003]) for t in (0.0, 1.0)])
@@ -281,7 +281,7 @@ def test_a_loops_splines_travel_and_turn_as_it_does_and_others_need_no_travel():
 def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(seed, ends):
     """All choices, one by one; and without any one of its keyframes the bound does not hold."""
     figure, rng, times = (
-        Figure(mujoco.MjModel.from_xml_string(SWAY)),
+        figure_of(SWAY),
         np.random.default_rng(seed),
         np.linspace(0, 1, 9),
     )

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import mujoco
 import numpy as np
 import pytest
 from dense_hessian import SMOOTH, assert_dense, smooth_problem
-from figures import TINY, figure_of
+from figures import BALL, TINY, figure_of
 from hopping_loop import PERIOD, TERMS, TIMES, assert_exact_gradient, assert_splits_keep_the_curve
 from hopping_loop import pose as straight
+from oracles import kinematics
 from random_keys import mask_without
 
 from dynsplines.solver import quaternion as quat
@@ -120,13 +120,10 @@ def test_some_periods_later_all_bodies_stand_turned_about_the_centre(periods):
     """Eight periods of 50 degrees are more than a full turn. MuJoCo says where the bodies are."""
     figure = figure_of(TINY)
     timeline = loop(figure)
-    data = mujoco.MjData(figure.model)
-    places = []
-    for qpos in figure.to_qpos(Seam.of(figure, timeline).moved(timeline.states[1], periods)), timeline_qpos(figure):
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(figure.model, data)
-        places.append((data.xpos[1:].copy(), data.xmat[1:].reshape(-1, 3, 3).copy()))
-    (later, later_axes), (now, axes) = places
+    moved = figure.to_qpos(Seam.of(figure, timeline).moved(timeline.states[1], periods))
+    seen = [kinematics(figure.model, qpos) for qpos in (moved, timeline_qpos(figure))]
+    later, now = (data.xpos[1:] for data in seen)
+    later_axes, axes = (data.xmat[1:].reshape(-1, 3, 3) for data in seen)
     turn = quat.from_rotation_vector(periods * TURN * UP)
     np.testing.assert_allclose(later, CENTRE + quat.rotated(turn, now - CENTRE), atol=1e-9)
     matrix = np.stack([quat.rotated(turn, e) for e in np.eye(3)], axis=1)
@@ -153,7 +150,7 @@ def test_a_turning_loop_played_three_times_is_its_own_curve_turned_on(coordinate
 
 
 def test_the_mirror_image_of_a_turning_loop_turns_the_other_way():
-    figure = figure_of('<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>')
+    figure = figure_of(BALL)
     raw = raw_timeline(figure, [Frame.key(key.time, key.state[:7]) for key in circle()], "periodic")
     mirrored = Mirror.of(figure).timeline(evenly(raw, 1))
     seam = Seam.of(figure, mirrored)

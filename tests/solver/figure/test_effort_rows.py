@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import mujoco
 import numpy as np
 import pytest
 from closed_forms import WOOD, assert_near
-from figures import with_armature
+from figures import figure_of, with_armature
 from random_model import random_figure
 from random_samples import random_samples
 
@@ -93,7 +92,7 @@ def test_so_they_are_on_random_models(coordinates):
 
 
 def test_so_they_are_where_quaternions_in_the_world_follow_each_other(rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(WOOD), "world")
+    figure = figure_of(WOOD, "world")
     assert not np.array_equal(turning(figure), figure.tables.beyond)
     assert check_wrench(figure, rng) == 2
     assert check_efforts(figure, rng) == 3 * figure.tables.ball_links.size

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of
-from oracles import placed
+from oracles import kinematics
 from random_keys import random_qpos
 
 from dynsplines.solver.figure.figure import Figure, JointKind, names_of_joints, quaternion_columns
@@ -19,7 +19,7 @@ def test_a_quaternion_in_world_coordinates_is_its_bodys_orientation_by_mujoco_an
     model = figure.model
     assert figure.coordinates == "world"
     qpos = random_qpos(figure, rng)
-    data, state = placed(model, qpos), figure.to_state(qpos)
+    data, state = kinematics(model, qpos), figure.to_state(qpos)
     stretched = np.array(state)
     for i, link in enumerate(figure.links[1:], start=1):
         columns = quaternion_columns(link)
@@ -28,7 +28,7 @@ def test_a_quaternion_in_world_coordinates_is_its_bodys_orientation_by_mujoco_an
         stretched[columns] *= rng.uniform(0.3, 3) * rng.choice([-1, 1])
         if figure.tables.in_world[i] and figure.body_link[link.body] == i:
             assert abs(state[columns] @ data.xquat[link.body]) == pytest.approx(1)
-    again = placed(model, figure.to_qpos(stretched))
+    again = kinematics(model, figure.to_qpos(stretched))
     np.testing.assert_allclose(again.xpos, data.xpos, atol=1e-9)
     np.testing.assert_allclose(again.xmat, data.xmat, atol=1e-9)
     two = figure.to_qpos(np.array([[state, stretched]]))

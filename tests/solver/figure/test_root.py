@@ -6,8 +6,8 @@ import itertools
 
 import mujoco
 import pytest
+from figures import figure_of
 
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.root import root_of
 from tests.support.biped import BALL, BOX, CART, DOOR, DRAWER, biped, joints, nested, scene
 
@@ -58,7 +58,7 @@ def test_a_target_on_slides_is_no_root_of_an_arm_on_a_base() -> None:
 
 
 def test_the_root_is_the_first_of_the_free_links() -> None:
-    figure = Figure(mujoco.MjModel.from_xml_string(scene(BOX, biped(), BALL)))
+    figure = figure_of(scene(BOX, biped(), BALL))
     named = [figure.links[i].name for i in figure.tables.free_links]
     assert named == ["root", "box_free", "ball"]
     assert figure.tables.position_columns[:, 0].tolist() == [7, 8, 9]

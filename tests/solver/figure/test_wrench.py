@@ -1,15 +1,13 @@
 """The wrench at a free root against mj_inverse, and its adjoint."""
 
-import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE
-from oracles import mujoco_forces
+from figures import BALL_TREE, figure_of
+from oracles import kinematics, mujoco_forces
 from random_samples import random_samples
 from taylor import taylor_slope
 
 from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
 
@@ -26,13 +24,10 @@ def test_force_and_moment_are_those_of_mj_inverse_at_the_root(figure, rng):
 
 
 def test_the_centre_and_the_mass_are_mujocos(figure, rng):
-    samples, data = random_samples(figure, rng), mujoco.MjData(figure.model)
+    samples = random_samples(figure, rng)
     wrench = RootWrench(samples, 1)
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(figure.model, data)
-        mujoco.mj_comPos(figure.model, data)
-        np.testing.assert_allclose(wrench.centre[:, i], data.subtree_com[1], atol=1e-12)
+        np.testing.assert_allclose(wrench.centre[:, i], kinematics(figure.model, qpos).subtree_com[1], atol=1e-12)
     np.testing.assert_allclose(wrench.mass, figure.model.body_subtreemass[1])
     np.testing.assert_allclose(weight(figure, 1), np.linalg.norm(figure.gravity) * figure.model.body_subtreemass[1])
 
@@ -40,7 +35,7 @@ def test_the_centre_and_the_mass_are_mujocos(figure, rng):
 def test_a_slender_rod_is_as_high_as_it_is_long():
     text = """<mujoco><worldbody><body><freejoint/><inertial pos="1 2 3" mass="6" diaginertia="2 2 1e-9"/></body>
     </worldbody></mujoco>"""
-    assert height(Figure(mujoco.MjModel.from_xml_string(text)), 1) == pytest.approx(2)
+    assert height(figure_of(text), 1) == pytest.approx(2)
 
 
 def test_the_adjoint_has_taylor_slope_two(figure, rng):
@@ -59,5 +54,5 @@ def test_the_adjoint_has_taylor_slope_two(figure, rng):
 
 def test_without_gravity_the_weight_is_still_a_unit():
     text = BALL_TREE.replace('gravity="0 0 -9.81"', 'gravity="0 0 0"')
-    figure = Figure(mujoco.MjModel.from_xml_string(text))
+    figure = figure_of(text)
     assert weight(figure, 1) == pytest.approx(9.81 * figure.model.body_subtreemass[1])

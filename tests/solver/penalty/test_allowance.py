@@ -2,11 +2,10 @@
 
 from dataclasses import replace
 
-import mujoco
 import numpy as np
 import pytest
 from bends import limits_of
-from figures import BALL_TREE, figure_of
+from figures import BALL, BALL_TREE, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
@@ -14,7 +13,6 @@ from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Bend, BendLimits, Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.allowance import Allowance
@@ -31,13 +29,12 @@ def test_it_goes_in_straight_lines_and_stays_beyond_the_ends():
     np.testing.assert_allclose(found, [[0, 0, 0.5, 1, 2, 3, 3], [2, 2, 1, 0, 0, 0, 0]])
 
 
-BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
 FLOOR = Plane("floor", np.zeros(3), UP)
 
 
 def deepest(heights: list[float], *, allowing: bool) -> tuple[float, float]:
     """How deep a ball gets between keyframes at these heights a second apart, and its largest acceleration upward."""
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    figure = figure_of(BALL)
     keys = [Frame.key(float(i), [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate(heights)]
     contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
     if allowing:
@@ -58,7 +55,7 @@ def test_between_two_keyframes_in_the_floor_a_point_stays_as_deep_and_does_not_w
 
 
 def test_a_knee_that_a_keyframe_bends_backward_may_do_so_near_it_and_nowhere_else():
-    figure = Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")))
+    figure = figure_of(models.figure_text("human"))
     knee = next(link for link in figure.links if link.name == "left_knee")
     keys = []
     for i, angle in enumerate([20.0, -6.0, 20.0]):

@@ -4,7 +4,6 @@ one-sided residuals of contact and bend limits, and the weak form's promises."""
 from collections.abc import Callable
 from dataclasses import replace
 
-import mujoco
 import numpy as np
 import pytest
 from bends import limits_of
@@ -21,7 +20,7 @@ from curvature_of import (
     sides_of,
 )
 from every_penalty import clip, every_penalty
-from figures import BALL, with_armature
+from figures import BALL, figure_of, with_armature
 from ground import FLOOR, SLOPE, random_points
 from random_samples import at_times, random_samples
 from small_problems import slider, turning
@@ -187,7 +186,7 @@ def test_the_sides_rows_are_the_gradients_of_their_values(figure, rng, one_sided
     "place", [(0.0, 0.26), (0.0, 0.31), (0.3, 0.2), (0.5, 0.1), (0.0, 0.351), (0.551, 0.1), (0.56, 0.1), (0.57, 0.345)]
 )
 def test_a_sphere_at_a_step_counts_as_deep_as_its_penalty_specifies_and_not_at_all_outside(place):
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    figure = figure_of(BALL)
     step = Box("step", np.array([0.0, 0, 0.15]), np.eye(3), np.array([0.5, 0.5, 0.15]))
     contact = Contact((Point("p", 1, np.zeros(3), 0.05),), (step,))
     y = np.array([[place[0], 0, place[1], 1, 0, 0, 0]])
@@ -276,7 +275,7 @@ def test_the_weak_form_ranks_the_segment_with_a_jerk_first(jerky):
 
 
 def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    figure = figure_of(BALL)
     heights = [0.5, 0.4, 0.5, 0.12, 0.12, 0.5, 0.4]
     raw = raw_timeline(figure, [Frame.key(float(i), [0, 0, z, 1, 0, 0, 0]) for i, z in enumerate(heights)])
     contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))

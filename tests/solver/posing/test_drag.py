@@ -5,6 +5,8 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
+from oracles import kinematics
 from scipy.optimize import minimize
 
 from dynsplines import models
@@ -35,20 +37,12 @@ TIP = np.array([1.0, 0, 0])
 
 @pytest.fixture(scope="module")
 def human() -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")))
-
-
-def placed(figure: Figure, qpos) -> mujoco.MjData:
-    data = mujoco.MjData(figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(figure.model, data)
-    mujoco.mj_comPos(figure.model, data)
-    return data
+    return figure_of(models.figure_text("human"))
 
 
 @pytest.fixture
 def arm() -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(ARM))
+    return figure_of(ARM)
 
 
 def hand(figure: Figure, place) -> PointGoal:
@@ -56,7 +50,7 @@ def hand(figure: Figure, place) -> PointGoal:
 
 
 def tip(figure: Figure, qpos) -> np.ndarray:
-    return hand(figure, np.zeros(3)).place(placed(figure, qpos))
+    return hand(figure, np.zeros(3)).place(kinematics(figure.model, qpos))
 
 
 @pytest.mark.parametrize("far", [0.05, 2.0])
@@ -108,8 +102,10 @@ def test_derivatives_are_differences(human, rng):
             ends = [np.array(qpos), np.array(qpos)]
             for end, side in zip(ends, (STEP, -STEP), strict=True):
                 mujoco.mj_integratePos(model, end, direction, side)
-            differences.append((value(placed(human, ends[0])) - value(placed(human, ends[1]))) / (2 * STEP))
-        np.testing.assert_allclose(rows(placed(human, qpos)), np.transpose(differences), atol=1e-7)
+            differences.append(
+                (value(kinematics(human.model, ends[0])) - value(kinematics(human.model, ends[1]))) / (2 * STEP)
+            )
+        np.testing.assert_allclose(rows(kinematics(human.model, qpos)), np.transpose(differences), atol=1e-7)
 
 
 def test_a_line_gives_no_support_polygon():

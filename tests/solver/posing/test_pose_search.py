@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import EVERY_JOINT, LEG, MIXED, figure_of
-from oracles import placed
+from oracles import kinematics
 from scipy.spatial.transform import Rotation
 from site_goal import SiteGoal
 
@@ -51,8 +51,8 @@ def differences(model: mujoco.MjModel, qpos: Array, values: Callable[[Array], Ar
 
 
 def assert_rows(goal: Goal, model: mujoco.MjModel, qpos: Array, atol: float = 1e-7) -> None:
-    expected = differences(model, qpos, lambda at: np.array(goal.missed(model, placed(model, at))))
-    np.testing.assert_allclose(goal.rows(model, placed(model, qpos)), expected, atol=atol)
+    expected = differences(model, qpos, lambda at: np.array(goal.missed(model, kinematics(model, at))))
+    np.testing.assert_allclose(goal.rows(model, kinematics(model, qpos)), expected, atol=atol)
 
 
 @pytest.mark.parametrize("free", [(), (0,), (2,), (0, 1)])
@@ -63,7 +63,7 @@ def test_points_and_sites_miss_what_mujoco_has_between_them_and_their_place_alon
     given = np.delete(np.arange(3), free)
     for name in ("heel", "toe"):  # a heel on a body that is welded on, and turned
         qpos = somewhere(model, rng)
-        data, (point,) = placed(model, qpos), site_points(figure, [name])
+        data, (point,) = kinematics(model, qpos), site_points(figure, [name])
         expected = (data.site(name).xpos - position)[given]
         for goal in (SiteGoal(name, position), PointGoal.of(figure, point, position)):
             np.testing.assert_allclose(goal.missed(model, data), expected, atol=1e-12)
@@ -78,7 +78,7 @@ def test_points_and_sites_miss_what_mujoco_has_between_them_and_their_place_alon
 def test_a_body_misses_its_rotation_by_scipys_rotation_vector_which_changes_as_its_rows_say(text, rng):
     model = figure_of(text).model
     qpos, body = somewhere(model, rng), model.nbody - 1
-    data, turn = placed(model, qpos), Rotation.random(None, np.random.default_rng(3))
+    data, turn = kinematics(model, qpos), Rotation.random(None, np.random.default_rng(3))
     x, y, z, w = turn.as_quat()
     goal = BodyGoal(model.body(body).name, np.array([w, x, y, z]))
     here = Rotation.from_matrix(data.xmat[body].reshape(3, 3))
@@ -96,10 +96,10 @@ def test_a_body_that_leans_misses_upright_by_its_lean_about_the_axis_that_it_lea
     x, y, z, w = (Rotation.from_rotvec(lean) * heading).as_quat()
     qpos[3:7] = w, x, y, z
     goal = BodyGoal("foot")  # turned at rest already
-    np.testing.assert_allclose(goal.missed(model, placed(model, qpos)), lean[:2], atol=1e-12)
+    np.testing.assert_allclose(goal.missed(model, kinematics(model, qpos)), lean[:2], atol=1e-12)
     x, y, z, w = heading.as_quat()
     qpos[3:7] = w, x, y, z
-    np.testing.assert_allclose(goal.missed(model, placed(model, qpos)), [0, 0], atol=1e-12)
+    np.testing.assert_allclose(goal.missed(model, kinematics(model, qpos)), [0, 0], atol=1e-12)
     nearly = np.array(qpos)
     mujoco.mj_integratePos(model, nearly, np.eye(model.nv)[3], 1e-5)
     assert_rows(goal, model, nearly, atol=2e-5)
@@ -145,7 +145,7 @@ def test_a_pose_out_of_reach_tells_how_many_were_begun_with_and_one_in_reach_non
     mid = somewhere(figure.model, np.random.default_rng(3), 0.0)
     for name, by in (("elbow", 0.8), ("reach", -0.1)):
         mid[figure.model.joint(name).qposadr[0]] = by
-    near = placed(figure.model, mid).site("tip").xpos
+    near = kinematics(figure.model, mid).site("tip").xpos
     found = posed(figure, home, free, [SiteGoal("tip", near)], starts=starts)
     assert found.is_met
     assert found.starts == 0
@@ -154,7 +154,7 @@ def test_a_pose_out_of_reach_tells_how_many_were_begun_with_and_one_in_reach_non
     assert not far.is_met
     assert far.starts == starts
     assert far.worst == pytest.approx(far.missed[0])
-    seen = placed(figure.model, far.qpos).site("tip").xpos
+    seen = kinematics(figure.model, far.qpos).site("tip").xpos
     assert far.missed[0] == pytest.approx(np.linalg.norm(seen - near - 5.0))
     np.testing.assert_array_equal(far.qpos[:7], home[:7])
 

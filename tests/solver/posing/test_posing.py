@@ -8,8 +8,10 @@ import mujoco
 import numpy as np
 import pytest
 import walkers
+from figures import figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracles import kinematics
 from scipy.optimize import minimize
 from site_goal import SiteGoal
 
@@ -37,15 +39,8 @@ ARM = """
 </worldbody></mujoco>"""
 
 
-def figure_of(text: str) -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(text))
-
-
 def seen(figure: Figure, qpos: Array) -> mujoco.MjData:
-    data = mujoco.MjData(figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(figure.model, data)
-    return data
+    return kinematics(figure.model, qpos)
 
 
 def human_pose(rng: np.random.Generator) -> Array:

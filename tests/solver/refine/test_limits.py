@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
@@ -39,7 +40,7 @@ def quaternion(rotvec: Sequence[float]) -> Array:
 @pytest.fixture(params=FIRST)
 def raw(request: pytest.FixtureRequest) -> tuple[Figure, Timeline]:
     """A figure of every kind of range, through keyframes between which the spline leaves them all."""
-    figure = Figure(mujoco.MjModel.from_xml_string(MODEL.format(FIRST[request.param])))
+    figure = figure_of(MODEL.format(FIRST[request.param]))
     assert figure.coordinates == request.param
     keys = []
     for i, (time, first, slide, ball) in enumerate(zip(TIMES, FIRSTS, SLIDES, BALLS, strict=True)):
@@ -91,10 +92,8 @@ def test_what_hangs_on_a_joint_and_what_is_in_range_continues_as_before(raw: tup
 
 @pytest.mark.parametrize("ends", ["free", "periodic", "clamped"])
 def test_any_ends(ends: str) -> None:
-    figure = Figure(
-        mujoco.MjModel.from_xml_string(
-            '<mujoco><worldbody><body><joint name="first" range="0 90"/><geom size=".1"/></body></worldbody></mujoco>'
-        )
+    figure = figure_of(
+        '<mujoco><worldbody><body><joint name="first" range="0 90"/><geom size=".1"/></body></worldbody></mujoco>'
     )
     keys = [Frame.key(t, [np.radians(x)]) for t, x in ((0, 30), (0.3, 90), (0.5, 88), (0.9, 0), (1.5, 30))]
     timeline = raw_timeline(figure, keys, ends, np.zeros((2, 1)))

@@ -3,15 +3,13 @@
 from dataclasses import replace
 from functools import partial
 
-import mujoco
 import numpy as np
 import pytest
 import shipped
-from figures import BALL_TREE
+from figures import BALL_TREE, figure_of
 from small_problems import discretised, problem_of, slider
 
 from dynsplines.clip.load import load
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Discretised
 from dynsplines.solver.search import refinement
@@ -26,7 +24,7 @@ NAMES = [name for name in METHODS if name != NONE]
 
 @pytest.fixture
 def problem(rng) -> Discretised:
-    return discretised(Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), rng, "free")
+    return discretised(figure_of(BALL_TREE), rng, "free")
 
 
 def rough_and_refined(problem: Discretised, method: str, tolerance: float = 1e-2, **more: object) -> list[Minimum]:

@@ -3,13 +3,12 @@
 import sys
 from functools import cache
 
-import mujoco
 import numpy as np
 import pytest
 from bends import KNEE, limb, limits
-from figures import BALL_TREE, ONE_BALL
+from figures import BALL_TREE, ONE_BALL, figure_of
 from hinged import hinged
-from oracles import by_scipy
+from oracles import by_scipy, kinematics
 from random_keys import distance_from_key, random_keys
 
 from dynsplines.solver import Problem, Solution, inbetween
@@ -93,17 +92,13 @@ def least_flexion(motion: Solution) -> float:
 
 def places(figure: Figure, qpos: Array) -> Array:
     """(T, b, 3) [m] of MuJoCo's bodies from the root."""
-    data, out = mujoco.MjData(figure.model), []
-    for row in qpos:
-        data.qpos[:] = row
-        mujoco.mj_kinematics(figure.model, data)
-        out.append(data.xpos[1:] - data.xpos[1])
-    return np.array(out)
+    places = np.array([kinematics(figure.model, row).xpos for row in qpos])
+    return places[:, 1:] - places[:, 1:2]
 
 
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_the_deviation_of_a_joint_from_the_straight_path_is_what_mujoco_computes(coordinates, rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE.replace('<body name="pack" pos=".1 0 -.2">', "<body>")))
+    figure = figure_of(BALL_TREE.replace('<body name="pack" pos=".1 0 -.2">', "<body>"))
     assert figure.model.nbody == 6
     figure = Figure(figure.model, coordinates)
     keys = random_keys(figure, rng)
@@ -153,7 +148,7 @@ def test_a_limb_turned_round_is_far_and_a_figure_that_is_carried_off_is_not():
     assert largest_deviation(LIMB, carried.with_rows(rows)) < 1e-12
     alone = raw_timeline(figure, [Frame.variable(0.0, np.zeros(2)), keys[1]])
     assert largest_deviation(figure, alone) == 0
-    ball = Figure(mujoco.MjModel.from_xml_string(ONE_BALL))  # of a single joint: no limb that could be far
+    ball = figure_of(ONE_BALL)  # of a single joint: no limb that could be far
     raw = evenly(raw_timeline(ball, [Frame.key(t, [1.0, 0, 0, 0]) for t in (0, 1)]), 1)
     rows = np.array(raw.rows)
     rows[1] = [0, 1, 0, 0]
@@ -225,7 +220,7 @@ def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
     monkeypatch.setattr(VERB, "is_pose_outlier", lambda *_: True)
     monkeypatch.setattr(VERB, "is_poor_minimum", lambda *_: True)
     monkeypatch.setattr(VERB, "straightened", lambda *_: pytest.fail("it began from elsewhere"))
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+    figure = figure_of(BALL_TREE)
     rng = np.random.default_rng(0)
     keys = []
     for i in range(4):

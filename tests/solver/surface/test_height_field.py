@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from oracles import tells_height_fields
+from oracles import kinematics, tells_height_fields
 from scipy.optimize import nnls
 from taylor import taylor_slope
 
@@ -51,8 +51,7 @@ def distance_by_mujoco(name: str, centre: Array, model: mujoco.MjModel = MODEL, 
 def about(name: str, rng: np.random.Generator, count: int) -> Array:
     """Points (3, count, 1) about a geom, inside and outside."""
     box = MODEL.geom_aabb[MODEL.geom(name).id]
-    data = mujoco.MjData(MODEL)
-    mujoco.mj_kinematics(MODEL, data)
+    data = kinematics(MODEL)
     local = box[:3] + rng.uniform(-1.4, 1.4, (count, 3)) * box[3:]
     world = data.geom(name).xpos + local @ data.geom(name).xmat.reshape(3, 3).T
     return world.T[:, :, None]

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import EVERY_JOINT, LEG, MIXED, figure_of
-from oracles import posed
+from oracles import kinematics
 from random_keys import random_qpos
 
 from dynsplines.solver.array import Array
@@ -132,14 +132,12 @@ def test_points_at_sites_are_where_mujoco_has_the_sites(coordinates, rng):
     qpos = np.array([random_qpos(figure, rng) for _ in range(4)])
     state = figure.to_state(qpos)
     centres, arms, links = places_of(points, Samples(figure, state, 0 * state, 0 * state))
-    data = mujoco.MjData(figure.model)
     for k, pose in enumerate(qpos):
-        data.qpos[:] = pose
-        mujoco.mj_kinematics(figure.model, data)
+        data = kinematics(figure.model, pose)
         np.testing.assert_allclose(centres[:, :, k].T, [data.site(name).xpos for name in ("toe", "heel")], atol=1e-9)
         origins = centres[:, :, k] - arms[:, :, k]
         np.testing.assert_allclose(
-            origins.T, posed(figure.model, pose)[0][[figure.links[i].body for i in links]], atol=1e-9
+            origins.T, kinematics(figure.model, pose).xpos[[figure.links[i].body for i in links]], atol=1e-9
         )
 
 
@@ -147,10 +145,8 @@ def test_points_at_sites_are_where_mujoco_has_the_sites(coordinates, rng):
 def test_a_keyframe_specifies_where_a_point_is_if_it_tells_all_that_moves_it(text, rng):
     """Whatever is not told may be anything: the point moves with it, by MuJoCo's Jacobian, unless all of it is told."""
     figure = figure_of(text, "joint")
-    model, data = figure.model, mujoco.MjData(figure.model)
-    data.qpos[:] = random_qpos(figure, rng)
-    mujoco.mj_kinematics(model, data)
-    mujoco.mj_comPos(model, data)
+    model = figure.model
+    data = kinematics(model, random_qpos(figure, rng))
     last = [i for i, link in enumerate(figure.links) if i and figure.body_link[link.body] == i]
     points = [Point(figure.links[i].name, i, rng.normal(size=3)) for i in last]
     sizes = {mujoco.mjtJoint.mjJNT_FREE: (7, 6), mujoco.mjtJoint.mjJNT_BALL: (4, 3)}

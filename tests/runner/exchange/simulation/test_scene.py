@@ -1,16 +1,13 @@
 """Exported scenes stand by themselves: mj_step plays them, with the motion as the actuators' targets."""
 
-import io
-
 import numpy as np
 import pytest
 import shipped
-from rich.console import Console
+from quiet import quiet
 from simulated import between, clip_file, exported, played
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
-from dynsplines.system.progress import Progress
 
 LASTS = 1.0  # [s] of simulation
 FALLEN = 0.03  # [m]
@@ -33,10 +30,6 @@ RIG = """
 </mujoco>
 """
 KEYS = ('time = 0\nothers = "rest"', 'time = 1\njoints.lift = 0.2\nothers = "rest"')
-
-
-def quiet():
-    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.mark.slow

@@ -5,6 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 
 from dynsplines import inbetween, load
 from dynsplines.errors import UserError
@@ -47,12 +48,8 @@ def bodies(xml: str, recording: CapturedSkeleton) -> tuple[Array, Array]:
     model = mujoco.MjModel.from_xml_string(xml)
     qpos, _ = retarget.onto(recording, model, "walk.bvh")
     names = ["pelvis", *(f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "shin", "foot"))]
-    data, places, turns = mujoco.MjData(model), [], []
-    for row in qpos:
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
-        places.append([data.body(name).xpos.copy() for name in names])
-        turns.append([data.body(name).xmat.copy() for name in names])
+    seen = [[data.body(name) for name in names] for data in (kinematics(model, row) for row in qpos)]
+    places, turns = ([[getattr(body, part) for body in bodies] for bodies in seen] for part in ("xpos", "xmat"))
     return np.array(places), np.array(turns)
 
 

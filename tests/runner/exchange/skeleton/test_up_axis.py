@@ -5,15 +5,14 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+import shipped
+from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
-from dynsplines import solving
-from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import retarget
 from dynsplines.exchange.skeleton.bvh_file import read
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
-from dynsplines.system.progress import Progress
 
 CLOSE = 1e-3  # [m]
 SKIN = 0.01  # [m] by which the boxes round a foot's capsules differ, on which it is put down
@@ -58,18 +57,13 @@ def person(turn):
 
 @pytest.fixture(scope="module")
 def walk(tmp_path_factory):
-    moved = solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
+    moved = shipped.unsolved("walk_loop")
     skeleton, _ = read(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh", fps=15))
     return CapturedSkeleton.of(skeleton, 0.01)
 
 
 def places(model, qpos):
-    data, out = mujoco.MjData(model), []
-    for values in qpos:
-        data.qpos[:] = values
-        mujoco.mj_kinematics(model, data)
-        out.append(data.xpos.copy())
-    return np.array(out)
+    return np.array([kinematics(model, row).xpos for row in qpos])
 
 
 @pytest.mark.slow

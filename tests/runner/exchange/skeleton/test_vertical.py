@@ -5,17 +5,17 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+import shipped
+from oracles import kinematics
 from scipy.spatial.transform import Rotation
 from turned_axes import turned
 
-from dynsplines import models, solving
-from dynsplines.clip import load as clip
+from dynsplines import models
 from dynsplines.exchange.format import bvh
 from dynsplines.exchange.skeleton import retarget
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.exchange.skeleton.up_axis import vertical
 from dynsplines.exchange.trajectory import SampledTrajectory
-from dynsplines.system.progress import Progress
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
 NONE = Rotation.identity()
@@ -29,21 +29,14 @@ UPS = {  # how a file whose y is up is turned
 @pytest.fixture(scope="module")
 def walk():
     """A person's walk in BVH's axes."""
-    return bvh.skeleton(
-        SampledTrajectory.of(solving.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False), 15.0)
-    )
+    return bvh.skeleton(SampledTrajectory.of(shipped.unsolved("walk_loop"), 15.0))
 
 
 def on_human(skeleton):
     """Distances (T, 12, 12) [m] between bodies and heights (T, 12) [m], by MuJoCo; notes."""
     captured = CapturedSkeleton.of(skeleton, 0.01)
     qpos, _ = retarget.onto(captured, HUMAN, "walk.bvh")
-    data, out = mujoco.MjData(HUMAN), []
-    for row in qpos:
-        data.qpos[:] = row
-        mujoco.mj_kinematics(HUMAN, data)
-        out.append(data.xpos[1:].copy())
-    place = np.array(out)
+    place = np.array([kinematics(HUMAN, row).xpos[1:] for row in qpos])
     return np.linalg.norm(place[:, :, None] - place[:, None], axis=-1), place[..., 2], captured.notes
 
 

@@ -44,7 +44,7 @@ def test_it_is_the_root_force_of_mj_inverse_in_weights_while_a_flight_lasts(figu
 
 def thrown() -> Samples:
     """A body of three different moments of inertia that tumbles freely, by MuJoCo's own simulation."""
-    figure = Figure(mujoco.MjModel.from_xml_string(BRICK))
+    figure = figure_of(BRICK)
     model, data = figure.model, mujoco.MjData(figure.model)
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     data.qvel[:] = 1, -0.5, 3, 2, -3, 1
@@ -104,7 +104,7 @@ def test_a_flight_lasts_from_its_first_moment_to_its_last():
 
 def hop(*penalties: tuple[Penalty, float]) -> tuple[float, float]:
     """How far the centre of mass of a jointed figure is off g in its flight from 0.3 to 0.7 s: before, after."""
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+    figure = figure_of(BALL_TREE)
     rest = np.array(mujoco.MjData(figure.model).qpos)
     heights, keys = {0.0: 1.0, 0.3: 1.1, 0.7: 1.1, 1.0: 1.0}, []
     for time, z in heights.items():
@@ -121,7 +121,7 @@ def hop(*penalties: tuple[Penalty, float]) -> tuple[float, float]:
 
 
 def test_flight_falls_as_it_should_and_without_the_penalty_it_does_not():
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+    figure = figure_of(BALL_TREE)
     before, after = hop((Flight.of(figure, 1, ((0.3, 0.7),)), 3.0))
     assert before > 0.2
     assert after < 0.05

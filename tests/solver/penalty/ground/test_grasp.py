@@ -1,8 +1,8 @@
 """Grasps: the value by hand, gradient and curvature, and a ball that stays where it was on a box that moves."""
 
-import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
@@ -83,7 +83,7 @@ def test_the_gradient_has_taylor_slope_two(figure, rng, which):
 @pytest.mark.slow
 @pytest.mark.parametrize("is_known", [True, False])
 def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known):
-    figure = Figure(mujoco.MjModel.from_xml_string(TWO))
+    figure = figure_of(TWO)
     spot, keys = np.array([0.9, 0, 0]), []
     for i in range(2):
         box, turn = np.array([0.5, 0.4, 0.3]) * i, [np.cos(0.6 * i), 0, 0, np.sin(0.6 * i)]

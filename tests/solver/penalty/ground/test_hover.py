@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
-import mujoco
 import numpy as np
+from figures import BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
@@ -62,7 +62,6 @@ def test_where_it_is_firm_it_is_ten_times_the_square_of_the_height(figure, rng):
     assert penalty_slope(replace(fading, firm=fading.intervals), samples, rng) > 1.95
 
 
-BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
 FOOT = Point("foot", 1, np.zeros(3), 0.1)
 
 
@@ -75,7 +74,7 @@ def grounded(
 
 def on_a_path(heights: list[float], weight: float, flights: tuple = ()) -> float:
     """How high a ball gets in the middle third of keyframes with these heights."""
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    figure = figure_of(BALL)
     keys = [Frame.key(0.5 * i, [0.5 * i, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate(heights)]
     intervals = grounded(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,), flights)
     penalties: list[tuple[Penalty, float]] = [
@@ -95,7 +94,7 @@ def test_a_body_that_floated_between_keyframes_on_the_ground_comes_down():
 
 
 def test_segments_with_an_end_in_the_air_are_left_out():
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    figure = figure_of(BALL)
     keys = [Frame.key(float(i), [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate([0.0, 0.04, 0.0, 0.3, 0.0])]
     timeline = raw_timeline(figure, keys)
     assert grounded(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
@@ -113,7 +112,7 @@ FOOT_OF_IT = Point("foot", 1, np.array([0, 0, -0.5]))
 
 def open_of(heights: list[float], free: set[int], flights: tuple = (), step: float = 1.0) -> tuple:
     """Which segments, by the times of their keyframes, are open of a post's keyframes, some of no height."""
-    figure = Figure(mujoco.MjModel.from_xml_string(POST))
+    figure = figure_of(POST)
     states = [np.array([0, 0, z + 0.5, 1, 0, 0, 0]) for z in heights]
     fixed = [np.arange(7) != (2 if i in free else -1) for i in range(len(heights))]
     keys = [Frame(step * i, *both, np.arange(7) == 2) for i, both in enumerate(zip(states, fixed, strict=True))]

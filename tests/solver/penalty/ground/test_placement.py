@@ -1,9 +1,10 @@
 """Placements: the value by hand, gradient and curvature, and that E holds them at their instants and nowhere else."""
 
-import mujoco
 import numpy as np
 import pytest
 from every_penalty import clip
+from figures import figure_of
+from oracles import kinematics
 from penalty_slope import penalty_slope
 from random_keys import TIMES
 from random_samples import at_times, random_samples
@@ -45,9 +46,7 @@ def test_it_is_the_squared_distance_along_the_given_axes_at_its_time(figure, rng
     last = len(figure.links) - 1
     values = placement_of(figure, 0.5, 1.3).evaluate(samples)
     for i in (1, 2, 5):
-        data = mujoco.MjData(figure.model)
-        data.qpos[:] = figure.to_qpos(samples.y[i])
-        mujoco.mj_kinematics(figure.model, data)
+        data = kinematics(figure.model, figure.to_qpos(samples.y[i]))
         expected = 0.0
         for link, target in ((1, [0.4, np.nan, 0.2]), (last, TARGET)):
             body = data.body(figure.links[link].body)
@@ -103,13 +102,11 @@ BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/><site pos=".1 .2 -
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 @pytest.mark.parametrize("which", [0, 1])
 def test_a_reachable_place_is_reached_within_a_millimetre(coordinates, which):
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL), coordinates)
+    figure = figure_of(BALL, coordinates)
     free = np.zeros(7, bool)
     keys = [Frame.key(float(i), [0.1 * i, 0, 1, 1, 0, 0, 0]) for i in range(3)]
     keys[which] = Frame.key(float(which), keys[which].state, free)
     penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0), (Placement((placed(1, float(which)),)), 30.0)]
     motion = inbetween(Problem(figure, keys, penalties))
-    data = mujoco.MjData(figure.model)
-    data.qpos[:] = motion.at(float(which))[0]
-    mujoco.mj_kinematics(figure.model, data)
+    data = kinematics(figure.model, motion.at(float(which))[0])
     assert np.linalg.norm(data.site_xpos[0] - TARGET) < 1e-3

@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from figures import BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
@@ -57,11 +58,7 @@ def test_the_gradient_has_taylor_slope_two(figure, rng):
 
 
 def test_a_foot_rests_where_nobody_said_that_it_should():
-    figure = Figure(
-        mujoco.MjModel.from_xml_string(
-            '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
-        )
-    )
+    figure = figure_of(BALL)
     foot, floor = Point("foot", 1, np.zeros(3), 0.1), Plane("floor", np.zeros(3), UP)
     keys = [Frame.key(float(i), [x, 0, 0.3, 1, 0, 0, 0]) for i, x in enumerate([0.0, 1.0])]
     penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
@@ -77,9 +74,7 @@ def test_a_foot_rests_where_nobody_said_that_it_should():
 
 
 def test_a_sphere_that_rests_rolls_without_a_slip():
-    model = mujoco.MjModel.from_xml_string(
-        '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
-    )
+    model = mujoco.MjModel.from_xml_string(BALL)
     figure, floor = Figure(model), Plane("floor", np.zeros(3), UP)
     resting = RestPenalty((Rest(Point("ball", 1, np.zeros(3), 0.1), 0.0, 1.0, rolls=True),), (floor,))
     turning = 2.0  # [rad/s] about y

@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from figures import BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
@@ -67,14 +68,13 @@ def test_without_points_or_surfaces_nothing_skates(figure, rng):
     assert not Skate(some_points(samples), ()).evaluate(samples).any()
 
 
-HOPPER = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
 FOOT = Point("foot", 1, np.zeros(3), 0.1)
 FLOOR = Plane("floor", np.zeros(3), UP)
 
 
 def speed_on_the_ground(weight: float, clock: float = 1.0) -> float:
     """How fast a ball moves on the average while it is within 5 mm of the floor, between keyframes on and above it."""
-    figure = Figure(mujoco.MjModel.from_xml_string(HOPPER))
+    figure = figure_of(BALL)
     places = [(0.0, 0.4), (0.4, 0.1), (0.5, 0.1), (0.9, 0.4)]
     keys = [Frame.key(0.3 * clock * i, [x, 0, z, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
     penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]

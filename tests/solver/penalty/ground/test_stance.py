@@ -5,6 +5,7 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
+from figures import BALL, figure_of
 from ground import stance_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
@@ -43,9 +44,7 @@ def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_last
 
 def found(places: list[tuple[float, float]]) -> tuple[Stance, ...]:
     """The stances of a ball on a stick whose foot is at these (x, height) in keyframes a second apart."""
-    model = mujoco.MjModel.from_xml_string(
-        '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
-    )
+    model = mujoco.MjModel.from_xml_string(BALL)
     figure = Figure(model)
     keys = [Frame.key(float(i), [x, 0, z + 0.6, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
     return stances(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,))
@@ -95,7 +94,7 @@ def box_keys(figure: Figure, places: list[list[float]], told: list[bool]) -> Tim
 def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_do():
     names = ("first", "second", "third")
     bodies = "".join(f'<body name="{name}"><freejoint name="{name}"/><geom size=".1"/></body>' for name in names)
-    figure = Figure(mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"))
+    figure = figure_of(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>")
     for still in itertools.product([False, True], repeat=3):
         poses = np.tile([0.0, 0, 1, 1, 0, 0, 0], (2, 3, 1))
         poses[1, ~np.array(still), 0] += 0.3
@@ -107,7 +106,7 @@ def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_
 
 
 def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
-    figure = Figure(mujoco.MjModel.from_xml_string(BOX))
+    figure = figure_of(BOX)
     here, there = [0.0, 0, 0.3], [0.01, 0, 0.3]
     found = resting_objects(figure, box_keys(figure, [here, here, there, there], [True] * 4), [1])
     assert [(stance.first, stance.last) for stance in found] == [(0.0, 1.0)] * 3 + [(2.0, 3.0)] * 3

@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-import mujoco
 import numpy as np
 import pytest
 from closed_forms import WOOD
 from curvature_of import assembled, curvature_of, shifted
+from figures import figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.optimize import nnls
@@ -79,7 +79,7 @@ def test_in_flight_it_is_all_of_the_wrench(figure, rng):
 def resting(x: float, push: float, lift: float = 0.0) -> float:
     """What is left of a body on two feet 0.2 m before and behind it when it is `x` m off their middle, accelerated
     by `push` forward and `lift` upward [m/s²]."""
-    figure = Figure(mujoco.MjModel.from_xml_string(TABLE))
+    figure = figure_of(TABLE)
     feet = [Footing(Point("foot", 1, np.array([side - x, 0, -1])), 0, 1, UP) for side in (-0.2, 0.2)]
     support = replace(Support.of(figure, 1, feet, ()), softness=1e-10)
     y = np.array([[0, 0, 1, 1, 0, 0, 0.0]])
@@ -118,7 +118,7 @@ def test_moments_of_which_nothing_is_known_cost_nothing(figure, rng):
 def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linear(figure, rng, wood):
     """Against E of w + (∂w/∂y) δ − δ(G λ) with the forces held, which is quadratic while its edges stay."""
     if wood:
-        figure = Figure(mujoco.MjModel.from_xml_string(WOOD))
+        figure = figure_of(WOOD)
     root = int(figure.tables.free_links[0])
     samples = at_times(random_samples(figure, rng, 3), np.array([0.1, 0.4, 1.0]))
     inside = np.flatnonzero(figure.tables.path[:, root])
@@ -153,7 +153,7 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
 
 def table(x: float, count: int = 3) -> tuple[Figure, Support, Samples]:
     """A body that is `x` m before the middle of two feet, at rest, at times at which both or one of them hold."""
-    figure = Figure(mujoco.MjModel.from_xml_string(TABLE))
+    figure = figure_of(TABLE)
     feet = [
         Footing(Point(f"foot {side}", 1, np.array([side - x, 0, -1])), 0, last, UP)
         for side, last in ((-0.2, 9.0), (0.2, 1.5))

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
 from penalty_slope import penalty_slope
+from quiet import quiet
 from random_samples import random_samples
-from rich.console import Console
 
 from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import CouplingPenalty, LoopClosure, closures, couplings
-from dynsplines.system.progress import Progress
 
 GRIPPER = """
 <mujoco><compiler angle="degree"/><worldbody>
@@ -69,11 +68,11 @@ def read(text: str, keys: str, folder: Path) -> Clip:
 
 
 def solved(text: str, keys: str, folder: Path) -> solving.Solved:
-    return solving.solve(read(text, keys, folder), Progress(Console(file=io.StringIO())))
+    return solving.solve(read(text, keys, folder), quiet())
 
 
 def measured(found: solving.Solved) -> dict:
-    return found.saved(Progress(Console(file=io.StringIO()))).report["after"]["equality constraints"]
+    return found.saved(quiet()).report["after"]["equality constraints"]
 
 
 @pytest.mark.parametrize(("text", "units"), [(GRIPPER, ["degrees", "m", "degrees"]), (GEARS, ["m", "degrees", "m"])])
@@ -113,10 +112,10 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
 
 
 def test_a_closure_is_called_by_its_name_or_else_by_its_bodies_or_the_world():
-    names = [closure.name for closure in closures(Figure(mujoco.MjModel.from_xml_string(FOUR_BAR)))]
+    names = [closure.name for closure in closures(figure_of(FOUR_BAR))]
     assert names == ["rod and rocker", *["lid and world"] * 3]
     named = FOUR_BAR.replace("<connect body1", '<connect name="joint of rod" body1')
-    assert closures(Figure(mujoco.MjModel.from_xml_string(named)))[0].name == "joint of rod"
+    assert closures(figure_of(named))[0].name == "joint of rod"
 
 
 def test_a_weld_without_torque_leaves_rotations_alone():
@@ -124,12 +123,12 @@ def test_a_weld_without_torque_leaves_rotations_alone():
     bodies = "".join(f'<body name="{name}"><joint type="ball"/><geom size=".1"/></body>' for name in ("one", "two"))
     for torque, points in (("1", 3), ("0", 1)):
         text = f"<mujoco><worldbody>{bodies}</worldbody><equality>{weld.format(torque)}</equality></mujoco>"
-        assert len(closures(Figure(mujoco.MjModel.from_xml_string(text)))) == points
+        assert len(closures(figure_of(text))) == points
 
 
 @pytest.mark.parametrize("penalty", ["coupled", "closed"])
 def test_the_gradient_has_taylor_slope_two(penalty, rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(GRIPPER if penalty == "coupled" else FOUR_BAR))
+    figure = figure_of(GRIPPER if penalty == "coupled" else FOUR_BAR)
     term = CouplingPenalty(couplings(figure)) if penalty == "coupled" else LoopClosure(closures(figure))
     assert penalty_slope(term, random_samples(figure, rng), rng) > 1.95
 

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from curvature_of import curvature_of, shifted, sides_of
-from figures import BALL_TREE, EVERY_JOINT
+from figures import BALL_TREE, EVERY_JOINT, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from penalty_slope import penalty_slope
@@ -49,7 +49,7 @@ FIGURES = {
 @pytest.fixture(params=FIGURES)
 def figure(request: pytest.FixtureRequest) -> Figure:
     text, coordinates = FIGURES[request.param]
-    return Figure(mujoco.MjModel.from_xml_string(limited(text)), coordinates)
+    return figure_of(limited(text), coordinates)
 
 
 def by_mujoco(figure: Figure, samples: Samples) -> Array:
@@ -112,7 +112,7 @@ def turned_by(figure: Figure, angles: list[float], axis: Array) -> Samples:
 @settings(deadline=None, max_examples=60)
 @given(st.floats(0, np.pi), st.floats(-1, 1), st.floats(0, 2 * np.pi), st.booleans())
 def test_the_angle_is_that_of_the_rotation_whatever_the_quaternions_sign(angle, z, turn, negative):
-    figure = Figure(mujoco.MjModel.from_xml_string(ONE.format(50)))
+    figure = figure_of(ONE.format(50))
     axis = np.array([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z])
     samples = turned_by(figure, [angle], axis)
     samples = Samples(figure, (-1 if negative else 1) * samples.y, samples.y_d, samples.y_dd)
@@ -124,7 +124,7 @@ def test_the_angle_is_that_of_the_rotation_whatever_the_quaternions_sign(angle, 
 
 @pytest.mark.parametrize("off", [0.0, 1e-9, 1e-4, 0.005, 0.1])
 def test_half_a_turn_is_smooth_and_no_turn_too(off, rng):
-    figure = Figure(mujoco.MjModel.from_xml_string(ONE.format(0.001)))
+    figure = figure_of(ONE.format(0.001))
     axis = np.array([0.6, 0, 0.8])
     penalty = JointRange(joint_ranges(figure))
     samples = turned_by(figure, [np.pi - off, np.pi + off, off, -off], axis)
@@ -144,13 +144,13 @@ def test_half_a_turn_is_smooth_and_no_turn_too(off, rng):
 
 def test_only_limited_joints_that_can_pass_their_range_count():
     def ranges(text: str) -> list[str]:
-        return [r.name for r in joint_ranges(Figure(mujoco.MjModel.from_xml_string(text)))]
+        return [r.name for r in joint_ranges(figure_of(text))]
 
     assert ranges(ONE.format(50)) == ["j"]
     assert ranges(ONE.format(180)) == []
     assert ranges(ONE.format(50).replace('limited="true"', 'limited="false"')) == []
     assert ranges(BALL_TREE) == []
-    free = random_samples(Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), np.random.default_rng(1))
+    free = random_samples(figure_of(BALL_TREE), np.random.default_rng(1))
     assert JointRange(()).one_sided_residuals(free) is None
     assert not JointRange(()).evaluate(free, Cotangent(free)).any()
 
@@ -180,11 +180,9 @@ def test_what_keyframes_violate_passes_along_the_line_to_the_next(figure, rng):
 def test_a_joint_keyed_beyond_its_range_does_not_flick(kind):
     """Keyed 20° beyond: 2.3 times the raw spline's acceleration, where without allowance it is ten times."""
     bounds = 'range="-60 60"' if kind == "hinge" else 'range="0 60"'
-    figure = Figure(
-        mujoco.MjModel.from_xml_string(
-            f'<mujoco><worldbody><body><joint name="j" type="{kind}" axis="0 1 0" {bounds}/>'
-            '<geom size="0.1" pos="0 0 1"/></body></worldbody></mujoco>'
-        )
+    figure = figure_of(
+        f'<mujoco><worldbody><body><joint name="j" type="{kind}" axis="0 1 0" {bounds}/>'
+        '<geom size="0.1" pos="0 0 1"/></body></worldbody></mujoco>'
     )
     angles = np.radians([0.0, 80, 0])
     poses = angles[:, None] if kind == "hinge" else quat.from_rotation_vector(angles[:, None] * [0, 1.0, 0])

@@ -1,8 +1,8 @@
 """Level: the angle by MuJoCo, gradient and curvature, and a chest that rises between keyframes that bow."""
 
-import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
@@ -28,12 +28,9 @@ ASKED = '[[penalty]]\nkind = "upright"\nbodies = ["chest"]'
 def test_the_value_is_what_mujoco_computes_of_the_axis(figure, rng, axis):
     samples, model = random_samples(figure, rng, 4), figure.model
     bodies = [i for i in range(1, model.nbody) if figure.body_link[i]][:2]
-    data, rest, expected = mujoco.MjData(model), mujoco.MjData(model), np.zeros(4)
-    mujoco.mj_kinematics(model, rest)
+    rest, expected = kinematics(model), np.zeros(4)
     for s, qpos in enumerate(figure.to_qpos(samples.y)):
-        data.qpos[:] = qpos
-        mujoco.mj_normalizeQuat(model, data.qpos)
-        mujoco.mj_kinematics(model, data)
+        data = kinematics(model, qpos)
         for body in bodies:
             own = rest.xmat[body].reshape(3, 3).T @ [0, 0, 1] if axis is None else np.array(axis) / np.linalg.norm(axis)
             expected[s] += np.sum((data.xmat[body].reshape(3, 3) @ own - [0, 0, 1]) ** 2)
@@ -50,9 +47,8 @@ def test_a_chest_rises_between_keyframes_that_bow():
     lean = {}
     for more in ("", ASKED):
         motion = inbetween(load(BOW.format(more=more)))
-        model, data = motion.clip.figure.model, mujoco.MjData(motion.clip.figure.model)
-        data.qpos[:] = motion.at(0.5)
-        mujoco.mj_kinematics(model, data)
+        model = motion.clip.figure.model
+        data = kinematics(model, motion.at(0.5))
         lean[more] = np.degrees(np.arccos(data.body("chest").xmat[8]))
     assert lean[""] > 25
     assert lean[ASKED] < 0.5 * lean[""]

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, EVERY_JOINT, ONE_BALL
+from figures import BALL_TREE, EVERY_JOINT, ONE_BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.spatial.transform import Rotation
@@ -38,7 +37,7 @@ CHAIN = """<mujoco><worldbody><body><freejoint name="root"/><geom size=".1"/>
 
 def hinged(times: Sequence[float], degrees: Sequence[float], ends: str = "free") -> tuple[Figure, Timeline]:
     """A hinge through keyframes."""
-    figure = Figure(mujoco.MjModel.from_xml_string(HINGE))
+    figure = figure_of(HINGE)
     keys = [Frame.key(t, [np.radians(angle)]) for t, angle in zip(times, degrees, strict=True)]
     return figure, raw_timeline(figure, keys, ends)
 
@@ -67,8 +66,8 @@ def test_turning_points_of_what_repeats_itself_are_no_holds() -> None:
 
 
 def test_the_height_of_a_root_is_not_held_in_a_flight() -> None:
-    figure = Figure(mujoco.MjModel.from_xml_string('<mujoco><worldbody><body><freejoint/><geom size=".1"/></body>'
-                                                   "</worldbody></mujoco>"))  # fmt: skip
+    figure = figure_of('<mujoco><worldbody><body><freejoint/><geom size=".1"/></body>'
+                                                   "</worldbody></mujoco>")  # fmt: skip
     states = [[0, 0, z, 1, 0, 0, 0] for z in (0.5, 1, 1, 0.5)]
     keys = raw_timeline(figure, [Frame.key(t, state) for t, state in enumerate(states)])
     held = steady(figure, keys)
@@ -80,7 +79,7 @@ def test_the_height_of_a_root_is_not_held_in_a_flight() -> None:
 @pytest.fixture(params=[(BALL_TREE, "world"), (BALL_TREE, "joint"), (EVERY_JOINT, "joint"), (ONE_BALL, "world")])
 def figure(request: pytest.FixtureRequest) -> Figure:
     text, coordinates = request.param
-    return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    return figure_of(text, coordinates)
 
 
 def bounded(figure: Figure, rng: np.random.Generator) -> tuple[Range, ...]:
@@ -127,7 +126,7 @@ def turned_off(home: Array, qpos: Array) -> Array:
 def swings(first: Array, last: Array) -> tuple[Array, Array]:
     """How far a chain of every joint leaves two values (nq,) that are held for a second, 0.3 s apart: the root's place,
     slide [m], hinge, ball and the root's rotation [rad]; of the raw spline, and with the holds."""
-    figure = Figure(mujoco.MjModel.from_xml_string(CHAIN))
+    figure = figure_of(CHAIN)
     keys = [Frame.key(t, q) for t, q in zip((0, 1, 1.3, 2.3), (first, first, last, last), strict=True)]
     raw = raw_timeline(figure, keys)
     held = OvershootPenalty.of(figure, steady(figure, raw), raw.times)

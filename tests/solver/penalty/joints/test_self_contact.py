@@ -8,11 +8,13 @@ import mujoco
 import numpy as np
 import pytest
 from curvature_of import curvature_of, shifted, sides_of
-from figures import EVERY_JOINT
+from figures import EVERY_JOINT, figure_of
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from oracles import kinematics
 from paper.penetration import self_penetration
 from penalty_slope import penalty_slope, scaled_like
+from quiet import quiet
 from random_samples import random_samples
 from rich.console import Console
 
@@ -25,7 +27,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import SelfContact
 from dynsplines.solver.penalty.joints.self_contact import NEAR, Bar, nearest_on_segments
-from dynsplines.system.progress import Progress
 
 SPIDER = """
 <mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
@@ -43,7 +44,7 @@ COORDINATES = ["world", "joint"]
 
 
 def spider(coordinates: str = "world") -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(SPIDER), coordinates)
+    return figure_of(SPIDER, coordinates)
 
 
 def tangled(figure: Figure, rng: np.random.Generator, count: int = 60) -> Samples:
@@ -58,10 +59,9 @@ def test_the_penalty_is_the_sum_of_squared_depths_by_mujoco(coordinates, rng):
     assert pairs == {
         ("hand", "trunk"), ("arm", "other"), ("arm", "pad"), ("hand", "other"), ("hand", "pad"),
     }  # fmt: skip
-    data, expected = mujoco.MjData(model), []
+    expected = []
     for qpos in figure.to_qpos(samples.y):
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(model, data)
+        data = kinematics(model, qpos)
         depths = [-mujoco.mj_geomDistance(model, data, a, b, 1, None) for a, b in penalty.geom_pairs.T]
         expected.append(np.sum(np.maximum(depths, 0) ** 2))
     np.testing.assert_allclose(penalty.evaluate(samples), expected, atol=1e-6)
@@ -115,7 +115,7 @@ OUTER = """<mujoco><worldbody><body name="trunk"><freejoint/>
     ],
 )
 def test_what_sticks_out_of_a_thicker_shape_of_its_link_by_less_than_15_millimetres_is_left_out(ends, size, kept):
-    figure = Figure(mujoco.MjModel.from_xml_string(OUTER.format(ends=ends, size=size)))
+    figure = figure_of(OUTER.format(ends=ends, size=size))
     names = {figure.model.geom(bar.geom).name for bar in SelfContact.of(figure).bars}
     assert names == ({"trunk", "other"} if kept else {"trunk"})
 
@@ -129,7 +129,7 @@ GIANT = """<mujoco><worldbody>
 
 
 def test_shapes_that_overlap_at_rest_are_left_out_though_they_lie_far_from_their_links_origins():
-    figure = Figure(mujoco.MjModel.from_xml_string(GIANT))
+    figure = figure_of(GIANT)
     penalty, rest = SelfContact.of(figure), figure.model.qpos0
     pairs = {tuple(sorted(figure.model.geom(g).name for g in pair)) for pair in penalty.geom_pairs.T}
     assert pairs == {("elbow", "heel"), ("knee", "toe"), ("heel", "toe")}
@@ -144,7 +144,7 @@ def test_pairs_are_selected_within_the_distance_at_which_they_may_soon_meet_and_
     """Two spheres of a tenth of a metre, apart along x: they meet at their radii and the margin."""
     bars = (Bar(0, 1, np.zeros(3), np.eye(3)[2], 0.0, 0.1), Bar(1, 2, np.zeros(3), np.eye(3)[2], 0.0, 0.1))
     text = '<body><freejoint/><geom size=".1"/></body>'
-    figure = Figure(mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{2 * text}</worldbody></mujoco>"))
+    figure = figure_of(f"<mujoco><worldbody>{2 * text}</worldbody></mujoco>")
     penalty, gaps = SelfContact(bars, np.array([[0], [1]]), margin), np.array([NEAR + 1e-6, NEAR - 1e-6, 1e-6, -0.01])
     states = np.tile(np.array([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0.0]), (4, 1))
     states[:, 7] = 0.2 + margin + gaps
@@ -189,7 +189,7 @@ def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure,
 
 
 def test_joined_links_are_left_out_even_across_links_without_shapes():
-    figure = Figure(mujoco.MjModel.from_xml_string(EVERY_JOINT), "joint")
+    figure = figure_of(EVERY_JOINT, "joint")
     penalty = SelfContact.of(figure)
     met = {
         (figure.links[penalty.bars[a].link].name, figure.links[penalty.bars[b].link].name) for a, b in penalty.pairs.T
@@ -228,7 +228,7 @@ def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_milli
     deepest = {}
     for asked in ("", "[[penalty]]\nkind = 'collision'\nself = true\nmargin = 0.002\n"):
         (tmp_path / "arms.toml").write_text(SWING + asked, encoding="utf-8")
-        solved = solving.solve(clip.load(str(tmp_path / "arms.toml")), Progress(Console(file=io.StringIO())))
+        solved = solving.solve(clip.load(str(tmp_path / "arms.toml")), quiet())
         data = report(solved.clip, solved.motion, 0.0)
         out = io.StringIO()
         Console(file=out, width=160).print(tables(data))

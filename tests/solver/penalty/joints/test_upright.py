@@ -1,9 +1,9 @@
 """Upright: the value by hand, gradient and curvature, and which keyframes it is about."""
 
-import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE
+from figures import BALL_TREE, figure_of
+from oracles import kinematics
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
@@ -30,9 +30,7 @@ def some(figure: Figure, rng: np.random.Generator) -> Samples:
 
 def turned(figure: Figure, qpos: Array, link: int, axis: Array) -> Array:
     """An axis of a link in the world, by MuJoCo's kinematics."""
-    data = mujoco.MjData(figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(figure.model, data)
+    data = kinematics(figure.model, qpos)
     return data.body(figure.links[link].body).xmat.reshape(3, 3) @ axis
 
 
@@ -51,7 +49,7 @@ def test_the_gradient_has_taylor_slope_two(figure, rng):
 
 
 def test_it_is_about_keyframes_whose_roots_turn_was_posed_and_keeps_what_points_up_there():
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE), "world")
+    figure = figure_of(BALL_TREE, "world")
     qpos, free = np.array(figure.model.qpos0), np.zeros(figure.width, bool)
     qpos[3:7] = [np.cos(0.2), 0, np.sin(0.2), 0]
     free[3:7] = True

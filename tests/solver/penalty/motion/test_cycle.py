@@ -2,10 +2,9 @@
 
 from dataclasses import replace
 
-import mujoco
 import numpy as np
 import pytest
-from figures import HUMAN_AND_CHAINS
+from figures import HUMAN_AND_CHAINS, figure_of
 from gaits import FIGURE, GROUND, SOLES, TIME, WALK, gait
 from penalty_slope import penalty_slope
 from random_samples import random_samples
@@ -17,7 +16,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.figure.figure import quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Cycle
@@ -37,7 +36,7 @@ LAIN = [(LYING, "world"), (LYING, "joint")]  # whose model has its root turned
 )
 def cycled(request, rng) -> Cycle:
     text, coordinates = request.param
-    figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    figure = figure_of(text, coordinates)
     keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
     gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).with_period(0.7)
     assert gait_cycle is not None and gait_cycle.trust.max() > 0

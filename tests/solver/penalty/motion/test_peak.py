@@ -1,16 +1,14 @@
 """Peaks of angular acceleration: the value by hand, gradient and curvature, and that they come down."""
 
-import mujoco
 import numpy as np
 from curvature_of import assembled, assert_near, curvature_of, jacobians
-from figures import TINY
+from figures import TINY, figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 from small_problems import turning
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, PeakAcceleration, UnitMagnitude
@@ -38,7 +36,7 @@ def test_it_is_the_sum_of_eighth_powers(figure, rng):
 
 def test_the_curvature_is_that_of_the_fourth_powers_times_seven_quarters(rng):
     for coordinates in ("world", "joint"):
-        figure = Figure(mujoco.MjModel.from_xml_string(TINY), coordinates)
+        figure = figure_of(TINY, coordinates)
         samples = random_samples(figure, rng, 4)
         scale, phi = rng.uniform(0.5, 2, 4), rng.normal(size=(4, 3, 2))
         moved = np.einsum("sron,soa->sran", jacobians(lambda seen: sizes(seen) ** 4, samples), phi)

@@ -1,9 +1,8 @@
 """Posture: relative velocities by SciPy, gradient, curvature, and what it takes off the swing between far keyframes."""
 
-import mujoco
 import numpy as np
 import pytest
-from figures import CHAIN, HUMAN_AND_CHAINS
+from figures import CHAIN, HUMAN_AND_CHAINS, figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 from scipy.spatial.transform import Rotation
@@ -21,7 +20,7 @@ from dynsplines.solver.problem import Problem, Settings
 @pytest.fixture(params=HUMAN_AND_CHAINS, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])
 def jointed(request) -> Figure:
     text, coordinates = request.param
-    return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    return figure_of(text, coordinates)
 
 
 def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray) -> np.ndarray:
@@ -68,7 +67,7 @@ def test_its_curvature_is_that_of_differences(jointed, rng):
 
 def swing(weight: float) -> float:
     """How far [degrees] the second joint of a chain swings between keyframes 2 s apart, all within 60°."""
-    figure = Figure(mujoco.MjModel.from_xml_string(CHAIN.format("ball")))
+    figure = figure_of(CHAIN.format("ball"))
     keys = []
     for i, angle in enumerate([0, 60, 60, 0]):
         bent = quat.from_rotation_vector(np.radians([0, angle, 0]))

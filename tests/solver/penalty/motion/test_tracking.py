@@ -4,6 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import CHAIN, EVERY_JOINT, figure_of
+from oracles import kinematics
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.interpolate import CubicSpline
@@ -34,19 +35,14 @@ def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[Tracki
 def test_the_value_is_that_of_differences_from_scipys_spline_and_mujocos_places(figure, rng):
     found, samples = around(figure, rng, 4)
     curve = CubicSpline(TIMES, found.recorded.bridged, bc_type="natural")
-    model, data = figure.model, mujoco.MjData(figure.model)
     weights = found.weights(samples.t)
     links, _ = found.ends
 
     def places(state: np.ndarray) -> np.ndarray:
-        data.qpos[:] = figure.to_qpos(state[None])[0]
-        mujoco.mj_kinematics(model, data)
+        data = kinematics(figure.model, figure.to_qpos(state[None])[0])
         bodies = [figure.links[link].body for link in links]
-        own = [np.array(data.xpos[b]) for b in bodies]
-        arms = found.ends[1].T
-        return np.array(
-            [x + data.xmat[b].reshape(3, 3) @ offset for x, b, offset in zip(own, bodies, arms, strict=True)]
-        )
+        arms = zip(bodies, found.ends[1].T, strict=True)
+        return np.array([data.xpos[b] + data.xmat[b].reshape(3, 3) @ offset for b, offset in arms])
 
     for s, t in enumerate(samples.t):
         target = [curve(t), curve(t, 1), curve(t, 2)]

@@ -1,15 +1,14 @@
 """The unit-magnitude penalty: values by hand, the gradient by Taylor. Also the Taylor test of any penalty."""
 
-import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import UnitMagnitude
 
@@ -50,7 +49,7 @@ def test_an_unknown_form_is_refused():
 
 
 def test_a_raw_spline_that_is_far_off_unit_length_does_not_make_it_soft():
-    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    figure = figure_of(BALL)
     turns = [[1.0, 0, 0, 0], [0.1, 1, 0, 0], [1, 0.1, 0, 0]]
     raw = path_of(raw_timeline(figure, [Frame.key(t, q) for t, q in zip((0.0, 0.1, 3.0), turns, strict=True)]))
     firm, soft = (Objective.of(figure, [(UnitMagnitude(most=m), 2.0)]).renormalised(raw).terms[0] for m in (0.01, 1e9))
