@@ -14,6 +14,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of
 
 from ..exchange.skeleton import hierarchy
@@ -135,9 +136,9 @@ def _moved(model: mujoco.MjModel, one: Array, other: Array) -> Array:
     """Return angles [rad] of all ball joints and hinges between two configurations."""
     move = np.zeros(model.nv)
     mujoco.mj_differentiatePos(model, move, 1.0, one, other)
-    sizes = {mujoco.mjtJoint.mjJNT_BALL: 3, mujoco.mjtJoint.mjJNT_HINGE: 1}
-    turning = [(int(model.jnt_dofadr[j]), sizes.get(mujoco.mjtJoint(model.jnt_type[j]), 0)) for j in range(model.njnt)]
-    return np.array([float(np.linalg.norm(move[first : first + size])) for first, size in turning if size], float)
+    joints = zip(map(JointKind, model.jnt_type), model.jnt_dofadr, strict=True)
+    turning = [(kind, dof) for kind, dof in joints if kind in (JointKind.BALL, JointKind.HINGE)]
+    return np.array([np.linalg.norm(move[dof : dof + kind.freedom]) for kind, dof in turning], float)
 
 
 def _jumps(model: mujoco.MjModel, times: Array, qpos: Array, at: int) -> bool:

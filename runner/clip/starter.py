@@ -163,16 +163,11 @@ def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array,
         return qpos, ["no pose within the joints' ranges was found that meets the model's equality constraints"]
     away = np.zeros(figure.model.nv)
     mujoco.mj_differentiatePos(figure.model, away, 1.0, qpos, closed)
-    link = max(figure.links[1:], key=lambda candidate: float(np.abs(away[_dofs(candidate)]).max()))
-    most = float(np.linalg.norm(away[_dofs(link)]))
+    link = max(figure.links[1:], key=lambda candidate: float(np.abs(away[candidate.dofs]).max()))
+    most = float(np.linalg.norm(away[link.dofs]))
     size = f"{1000 * most:.3g} mm" if link.kind is JointKind.SLIDE else f"{np.degrees(most):.3g}°"
     was = str(gaps[0]).replace("open by", "was open by")
     return closed, [f"moved onto the model's equality constraints, '{link.name}' by {size}: {was}"]
-
-
-def _dofs(link: Link) -> slice:
-    sizes = {JointKind.FREE: 6, JointKind.BALL: 3}
-    return slice(link.dof, link.dof + sizes.get(link.kind, 1))
 
 
 def _settled(figure: Figure, qpos: Array) -> Array:

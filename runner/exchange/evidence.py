@@ -9,6 +9,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of
 
 from ..scene.configuration import posed
@@ -30,7 +31,6 @@ FAR_OUTSIDE = 0.15  # fraction of joint angles beyond their ranges when degrees 
 DOUBTED, REFUTED = 0.5, 0.9  # differences of scores at which the documented layout is doubted, and replaced
 ENOUGH = 20  # least number of samples for sliding to be evidence
 JUMP = np.radians(45)  # [rad] implausible rotation of the root from sample to sample
-FREE, HINGE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_HINGE)
 
 
 @dataclass(frozen=True)
@@ -225,7 +225,7 @@ def in_degrees(model: mujoco.MjModel, qpos: Array, time: Array) -> bool:
     must and many angles must be out of range. For figures without ranges, the speeds decide: too fast as radians, and
     not as degrees.
     """
-    hinges = model.jnt_type == HINGE
+    hinges = model.jnt_type == JointKind.HINGE
     limited = hinges & (model.jnt_limited == 1)
     values = qpos[np.isfinite(qpos).all(axis=1)]
     scaled = values.copy()
@@ -245,7 +245,7 @@ def in_degrees(model: mujoco.MjModel, qpos: Array, time: Array) -> bool:
 
 def _beyond(model: mujoco.MjModel, qpos: Array) -> Array:
     """Return the fraction of samples (n,) in which each limited hinge or slide exceeds its range."""
-    limited = (model.jnt_limited == 1) & (model.jnt_type >= int(mujoco.mjtJoint.mjJNT_SLIDE))
+    limited = (model.jnt_limited == 1) & (model.jnt_type >= JointKind.SLIDE)
     values, bounds = qpos[:, model.jnt_qposadr[limited]], model.jnt_range[limited]
     if not len(values):
         return np.zeros(0)
@@ -264,7 +264,7 @@ def _mostly_outside(model: mujoco.MjModel, qpos: Array) -> float:
 
 
 def _fast(model: mujoco.MjModel, qpos: Array, time: Array) -> float:
-    hinges = model.jnt_qposadr[model.jnt_type == HINGE]
+    hinges = model.jnt_qposadr[model.jnt_type == JointKind.HINGE]
     if len(qpos) < 2 or not hinges.size:
         return 0.0
     step = np.diff(qpos[:, hinges], axis=0)

@@ -17,15 +17,16 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.figure import JointKind
 
 from ..errors import UserError
 from ..scene.assets import Scene
+from ..scene.configuration import quaternions
 from . import missing_input
 from .evidence import Plausibility, disagreement, in_degrees
 from .skeleton import hierarchy
 from .trajectory import BodyPoses, Recording
 
-FREE, BALL, HINGE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "BALL", "HINGE"))
 EQUAL = 0.05  # difference in `Disagreement.share` up to which layouts agree equally well with body poses
 SAME = 1e-6  # [m, rad] largest difference between layouts that result in the same motion
 Y_UP = (  # words; axis of the file and sign for each of x, y and z here; whether the root's frame is y up, too
@@ -212,7 +213,7 @@ def _is_same(model: mujoco.MjModel, one: Recording, other: Recording) -> bool:
     if one.qpos.shape != other.qpos.shape:
         return False
     apart = one.qpos - other.qpos
-    for columns in quaternions(model):
+    for columns in quaternions(model).values():
         a, b = one.qpos[:, columns], other.qpos[:, columns]
         apart[:, columns] = np.where(np.sum(a * b, axis=1, keepdims=True) < 0, a + b, a - b)
     return not np.any(np.abs(apart) > SAME)
@@ -246,17 +247,9 @@ def _variants(
             yield replace(base, qpos=qpos, layout=(*base.layout, *(words for words, _ in combination)))
 
 
-def quaternions(model: mujoco.MjModel) -> list[slice]:
-    """Return the columns of qpos of each quaternion."""
-    first = {FREE: 3, BALL: 0}
-    kinds = [(j, int(kind)) for j, kind in enumerate(model.jnt_type) if int(kind) in first]
-    starts = [int(model.jnt_qposadr[joint]) + first[kind] for joint, kind in kinds]
-    return [slice(start, start + 4) for start in starts]
-
-
 def _rolled(model: mujoco.MjModel, qpos: Array, shift: int) -> Array:
     out = qpos.copy()
-    for columns in quaternions(model):
+    for columns in quaternions(model).values():
         out[:, columns] = np.roll(qpos[:, columns], shift, axis=1)
     return out
 
@@ -271,7 +264,7 @@ def _in_radians(model: mujoco.MjModel, recorded: Recording) -> Recording:
     """Convert a recording whose hinges are evidently in degrees, with a note; return others unchanged."""
     if not in_degrees(model, recorded.qpos, recorded.time):
         return recorded
-    hinges = model.jnt_qposadr[model.jnt_type == HINGE]
+    hinges = model.jnt_qposadr[model.jnt_type == JointKind.HINGE]
     most = np.nanmax(np.abs(recorded.qpos[:, hinges]))
     qpos = recorded.qpos.copy()
     qpos[:, hinges] = np.radians(qpos[:, hinges])
@@ -283,9 +276,9 @@ def breadth_first(model: mujoco.MjModel) -> Index | None:
 
     None if that is MuJoCo's order, and for figures with ball joints, which no program with that order has.
     """
-    if BALL in model.jnt_type:
+    if JointKind.BALL in model.jnt_type:
         return None
-    joints = np.flatnonzero(model.jnt_type != FREE)
+    joints = np.flatnonzero(model.jnt_type != JointKind.FREE)
     above = []
     for joint in joints:
         body = int(model.jnt_bodyid[joint])
@@ -298,7 +291,7 @@ def breadth_first(model: mujoco.MjModel) -> Index | None:
 def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
     """Yield the same layouts with y up; in a file with body poses, the root's frame is that of the figure."""
     form, base = candidate
-    if FREE not in model.jnt_type:
+    if JointKind.FREE not in model.jnt_type:
         return
     for words, axes, turns_root in Y_UP:
         if turns_root and base.bodies is not None:
@@ -308,7 +301,7 @@ def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
         matrix[np.arange(3), places] = signs
         turn = quat.from_matrix(matrix)
         qpos = base.qpos.copy()
-        for start in model.jnt_qposadr[model.jnt_type == FREE]:
+        for start in model.jnt_qposadr[model.jnt_type == JointKind.FREE]:
             qpos[:, start : start + 3] = signs * qpos[:, start + places]
             rotation = quat.product(turn, qpos[:, start + 3 : start + 7])
             qpos[:, start + 3 : start + 7] = quat.product(rotation, quat.conjugate(turn)) if turns_root else rotation

@@ -10,6 +10,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import TimelineError
+from dynsplines.solver.figure.figure import JointKind
 
 from ..clip import load as clips
 from ..motion import Saved
@@ -20,7 +21,6 @@ from ..system.progress import Progress
 from . import gaps
 from .formats import Reader, read_by, recording, stem
 
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 TURN = 2 * np.pi  # [rad]
 NEAR = 1.0  # [rad] largest deviation of a jump from a whole turn that counts as a wrap in every recording
 EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
@@ -119,7 +119,7 @@ def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, 
         return qpos, ()
     for joint in range(model.njnt):
         is_bounded = model.jnt_limited[joint] and np.ptp(model.jnt_range[joint]) < TURN - EDGE
-        if model.jnt_type[joint] != HINGE or is_bounded:
+        if model.jnt_type[joint] != JointKind.HINGE or is_bounded:
             continue
         column = int(model.jnt_qposadr[joint])
         jumps = _whole_turns(qpos[:, column])

@@ -19,6 +19,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.dynamics import inverse_dynamics
+from dynsplines.solver.figure.figure import JointKind
 
 from ..errors import UserError, unknown
 from .forces import Forces
@@ -121,8 +122,8 @@ def constraint_notes(trajectory: SampledTrajectory, forces: Forces) -> list[str]
         return []
     joint = int(model.dof_jntid[dof])
     first = dof - model.jnt_dofadr[joint]
-    is_force = model.jnt_type[joint] == int(mujoco.mjtJoint.mjJNT_SLIDE)
-    is_force |= model.jnt_type[joint] == int(mujoco.mjtJoint.mjJNT_FREE) and first < 3
+    is_force = model.jnt_type[joint] == JointKind.SLIDE
+    is_force |= model.jnt_type[joint] == JointKind.FREE and first < 3
     return [
         CONSTRAINT_NOTE.format(
             size=size[at, dof],

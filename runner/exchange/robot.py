@@ -9,14 +9,13 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of, subtree
 
 from ..errors import UserError
 from . import missing_input
 from .skeleton.hinge_joints import HingeLayout
 from .skeleton.root_motion import placed
-
-FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,10 +34,10 @@ class Robot:
     def of(cls, model: mujoco.MjModel, form: str) -> Robot:
         """Return the robot of a model without ball joints; raises UserError that names the format for other models."""
         kinds = model.jnt_type.tolist()
-        if kinds.count(FREE) != 1:
-            many = kinds.count(FREE) or "none"
+        if kinds.count(JointKind.FREE) != 1:
+            many = kinds.count(JointKind.FREE) or "none"
             raise UserError(f"the format '{form}' is for a figure with one free joint, its root; this one has {many}")
-        free = kinds.index(FREE)
+        free = kinds.index(JointKind.FREE)
         root = int(model.jnt_bodyid[free])
         bodies = [body for body in range(model.nbody) if model.body_rootid[body] == root]
         joints = [joint for joint in range(model.njnt) if joint != free]

@@ -33,7 +33,7 @@ from dynsplines.solver.surface.touch import counts_all, movers
 
 from ..clip.build import Clip
 from ..motion import samples_at
-from .checks import Row
+from .checks import Row, turning
 from .exactness import keyframe_error
 from .measurement import Measurement, bend_limits, inferred
 from .swings import swings
@@ -279,14 +279,9 @@ def _torque(samples: Samples) -> Entry:
     figure = samples.figure
     forces = generalised_forces(samples)
     roots = [link.dof for link in figure.links[1:] if link.kind is JointKind.FREE]
-    sizes = {JointKind.BALL: 3, JointKind.HINGE: 1}
-    turning = [link.dof + k for link in figure.links[1:] for k in range(sizes.get(link.kind, 0))]
-    joints = np.linalg.norm(forces[:, turning], axis=1)
-    peaks = {
-        link.name: float(np.linalg.norm(forces[:, link.dof : link.dof + sizes[link.kind]], axis=1).max())
-        for link in figure.links[1:]
-        if link.kind in sizes
-    }
+    torques = {figure.links[i].name: forces[:, figure.links[i].dofs] for i in turning(figure)}
+    joints = np.linalg.norm(np.hstack([forces[:, :0], *torques.values()]), axis=1)
+    peaks = {name: float(np.linalg.norm(torque, axis=1).max()) for name, torque in torques.items()}
     strongest = max(peaks, key=lambda name: peaks[name], default="")
     root = [np.linalg.norm(forces[:, dof : dof + 3], axis=1).max() for dof in roots]
     return {

@@ -14,7 +14,7 @@ import numpy as np
 
 from dynsplines import models
 from dynsplines.solver.array import Array
-from dynsplines.solver.figure.figure import names_of_joints
+from dynsplines.solver.figure.figure import JointKind, names_of_joints
 from dynsplines.solver.surface.touch import grounds, moves
 
 from ..errors import UserError, unknown
@@ -157,7 +157,7 @@ def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> muj
         spec.visual, spec.stat = stage.visual, stage.stat
         if not is_of_people_size(bare):
             spec.stat.extent *= size_of(bare) / STANDING
-    if not has_floor and not np.any(bare.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
+    if not has_floor and not np.any(bare.jnt_type == JointKind.FREE):
         low = float(rest_box(bare)[0][2])
         if low < -BURIED:  # a fixed figure may reach below its origin
             geom_named(stage, "floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]

@@ -8,11 +8,11 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 
 from ..system.quantity import LARGEST
 
 SHORTEST = 1e-6  # [1] minimum norm of a quaternion
-QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # offset of the quaternion in a joint
 
 
 def posed(model: mujoco.MjModel, qpos: Array) -> Iterator[mujoco.MjData]:
@@ -24,6 +24,13 @@ def posed(model: mujoco.MjModel, qpos: Array) -> Iterator[mujoco.MjData]:
         yield data
 
 
+def quaternions(model: mujoco.MjModel) -> dict[int, slice]:
+    """Return the columns of qpos of each quaternion, by joint."""
+    turning = np.flatnonzero(np.isin(model.jnt_type, (JointKind.FREE, JointKind.BALL))).tolist()
+    ends = {joint: int(model.jnt_qposadr[joint]) + JointKind(model.jnt_type[joint]).width for joint in turning}
+    return {joint: slice(end - 4, end) for joint, end in ends.items()}
+
+
 def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, str] | None:
     """Return index and reason of the first invalid keyframe, time (K,) [s] and qpos (K, nq); None if all are valid."""
     entries = np.column_stack([time, qpos])
@@ -31,12 +38,9 @@ def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, s
         (np.isfinite(entries).all(axis=1), "an entry is not a finite number"),
         ((np.abs(entries) <= LARGEST).all(axis=1), "an entry is too large"),
     ]
-    for joint in range(model.njnt):
-        kind = mujoco.mjtJoint(int(model.jnt_type[joint]))
-        if kind in QUATERNION:
-            start = int(model.jnt_qposadr[joint]) + QUATERNION[kind]
-            with np.errstate(over="ignore"):
-                is_unit = np.linalg.norm(qpos[:, start : start + 4], axis=1) >= SHORTEST
-            checks.append((is_unit, f"the quaternion of '{model.joint(joint).name or f'joint {joint}'}' is zero"))
+    for joint, columns in quaternions(model).items():
+        with np.errstate(over="ignore"):
+            is_unit = np.linalg.norm(qpos[:, columns], axis=1) >= SHORTEST
+        checks.append((is_unit, f"the quaternion of '{model.joint(joint).name or f'joint {joint}'}' is zero"))
     wrong = [(int(np.argmin(well)), problem) for well, problem in checks if not well.all()]
     return min(wrong, key=lambda each: each[0], default=None)

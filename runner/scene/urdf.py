@@ -6,6 +6,8 @@ from pathlib import Path
 
 import mujoco
 
+from dynsplines.solver.figure.figure import JointKind
+
 from .model_files import elements
 
 ENDING = ".urdf"
@@ -14,7 +16,7 @@ ENDING = ".urdf"
 def fixed_base(figure: str, model: mujoco.MjModel) -> str:
     """Return a line if the file's root link is fixed in the world, with advice to free it; "" for any other model."""
     path = Path(figure)
-    if path.suffix.lower() != ENDING or (model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)).any():
+    if path.suffix.lower() != ENDING or (model.jnt_type == JointKind.FREE).any():
         return ""
     root = _root_link(path.read_text(encoding="utf-8-sig", errors="replace"))
     return (

@@ -40,6 +40,16 @@ class JointKind(IntEnum):
     SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
     HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 
+    @property
+    def width(self) -> int:
+        """The number of entries in qpos."""
+        return {JointKind.FREE: 7, JointKind.BALL: 4}.get(self, 1)
+
+    @property
+    def freedom(self) -> int:
+        """The number of degrees of freedom."""
+        return {JointKind.FREE: 6, JointKind.BALL: 3}.get(self, 1)
+
 
 @dataclass(frozen=True, eq=False)
 class Link:
@@ -80,6 +90,16 @@ class Link:
     mass: float
     centre: Array
     inertia: Array
+
+    @property
+    def columns(self) -> slice:
+        """The joint's columns of qpos."""
+        return slice(self.qpos, self.qpos + self.kind.width)
+
+    @property
+    def dofs(self) -> slice:
+        """The joint's degrees of freedom."""
+        return slice(self.dof, self.dof + self.kind.freedom)
 
 
 @dataclass(frozen=True, eq=False)

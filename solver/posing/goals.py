@@ -13,7 +13,7 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Mask
 from ..figure.algebra import cross
-from ..figure.figure import Figure, JointKind
+from ..figure.figure import Figure
 from ..surface.points import Point
 
 # [1] smallest sine of a tilt with a defined direction; smallest squared norm of a Jacobian column in damping
@@ -238,9 +238,7 @@ def limb(figure: Figure, body: int) -> list[int]:
 
 def entries(figure: Figure, link: int) -> slice:
     """Return the columns of qpos of a link's joint."""
-    size = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
-    joint = figure.links[link]
-    return slice(joint.qpos, joint.qpos + size[joint.kind])
+    return figure.links[link].columns
 
 
 def _at_rest(model: mujoco.MjModel, body: int) -> Array:

@@ -15,7 +15,7 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
-from ..figure.figure import Figure, JointKind
+from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..figure.naming import geom_name
 from .touch import movers
@@ -160,7 +160,6 @@ def placed(figure: Figure, specified: Mask, points: Sequence[Point]) -> Mask:
     Args:
         specified: Entries of qpos that keyframes specify, (K, nq).
     """
-    entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
-    whole = [specified[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
+    whole = [specified[:, link.columns].all(axis=1) for link in figure.links[1:]]
     path = figure.tables.path[:, 1:] > 0
     return np.array([np.all(np.array(whole)[path[point.link]], axis=0) for point in points])

@@ -17,6 +17,7 @@ import mujoco
 import numpy as np
 
 from ..array import Mask
+from ..figure.figure import JointKind
 
 SCENERY = 1 << 30  # bit of conaffinity that marks geoms which a clip adds to a model
 LEVEL = 0.99  # [1] minimum z of the unit normal of a floor
@@ -114,7 +115,7 @@ def _joints_to_world(model: mujoco.MjModel, body: int) -> list[int]:
 
 def _hangs(model: mujoco.MjModel, body: int) -> bool:
     """Return whether no free joint is between a body and the world."""
-    return all(model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_FREE) for joint in _joints_to_world(model, body))
+    return all(model.jnt_type[joint] != JointKind.FREE for joint in _joints_to_world(model, body))
 
 
 def _touches(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> bool:
@@ -126,7 +127,7 @@ def _slides_out(model: mujoco.MjModel, geom: int, solid: int) -> bool:
     rail."""
     data = mujoco.MjData(model)
     for joint in _joints_to_world(model, int(model.geom_bodyid[geom])):
-        if model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_SLIDE):
+        if model.jnt_type[joint] != JointKind.SLIDE:
             continue
         column = int(model.jnt_qposadr[joint])
         ends = model.jnt_range[joint] if model.jnt_limited[joint] else model.qpos0[column] + FAR

@@ -116,7 +116,7 @@ def _openings(model: mujoco.MjModel, number: int, residual: Array) -> list[Openi
         turned = 2 * np.degrees(np.linalg.norm(residual[3:]) / scale)
         return [Opening(name, float(np.linalg.norm(residual[:3])), "m"), Opening(name, float(turned), "degrees")]
     if kind == int(kinds.mjEQ_JOINT):
-        hinge = int(model.jnt_type[model.eq_obj1id[number]]) == int(mujoco.mjtJoint.mjJNT_HINGE)
+        hinge = int(model.jnt_type[model.eq_obj1id[number]]) == JointKind.HINGE
         amount = float(np.abs(residual).max(initial=0.0))
         return [Opening(name, float(np.degrees(amount)), "degrees") if hinge else Opening(name, amount, "m")]
     return [Opening(name, float(np.linalg.norm(residual)), "m")]

@@ -12,8 +12,8 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.figure.figure import Figure, JointKind, Link
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.posing import BodyGoal, entries, in_winding, posed
 
@@ -282,11 +282,7 @@ class _Chain:
 
     def _moves(self, jacobian: Array, i: int) -> Mask:
         """Return the axes (3,) along which a link's joint moves the body."""
-        return np.asarray(np.abs(jacobian[:, self._dofs(i)]).max(axis=1) > FLAT, bool)
-
-    def _dofs(self, i: int) -> Index:
-        link: Link = self.figure.links[i]
-        return link.dof + np.arange(3 if link.kind is JointKind.BALL else 1)
+        return np.asarray(np.abs(jacobian[:, self.figure.links[i].dofs]).max(axis=1) > FLAT, bool)
 
     def _turns_slides(self, i: int) -> bool:
         """Return whether a settable slide follows a rotating link, in another direction than its axis."""

@@ -13,6 +13,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
 from .. import layouts, missing_input, quantities
@@ -31,9 +32,9 @@ def columns(model: mujoco.MjModel) -> list[str]:
     for joint in range(model.njnt):
         name = model.joint(joint).name or f"joint{joint}"
         match model.jnt_type[joint]:
-            case mujoco.mjtJoint.mjJNT_FREE:
+            case JointKind.FREE:
                 out += [f"{name}.{part}" for part in FREE]
-            case mujoco.mjtJoint.mjJNT_BALL:
+            case JointKind.BALL:
                 out += [f"{name}.{part}" for part in FREE[3:]]
             case _:
                 out.append(name)

@@ -25,6 +25,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
 from ...motion import write_arrays
@@ -41,7 +42,6 @@ OF_MODEL = (
     "site_bodyid", "site_pos", "site_quat",
 )  # fmt: skip
 OF_DATA = ("xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat")
-WIDTHS = {0: 7, 2: 1, 3: 1}  # entries in qpos by type of joint
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
@@ -92,14 +92,15 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         return _before_1_0(arrays, model, path, fps)
     declared = _declared(arrays, path)
     names, kinds = arrays.texts("joint_names"), arrays.numbers("jnt_type", "joints").astype(int).tolist()
-    if len(kinds) != len(names) or not set(kinds) <= WIDTHS.keys() or kinds.count(0) != 1:
+    fits = set(kinds) <= {JointKind.FREE, JointKind.SLIDE, JointKind.HINGE} and kinds.count(JointKind.FREE) == 1
+    if len(kinds) != len(names) or not fits:
         raise UserError(f"{path}: 'jnt_type' must list one free joint and one hinge for each of 'joint_names'")
-    starts = np.cumsum([0, *(WIDTHS[kind] for kind in kinds)]).tolist()
+    starts = np.cumsum([0, *(JointKind(kind).width for kind in kinds)]).tolist()
     qpos = arrays.numbers("qpos", "samples", starts[-1])
     if declared > len(qpos):
         arrays.check_samples("split_points", (declared,))
-    root = starts[kinds.index(0)]
-    hinges = [i for i, kind in enumerate(kinds) if kind != 0]
+    root = starts[kinds.index(JointKind.FREE)]
+    hinges = [i for i, kind in enumerate(kinds) if kind != JointKind.FREE]
     rotation = ArrayReader(path, {"qpos (the root's quaternion)": qpos[:, root + 3 : root + 7]})
     turned = rotation.quaternions("qpos (the root's quaternion)", "samples", 4)
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
@@ -124,7 +125,7 @@ def _before_1_0(reader: ArrayReader, model: mujoco.MjModel, path: Path, fps: flo
     """Read one array per joint, for models of that version, whose roots are slides and hinges."""
     joints = [model.joint(joint).name for joint in range(model.njnt)]
     missing = [name for name in joints if BEFORE + name not in reader]
-    if missing or not set(model.jnt_type.tolist()) <= {2, 3}:
+    if missing or not set(model.jnt_type.tolist()) <= {JointKind.SLIDE, JointKind.HINGE}:
         there = ", ".join(name.removeprefix(BEFORE) for name in reader.entries if name.startswith(BEFORE))
         lacking = f"no '{BEFORE}{missing[0]}'" if missing else "a root of slides and hinges"
         raise UserError(

@@ -21,16 +21,16 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
 from .. import layouts, plain_pickle
 from ..array_reader import times
-from ..robot import FREE, needs_figure
-from ..skeleton.hinge_joints import BALL, HingeLayout, angles, rotation_of
+from ..robot import needs_figure
+from ..skeleton.hinge_joints import HingeLayout, angles, rotation_of
 from ..trajectory import Recording, SampledTrajectory
 
 CLAMP, WRAP = 0, 1  # values of loop_mode
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 CHARACTER = "xyz"  # order of the hinges in character files
 
 
@@ -67,30 +67,30 @@ class Part:
 def parts(model: mujoco.MjModel) -> tuple[int, list[Part]]:
     """Return the root's first column and the joints of the other bodies; raises UserError for joints MimicKit lacks."""
     kinds = model.jnt_type.tolist()
-    if kinds.count(FREE) != 1:
+    if kinds.count(JointKind.FREE) != 1:
         raise UserError("the format 'mimickit' is for a figure with one free joint, its root")
-    root = int(model.jnt_bodyid[kinds.index(FREE)])
+    root = int(model.jnt_bodyid[kinds.index(JointKind.FREE)])
     out = []
     for body in range(model.nbody):
-        joints = [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) == body and kinds[j] != FREE]
+        joints = [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) == body and kinds[j] != JointKind.FREE]
         if not joints:
             continue
         name = model.body(body).name or f"body{body}"
         if int(model.body_rootid[body]) != root or body == root:
             raise UserError(f"the format 'mimickit' has no place for the joints of the body '{name}'")
         out.append(_part(model, joints, name))
-    return int(model.jnt_qposadr[kinds.index(FREE)]), out
+    return int(model.jnt_qposadr[kinds.index(JointKind.FREE)]), out
 
 
 def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
     types = [int(model.jnt_type[joint]) for joint in joints]
     columns = [int(model.jnt_qposadr[joint]) for joint in joints]
-    if types == [BALL]:
+    if types == [JointKind.BALL]:
         return Part([columns[0] + n for n in range(4)])
     rest = tuple(model.qpos0[columns].tolist())
-    if types == [HINGE]:
+    if types == [JointKind.HINGE]:
         return Part(columns, rest=rest)
-    if types == [HINGE] * 3:
+    if types == [JointKind.HINGE] * 3:
         axes = [model.jnt_axis[joint] for joint in joints]
         order = "".join("xyz"[int(np.argmax(axis))] for axis in axes)
         if sorted(order) == list("xyz") and all(axis.max() > 1 - 1e-9 for axis in axes):

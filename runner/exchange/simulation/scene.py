@@ -31,7 +31,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure import wrench
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
 
 from ...clip import load as clip
@@ -57,9 +57,6 @@ SLIDING = 3  # `condim` of a contact with sliding friction
 OVERLAP = 2e-4  # fraction of the figure's size from which penetrating bodies count as overlapping by design
 LISTED, LOOKED_AT = 3, 200  # most pairs in a note, most poses of a motion that are checked
 ALL = 1  # bit of `contype` by which formerly visual geoms collide with the scenery
-BALL, FREE, HINGE, SLIDE = (
-    int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("BALL", "FREE", "HINGE", "SLIDE")
-)
 CONSTRAINED = ("EQUALITY", "FRICTIONLOSS", "LIMIT")  # forces other than contacts that the flag CONSTRAINT disables
 FIGURE_FLAGS = ("GRAVITY", "PASSIVE", "SPRING", "DAMPER", *CONSTRAINED, "SENSOR")
 TELLING = ("CONTACT", "CONSTRAINT", "ACTUATION", "FILTERPARENT")  # flags of the model whose override is reported
@@ -132,15 +129,15 @@ def drives(trajectory: SampledTrajectory) -> list[Drive]:
     largest = np.abs(np.nan_to_num(Forces.of(trajectory).torques)).max(axis=0, initial=0)
     out: list[Drive] = []
     for joint in range(model.njnt):
-        kind, dof = int(model.jnt_type[joint]), int(model.jnt_dofadr[joint])
-        if kind == FREE:
+        kind, dof = JointKind(model.jnt_type[joint]), int(model.jnt_dofadr[joint])
+        if kind is JointKind.FREE:
             continue
-        dofs = slice(dof, dof + (3 if kind == BALL else 1))
+        dofs = slice(dof, dof + kind.freedom)
         inertia = float(model.dof_M0[dofs].max())
-        offset = OFFSET * (GIVE if kind == SLIDE else 1)
+        offset = OFFSET * (GIVE if kind is JointKind.SLIDE else 1)
         kp = _rounded(max(inertia * (2 * np.pi * FREQUENCY) ** 2, least[joint], largest[dofs].max() / offset))
         kv = _rounded(kp * DAMPING)
-        for axis in range(3) if kind == BALL else (None,):
+        for axis in range(3) if kind is JointKind.BALL else (None,):
             name = joints[joint] if axis is None else f"{joints[joint]}_{'xyz'[axis]}"
             out.append(Drive(unique([name], [drive.name for drive in out])[0], joint, axis, kp, kv))
     return out
@@ -170,8 +167,7 @@ def _least(trajectory: SampledTrajectory) -> Array:
     gain = STANDING * wrench.weight(figure, root) * wrench.height(figure, root)
     for link in _standing(figure, {point.link for point in points}):
         joint = figure.links[link].joint
-        hinged = int(model.jnt_type[joint]) in (BALL, HINGE)
-        out[joint] = gain if hinged else gain / GIVE**2
+        out[joint] = gain / GIVE**2 if model.jnt_type[joint] == JointKind.SLIDE else gain
     return out
 
 
@@ -181,7 +177,7 @@ def _standing(figure: Figure, feet: set[int]) -> set[int]:
     above = {0, *(figure.root.links if figure.root is not None else ())}
     for foot in feet:
         link = foot
-        while link not in above and figure.links[link].kind is not figure.links[link].kind.FREE:
+        while link not in above and figure.links[link].kind is not JointKind.FREE:
             out.add(link)
             link = figure.links[link].parent
     return out

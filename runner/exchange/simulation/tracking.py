@@ -12,10 +12,11 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 
 from ...scene.compose import quietly
 from ..trajectory import SampledTrajectory
-from .scene import FREE, SLIDE, TIMESTEPS, Simulation
+from .scene import TIMESTEPS, Simulation
 
 DURATION = 1.0  # [s] simulated
 ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] largest deviations of a scene that follows its motion
@@ -66,7 +67,7 @@ def tracked(simulation: Simulation, trajectory: SampledTrajectory) -> Tracking:
     data.time, data.qpos, data.qvel, data.ctrl = first, trajectory.qpos[0], trajectory.qvel[0], aims[0]
     is_length = np.zeros(model.nv, bool)
     for kind, dof in zip(model.jnt_type.tolist(), model.jnt_dofadr.tolist(), strict=True):
-        is_length[dof : dof + (3 if kind == FREE else int(kind == SLIDE))] = True
+        is_length[dof : dof + (3 if kind == JointKind.FREE else int(kind == JointKind.SLIDE))] = True
     times, errors, fell = [first], [np.zeros(model.nv)], False
     with quietly():
         while data.time < last and not fell:
@@ -89,7 +90,7 @@ def refined(simulation: Simulation, trajectory: SampledTrajectory) -> tuple[Simu
     None is tried if a free joint, which has no actuator, deviates first.
     """
     first, model = tracked(simulation, trajectory), simulation.model
-    if first.is_within or model.jnt_type[model.dof_jntid[first.leaves[1]]] == FREE:
+    if first.is_within or model.jnt_type[model.dof_jntid[first.leaves[1]]] == JointKind.FREE:
         return simulation, first
     for timestep in FINER:
         if timestep < simulation.model.opt.timestep:

@@ -16,6 +16,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import subtree
 
 from . import hierarchy
@@ -170,7 +171,7 @@ def _middle(model: mujoco.MjModel, chain: _Chain, turn: Array) -> int | None:
 
 def _turns_about(model: mujoco.MjModel, body: int, turn: Array, line: Array) -> bool:
     joints = hierarchy.joints(model, [body])
-    if len(joints) != 1 or model.jnt_type[joints[0]] != mujoco.mjtJoint.mjJNT_HINGE:
+    if len(joints) != 1 or model.jnt_type[joints[0]] != JointKind.HINGE:
         return False
     axis = quat.rotated(turn[body], model.jnt_axis[joints[0]])
     return bool(abs(axis @ line) > ALONG * max(float(np.linalg.norm(line)), 1e-9))

@@ -22,6 +22,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
 from ...scene.assets import Scene
@@ -29,8 +30,6 @@ from ...scene.assets import Scene
 ORDER = "xzy"
 NEAR = np.radians(10)  # [rad] largest distance from gimbal lock that is reported, as angles change fast near it
 LOCKED = 1e-6  # cos b below which a and c are not unique
-WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}  # entries in qpos and qvel by type of joint
-BALL = int(mujoco.mjtJoint.mjJNT_BALL)
 REFERRING = ("actuator", "sensor", "equality", "tendon")
 ROTATION_ONLY = (
     "range", "ref", "springref", "axis", "limited", "type", "name", "actuatorfrcrange", "actuatorfrclimited",
@@ -107,7 +106,7 @@ class HingeLayout:
         out = []
         for joint in range(model.njnt):
             name = model.joint(joint).name or f"joint{joint}"
-            is_ball = model.jnt_type[joint] == BALL
+            is_ball = model.jnt_type[joint] == JointKind.BALL
             out.append((joint, tuple(f"{name}_{axis}" for axis in self.order) if is_ball else (name,)))
         names = [name for _, hinges in out for name in hinges]
         twice = next((name for name in names if names.count(name) > 1), None)
@@ -137,7 +136,7 @@ class HingeLayout:
         out = []
         for (joint, names), start in zip(self.joints, self._starts, strict=True):
             dof = self.model.jnt_dofadr[joint]
-            part = qvel[:, dof : dof + WIDTHS[int(self.model.jnt_type[joint])][1]]
+            part = qvel[:, dof : dof + self._kind(joint).freedom]
             out.append(part if len(names) == 1 else rates(hinges[:, start : start + 3], part, self.order))
         return np.concatenate(out, 1)
 
@@ -145,8 +144,7 @@ class HingeLayout:
         """Return configurations (T, nq) of the model for those (T, nq') of the variant."""
         out = []
         for (joint, names), start in zip(self.joints, self._starts, strict=True):
-            width = 3 if len(names) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0]
-            part = hinges[:, start : start + width]
+            part = hinges[:, start : start + self._width(joint)]
             out.append(part if len(names) == 1 else quat.aligned(rotation_of(part, self.order)))
         return np.concatenate(out, 1)
 
@@ -196,15 +194,19 @@ class HingeLayout:
 
     def _columns(self, joint: int) -> slice:
         start = self.model.jnt_qposadr[joint]
-        return slice(start, start + WIDTHS[int(self.model.jnt_type[joint])][0])
+        return slice(start, start + self._kind(joint).width)
+
+    def _kind(self, joint: int) -> JointKind:
+        return JointKind(self.model.jnt_type[joint])
+
+    def _width(self, joint: int) -> int:
+        """Return the number of entries of a joint of the model in the variant's qpos."""
+        return 3 if self._kind(joint) is JointKind.BALL else self._kind(joint).width
 
     @cached_property
     def _starts(self) -> list[int]:
         """The first column of every joint of the model in the variant's qpos."""
-        widths = [
-            3 if len(hinges) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0] for joint, hinges in self.joints
-        ]
-        return [0, *np.cumsum(widths[:-1]).tolist()]
+        return [0, *np.cumsum([self._width(joint) for joint, _ in self.joints[:-1]]).tolist()]
 
 
 def _replace(body: ElementTree.Element, ball: ElementTree.Element, names: tuple[str, ...]) -> None:

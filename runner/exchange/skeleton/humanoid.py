@@ -9,10 +9,9 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
-from ..robot import FREE
-from .hinge_joints import BALL
 
 SIDES = ("left", "right")
 JOINTS = ("spine", *(f"{side}_{part}" for side in SIDES for part in ("shoulder", "elbow", "hip", "knee", "ankle")))
@@ -32,9 +31,9 @@ class Humanoid:
         """Return the Humanoid of a figure like the shipped human: at rest upright, facing x, bodies parallel to the
         world."""
         kinds = model.jnt_type.tolist()
-        balls = {model.joint(j).name: j for j, kind in enumerate(kinds) if kind == BALL}
+        balls = {model.joint(j).name: j for j, kind in enumerate(kinds) if kind == JointKind.BALL}
         missing = [name for name in JOINTS if name not in balls]
-        if missing or kinds.count(FREE) != 1:
+        if missing or kinds.count(JointKind.FREE) != 1:
             lacks = f"ball joint '{missing[0]}'" if missing else "one free joint"
             names = ", ".join(model.joint(j).name or "?" for j in range(model.njnt))
             raise UserError(
@@ -52,7 +51,7 @@ class Humanoid:
         soles = soles or [data.xpos[foot, 2] for foot in feet]
         hips = np.mean([data.xpos[bodies[f"{side}_hip"], 2] for side in SIDES])
         columns = {name: int(model.jnt_qposadr[joint]) for name, joint in balls.items()}
-        return cls(model, int(model.jnt_qposadr[kinds.index(FREE)]), columns, float(hips - min(soles)))
+        return cls(model, int(model.jnt_qposadr[kinds.index(JointKind.FREE)]), columns, float(hips - min(soles)))
 
     def rotation(self, qpos: Array, joint: str | None = None) -> Array:
         """Return quaternions (T, 4) of a joint, or of the root."""

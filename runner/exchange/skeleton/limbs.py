@@ -16,6 +16,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.posing import LeastSquares, Residuals
 
 from .hierarchy import joints
@@ -26,7 +27,7 @@ RANGE = 1e3  # [1/rad] weight of joint ranges
 STEPS, LONGEST = 30, 0.3  # most iterations of least squares; [rad] largest change of a joint in one
 STILL = 1e-4  # [rad] step below which a sample has converged
 RUN = 2000  # most samples bent at once, which bounds the memory
-TURNING = [int(kind) for kind in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_BALL)]
+TURNING = [JointKind.HINGE, JointKind.BALL]
 
 
 @dataclass(frozen=True)
@@ -104,10 +105,10 @@ def _ranges(model: mujoco.MjModel, limb: Limb) -> tuple[Array, Array]:
     """Return lower and upper bounds (D,) of the degrees of freedom; ball joints are unbounded."""
     low, high = list[float](), list[float]()
     for joint in joints(model, limb.bodies):
-        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
+        if model.jnt_type[joint] == JointKind.BALL:
             low += [-np.inf] * 3
             high += [np.inf] * 3
-        elif model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE:
+        elif model.jnt_type[joint] == JointKind.HINGE:
             low.append(model.jnt_range[joint, 0] if model.jnt_limited[joint] else -np.inf)
             high.append(model.jnt_range[joint, 1] if model.jnt_limited[joint] else np.inf)
     return np.array(low), np.array(high)
@@ -118,9 +119,9 @@ def _values(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int]) -> Array:
     columns = list[Array]()
     for joint in joints(model, bodies):
         at = model.jnt_qposadr[joint]
-        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
+        if model.jnt_type[joint] == JointKind.BALL:
             columns += [np.zeros(len(qpos))] * 3
-        elif model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE:
+        elif model.jnt_type[joint] == JointKind.HINGE:
             columns.append(qpos[:, at])
     return np.stack(columns, axis=1)
 
@@ -130,11 +131,11 @@ def _move(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], step: Array
     k = 0
     for joint in joints(model, bodies):
         at = model.jnt_qposadr[joint]
-        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
+        if model.jnt_type[joint] == JointKind.BALL:
             turned = quat.product(qpos[:, at : at + 4], quat.from_rotation_vector(step[:, k : k + 3]))
             qpos[:, at : at + 4] = quat.normalised(turned)
             k += 3
-        elif model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE:
+        elif model.jnt_type[joint] == JointKind.HINGE:
             qpos[:, at] = np.clip(qpos[:, at] + step[:, k], low[k], high[k])
             k += 1
 
@@ -150,18 +151,18 @@ def _bent(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Ar
         for joint in joints(model, [body]):
             at, anchor = model.jnt_qposadr[joint], place + quat.rotated(turn, model.jnt_pos[joint])
             match model.jnt_type[joint]:
-                case mujoco.mjtJoint.mjJNT_HINGE:
+                case JointKind.HINGE:
                     axes.append(quat.rotated(turn, model.jnt_axis[joint]))
                     angle = qpos[:, at] - model.qpos0[at]
                     turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
                     anchors.append(anchor)
                     moved.append(body)
-                case mujoco.mjtJoint.mjJNT_BALL:
+                case JointKind.BALL:
                     turn = quat.product(turn, qpos[:, at : at + 4])
                     axes += [quat.rotated(turn, axis) for axis in np.eye(3)]
                     anchors += [anchor] * 3
                     moved += [body] * 3
-                case mujoco.mjtJoint.mjJNT_SLIDE:
+                case JointKind.SLIDE:
                     along = quat.rotated(turn, model.jnt_axis[joint])
                     anchor = anchor + (qpos[:, at] - model.qpos0[at])[:, None] * along
             place = anchor - quat.rotated(turn, model.jnt_pos[joint])

@@ -21,6 +21,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import Root, subtree
 
 from ...errors import UserError
@@ -429,7 +430,7 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
             world[:, link] = _forward(model, qpos, [link], world[:, parent[link]])
         settled.update(chain)
     for joint in range(model.njnt):
-        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE and not model.jnt_limited[joint]:
+        if model.jnt_type[joint] == JointKind.HINGE and not model.jnt_limited[joint]:
             qpos[:, model.jnt_qposadr[joint]] = np.unwrap(qpos[:, model.jnt_qposadr[joint]])
     return qpos
 
@@ -442,11 +443,11 @@ def _forward(model: mujoco.MjModel, qpos: Array, bodies: list[int], start: Array
         for joint in hierarchy.joints(model, [body]):
             at = model.jnt_qposadr[joint]
             match model.jnt_type[joint]:
-                case mujoco.mjtJoint.mjJNT_FREE:
+                case JointKind.FREE:
                     turn = qpos[:, at + 3 : at + 7]
-                case mujoco.mjtJoint.mjJNT_BALL:
+                case JointKind.BALL:
                     turn = quat.product(turn, qpos[:, at : at + 4])
-                case mujoco.mjtJoint.mjJNT_HINGE:
+                case JointKind.HINGE:
                     angle = qpos[:, at] - model.qpos0[at]
                     turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
     return turn
@@ -457,10 +458,10 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
     joints = hierarchy.joints(model, chain)
     for joint in joints:
         at = model.jnt_qposadr[joint]
-        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_FREE:
+        if model.jnt_type[joint] == JointKind.FREE:
             qpos[:, at + 3 : at + 7] = wanted
             return
-    balls = [joint for joint in joints if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL]
+    balls = [joint for joint in joints if model.jnt_type[joint] == JointKind.BALL]
     if balls:
         at = model.jnt_qposadr[balls[-1]]
         qpos[:, at : at + 4] = [1, 0, 0, 0]
@@ -470,7 +471,7 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
         turned = quat.product(quat.product(quat.conjugate(before), wanted), quat.conjugate(after))
         qpos[:, at : at + 4] = quat.aligned(quat.normalised(turned))
         return
-    hinges = [joint for joint in joints if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE]
+    hinges = [joint for joint in joints if model.jnt_type[joint] == JointKind.HINGE]
     if not hinges:
         return
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.figure.root import SLIDE, Root, roots_of
+from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.posing import BodyGoal, PoseSearch, entries
 
 from ...errors import UserError
@@ -32,7 +32,7 @@ def shifted(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
         start = int(model.jnt_qposadr[root.joints[0]])
         out[:, start : start + 3] += by
         return out
-    slides = [joint for joint in root.joints if model.jnt_type[joint] == SLIDE]
+    slides = [joint for joint in root.joints if model.jnt_type[joint] == JointKind.SLIDE]
     columns = model.jnt_qposadr[slides]
     for row, move, data in zip(out, by, posed(model, qpos), strict=True):
         row[columns] += np.linalg.lstsq(data.xaxis[slides].T, move, rcond=None)[0]

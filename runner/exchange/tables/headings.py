@@ -15,11 +15,11 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of
 
 from ...errors import UserError
 
-FREE, HINGE, SLIDE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "HINGE", "SLIDE"))
 UNIT = re.compile(r"[\[(]\s*([^\])]*?)\s*[\])]\s*$")
 DEGREES, MILLI = {"deg", "degree", "degrees", "°"}, {"mm", "ms"}
 CENTI = {"cm"}
@@ -70,7 +70,7 @@ def resolve(
     notes = []
     if others:
         notes.append(f"columns by other names: {', '.join(others[:4])}" + (" and so on" if len(others) > 4 else ""))
-    hinges = {components[int(model.jnt_qposadr[j])] for j in range(model.njnt) if model.jnt_type[j] == HINGE}
+    hinges = {components[int(model.jnt_qposadr[j])] for j in range(model.njnt) if model.jnt_type[j] == JointKind.HINGE}
     factors = [_factor(units[places[name]], bare[places[name]], is_hinge=name in hinges) for name in components]
     if any(name in hinges and factor != 1 for name, factor in zip(components, factors, strict=True)):
         notes.append("angles in degrees, by their columns' names")
@@ -129,7 +129,7 @@ def _aliases(
     stems = {
         j: _stem(components[int(model.jnt_qposadr[j])])
         for j in range(model.njnt)
-        if model.jnt_type[j] in (HINGE, SLIDE)
+        if model.jnt_type[j] in (JointKind.HINGE, JointKind.SLIDE)
     }
     claimed = set(out.values())
     for joint, stem in stems.items():

@@ -26,9 +26,6 @@ RATE = 100.0  # [1/s] sampling rate of a short motion
 MOST = 1500  # number of samples of a long motion
 FAR = 10.0  # [m] height of a point without a surface below it
 DIGITS = 3  # decimal places of drawn values
-SIZE = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}  # degrees of freedom
-
-
 Series = dict[str, str | list[float]]  # "name", and values "after" and "before"
 Group = dict[str, Any]  # "name", "unit", and "series" of this unit
 
@@ -100,8 +97,7 @@ def _angle(figure: Figure, index: int, qpos: Array) -> Array:
 
 def _size(figure: Figure, index: int, values: Array) -> Array:
     """Return the norm of a joint's part of velocities or forces (T, nv), of a free joint's rotation only, (T,)."""
-    link = figure.links[index]
-    components = values[:, link.dof : link.dof + SIZE[link.kind]]
+    components = values[:, figure.links[index].dofs]
     return np.linalg.norm(components[:, -3:], axis=1) if components.shape[1] > 1 else components[:, 0]
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.polynomial.polynomial import polyder, polyval
 
 from ...array import Array, Index
-from ...figure.figure import Figure
+from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
 from ..block import Block, Entries
 from ..penalty import Normalization, Penalty, Role
@@ -91,7 +91,7 @@ def couplings(figure: Figure) -> tuple[Coupling, ...]:
         if driver < 0:
             coefficients[1:] = 0
         rest = float(model.qpos0[follower]), float(model.qpos0[driver]) if two >= 0 else 0.0
-        slides = model.jnt_type[one] == int(mujoco.mjtJoint.mjJNT_SLIDE)
+        slides = model.jnt_type[one] == JointKind.SLIDE
         name = figure.links[one + 1].name
         result.append(Coupling(name, follower, driver, rest, coefficients, "m" if slides else "degrees"))
     return tuple(result)
