@@ -27,7 +27,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty import BendLimits
-from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, entries, limb, posed
+from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, limb, posed
 from dynsplines.solver.surface.points import Point, site_points
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests" / "support"))
@@ -107,7 +107,7 @@ class Draw:
         if number % 2:
             free[:] = False
             for link in {i for point in chosen for i in limb(figure, figure.links[point.link].body)}:
-                free[entries(figure, link)] = True
+                free[figure.links[link].columns] = True
             there = np.where(free, there, rest)
         data = mujoco.MjData(figure.model)
         data.qpos[:] = there

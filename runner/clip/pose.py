@@ -11,7 +11,6 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
 from dynsplines.solver.penalty import Placed
-from dynsplines.solver.posing import entries
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
@@ -136,7 +135,7 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
     if row.others == "previous" and before is not None:
         qpos, fixed = np.array(before.state), np.array(before.fixed)
     for i in loose:
-        fixed[entries(figure, i)] = False
+        fixed[figure.links[i].columns] = False
     named = {link.name: link for link in figure.links[1:]}
     for name, value in row.joints.items():
         if name not in named:

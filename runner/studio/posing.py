@@ -29,7 +29,6 @@ from dynsplines.solver.posing import (
     SupportPolygon,
     chain,
     dragged,
-    entries,
     limb,
 )
 from dynsplines.solver.surface import static_surfaces
@@ -109,9 +108,9 @@ class Poser:
         links, root = limb(figure, body), (chain(figure, body)[-1:] or [0])[0]
         limb_mask, whole = np.zeros(figure.width, bool), np.zeros(figure.width, bool)
         for link in links:
-            limb_mask[entries(figure, link)] = figure.links[link].kind is not JointKind.FREE
-        for link in range(1, len(figure.links)):
-            whole[entries(figure, link)] = bool(figure.tables.path[link, root])
+            limb_mask[figure.links[link].columns] = figure.links[link].kind is not JointKind.FREE
+        for i, link in enumerate(figure.links[1:], 1):
+            whole[link.columns] = bool(figure.tables.path[i, root])
         if alone and limb_mask.any():
             whole = limb_mask
         self._place(qpos)
@@ -127,7 +126,7 @@ class Poser:
             tuple(hanging), False, () if floor is None else (floor,),
         )  # fmt: skip
         support = self._support(grip, hanging)
-        can_balance = support is not None and bool(whole[entries(figure, root)].all())
+        can_balance = support is not None and bool(whole[figure.links[root].columns].all())
         return replace(grip, is_balanced=can_balance and support.excess(self.data) < BALANCED)
 
     def _stands(self, link: int) -> bool:
@@ -256,9 +255,8 @@ class Poser:
         """
         is_moved = np.ones(self.figure.width, bool)
         if home is not None:
-            for link in range(1, len(self.figure.links)):
-                columns = entries(self.figure, link)
-                is_moved[columns] = np.abs(qpos[columns] - home[columns]).max() >= MOVED
+            for link in self.figure.links[1:]:
+                is_moved[link.columns] = np.abs(qpos - home)[link.columns].max() >= MOVED
         row = tables(keyframe_tables(self.figure, [Frame.key(0.0, qpos, is_moved)])[0])
         return {"joints": {}} | {key: _rounded(value) for key, value in row.items() if key != "time"}
 

@@ -17,7 +17,6 @@ from .goals import Goal as Goal
 from .goals import GraspGoal as GraspGoal
 from .goals import PointGoal as PointGoal
 from .goals import chain as chain
-from .goals import entries as entries
 from .goals import limb as limb
 from .goals import reached as reached
 from .goals import same_heading as same_heading

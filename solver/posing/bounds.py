@@ -12,7 +12,6 @@ from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
 from ..penalty.joints.bend import ALONG, FLAT, BendLimits, bent
-from .goals import entries
 
 STRAIGHT = 3.0  # [1] weight of sideways and twist angles of knees and elbows, relative to rotations of a limb joint
 ONE_SIDED = 0.25  # [1] a hinge bends one way if its rest value is within this share of its range from an end
@@ -133,7 +132,7 @@ class Bends:
 
     @classmethod
     def of(cls, figure: Figure, limits: BendLimits, free: Mask) -> Bends | None:
-        joints = tuple(joint for joint in limits.joints if free[entries(figure, joint.link)].all())
+        joints = tuple(joint for joint in limits.joints if free[figure.links[joint.link].columns].all())
         if not joints:
             return None
         links = [figure.links[joint.link] for joint in joints]

@@ -225,7 +225,7 @@ def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
     """Return the mask of the entries of qpos that goals depend on, (nq,): the joints from the root to their bodies."""
     mask = np.zeros(figure.width, bool)
     for link in {link for goal in goals for link in moved_by(figure, goal)}:
-        mask[entries(figure, link)] = True
+        mask[figure.links[link].columns] = True
     return mask
 
 
@@ -234,11 +234,6 @@ def limb(figure: Figure, body: int) -> list[int]:
     links = chain(figure, body)
     forks = [i for i, link in enumerate(links) if i > 0 and figure.tables.children[link] > 1]
     return links[: forks[0]] if forks else links
-
-
-def entries(figure: Figure, link: int) -> slice:
-    """Return the columns of qpos of a link's joint."""
-    return figure.links[link].columns
 
 
 def _at_rest(model: mujoco.MjModel, body: int) -> Array:

@@ -12,7 +12,7 @@ from ..array import Array, Mask
 from ..cache import Cache, cache_key
 from ..figure.figure import Figure, JointKind
 from ..penalty.joints.bend import BendLimits
-from .goals import Goal, entries, moved_by, reached
+from .goals import Goal, moved_by, reached
 from .pose_search import Posed, PoseSearch
 
 STARTS, SPREAD = 12, 0.4  # [1] largest number of starting poses; [rad] standard deviation of random rotations in them
@@ -115,7 +115,7 @@ def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]
     """Return the indices of goals in groups; goals that share free joints are in the same group."""
     groups: list[tuple[set[int], list[int]]] = []
     for number, goal in enumerate(goals):
-        links = {i for i in moved_by(figure, goal) if free[entries(figure, i)].any()}
+        links = {i for i in moved_by(figure, goal) if free[figure.links[i].columns].any()}
         touched = [group for group in groups if group[0] & links]
         groups = [group for group in groups if not group[0] & links]
         merged = sorted(i for _, members in touched for i in members)

@@ -18,7 +18,7 @@ from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
 from ..penalty.joints.bend import BendLimits
 from .bounds import Bends, Part, Ranges, joined
-from .goals import Goal, entries, moved_by, reached
+from .goals import Goal, moved_by, reached
 from .least_squares import LeastSquares, Residuals
 
 # [m, rad] largest residual norm of a goal that counts as met; residual at which the search ends
@@ -96,7 +96,7 @@ class PoseSearch:
         free = free & self.fixed
         self.dofs, self.weights = self._freedoms(links, free)
         self.joints = [
-            i for i in links if figure.links[i].kind is not JointKind.FREE and free[entries(figure, i)].all()
+            i for i in links if figure.links[i].kind is not JointKind.FREE and free[figure.links[i].columns].all()
         ]
         self.ranges = Ranges.of(figure, self.joints, self.dofs, beyond)
         if range_shares:
@@ -130,7 +130,7 @@ class PoseSearch:
         """
         rest, middle, rng = np.array(self.home), np.array(self.home), np.random.default_rng(0)
         for i in self.joints:
-            rest[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
+            rest[self.figure.links[i].columns] = self.model.qpos0[self.figure.links[i].columns]
         middle[self.ranges.simple] = self.ranges.limits.mean(axis=1)
         yield from (self.begun(rest, BENT[0]), self.begun(middle, BENT[1]))[:count]
         turns = self.weights != PER_METRE

@@ -17,7 +17,6 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.penalty import StancePenalty
-from dynsplines.solver.posing import entries
 
 HEIGHTS = [(0.7, True), (0.45, False)]
 KNEES = ("left_knee", "right_knee")
@@ -40,7 +39,7 @@ def told(problem: Clip, frame: Frame, joint: str) -> bool:
     """Whether a keyframe was posed at a joint."""
     link = problem.figure.link_named(joint)
     assert link is not None
-    return frame.posed is not None and bool(frame.posed[entries(problem.figure, link)].all())
+    return frame.posed is not None and bool(frame.posed[problem.figure.links[link].columns].all())
 
 
 def posed_feet(problem: Clip) -> list[str]:
@@ -100,7 +99,7 @@ def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_be
     for joint in KNEES:
         link = problem.figure.link_named(joint)
         assert link is not None
-        columns = entries(problem.figure, link)
+        columns = problem.figure.links[link].columns
         assert quat.angle_between(there[columns], key.state[columns]) < 1e-9
         assert quat.rotation_vector(there[columns])[1] > np.radians(40)
     np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-6)

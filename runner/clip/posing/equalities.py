@@ -14,7 +14,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.posing import entries, posed
+from dynsplines.solver.posing import posed
 
 OPEN = {"m": 1e-3, "degrees": 0.1}  # least violation of a constraint that is reported
 
@@ -68,10 +68,9 @@ class Equalities:
         Free joints are constant unless nothing else closes the constraints.
         """
         figure = self.figure
-        kinds = [(link.kind, entries(figure, i)) for i, link in enumerate(figure.links) if i]
         rigid, free = np.ones(figure.width, bool), np.ones(figure.width, bool)
-        for kind, columns in kinds:
-            rigid[columns] = kind is not JointKind.FREE
+        for link in figure.links[1:]:
+            rigid[link.columns] = link.kind is not JointKind.FREE
         for movable in (rigid, free) if not rigid.all() else (free,):
             pose = posed(figure, qpos, movable, (self,))
             if pose.is_met:

@@ -15,7 +15,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import Root, roots_of
-from dynsplines.solver.posing import BodyGoal, entries, in_winding, posed
+from dynsplines.solver.posing import BodyGoal, in_winding, posed
 
 from ...errors import UserError, unknown
 from ..table import KeyframeTable, RootTable, RotationTable
@@ -66,10 +66,8 @@ def posed_roots(figure: Figure, row: KeyframeTable) -> list[tuple[Root, Sequence
 
 def _named_entries(figure: Figure, row: KeyframeTable) -> list[int]:
     names = {name for name, value in row.joints.items() if value != "free"}
-    every = np.arange(figure.width)
-    return [
-        int(k) for i, link in enumerate(figure.links) if i and link.name in names for k in every[entries(figure, i)]
-    ]
+    named = [link for link in figure.links[1:] if link.name in names]
+    return [k for link in named for k in range(link.columns.start, link.columns.stop)]
 
 
 def _tables(figure: Figure, row: KeyframeTable) -> list[tuple[Root, RootTable]]:
@@ -142,7 +140,7 @@ def _set(
     chain, is_posed = _Chain(figure, root, qpos, row.joints, where), root in dict(posed_roots(figure, row))
     if "rotation" in table.model_fields_set:
         if isinstance(table.rotation, RotationTable):
-            is_placed = all(fixed[entries(figure, i)].all() for i in root.links)
+            is_placed = all(fixed[figure.links[i].columns].all() for i in root.links)
             chain.turn(table.rotation, stays=is_placed and "position" not in table.model_fields_set)
             if table.rotation.quat is not None and before is not None:
                 turning = np.isin(np.arange(figure.width), [figure.links[i].qpos for i in chain.turning])
@@ -186,7 +184,7 @@ class _Chain:
     def fix(self, fixed: Mask, links: Sequence[int], value: bool) -> None:
         """Set a mask (nq,) at the entries of links."""
         for i in links:
-            fixed[entries(self.figure, i)] = value
+            fixed[self.figure.links[i].columns] = value
 
     def turn(self, table: RotationTable, *, stays: bool) -> None:
         """Rotate the body as a table specifies, about its origin if it `stays` in place and slides permit. Raises
@@ -232,7 +230,7 @@ class _Chain:
         jacobian = self._jacobian()[0]
         for i in self.root.links:
             link = self.figure.links[i]
-            if link.kind is JointKind.SLIDE or fixed[entries(self.figure, i)].all():
+            if link.kind is JointKind.SLIDE or fixed[self.figure.links[i].columns].all():
                 continue
             if self._moves(jacobian, i)[wanted].any() or self._turns_slides(i):
                 return link.name

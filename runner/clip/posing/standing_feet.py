@@ -30,7 +30,6 @@ from dynsplines.solver.posing import (
     GraspGoal,
     PointGoal,
     Posed,
-    entries,
     in_winding,
     limb,
     posed,
@@ -186,11 +185,11 @@ class Stander:
         for columns in self.figure.tables.quaternion_columns.T:
             trunk[columns] = True
         if self.figure.root is not None:
-            for link in self.figure.root.links:
-                trunk[entries(self.figure, link)] |= self.figure.links[link].kind is JointKind.HINGE
+            for link in (self.figure.links[i] for i in self.figure.root.links):
+                trunk[link.columns] |= link.kind is JointKind.HINGE
         legs = {link for goal in goals for link in limb(self.figure, goal.bodies(self.figure.model)[0])}
         for link in legs:
-            trunk[entries(self.figure, link)] = False
+            trunk[self.figure.links[link].columns] = False
         pose = posed(self.figure, home, free & ~trunk, goals, self.bends, 3)
         return pose if pose.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
 
@@ -344,7 +343,7 @@ class _KnownPositions:
     def _is_set(self, point: Point, k: int) -> bool:
         links = limb(self.figure, self.figure.links[point.link].body)
         fixed = self.timeline.frames[k].fixed
-        return any(fixed[entries(self.figure, link)].any() for link in links)
+        return any(fixed[self.figure.links[link].columns].any() for link in links)
 
     def _resting(self, point: Point, k: int) -> Array | None:
         """Return the position that a contact specifies for a point at keyframe k, None if contacts contradict."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, chain, entries
+from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, chain
 
 from ..table import KeyframeTable
 
@@ -65,7 +65,7 @@ def _remedy(figure: Figure, key: Frame, row: KeyframeTable, goal: Goal) -> str:
     named: list[str] = []
     inherited: list[str] = []
     for link in _joints(figure, key, goal.bodies(figure.model)[0], is_fixed=True):
-        is_whole = bool(key.fixed[entries(figure, link)].all())
+        is_whole = bool(key.fixed[figure.links[link].columns].all())
         entry, is_named = _entry(figure, key, row, link, goal)
         name = figure.links[link].name if is_whole else entry
         if is_named or row.others != "free":  # otherwise an equality constraint determines it
@@ -95,7 +95,7 @@ def _entry(figure: Figure, key: Frame, row: KeyframeTable, link: int, goal: Goal
 def _joints(figure: Figure, key: Frame, body: int, *, is_fixed: bool) -> list[int]:
     """Return the links from the root to a body of which a keyframe fixes an entry, or leaves one free."""
     links = reversed(chain(figure, body))
-    masks = [(link, key.fixed[entries(figure, link)]) for link in links]
+    masks = [(link, key.fixed[figure.links[link].columns]) for link in links]
     return [link for link, mask in masks if (mask.any() if is_fixed else not mask.all())]
 
 

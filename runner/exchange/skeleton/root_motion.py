@@ -8,7 +8,7 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import Root, roots_of
-from dynsplines.solver.posing import BodyGoal, PoseSearch, entries
+from dynsplines.solver.posing import BodyGoal, PoseSearch
 
 from ...errors import UserError
 from ...scene.configuration import posed
@@ -48,7 +48,7 @@ def placed(model: mujoco.MjModel, root: Root, qpos: Array, position: Array, rota
     out, turned, figure = qpos.copy(), np.zeros(len(qpos)), Figure(model)
     free = np.zeros(figure.width, bool)
     for i in root.links:
-        free[entries(figure, i)] = figure.links[i].kind is not JointKind.SLIDE
+        free[figure.links[i].columns] = figure.links[i].kind is not JointKind.SLIDE
     for i, row in enumerate(out):
         goal = BodyGoal("root", rotation[i], root.body)
         start = np.where(free, out[max(i - 1, 0)], row)

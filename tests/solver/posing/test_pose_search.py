@@ -16,7 +16,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Bend, BendLimits
-from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, PoseSearch, entries, posed
+from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, PoseSearch, posed
 from dynsplines.solver.surface.points import Point, site_points
 
 RANGED = """
@@ -175,7 +175,7 @@ def test_as_many_poses_to_begin_with_as_asked_for_all_inside_the_ranges_and_the_
         np.testing.assert_array_equal(start[:3], home[:3])
         assert search.ranges.linearised(start)[0][1:].max() <= 1e-9
     if count > 0:
-        ball = entries(figure, figure.link_named("knee") or 0)
+        ball = figure.links[figure.link_named("knee") or 0].columns
         np.testing.assert_array_equal(starts[0][ball], figure.model.qpos0[ball])
         np.testing.assert_array_equal(starts[0][3:7], home[3:7])
     if count > 1:

@@ -23,7 +23,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty.joints.bend import bent
-from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, GraspGoal, PointGoal, bounds, entries, posed
+from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, GraspGoal, PointGoal, bounds, posed
 from dynsplines.solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
@@ -69,7 +69,7 @@ def assert_human(qpos: Array) -> None:
     for link in figure.links[2:]:
         angle = np.linalg.norm(quat.rotation_vector(qpos[link.qpos : link.qpos + 4]))
         assert angle <= figure.model.jnt_range[link.joint, 1]
-    own = np.array([qpos[entries(figure, joint.link)] for joint in BENDS.joints])
+    own = np.array([qpos[figure.links[joint.link].columns] for joint in BENDS.joints])
     flexion, sideways, twist = bent(figure, BENDS.joints, own)
     changed = np.any(own != figure.model.qpos0[7:11], axis=1)
     assert np.all(flexion[changed] >= BENDS.least)
@@ -110,7 +110,7 @@ def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
     for joint in ("knee", "hip", "ankle") if limb == "heel" else ("shoulder", "elbow"):
         link = figure.link_named(f"{side}_{joint}")
         assert link is not None
-        free[entries(figure, link)] = True
+        free[figure.links[link].columns] = True
     name = f"{side}_{limb}"
     target = seen(figure, home).site(name).xpos + rng.uniform(-0.4, 0.4, 3)
     found = posed(figure, home, free, [SiteGoal(name, target)], BENDS)
@@ -136,7 +136,7 @@ def test_the_joints_from_the_root_to_a_goal_are_what_it_fixes():
     figure = HUMAN["world"]
     target = seen(figure, figure.model.qpos0).site("left_heel").xpos + np.array([0, 0, 0.2])
     found = posed(figure, figure.model.qpos0, everything(figure), [SiteGoal("left_heel", target)], BENDS)
-    fixed = [link.name for i, link in enumerate(figure.links) if i and found.fixed[entries(figure, i)].all()]
+    fixed = [link.name for i, link in enumerate(figure.links) if i and found.fixed[figure.links[i].columns].all()]
     assert fixed == ["root", "left_hip", "left_knee", "left_ankle"]
     np.testing.assert_array_equal(found.qpos[~found.fixed], figure.model.qpos0[~found.fixed])
 
@@ -150,7 +150,7 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
     assert found.is_met
     knee = figure.link_named("right_knee")
     assert knee is not None
-    turn = np.degrees(quat.rotation_vector(found.qpos[entries(figure, knee)]))
+    turn = np.degrees(quat.rotation_vector(found.qpos[figure.links[knee].columns]))
     assert turn[1] > 20
     np.testing.assert_allclose(turn[[0, 2]], 0, atol=1)
     assert_human(found.qpos)
@@ -188,7 +188,7 @@ def test_legs_that_home_has_turned_far_round_stand_all_the_same():
         home[:7] = [0, 0, 0.915, *quat.from_rotation_vector([0, 0, np.radians(-20)])]
         for side, own in turns.items():
             for name, turn in zip(("hip", "knee", "ankle"), own, strict=True):
-                columns = entries(figure, figure.link_named(f"{side}_{name}") or 0)
+                columns = figure.links[figure.link_named(f"{side}_{name}") or 0].columns
                 home[columns] = quat.normalised(turn + 0.01 * rng.normal(size=4))
                 free[columns] = True
         found = posed(figure, home, free, goals, posing_bends(figure, {"limits": LimitOptions(least_bend=4.0)}))
