@@ -60,6 +60,13 @@ def unknown(kind: str, name: str, choices: Iterable[str]) -> str:
     return f"no {kind} '{name}'{guess} {several}: {', '.join(names) or 'none'}"
 
 
+def listed(names: Iterable[str], most: int = 3) -> str:
+    """Return the first names of a list: "a, b and 3 more"."""
+    first = list(names)
+    more = f" and {len(first) - most} more" if len(first) > most else ""
+    return ", ".join(first[:most]) + more
+
+
 class Renames:
     """Base of public classes. Reading a renamed attribute raises an AttributeError with its present name."""
 

@@ -22,7 +22,7 @@ from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.tracking.penalties import ground_of, rests_of
 from ..clip.tracking.recording import RecordedPath
-from ..errors import UserError
+from ..errors import UserError, listed
 from ..exchange import formats, gaps
 from ..exchange.motion_import import read_recording
 from ..exchange.skeleton import maps
@@ -254,9 +254,8 @@ def _stances(result: Cleaned) -> Iterator[str]:
     """Yield a note on the stances of every point."""
     for point in result.ground.points:
         spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point is point]
-        more = f" and {len(spans) - NAMED} more" if len(spans) > NAMED else ""
         if spans:
-            yield f"{point.name} stands {', '.join(spans[:NAMED])}{more} s"
+            yield f"{point.name} stands {listed(spans, NAMED)} s"
 
 
 def _displacement_notes(comparison: Comparison, max_displacement: float) -> Iterator[str]:

@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.curve.recording import groups, places
 from dynsplines.solver.figure.figure import Figure
 
-from ..errors import UserError
+from ..errors import UserError, listed
 from ..exchange import gaps
 from .rest_pose_trim import RestPose, find_rest_pose
 
@@ -92,8 +92,7 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
     bad = np.flatnonzero(~known.all(axis=1))
     if bad.size:
         joints = [_name(figure, columns) for columns in groups(figure) if not known[:, columns].all()]
-        whose = ", ".join(joints[:3]) + (f" and {len(joints) - 3} more" if len(joints) > 3 else "")
-        notes.append(f"{bad.size} samples of {whose} hold no numbers, first at {time[bad[0]]:.3f} s: bridged")
+        notes.append(f"{bad.size} samples of {listed(joints)} hold no numbers, first at {time[bad[0]]:.3f} s: bridged")
     np.copyto(qpos, np.asarray(figure.model.qpos0), where=~known)
     return known
 
@@ -164,6 +163,7 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
     has_jump = out.any(axis=1)
     if has_jump.any():
         whose = sorted({_name(figure, columns) for columns in groups(figure) if out[:, columns].any()})
-        listed = ", ".join(whose[:3]) + (f" and {len(whose) - 3} more" if len(whose) > 3 else "")
-        notes.append(f"{listed}: {int(has_jump.sum())} samples jump, first at {time[has_jump][0]:.3f} s: bridged")
+        notes.append(
+            f"{listed(whose)}: {int(has_jump.sum())} samples jump, first at {time[has_jump][0]:.3f} s: bridged"
+        )
     return out

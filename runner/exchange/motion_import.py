@@ -13,6 +13,7 @@ from dynsplines.solver.curve.frame import TimelineError
 from dynsplines.solver.figure.figure import JointKind
 
 from ..clip import load as clips
+from ..errors import listed
 from ..motion import Saved
 from ..scene.assets import taken_along
 from ..scene.compose import compiled, compose, figure_spec
@@ -24,7 +25,6 @@ from .formats import Reader, read_by, recording, stem
 TURN = 2 * np.pi  # [rad]
 NEAR = 1.0  # [rad] largest deviation of a jump from a whole turn that counts as a wrap in every recording
 EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
-NAMED = 3  # most joints that a note lists
 
 
 @dataclass(frozen=True)
@@ -131,8 +131,7 @@ def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, 
         first = min(first, float(time[1 + np.flatnonzero(jumps)[0]]))
     if not names:
         return qpos, ()
-    whose = ", ".join(f"'{name}'" for name in names[:NAMED])
-    whose += f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    whose = listed(f"'{name}'" for name in names)
     return out, (f"{whose}: angles wrap at a whole turn, first at {first:.3f} s: unwrapped",)
 
 

@@ -35,6 +35,7 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
 
 from ...clip import load as clip
+from ...errors import listed
 from ...scene.compose import quietly
 from ...scene.framing import size_of
 from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
@@ -55,7 +56,7 @@ IMPEDANCE = 10.0  # least `impratio`, friction to normal impedance, so that stan
 GRIP = 1.0  # least coefficient of friction of static geoms
 SLIDING = 3  # `condim` of a contact with sliding friction
 OVERLAP = 2e-4  # fraction of the figure's size from which penetrating bodies count as overlapping by design
-LISTED, LOOKED_AT = 3, 200  # most pairs in a note, most poses of a motion that are checked
+LOOKED_AT = 200  # most poses of a motion that are checked
 ALL = 1  # bit of `contype` by which formerly visual geoms collide with the scenery
 CONSTRAINED = ("EQUALITY", "FRICTIONLOSS", "LIMIT")  # forces other than contacts that the flag CONSTRAINT disables
 FIGURE_FLAGS = ("GRAVITY", "PASSIVE", "SPRING", "DAMPER", *CONSTRAINED, "SENSOR")
@@ -342,9 +343,8 @@ def _exclude_overlaps(spec: mujoco.MjSpec, model: mujoco.MjModel, qpos: Array) -
         _exclude(spec, *pair)
     if not pairs:
         return []
-    listed = ", ".join(f"{model.body(a).name}-{model.body(b).name}" for a, b in pairs[:LISTED])
-    more = f" and {len(pairs) - LISTED} more" if len(pairs) > LISTED else ""
-    return [f"bodies that the model has in each other do not collide in the scene to simulate: {listed}{more}"]
+    names = listed(f"{model.body(a).name}-{model.body(b).name}" for a, b in pairs)
+    return [f"bodies that the model has in each other do not collide in the scene to simulate: {names}"]
 
 
 def _overlaps(model: mujoco.MjModel, qpos: Array) -> set[tuple[int, int]]:

@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ...errors import UserError
+from ...errors import UserError, listed
 from .. import gaps
 from ..tables.table_text import is_cut as is_number_cut
 from .roles import lineage, roles
@@ -343,9 +343,7 @@ def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tupl
         rest = float(joints[i].offset[AXES.index(channel[0])]) if channel.endswith("position") else 0.0
         values[:, column] = _held(values[:, column], rest)
     names = list(dict.fromkeys(joints[of_joint[column][0]].name for column in unused))
-    more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
-    listed = f"{', '.join(names[:LISTED])}{more}"
-    notes = (f"without numbers, held where they are or at rest: {listed}",) if names else ()
+    notes = (f"without numbers, held where they are or at rest: {listed(names, LISTED)}",) if names else ()
     if np.all(np.isfinite(values)):
         return values, notes
     mended = gaps.bridged(values)

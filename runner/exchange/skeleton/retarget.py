@@ -24,7 +24,7 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import Root, subtree
 
-from ...errors import UserError
+from ...errors import UserError, listed
 from ...scene.configuration import posed
 from .. import missing_input
 from . import hierarchy, maps
@@ -141,9 +141,9 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     for what, by_role in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
         missing = [role for role in NEEDED if role not in by_role]
         if missing:
-            listed = captured.names if by_role is captured.roles else hierarchy.names(model)[1:]
+            every = captured.names if by_role is captured.roles else hierarchy.names(model)[1:]
             raise UserError(
-                f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}; "
+                f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {listed(every, LISTED)}; "
                 f"{missing_input.MAP}"
             )
     root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
@@ -188,8 +188,8 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     still = [names[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in moved]
     toes = " and ".join(captured.names[captured.roles[f"{side}_toe"]] for side in bent)
     notes += [f"the figure has no toes: what {toes} bend turns its feet"] if bent else []
-    notes += [f"without a counterpart in the figure: {_some(lost)}"] if lost else []
-    notes += [f"without a counterpart in the file, kept at rest: {_some(still)}"] if still else []
+    notes += [f"without a counterpart in the figure: {listed(lost, LISTED)}"] if lost else []
+    notes += [f"without a counterpart in the file, kept at rest: {listed(still, LISTED)}"] if still else []
     return qpos, tuple(notes)
 
 
@@ -265,11 +265,6 @@ def _toes_in_foot(captured: CapturedSkeleton, side: str, *, at_zero: bool) -> Ca
     rotation = captured.rotation.copy()
     rotation[:, ankle] = quat.product(quat.normalised(swung), turn)
     return replace(captured, rotation=rotation)
-
-
-def _some(names: list[str]) -> str:
-    more = f", and {len(names) - LISTED} more" if len(names) > LISTED else ""
-    return ", ".join(names[:LISTED]) + more
 
 
 def _leg(place: Mapping[str, Array]) -> float:

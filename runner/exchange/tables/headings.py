@@ -18,7 +18,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of
 
-from ...errors import UserError
+from ...errors import UserError, listed
 
 UNIT = re.compile(r"[\[(]\s*([^\])]*?)\s*[\])]\s*$")
 DEGREES, MILLI = {"deg", "degree", "degrees", "°"}, {"mm", "ms"}
@@ -61,9 +61,9 @@ def resolve(
         is_numbered, places = bool(numbered), places | numbered
     missing = [name for name in components if name not in places]
     if missing:
-        more = f" and {len(missing) - 1} more" if len(missing) > 1 else ""
+        lacking = listed((f"'{name}'" for name in missing), 1)
         raise UserError(
-            f"{where}: no column '{missing[0]}'{more}; the figure's columns: {', '.join(components)}; "
+            f"{where}: no column {lacking}; the figure's columns: {', '.join(components)}; "
             f"the file's: {', '.join(names)}"
         )
     others = [f"{names[place]} for {name}" for name, place in places.items() if name not in exact]
