@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypedDict
@@ -37,7 +37,7 @@ from .system import size_limit
 from .system.output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
-AT_ONCE = 4000  # samples whose kinematics are in memory at once
+AT_ONCE = 1000  # most samples evaluated at once, which bounds the memory
 MOST_SAMPLES = 1_000_000  # maximum number of samples of a motion
 PLACES = ("qpos", "frame_state", "time")  # endings of names of arrays that `FARTHEST` limits
 FARTHEST = 1e9  # [m, rad, s] maximum entry, whose powers do not overflow
@@ -124,7 +124,7 @@ def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     count = sample_count(last - first, fps)
     time, path = first + np.arange(count) / fps, path_of(timeline)
-    chunks = [_configurations(samples_at(figure, path, time[i : i + AT_ONCE])) for i in range(0, count, AT_ONCE)]
+    chunks = [_configurations(samples) for samples in sample_runs(figure, path, time)]
     qpos, qvel, qacc = (np.concatenate(rows) for rows in zip(*chunks, strict=True))
     return Sampled(time, continuous(figure, qpos), qvel, qacc)
 
@@ -142,9 +142,21 @@ def sample_count(duration: float, fps: float) -> int:
     return count
 
 
+def even_times(span: tuple[float, float], rate: float) -> Array:
+    """Return equally spaced times (T,) [s] from the first to the last of a span, at about a rate [1/s]."""
+    first, last = span
+    return np.linspace(first, last, max(2, round((last - first) * rate) + 1))
+
+
 def samples_at(figure: Figure, path: Curve, time: Array) -> Samples:
     """Return the figure's motion along a path."""
-    return Samples(figure, *(path.at(time, order) for order in range(3)), t=time)
+    return Samples(figure, *path.motion(time), t=time)
+
+
+def sample_runs(figure: Figure, path: Curve, time: Array) -> Iterator[Samples]:
+    """Yield the same in runs of consecutive times (T,) [s]."""
+    for first in range(0, time.size, AT_ONCE):
+        yield samples_at(figure, path, time[first : first + AT_ONCE])
 
 
 def continuous(figure: Figure, qpos: Array) -> Array:

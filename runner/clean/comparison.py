@@ -20,8 +20,9 @@ from dynsplines.solver.surface.points import arrays_of, places_of
 
 from ..clip.tracking.penalties import Ground
 from ..measure.checks import turning, turns
+from ..motion import even_times, sample_runs
 from .cleaning import Cleaned, Verdict
-from .penetration import along, depth
+from .penetration import depth
 
 RATE = 120.0  # [1/s] of the samples
 SLIP, DEPTH, HOVER = 5.0, 2.0, 5.0  # [mm] largest values of a sound motion
@@ -92,15 +93,14 @@ class Comparison:
     @cached_property
     def times(self) -> Array:
         """(T,) [s] of the samples."""
-        first, last = self.cleaned.before.span
-        return np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
+        return even_times(self.cleaned.before.span, RATE)
 
     @cached_property
     def displacements(self) -> tuple[BodyDisplacement, ...]:
         """The deviations of pelvis, hands and feet from the recording, largest first."""
         figure, farthest = self.cleaned.figure, list[BodyDisplacement]()
         links = compared_links(figure)
-        sides = (along(figure, path, self.times) for path in (self.cleaned.recorded.path, self.cleaned.after))
+        sides = (sample_runs(figure, path, self.times) for path in (self.cleaned.recorded.path, self.cleaned.after))
         off = [
             np.linalg.norm(_tips(one, links) - _tips(other, links), axis=0) for one, other in zip(*sides, strict=True)
         ]
@@ -157,7 +157,7 @@ class PathMeasurement:
         return self.cleaned.ground
 
     def _parts(self) -> Iterator[Samples]:
-        return along(self.ground.figure, self.path, self.times)
+        return sample_runs(self.ground.figure, self.path, self.times)
 
     @cached_property
     def _soles(self) -> tuple[Array, Array, Array]:

@@ -2,35 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path
-from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
 
 from ..clip.tracking.penalties import LONGEST_PANEL, NEXT_TO, POINTS, Ground
 from ..measure.depths import bunches, depths
+from ..motion import even_times, sample_runs
 
 RATE = 240.0  # [1/s] of the samples
-RUN = 1000  # most samples evaluated at once, which bounds the memory
 DEEP = 0.001  # [m] least depth that a search should prevent
 SHALLOW = LONGEST_PANEL / POINTS  # [s] between samples of a search, which so evaluates longer penetrations
-
-
-def along(figure: Figure, path: Path, times: Array) -> Iterator[Samples]:
-    """Yield samples of a path at times (T,) [s] in runs."""
-    for first in range(0, times.size, RUN):
-        t = times[first : first + RUN]
-        yield Samples(figure, *path.motion(t), t=t)
 
 
 def depth(ground: Ground, path: Path, times: Array) -> Array:
     """Return the largest depth (T,) [m] of body and soles at times (T,)."""
     body, found = bunches((*ground.clear, *ground.points)), list[Array]()
-    for samples in along(ground.figure, path, times):
+    for samples in sample_runs(ground.figure, path, times):
         found.append(np.zeros(samples.count))
         for surface in ground.surfaces:
             for _, at, deep in depths(body, surface, samples):
@@ -41,8 +30,7 @@ def depth(ground: Ground, path: Path, times: Array) -> Array:
 def missed_edge_times(ground: Ground, path: Path, frames: Array) -> Array:
     """Return times (k,) [s] for more frames beyond those at `frames` (M,) [s], where a foot passes through an edge
     unseen."""
-    first, last = path.span
-    times = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
+    times = even_times(path.span, RATE)
     deep = depth(ground, path, times)
     under = np.flatnonzero(deep > DEEP)
     runs = np.split(under, np.flatnonzero(np.diff(under) > 1) + 1) if under.size else []

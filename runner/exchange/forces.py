@@ -8,7 +8,7 @@ Where neither a stance nor a flight determines them, they and the torques that d
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import mujoco
@@ -26,8 +26,6 @@ from dynsplines.solver.penalty.ground.support import Reactions
 from ..clip import load as clip
 from ..motion import samples_at
 from .trajectory import SampledTrajectory
-
-STIFF = 1e-7  # `Support.softness`, so small that the remaining wrench is only what contacts cannot supply
 
 
 @dataclass(frozen=True)
@@ -63,9 +61,13 @@ class Forces:
         """Return the forces of a motion in its model, or in another one with the same joints."""
         saved = trajectory.saved
         support = clip.clip_from_motion(saved).context.support
-        stiff = None if support is None else replace(support, softness=STIFF)
         samples = samples_at(saved.figure, path_of(saved.timeline), trajectory.time)
-        return cls(trajectory, samples, stiff, trajectory.model if model is None else model)
+        return cls(
+            trajectory,
+            samples,
+            None if support is None else support.stiff,
+            trajectory.model if model is None else model,
+        )
 
     @cached_property
     def has_known_support(self) -> Mask:

@@ -13,7 +13,7 @@ from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
 
 from ..clip.build import Clip
-from ..motion import samples_at
+from ..motion import even_times, samples_at
 
 RATE = 250.0  # [1/s] of the samples, finer than the resolution of a chart
 TENTHS = 10  # number of equal parts of the clip's duration, as in the paper's figure 10
@@ -29,9 +29,9 @@ def curves(clip: Clip, motion: Solution) -> dict[str, dict[str, Any]]:
 
 
 def _side(clip: Clip, motion: Solution, timeline: Timeline) -> dict[str, Any]:
-    first, last = float(timeline.times[0]), float(timeline.times[-1])
-    time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
-    samples = samples_at(clip.figure, path_of(timeline), time)
+    path = path_of(timeline)
+    time = even_times(path.span, RATE)
+    samples = samples_at(clip.figure, path, time)
     heights: dict[str, list[float]] = {}
     if clip.context.points and clip.context.surfaces:
         centres, _, _ = places_of(clip.context.points, samples)
@@ -46,5 +46,5 @@ def _side(clip: Clip, motion: Solution, timeline: Timeline) -> dict[str, Any]:
         "height": heights,
         "shortest": length.min(axis=0).round(6).tolist(),
         "longest": length.max(axis=0).round(6).tolist(),
-        "EL over tenths": residual(motion.objective, path_of(timeline)).shares(TENTHS).tolist(),
+        "EL over tenths": residual(motion.objective, path).shares(TENTHS).tolist(),
     }

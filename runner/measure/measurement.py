@@ -31,12 +31,11 @@ from dynsplines.solver.surface.points import Point, body_points, places_of
 
 from ..clip.build import Clip
 from ..clip.kinds import BODY, bolted_links
-from ..motion import samples_at
+from ..motion import even_times, sample_runs, samples_at
 from . import checks
 from .checks import Check, ContactTarget, Fixed, Hits, Row
 
 RATE = 240.0  # [1/s] of the grid: a foot at 4 m/s moves 17 mm between samples
-RUN = 1000  # most samples evaluated at once, which bounds the memory
 ROUNDING = 1e-9  # [s] tolerance at the ends of intervals
 
 
@@ -66,13 +65,12 @@ class Measurement:
         instants = [t for stay, _ in stays for t in (stay.stance.first, stay.stance.last)]
         instants += [t for grasp in clip.context.schedule.grasps for t in (grasp.first, grasp.last)]
         instants += [place.time for place in clip.context.placed]
-        even = np.linspace(*path.span, max(2, round(float(np.ptp(path.span)) * RATE) + 1))
-        time = np.unique(np.concatenate([even, key_times, instants]))
+        time = np.unique(np.concatenate([even_times(path.span, RATE), key_times, instants]))
         key_at = np.searchsorted(time, key_times)
         every = list(_checks(clip, timeline, stays, _peak(clip.figure, raw, time)))
         parts: list[list[Hits]] = [[] for _ in every]
-        for run in np.array_split(np.arange(time.size), -(-time.size // RUN)):
-            samples = samples_at(clip.figure, path, time[run])
+        for samples in sample_runs(clip.figure, path, time):
+            run = np.searchsorted(time, samples.t[0]) + np.arange(samples.count)
             for check, hits in zip(every, parts, strict=True):
                 at = run if check.stride == 1 else run[(run % check.stride == 0) | np.isin(run, key_at)]
                 part = check.hits(samples if at is run else samples.select(at - run[0]))
@@ -124,9 +122,8 @@ def _as_keyed(clip: Clip) -> Clip:
 
 def _peak(figure: Figure, raw: Timeline, time: Array) -> float:
     """Return the largest angular acceleration [rad/s²] of a link relative to its parent on the raw spline."""
-    links, path = checks.turning(figure), path_of(raw)
-    runs = np.array_split(time[::2], -(-time.size // RUN))
-    return max(float(checks.turns(samples_at(figure, path, run))[links].max(initial=0.0)) for run in runs)
+    links, runs = checks.turning(figure), sample_runs(figure, path_of(raw), time[::2])
+    return max(float(checks.turns(samples)[links].max(initial=0.0)) for samples in runs)
 
 
 def _checks(

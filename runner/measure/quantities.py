@@ -7,7 +7,7 @@ on a grid of 1 kHz.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -32,7 +32,7 @@ from dynsplines.solver.surface.points import body_points, places_of
 from dynsplines.solver.surface.touch import counts_all, movers
 
 from ..clip.build import Clip
-from ..motion import samples_at
+from ..motion import even_times, samples_at
 from .checks import Row, turning
 from .exactness import keyframe_error
 from .measurement import Measurement, bend_limits, inferred
@@ -40,7 +40,6 @@ from .swings import swings
 
 RATE = 1000.0  # [1/s] of the samples, finer than those of the optimiser
 HIGHEST = 1.0  # [m] upper limit of the lift of a foot in a stance, in the report
-STIFF = 1e-7  # `Support.softness`: almost zero, so that contacts supply all that they can and only the rest is reported
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,9 +57,8 @@ class Side:
 
     @cached_property
     def samples(self) -> Samples:
-        first, last = float(self.timeline.times[0]), float(self.timeline.times[-1])
-        time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
-        return samples_at(self.clip.figure, path_of(self.timeline), time)
+        path = path_of(self.timeline)
+        return samples_at(self.clip.figure, path, even_times(path.span, RATE))
 
     @cached_property
     def terms(self) -> dict[str, float]:
@@ -296,8 +294,7 @@ def _support(clip: Clip, samples: Samples) -> dict[str, float]:
     """Return unsupported force and moment: in flight, and beyond what the footings can supply."""
     if clip.context.support is None or not clip.context.support.has_intervals:
         return {}
-    # stiff, so that the remaining wrench is only what contacts cannot supply
-    carried = replace(clip.context.support, softness=STIFF)
+    carried = clip.context.support.stiff
     rest = carried.rest(samples)[:, carried.known(samples.t)]
     force = np.linalg.norm(rest[:3], axis=0)
     out = {"root mean square": float(np.sqrt(np.mean(force**2)))}

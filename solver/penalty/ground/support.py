@@ -29,6 +29,7 @@ from .flight import A_TENTH
 
 EDGES = 4  # of the pyramid that approximates a friction cone
 FRICTION, SOFTNESS = 0.8, 1e-4  # defaults: coefficient of friction; ε relative to the squared edges of the cones
+STIFF = 1e-7  # [1] ε for measurements
 
 
 class _Evaluation(NamedTuple):
@@ -92,6 +93,11 @@ class Support(Penalty):
     def has_intervals(self) -> bool:
         """Whether there is any footing or flight."""
         return bool(self.footings or self.flights)
+
+    @property
+    def stiff(self) -> Support:
+        """The same with so little softness that `rest` is only what contacts cannot supply."""
+        return replace(self, softness=STIFF)
 
     def known(self, t: Array) -> Mask:
         """Return whether it is known what carries the figure at times t (S,), (S,)."""
