@@ -2,8 +2,7 @@
 
 The cache is in the user's cache folder, in DYNSPLINES_CACHE=FOLDER if that is set, or disabled by DYNSPLINES_CACHE=off.
 The name of a file is a hash of everything on which the search depends: keyframes and settings, the scene with all files
-of its model, the text of this program, and the versions of numerical libraries. An old file is therefore never wrong,
-only unused; the least recently used files are deleted.
+of its model, the text of this program, and the versions of numerical libraries.
 
 A file contains plain arrays, which are checked before use. A damaged file, or one that does not pass through the
 clip's keyframes, counts as missing. If caching fails, the clip is solved.
@@ -11,14 +10,12 @@ clip's keyframes, counts as missing. If caching fails, the clip is solved.
 
 from __future__ import annotations
 
-import hashlib
+import io
 import json
 import os
-import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from functools import lru_cache
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -33,18 +30,15 @@ from . import solving
 from .clip.build import Clip
 from .clip.parse import table_of
 from .clip.text import tables
-from .errors import UserError
 from .measure.exactness import keyframe_error
 from .motion import Saved, read_arrays
 from .solving import Solved
-from .system.cache_folder import limit_size, place
-from .system.output import Replacement
+from .system.cache_folder import hash_of, place, store, version_of
 from .system.progress import Progress
 
 FORMAT = 1  # version of the file format
 MOST_BYTES = 200_000_000  # [bytes] of all files together; a clip of some seconds takes 50 to 200 kB
-# names of solved clips, and of temporary files
-OWN = re.compile(r"[0-9a-f]{40}\.npz|\.[0-9a-f]{40}\.\w+\.partial\.npz")
+
 LIBRARIES = ("mujoco", "numpy", "scipy", "nlopt")
 UNMET = 1e-9  # [m, rad] rounding tolerance of keyframes
 SMALLEST = 1e-6  # [1] minimum norm of a quaternion
@@ -79,11 +73,7 @@ def saved(source: Clip | Saved, progress: Progress, *, no_cache: bool = False) -
 
 def key_of(clip: Clip) -> str:
     """Return a hash of all inputs of the search, as 40 hexadecimal digits."""
-    digest = hashlib.blake2b(digest_size=20)
-    for part in _parts(clip):
-        digest.update(len(part).to_bytes(8, "big"))
-        digest.update(part)
-    return digest.hexdigest()
+    return hash_of(_parts(clip))
 
 
 def _parts(clip: Clip) -> Iterator[bytes]:
@@ -109,41 +99,30 @@ def _parts(clip: Clip) -> Iterator[bytes]:
 @lru_cache(maxsize=1)
 def _program() -> str:
     """Return the version of the solver: a hash of this program, and the versions of libraries."""
-    digest = hashlib.blake2b(str(FORMAT).encode(), digest_size=20)
+    parts = [str(FORMAT).encode()]
     for folder in (Path(solver.__file__).parent, Path(__file__).parent):
         for file in sorted(folder.rglob("*.py")):
-            digest.update(file.relative_to(folder).as_posix().encode())
-            digest.update(file.read_bytes())
-    return " ".join([digest.hexdigest(), *map(_version, ("dynamic-splines", *LIBRARIES))])
-
-
-def _version(library: str) -> str:
-    try:
-        return version(library)
-    except PackageNotFoundError:  # the package is not installed
-        return "?"
+            parts += [file.relative_to(folder).as_posix().encode(), file.read_bytes()]
+    return " ".join([hash_of(parts), *map(version_of, ("dynamic-splines", *LIBRARIES))])
 
 
 def write(result: Solved, file: Path) -> None:
-    """Write a solved clip atomically, and delete the least recently used ones if there are too many."""
-    motion = result.motion
+    """Write a solved clip, if possible."""
+    motion, stream = result.motion, io.BytesIO()
     timeline = motion.timeline
-    with suppress(OSError, UserError):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        with Replacement(file) as temporary, temporary.open("wb") as stream:
-            np.savez(
-                stream,
-                allow_pickle=False,
-                key=file.stem,
-                time=timeline.times,
-                state=timeline.states,
-                end_slope=timeline.end_slope,
-                trace=json.dumps(motion.trace),
-                evaluations=motion.evaluations,
-                stop=motion.stop.name,
-                seconds=result.seconds or 0.0,
-            )
-        limit_size(file.parent, OWN, MOST_BYTES)
+    np.savez(
+        stream,
+        allow_pickle=False,
+        key=file.stem,
+        time=timeline.times,
+        state=timeline.states,
+        end_slope=timeline.end_slope,
+        trace=json.dumps(motion.trace),
+        evaluations=motion.evaluations,
+        stop=motion.stop.name,
+        seconds=result.seconds or 0.0,
+    )
+    store(file, stream.getvalue(), MOST_BYTES)
 
 
 def read(file: Path, clip: Clip) -> Solved | None:

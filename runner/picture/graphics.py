@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import ctypes
 import functools
-import hashlib
 import os
 import platform
 import subprocess
@@ -25,7 +24,7 @@ from pathlib import Path
 from typing import Literal
 
 from ..errors import UserError
-from ..system.cache_folder import place
+from ..system.cache_folder import hash_of, place, version_of
 
 Kind = Literal["egl", "osmesa", "display", "software"]
 
@@ -224,19 +223,10 @@ def _mark(backend: str) -> Path | None:
         return None
     words = ("GL", "DISPLAY", "MESA", "GALLIUM", "NVIDIA", "CUDA", "LD_")
     settings = sorted(item for item in os.environ.items() if any(word in item[0] for word in words))
-    packages = [_version(name) for name in ("mujoco", "PyOpenGL", "glfw")]
+    packages = [version_of(name) for name in ("mujoco", "PyOpenGL", "glfw")]
     whole = repr((boot, platform.node(), sys.executable, packages, settings))
-    name = hashlib.blake2b(whole.encode("utf-8", "surrogateescape"), digest_size=20).hexdigest()
+    name = hash_of([whole.encode("utf-8", "surrogateescape")])
     return None if folder is None else folder / f"draws-{backend or 'default'}.{name}"
-
-
-def _version(package: str) -> str:
-    from importlib.metadata import PackageNotFoundError, version  # imported here because it is slow
-
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return "none"
 
 
 def _tried(backend: str) -> bool:

@@ -5,22 +5,18 @@ The solver's messages then replace it, so an outdated view disappears within sec
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
-import re
 import struct
 from contextlib import suppress
 from importlib.resources import files
 from pathlib import Path
 
-from ..errors import UserError
-from ..system.cache_folder import limit_size, place
-from ..system.output import Replacement
+from ..system.cache_folder import hash_of, place, store
 from .document import Document
 
 FOLDER = "studio"
-OWN = re.compile(r"[0-9a-f]{40}\.view|\.[0-9a-f]{40}\.\w+\.partial\.view")
+
 LARGEST = 20_000_000  # [bytes] maximum size of a view
 MOST_BYTES = 100_000_000  # [bytes] maximum size of all views together
 HEAD = struct.Struct("<8sII")
@@ -33,10 +29,8 @@ def file_of(document: Document) -> Path | None:
     if folder is None:
         return None
     page = (files("dynsplines.studio") / "built" / "sources.txt").read_bytes()
-    digest = hashlib.blake2b(digest_size=20)
-    for part in (page, str(document.folder).encode(errors="surrogateescape"), document.text.encode()):
-        digest.update(len(part).to_bytes(8, "big") + part)
-    return folder / FOLDER / f"{digest.hexdigest()}.view"
+    parts = (page, str(document.folder).encode(errors="surrogateescape"), document.text.encode())
+    return folder / FOLDER / f"{hash_of(parts)}.view"
 
 
 def read(file: Path | None) -> tuple[bytes, bytes] | None:
@@ -62,11 +56,6 @@ def _fits(stage: dict[str, list[str]], path: bytes) -> bool:
 
 
 def write(file: Path | None, stage: bytes, path: bytes) -> None:
-    """Write a view, and delete the least recently used ones if there are too many."""
-    if file is None or len(stage) + len(path) > LARGEST:
-        return
-    with suppress(OSError, UserError):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        with Replacement(file) as temporary:
-            temporary.write_bytes(HEAD.pack(MAGIC, len(stage), len(path)) + stage + path)
-        limit_size(file.parent, OWN, MOST_BYTES)
+    """Write a view, if possible."""
+    if file is not None and len(stage) + len(path) <= LARGEST:
+        store(file, HEAD.pack(MAGIC, len(stage), len(path)) + stage + path, MOST_BYTES)

@@ -1,11 +1,19 @@
-"""The user's cache folder: solved clips, views of the studio, and the renderer that worked."""
+"""The user's cache folder: solved clips, views of the studio, and the renderer that worked.
+
+A file is named by a hash of everything on which its content depends. An old file is therefore never wrong, only unused.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
+from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
+
+from ..errors import UserError
+from .output import Replacement
 
 PLACE = "DYNSPLINES_CACHE"
 OFF = ("off", "0", "no", "false")
@@ -23,8 +31,37 @@ def place() -> Path | None:
     return user_cache_path("dynsplines", appauthor=False)
 
 
-def limit_size(folder: Path, pattern: re.Pattern[str], most: int) -> None:
-    """Delete the least recently used files with names of a pattern, until the rest is at most `most` bytes."""
+def hash_of(parts: Iterable[bytes]) -> str:
+    """Return a hash as 40 hexadecimal digits."""
+    digest = hashlib.blake2b(digest_size=20)
+    for part in parts:
+        digest.update(len(part).to_bytes(8, "big"))
+        digest.update(part)
+    return digest.hexdigest()
+
+
+def version_of(package: str) -> str:
+    """Return a package's version; "none" if it is not installed."""
+    from importlib.metadata import PackageNotFoundError, version  # imported here because it is slow
+
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "none"
+
+
+def store(file: Path, content: bytes, most: int) -> None:
+    """Write a file atomically if possible; all files of its kind together have at most `most` bytes."""
+    with suppress(OSError, UserError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with Replacement(file) as temporary:
+            temporary.write_bytes(content)
+        _limit_size(file.parent, file.suffix, most)
+
+
+def _limit_size(folder: Path, suffix: str, most: int) -> None:
+    """Delete the least recently used files, complete or not, until the rest is at most `most` bytes."""
+    pattern = re.compile(rf"[0-9a-f]{{40}}{suffix}|\.[0-9a-f]{{40}}\.\w+\.partial{suffix}")
     files: list[tuple[float, int, Path]] = []
     for path in folder.iterdir():
         if pattern.fullmatch(path.name):

@@ -125,7 +125,7 @@ def test_so_does_the_program_that_solves_it(tmp_path, monkeypatch):
     versions = dict.fromkeys(("dynamic-splines", *solve_cache.LIBRARIES), "7")
     for name in versions:
         solve_cache._program.cache_clear()
-        monkeypatch.setattr(solve_cache, "version", {**versions, name: "8"}.__getitem__)
+        monkeypatch.setattr(solve_cache, "version_of", {**versions, name: "8"}.__getitem__)
         before, old = solve_cache.key_of(problem), before
         assert before != old
     monkeypatch.setattr(solve_cache, "__file__", str(tmp_path / "a" / "solve_cache.py"))
