@@ -51,7 +51,8 @@ def close_loop(
         raise TimelineError(
             f"periodic ends: the last keyframe (t = {last.time:g} s) differs from the first at "
             f"{_where(figure, int(np.argmax(difference)), seam)} by {difference.max():.3g}; "
-            "they must agree, or leave it free in one of them. Only a root with a free joint can travel in a loop"
+            "they must agree, or leave it free in one of them. Only a root with a free joint can travel in a loop, "
+            "and objects that it carries equally far"
         )
     posed = is_known & ~fixed
     ends = [replace(frame, state=at, fixed=fixed, posed=posed) for frame, at in ((first, begin), (last, end))]
@@ -85,21 +86,21 @@ def _headings(figure: Figure, first: Frame, last: Frame, turn: float | None) -> 
 
 
 def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | None) -> Array:
-    """Return the displacement (3, f) [m] of each root from its first position to its last."""
+    """Return the displacement (3, f) [m] of each root from its first position to its last. Other roots have none, except
+    those that both ends fix as far apart as the first root's positions, such as those of carried objects."""
     roots = figure.tables.position_columns
     out = np.zeros(roots.shape)
+    difference = np.where(first.fixed & last.fixed, last.state - first.state, 0.0)[roots]
     if travel is None:
-        ground = roots[:2, :1]
-        difference = np.where(first.fixed & last.fixed, last.state - first.state, 0.0)[ground]
-        out[:2, :1] = np.where(np.abs(difference) > SAME, difference, 0.0)
-        return out
-    travel = np.asarray(travel, float)
-    if travel.shape != (3,) or not np.all(np.isfinite(travel)):
-        raise TimelineError(f"travel must be three finite numbers [x, y, z] in metres, not {travel.tolist()}")
-    if not roots.size:
-        raise TimelineError("the figure has no free joint, so no root to travel")
-    out[:, 0] = travel
-    return out
+        out[:2, :1] = np.where(np.abs(difference) > SAME, difference, 0.0)[:2, :1]
+    else:
+        travel = np.asarray(travel, float)
+        if travel.shape != (3,) or not np.all(np.isfinite(travel)):
+            raise TimelineError(f"travel must be three finite numbers [x, y, z] in metres, not {travel.tolist()}")
+        if not roots.size:
+            raise TimelineError("the figure has no free joint, so no root to travel")
+        out[:, 0] = travel
+    return np.where(np.abs(difference - out[:, :1]).max(axis=0) <= SAME, out[:, :1], out)
 
 
 def _shift(figure: Figure, first: Frame, last: Frame, seam: Seam, travel: Array) -> Array:

@@ -103,6 +103,19 @@ def test_a_loop_goes_as_far_over_the_ground_as_its_keyframes_specify_and_neither
             close_loop(figure, [Frame.key(0, first), Frame.key(1, first + 0.1 * np.eye(14)[column])], None, None)
 
 
+@pytest.mark.parametrize("given", [None, [0.5, -0.25, 0]])
+def test_what_a_root_carries_travels_with_it(given):
+    two = BALL.replace("</worldbody>", '<body name="cup"><freejoint name="cup"/><geom size=".1"/></body></worldbody>')
+    figure = figure_of(two)
+    first = np.array([0, 0, 1, 1, 0, 0, 0, 2, 2, 2, 1, 0, 0, 0.0])
+    travel = np.array([0.5, -0.25, 0, 0, 0, 0, 0, 0.5, -0.25, 0, 0, 0, 0, 0])
+    ends, seam = close_loop(figure, [Frame.key(0, first), Frame.key(1, first + travel)], given, None)
+    np.testing.assert_allclose(ends[1].state - ends[0].state, travel, atol=1e-15)
+    np.testing.assert_allclose(seam.moved(first, 3), first + 3 * travel, atol=1e-15)
+    with pytest.raises(TimelineError, match="'cup' along x"):
+        close_loop(figure, [Frame.key(0, first), Frame.key(1, first + travel + 1e-3 * np.eye(14)[7])], given, None)
+
+
 def test_a_turn_of_next_to_nothing_is_none_and_one_of_more_than_half_a_round_is_the_shorter_one_back():
     figure = figure_of(BALL)
     pose, none = np.array([1.0, 0, 1, 1, 0, 0, 0]), np.zeros(7, bool)
