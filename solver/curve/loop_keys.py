@@ -86,8 +86,8 @@ def _headings(figure: Figure, first: Frame, last: Frame, turn: float | None) -> 
 
 
 def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | None) -> Array:
-    """Return the displacement (3, f) [m] of each root from its first position to its last. Other roots have none, except
-    those that both ends fix as far apart as the first root's positions, such as those of carried objects."""
+    """Return the displacement (3, f) [m] of each root from its first position to its last. Roots after the first have
+    none, except those that both ends fix as far apart as the first, such as those of carried objects."""
     roots = figure.tables.position_columns
     out = np.zeros(roots.shape)
     difference = np.where(first.fixed & last.fixed, last.state - first.state, 0.0)[roots]
