@@ -77,17 +77,23 @@ def heading(rotation: Array) -> Array:
 
 
 def following(figure: Figure, before: Timeline, after: Timeline, duration: float) -> Placement:
-    """Return the placement that continues a motion with its trunk's heading and both motions' mean velocity."""
-    still = Placement(np.array([1.0, 0, 0, 0]), np.zeros(3))
-    roots = figure.tables.position_columns
-    if not roots.size:
-        return still
-    place = roots[:, 0]
+    """Return the placement that continues a motion with its trunk's heading and both motions' mean velocity. Objects
+    keep their positions next to a figure without a free root, such as an arm on a base."""
+    if not _moves_freely(figure):
+        return Placement(np.array([1.0, 0, 0, 0]), np.zeros(3))
+    place = figure.tables.position_columns[:, 0]
     (end, end_d), (start, start_d) = _side(before, -1), _side(after, 0)
     turn = quat.from_rotation_vector(_heading_between(figure, start, end) * np.array([0.0, 0.0, 1.0]))
     pace = (end_d[place] + quat.rotated(turn, start_d[place])) / 2
     shift = end[place] + pace * duration - quat.rotated(turn, start[place])
     return Placement(turn, shift * np.array([1.0, 1, 0]))
+
+
+def _moves_freely(figure: Figure) -> bool:
+    """Return whether the articulated tree has a free root, or everything that moves is a free object."""
+    root = figure.root
+    is_alone = all(link.kind is JointKind.FREE for link in figure.links[1:])
+    return root is not None and root.is_free and (root.limbs > 0 or is_alone)
 
 
 def _heading_between(figure: Figure, start: Array, end: Array) -> float:
