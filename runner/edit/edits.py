@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -23,6 +23,7 @@ from dynsplines.solver.search.descent import optimised
 from dynsplines.solver.solution import Solution
 
 from ..clip.build import AROUND, Clip, around
+from ..clip.contacts import grasps_of
 from ..clip.file import standalone
 from ..clip.load import clip_from_motion, of_motion
 from ..clip.mirror import mirrored_tables
@@ -179,14 +180,15 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     two = Timeline(tuple(replace(frame, time=frame.time + shift) for frame in two.frames), two.end_slope)
     moved = [_moved(figure, after.timeline, key, place, shift) for key in after.keys]
     ends = _key_on(figure, one, -1), _key_on(figure, two, 0)
-    between = _transition(before, one, two, ends, progress)
+    table, flown = _table(after), _flights(after)
+    grasps = _grasps_across(figure, ends, _table(before).grasp, _later(table.grasp, shift))
+    between = _transition(before, one, two, ends, grasps, progress)
     keys = (*before.keys[:-1], *ends, *moved[1:])
     with _with_name("join"):
         check_times([key.time for key in keys], "join")
-    table, flown = _table(after), _flights(after)
     more = TimedTables(
         [row for row in _later(table.contact, shift) if row.position is None],  # specified positions no longer apply
-        _later(table.grasp, shift),
+        [*grasps, *_later(table.grasp, shift)],
         None if flown is None else [(first + shift, last + shift) for first, last in flown],
     )
     return _with_keys(before, keys, join.joined(one, between, two), more)
@@ -209,12 +211,35 @@ def check_transition(transition: float) -> None:
         raise UserError(f"a transition lasts {SHORTEST:g} to {LONGEST:g} s, not {transition:g}")
 
 
-def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, Frame], progress: Progress) -> Timeline:
+def _grasps_across(
+    figure: Figure, ends: tuple[Frame, Frame], before: Sequence[GraspTable], after: Sequence[GraspTable]
+) -> list[GraspTable]:
+    """Return the grasps during a transition: a hand holds the same place of the same body before and after it."""
+    first, last = (end.time for end in ends)
+    again = {(row.hand, row.body) for row in after if row.start <= last + SHORTEST}
+    held = [row for row in before if row.end >= first - SHORTEST and (row.hand, row.body) in again]
+    grasps, timeline = list[GraspTable](), raw_timeline(figure, list(ends))
+    for row in (row.changed(start=first, end=last) for row in held):
+        with suppress(UserError):  # a hand that holds another place
+            grasps_of(figure, timeline, [row], "join")
+            grasps.append(row)
+    return grasps
+
+
+def _transition(
+    saved: Saved,
+    one: Timeline,
+    two: Timeline,
+    ends: tuple[Frame, Frame],
+    grasps: Sequence[GraspTable],
+    progress: Progress,
+) -> Timeline:
     """Return the in-between from the end of one timeline to the start of the other, with the first motion's weights."""
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = join.bridge(saved.figure, one, two, variable=count)
-    text = _text(saved, _without_flights)
-    clip = of_motion(replace(saved, text=text, keys=ends, timeline=one))
+    keyframes = keyframe_tables(saved.figure, ends)
+    text = _text(saved, lambda clip: _without_flights(clip).changed(contact=[], grasp=grasps, keyframe=keyframes))
+    clip = of_motion(replace(saved, text=text, keys=ends, timeline=one), contacts=True)
     objective = renormalised(clip.problem.plain_objective, saved.raw)
     progress.step("solving the transition", 0.0, force=True)
     return optimised(objective, begin, max_evaluations=clip.settings.max_evaluations, tolerance=TOLERANCE)

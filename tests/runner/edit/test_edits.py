@@ -6,6 +6,7 @@ import re
 import tomllib
 from typing import Any
 
+import mujoco
 import numpy as np
 import puppet
 import pytest
@@ -13,7 +14,7 @@ import shipped
 import tiny
 from quiet import quiet
 
-from dynsplines import models, motion, recordings, solving
+from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
@@ -289,3 +290,32 @@ def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
     )
     tiny.written(tmp_path)
     assert [key.time for key in clip.load(str(tmp_path / "cut.toml")).keys] == [0.1, 0.2, 0.3]
+
+
+ARM = """<mujoco><worldbody>
+<body><joint name="shoulder" axis="0 0 1"/><geom type="capsule" size=".02" fromto=".02 0 0 .3 0 0"/>
+ <body pos=".3 0 0"><joint name="elbow" axis="0 0 1"/><geom type="capsule" size=".02" fromto=".02 0 0 .3 0 0"/>
+  <site name="hand" pos=".3 0 0"/></body></body>
+<body name="ball"><freejoint name="ball"/><geom size=".03"/></body></worldbody></mujoco>"""
+
+
+def holding(poses: dict[float, tuple[float, float]]) -> Motion:
+    """A motion of the arm with the ball in its hand; angles [degrees] of shoulder and elbow by time."""
+    keys = []
+    for time, (shoulder, elbow) in poses.items():
+        x, y = (0.3 * wave(np.radians([shoulder, shoulder + elbow])).sum() for wave in (np.cos, np.sin))
+        ball = {"position": [x, y, 0], "rotation": {"heading": 0}}
+        keys.append(Keyframe(time, joints={"shoulder": shoulder, "elbow": elbow}, roots={"ball": ball}))
+    return inbetween(build(ARM, keys, grasps=[{"hand": "hand", "body": "ball", "from": 0.0, "to": 0.5}]))
+
+
+def test_an_arm_on_a_base_keeps_what_it_holds_when_motions_are_joined():
+    """The ball is in the hand before, in and after the transition, although free objects move with a root."""
+    both = holding({0: (0, 20), 0.5: (60, 90)}).joined(holding({0: (80, 90), 0.5: (100, 20)}), transition=0.4)
+    model, sampled_ = both.model, both.sampled(100)
+    data, apart = mujoco.MjData(model), []
+    for data.qpos[:] in sampled_.qpos:
+        mujoco.mj_kinematics(model, data)
+        apart.append(np.linalg.norm(data.site("hand").xpos - data.body("ball").xpos))
+    assert sampled_.time[-1] == pytest.approx(1.4)
+    assert max(apart) < 1e-3
