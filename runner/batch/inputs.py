@@ -5,7 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import sys
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
@@ -77,9 +77,11 @@ def with_unique_names(new_sources: list[Source], used_names: Collection[str]) ->
     """
     names, shorter = [source.name for source in new_sources], list[PurePosixPath]()
     while names != shorter:
-        count, shorter = Counter(str(name).casefold() for name in names), names
+        folders, shorter = defaultdict[str, set[str]](set), names
+        for source, name in zip(new_sources, names, strict=True):
+            folders[str(name).casefold()].add("" if source.path is None else str(source.path.parent).casefold())
         pairs = zip(new_sources, names, strict=True)
-        names = [_above(source, name) if count[str(name).casefold()] > 1 else name for source, name in pairs]
+        names = [_above(source, name) if len(folders[str(name).casefold()]) > 1 else name for source, name in pairs]
     used, out = {name.casefold() for name in used_names}, list[Source]()
     for source, name in zip(new_sources, names, strict=True):
         number, free = 1, name
