@@ -6,7 +6,7 @@ The paper leaves skidding to future work (§6). Contact times are not needed, be
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -14,10 +14,10 @@ import numpy as np
 from ...array import Array, Index
 from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
-from ...figure.algebra import cross
+from ...figure.algebra import cross, dot
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.wrenches import along_axes, of_point, of_velocity
+from ...figure.wrenches import Wrenches, of_point, of_velocity
 from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of, placed, places_of
@@ -65,6 +65,42 @@ class Bound:
         return self.shares[:, np.clip(span, 0, self.times.size - 2)]
 
 
+@dataclass(frozen=True, eq=False)
+class _Near:
+    """P points near a surface at samples.
+
+    Attributes:
+        at: Samples, (P,).
+        link: Links, (P,).
+        offset: Positions relative to the links' origins, in world axes, (3, P) [m].
+        share: Roots of the weights, (P,).
+        velocity: Velocities, (3, P) [m/s].
+        fading: Derivatives of `share` by position, (3, P) [1/m].
+    """
+
+    samples: Samples
+    at: Index
+    link: Index
+    offset: Array
+    share: Array
+    velocity: Array
+    fading: Array
+
+    @cached_property
+    def speed(self) -> Array:
+        """The speeds, (P,) [m/s]."""
+        return np.sqrt(dot(self.velocity, self.velocity))
+
+    def by_velocity(self, direction: Array) -> Wrenches:
+        """Return the derivatives of direction · v, direction (3, P)."""
+        return of_velocity(self.samples, self.at, self.link, self.offset, direction)
+
+    @property
+    def by_weight(self) -> Wrenches:
+        """The derivatives of √weight · |v| by the weight alone."""
+        return of_point(self.at, self.link, self.offset, self.fading * self.speed)
+
+
 @dataclass(frozen=True)
 class Skate(Penalty):
     """Σ over points of exp(−(h/reach)²) |v|² [m²/s²]: v the point's velocity, h ≥ 0 its height over the surface below.
@@ -92,19 +128,24 @@ class Skate(Penalty):
         return arrays_of(self.points)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        return self._slides(samples, TINY)
+        for near in self._near(samples, TINY):
+            by_velocity = near.by_velocity(near.share * near.velocity / np.maximum(near.speed, TINY))
+            yield Block(near.at, near.share * near.speed, (by_velocity, near.by_weight))
 
     def nearby(self, samples: Samples) -> Iterator[Block]:
-        """Return the residuals with derivatives through the velocities only, not through the weights.
+        """Return the components of √weight · v with derivatives by v, and separately √weight · |v| by the weight.
 
-        A Gauss-Newton model with derivatives of the weights would make it costly to raise a foot that moves.
+        Together, they would make it costly to raise a point that a step also stops. Without derivatives by the weight,
+        raising a point would seem to reduce E without limit.
         """
-        for block in self._slides(samples, NEGLIGIBLE):
-            velocity, _ = block.changes
-            yield replace(block, changes=(velocity,))
+        for near in self._near(samples, NEGLIGIBLE):
+            value = near.share * near.velocity
+            for k, axis in enumerate(np.eye(3)):
+                yield Block(near.at, value[k], (near.by_velocity(near.share * axis[:, None]),))
+            yield Block(near.at, near.share * near.speed, (near.by_weight,))
 
-    def _slides(self, samples: Samples, least: float) -> Iterator[Block]:
-        """Yield √weight · v for points with √weight above `least`, with derivatives through v and the weight."""
+    def _near(self, samples: Samples, least: float) -> Iterator[_Near]:
+        """Yield the points with √weight above `least`."""
         if not self.points or not self.surfaces:
             return
         links, positions, radius = self._arrays
@@ -114,14 +155,10 @@ class Skate(Penalty):
         np.maximum(height, 0, out=height)
         root = np.sqrt(self._weight(height, samples.t))
         at, which = np.nonzero(least < root.T)
-        link, offset, share, high = links[which], arms[:, which, at], root[which, at], height[which, at]
+        link, offset, share = links[which], arms[:, which, at], root[which, at]
         velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], offset)
-        fading = (-share * high / self.reach**2 * velocity).ravel()
-        value, normals = (share * velocity).ravel(), np.tile(up[:, which, at], 3)
-        offset, share = np.tile(offset, 3), np.tile(share, 3)
-        at, link, axes = along_axes(at, link)
-        changes = of_velocity(samples, at, link, offset, share * axes), of_point(at, link, offset, fading * normals)
-        yield Block(at, value, changes)
+        fading = -share * height[which, at] / self.reach**2 * up[:, which, at]
+        yield _Near(samples, at, link, offset, share, velocity, fading)
 
     def _weight(self, height: Array, t: Array) -> Array:
         """Return the weights (n, S) of points at heights (n, S) [m] over the ground."""

@@ -25,7 +25,7 @@ def clip():
 
 @pytest.fixture(scope="module")
 def found(clip):
-    return inbetween(replace(clip.problem, settings=replace(clip.settings, max_evaluations=8, frames=0)))
+    return inbetween(replace(clip.problem, settings=replace(clip.settings, max_evaluations=12, frames=0)))
 
 
 def met(figure, timeline, keys):

@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from curvature_of import assembled, curvature_of
 from figures import BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
@@ -10,6 +11,7 @@ from random_samples import random_samples
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
@@ -51,15 +53,16 @@ def test_the_gradient_has_taylor_slope_two(figure, rng, normal):
     assert penalty_slope(Skate(some_points(samples), (below(samples, normal),), 1.0), samples, rng) > 1.95
 
 
-def test_the_model_holds_the_weight(figure, rng):
-    """Rows by y' are those of the residuals, and by y those of the velocity alone."""
+def test_a_step_of_the_model_cannot_gain_without_limit(figure, rng):
+    """The gradient is within the range of the matrices, and the model promises at most the squares of its residuals."""
     samples = random_samples(figure, rng, 3)
-    skate = Skate(some_points(samples), (below(samples),), 1.0)
-    (block,), (modelled,) = skate.residuals(samples), skate.nearby(samples)
-    np.testing.assert_array_equal(block.value, modelled.value)
-    own, held = block.rows(samples), modelled.rows(samples)
-    np.testing.assert_allclose(held[:, 1], own[:, 1])
-    assert np.abs(held[:, 0] - own[:, 0]).max() > 1e-3
+    skate, cotangent = Skate(some_points(samples), (below(samples),), 1.0), Cotangent(samples)
+    values = skate.evaluate(samples, cotangent)
+    matrices = assembled(curvature_of(skate, samples, np.ones(3)), np.tile(np.eye(3), (3, 1, 1)))
+    for value, matrix, gradient in zip(values, matrices, np.hstack(cotangent.gradients()), strict=True):
+        step = np.linalg.lstsq(matrix, -gradient, rcond=1e-10)[0]
+        np.testing.assert_allclose(matrix @ step, -gradient, atol=1e-6 * np.abs(gradient).max())
+        assert 0 < -0.5 * gradient @ step <= 2 * value * (1 + 1e-6)
 
 
 def test_without_points_or_surfaces_nothing_skates(figure, rng):
