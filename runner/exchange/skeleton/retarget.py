@@ -309,7 +309,12 @@ def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str])
         if part not in NEXT:
             continue
         straight = quat.product(facing, standing.straightened(role))
-        mine, theirs = quat.rotated(straight, standing.bone(role)), _bone(captured, role)
+        mine, theirs = standing.bone(role), _bone(captured, role)
+        if part == "thigh":
+            mine = mine + _ahead(standing.joint_of(role), standing.place[standing.roles[role]], standing_left)
+            zero = captured.at_zero
+            theirs = theirs + _ahead(zero[captured.start_of(role)], zero[captured.roles[role]], captured_left)
+        mine = quat.rotated(straight, mine)
         if part == "foot":  # soles are level in both; only their headings may differ
             mine, theirs = mine * [1, 1, 0], theirs * [1, 1, 0]
         if min(np.linalg.norm(mine), np.linalg.norm(theirs)) > 1e-3:
@@ -318,6 +323,12 @@ def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str])
         if {f"{side}_hand", f"{side}_forearm"} <= out.keys():
             out[f"{side}_hand"] = out[f"{side}_forearm"]
     return out
+
+
+def _ahead(first: Array, thigh: Array, left: Array) -> Array:
+    """Return the offset (3,) of the thigh from the hip's first hinge in the sagittal plane."""
+    across = unit(left)
+    return (thigh - first) - across * (across @ (thigh - first))
 
 
 def _bone(captured: CapturedSkeleton, role: str) -> Array:

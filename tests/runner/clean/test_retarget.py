@@ -207,6 +207,23 @@ def test_a_robot_s_own_skeleton_moves_it_as_before(files, tmp_path, rolls):
     assert np.ptp(again[:, 2] - qpos[:, 2]) < 2e-3
 
 
+def test_a_person_stands_as_straight_as_a_robot_whose_thighs_turn_in_front_of_its_hips(tmp_path):
+    text = re.sub(r'(name="\w+_hip_yaw_link")', r'\1 pos=".06 0 0"', ANDROID).replace(
+        'pos="0 0 -.35"', 'pos="-.06 0 -.35"'
+    )
+    (tmp_path / "robot.xml").write_text(text, encoding="utf-8")
+    qpos = np.tile(mujoco.MjModel.from_xml_string(text).qpos0, (10, 1))
+    np.savez(tmp_path / "robot.qpos.npz", time=np.arange(10) / 30, qpos=qpos)
+    import_motion(tmp_path / "robot.qpos.npz", tmp_path / "robot.xml").export(tmp_path / "robot.bvh", fps=30)
+    person = import_motion(tmp_path / "robot.bvh", "human")
+    data = mujoco.MjData(person.model)
+    data.qpos[:] = person.sampled(30).qpos[5]
+    mujoco.mj_kinematics(person.model, data)
+    hip, knee, ankle = (data.body(f"left_{part}").xpos for part in ("thigh", "shin", "foot"))
+    for bone in (knee - hip, ankle - knee):
+        assert np.degrees(np.arccos(-bone[2] / np.linalg.norm(bone))) < 2
+
+
 def test_legs_that_hang_on_the_world_are_told(files):
     captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
     text = re.sub(r"<freejoint[^>]*>|<body name=.pelvis. pos=.0 0 .79.>", "", ANDROID).replace(
