@@ -120,7 +120,8 @@ def _order(names: list[str], joints: list[str], where: object) -> list[int]:
     missing = [name for name in joints if name not in names]
     if missing:
         raise UserError(
-            f"{where}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(joints)}"
+            f"{where}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(joints)}; "
+            f"{missing_input.SKELETON}"
         )
     foreign = [name for name in names if name not in joints]
     if foreign:

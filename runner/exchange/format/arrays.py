@@ -66,7 +66,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     names = [figure.joint(i).name for i in range(figure.njnt)]
     if "joint_names" in arrays and arrays.texts("joint_names") != names:
         raise UserError(
-            f"{path}: its joints are {', '.join(arrays.texts('joint_names'))}; the figure's {', '.join(names)}"
+            f"{path}: its joints are {', '.join(arrays.texts('joint_names'))}; the figure's {', '.join(names)}; "
+            f"{missing_input.SKELETON}"
         )
     qpos = arrays.numbers("qpos", "samples", figure.nq)
     rate = arrays.rate("fps") if "fps" in arrays else fps

@@ -187,7 +187,7 @@ BAD = {
     ),
     "npz": (
         ({"qpos": np.zeros((61, 3))}, r"'qpos' has the shape \(61, 3\), not \(61, 12\)|not \(samples, 12\)"),
-        ({"joint_names": np.array(["one"])}, "its joints are one; the figure's floating, left_hip_pitch"),
+        ({"joint_names": np.array(["one"])}, "its joints are one; the figure's floating, .*; to transfer it"),
         ({"qpos": np.array("text")}, "holds str"),
     ),
     "gmr": (
