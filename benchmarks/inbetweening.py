@@ -111,7 +111,7 @@ class Features:
             ends.append([*(data.site(name).xpos.copy() for name in ENDS), *(data.body(n).xpos.copy() for n in FEET)])
         y = np.array([figure.to_state(row) for row in qpos])
         samples = Samples(figure, y, 0 * y, 0 * y)
-        centres, _, _ = places_of(clip.context.points, samples)
+        centres, _ = places_of(clip.context.points, samples)
         heights = np.min([surface.height(centres) for surface in clip.context.surfaces], axis=0)
         turns = qpos[:, figure.tables.quaternion_columns.T]
         return cls(turns, np.array(ends), centres.transpose(2, 1, 0), heights.T)

@@ -151,8 +151,8 @@ def soles_of(truth: Truth, ground: Ground) -> tuple[Array, Array]:
 
 def soles(figure: Figure, ground: Ground, states: Array) -> tuple[Array, Array]:
     """Places (3, p, T) and heights (p, T) [m] of the points of the soles."""
-    places, _, _ = places_of(ground.points, Samples(figure, states, 0 * states, 0 * states))
-    return places, height_over(ground.surfaces, places, np.array([point.radius for point in ground.points]))[0]
+    places, radii = places_of(ground.points, Samples(figure, states, 0 * states, 0 * states))
+    return places, height_over(ground.surfaces, places, radii)[0]
 
 
 @dataclass(frozen=True)

@@ -96,7 +96,7 @@ def _spots(
 ) -> list[tuple[float, Array]]:
     """Return the point's specified positions at times of the interval, from the table and from keyframes."""
     samples, drift = Samples.still(figure, keys.states), Thresholds.of(figure).same_spot
-    centres, _, _ = places_of((point,), samples)
+    centres, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
     setting = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
     target = None if table.position is None else np.array(table.position, float)

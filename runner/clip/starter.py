@@ -18,7 +18,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import closures, couplings
-from dynsplines.solver.surface.points import Point, arrays_of, body_points
+from dynsplines.solver.surface.points import Point, body_points, bottoms_of, places_of
 from dynsplines.solver.surface.touch import TOUCHING, counts_all, movers
 from dynsplines.solver.surface.touch import solids as solids_of
 
@@ -30,7 +30,7 @@ from .load import compiled_keys
 from .posing.couplings import follow
 from .posing.equalities import Equalities
 from .posing.feet import rest_within_ranges, sole_points
-from .posing.places import Places, places_at, posable_sites
+from .posing.places import Places, posable_sites
 from .posing.pose_report import floor_height, lifts, lowest_point, violations
 from .table import KEY, KeyframeTable, RotationTable
 from .text import keyframe_tables, rotation, tables, written
@@ -226,14 +226,6 @@ def _top(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> float:
     return float(data.geom_xpos[geom, 2] + turn[2] @ middle + np.abs(turn[2]) @ half)
 
 
-def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
-    """Return the lowest height of each point in poses (K, nq), (n, K) [m]."""
-    state = figure.to_state(qpos)
-    links, positions, radii = arrays_of(points)
-    places, _ = Samples.still(figure, state).links.points(links, positions)
-    return places[2] - radii[:, None]
-
-
 def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:
     """Return two more keyframes: one joint moved, and moved back."""
     link, value = _example_joint(figure, qpos)
@@ -294,8 +286,8 @@ def _example_joint(figure: Figure, qpos: Array) -> tuple[Link, float]:
             f"'{name}' is the only moving body: a free body needs its own keyframes, "
             "as in `dynsplines clips --show tumble`"
         )
-    points = body_points(figure)
-    lowest = _bottoms(figure, np.array(poses), points).min(axis=0, initial=np.inf)
+    samples = Samples.still(figure, figure.to_state(np.array(poses)))
+    lowest = bottoms_of(body_points(figure), samples).min(axis=0, initial=np.inf)
     worth = []
     for (i, _), pose, low in zip(choices, poses[1:], lowest[1:], strict=True):
         heavy, sunk = figure.tables.path[:, i].mean() > 0.5, low < lowest[0] - 1e-3
@@ -411,7 +403,8 @@ def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
     if not positions:
         return []
     lines = [f"# {AT_REST}"]
-    for (key, form, point), place in zip(positions, places_at(figure, qpos, [p for *_, p in positions]).T, strict=True):
+    centres, _ = places_of([point for *_, point in positions], Samples.still(figure, figure.to_state(qpos[None])))
+    for (key, form, point), place in zip(positions, centres[:, :, 0].T, strict=True):
         thick = f"  # the middle of a ball of radius {point.radius:.3g} m" if point.radius else ""
         where = ", ".join(f"{round(float(x), 4) + 0.0:g}" for x in place)
         lines.append(f"#   {key} = {form.format(f'[{where}]')}{thick}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -12,9 +12,8 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, weight
-from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import heights
-from dynsplines.solver.surface.points import Point, arrays_of, body_points
+from dynsplines.solver.surface.points import arrays_of, body_points, places_of
 
 from ..clip.posing.pose_report import standing_trees
 from ..motion import samples_at
@@ -41,15 +40,9 @@ def airborne(motion: Measurement) -> Iterator[Excess]:
     for root in standing_trees(figure):
         points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
         if figure.tables.children[root] and points:
-            yield from _floating(motion, samples, at, root, _heights(context.surfaces, points, samples).min(axis=0))
+            height, _ = heights(context.surfaces, *places_of(points, samples))
+            yield from _floating(motion, samples, at, root, height.min(axis=0))
     yield from _sliding(motion, samples)
-
-
-def _heights(surfaces: Sequence[Surface], points: Sequence[Point], samples: Samples) -> Array:
-    """Return the heights (P, S) [m] of points above the surfaces below them."""
-    links, positions, radii = arrays_of(points)
-    centres, _ = samples.links.points(links, positions)
-    return heights(surfaces, centres, radii)[0]
 
 
 def _floating(motion: Measurement, samples: Samples, at: Index, root: int, height: Array) -> Iterator[Excess]:
@@ -99,7 +92,8 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
     limits = Thresholds.of(figure)
     links, positions, _ = arrays_of(context.points)
     speed = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
-    height, feet = _heights(context.surfaces, context.points, samples), feet_of(figure, context.points)[links]
+    height, _ = heights(context.surfaces, *places_of(context.points, samples))
+    feet = feet_of(figure, context.points)[links]
     for foot in np.unique(feet):
         slowest = np.where((height[feet == foot] < limits.touching).all(axis=0), speed[feet == foot].min(axis=0), 0.0)
         for start, end in runs(slowest > BOUNDS["slide"].most):

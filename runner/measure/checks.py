@@ -285,10 +285,9 @@ def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, 
     text = "contact {} is {{}} above its surface"
     rows = [row_of("hover", rest.point.name, text.format(rest.point.name)) for rest in rests]
     points = tuple(rest.point for rest in rests)
-    radii = np.array([point.radius for point in points])
 
     def hits(samples: Samples) -> Hits:
-        places = places_of(points, samples)[0]
+        places, radii = places_of(points, samples)
         height, _ = heights(surfaces, places, radii)
         for i, rest in enumerate(rests):
             if rest.ground is not None:

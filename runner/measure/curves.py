@@ -10,6 +10,7 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.solution import Solution
+from dynsplines.solver.surface.heights import height_above
 from dynsplines.solver.surface.points import places_of
 
 from ..clip.build import Clip
@@ -34,8 +35,8 @@ def _side(clip: Clip, motion: Solution, timeline: Timeline) -> dict[str, Any]:
     samples = samples_at(clip.figure, path, time)
     heights: dict[str, list[float]] = {}
     if clip.context.points and clip.context.surfaces:
-        centres, _, _ = places_of(clip.context.points, samples)
-        height = np.min([surface.height(centres) for surface in clip.context.surfaces], axis=0)
+        centres, _ = places_of(clip.context.points, samples)
+        height = height_above(clip.context.surfaces, centres)
         rows = np.where(np.isfinite(height), height, 10.0).round(5)
         heights = {point.name: row.tolist() for point, row in zip(clip.context.points, rows, strict=True)}
     length = np.linalg.norm(samples.q, axis=0)

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -27,7 +26,7 @@ from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Rolling
 from dynsplines.solver.surface import Box
-from dynsplines.solver.surface.heights import heights
+from dynsplines.solver.surface.heights import height_above, heights
 from dynsplines.solver.surface.points import body_points, places_of
 from dynsplines.solver.surface.touch import counts_all, movers
 
@@ -167,18 +166,12 @@ def _peak(worst: Worst) -> Entry:
     return {"peak": peak, "joint": row.name, "at, s": time}
 
 
-def _heights(clip: Clip, samples: Samples) -> Array:
-    """Return the heights (n, T) [m] of the contact points above the surface below them."""
-    centres, _, _ = places_of(clip.context.points, samples)
-    return np.min([surface.height(centres) for surface in clip.context.surfaces], axis=0)
-
-
 def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
     """Return the horizontal distance that each contact point travels while close to its surface, and its mean speed."""
     if not clip.context.points or not clip.context.surfaces:
         return {}
-    centres, _, _ = places_of(clip.context.points, samples)
-    low = np.abs(_heights(clip, samples)) < Thresholds.of(clip.figure).rests
+    centres, _ = places_of(clip.context.points, samples)
+    low = np.abs(height_above(clip.context.surfaces, centres)) < Thresholds.of(clip.figure).rests
     steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
     together = low[:, 1:] & low[:, :-1]
     pace = np.diff(samples.t)
@@ -201,9 +194,8 @@ def _stances(clip: Clip, timeline: Timeline) -> list[Entry]:
         time = np.linspace(first, last, max(2, round((last - first) * RATE)))
         samples = samples_at(clip.figure, path_of(timeline), time)
         foot = tuple(point for point in body_points(clip.figure) if point.link == link)
-        radii = np.array([point.radius for point in foot])
-        height, _ = heights(clip.context.surfaces, places_of(foot, samples)[0], radii)
-        centres, _, _ = places_of(tuple(stance.point for stance in group), samples)
+        height, _ = heights(clip.context.surfaces, *places_of(foot, samples))
+        centres, _ = places_of(tuple(stance.point for stance in group), samples)
         slide = max(
             float(np.linalg.norm((centres[:, i] - stance.place(time))[:2], axis=0).max())
             for i, stance in enumerate(group)
@@ -220,7 +212,7 @@ def _contacts(clip: Clip, timeline: Timeline) -> list[Entry]:
     for rest in clip.context.schedule.contacts.requested:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
         samples = samples_at(clip.figure, path_of(timeline), time)
-        centres, _, _ = places_of((rest.point,), samples)
+        centres, _ = places_of((rest.point,), samples)
         turned = samples.links.Q[:, rest.point.link]
         track = centres[:, 0] - Rolling.of(rest, turned[:, time.size // 2]).displacement(turned)
         moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
@@ -239,7 +231,7 @@ def _edge_clearance(clip: Clip, samples: Samples) -> dict[str, float]:
         top = box.centre[2] + np.abs(box.axes[2]) @ box.half
         for link in sorted({point.link for point in clip.context.points}):
             points = tuple(point for point in clip.context.points if point.link == link)
-            centres, _, _ = places_of(points, samples)
+            centres, _ = places_of(points, samples)
             middle = centres[0].mean(axis=0)
             for i in np.flatnonzero((middle[:-1] < edge) & (middle[1:] >= edge)):
                 name = f"{clip.figure.links[link].name} over {box.name} at {samples.t[i]:.2f} s"

@@ -22,8 +22,7 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
     by_foot: dict[str, list[dict[str, float]]] = {}
     for link in sorted({point.link for point in clip.context.points}):
         points = tuple(point for point in clip.context.points if point.link == link)
-        radii = np.array([point.radius for point in points])
-        over, _ = heights(clip.context.surfaces, places_of(points, samples)[0], radii)
+        over, _ = heights(clip.context.surfaces, *places_of(points, samples))
         lowest = over.min(axis=0)
         name = model.body(links[link].body).name or links[link].name
         by_foot[name] = [

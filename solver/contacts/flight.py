@@ -248,9 +248,9 @@ class _Arcs:
 
 def _sole_heights(figure: Figure, states: Array, points: Sequence[Point]) -> Array:
     """Return the heights (n, K) [m] of the lowest spots of points, against gravity."""
-    centres, _, _ = places_of(points, Samples.still(figure, states))
+    centres, radii = places_of(points, Samples.still(figure, states))
     up = -figure.gravity / np.linalg.norm(figure.gravity)
-    return np.tensordot(up, centres, axes=1) - np.array([point.radius for point in points])[:, None]
+    return np.tensordot(up, centres, axes=1) - radii[:, None]
 
 
 def _centre(figure: Figure, root: int, states: Array) -> Array:

@@ -83,7 +83,7 @@ class _Spots:
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> _Spots:
         samples = Samples.still(figure, keys.states)
-        centres, _, _ = places_of(points, samples)
+        centres, _ = places_of(points, samples)
         height, over = heights_of(figure, keys, points, surfaces)
         touches = (np.abs(height) < Thresholds.of(figure).near_surface) & placed(figure, keys.known, points)
         return cls(samples, points, surfaces, touches, centres, over)
@@ -124,10 +124,8 @@ def heights_of(
     figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
 ) -> tuple[Array, NDArray[np.intp]]:
     """Return heights of points above the nearest surface below them at keyframes, and its index, (n, K) each."""
-    samples = Samples.still(figure, keys.states)
-    centres, _, _ = places_of(points, samples)
-    heights = np.array([surface.height(centres) for surface in surfaces])
-    heights -= np.array([point.radius for point in points])[:, None]
+    centres, radii = places_of(points, Samples.still(figure, keys.states))
+    heights = np.array([surface.height(centres) for surface in surfaces]) - radii[:, None]
     over = np.argmin(heights, axis=0)
     return np.take_along_axis(heights, over[None], axis=0)[0], over
 

@@ -19,6 +19,7 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..figure.wrench import STANDARD_GRAVITY
 from ..surface import Surface
+from ..surface.heights import height_above
 from ..surface.points import Point, places_of
 from .gait import GaitCycle, PoseProcess
 from .pose_vectors import PoseVectors
@@ -213,8 +214,8 @@ class Gait:
     def _soles(self, states: Array) -> tuple[Array, Array]:
         """Return positions (3, p, T) and heights (p, T) [m] of the sole points."""
         samples = Samples.still(self.figure, states)
-        centres, _, _ = places_of(self.points, samples)
-        return centres, np.min([surface.height(centres) for surface in self.surfaces], axis=0)
+        centres, _ = places_of(self.points, samples)
+        return centres, height_above(self.surfaces, centres)
 
 
 def _refined(process: PoseProcess, tried: Array, gain: Array, i: int) -> float:

@@ -16,7 +16,7 @@ from ..curve.recording import RecordedMotion
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
-from ..surface.heights import height_over
+from ..surface.heights import height_above, height_over
 from ..surface.points import Point, arrays_of, places_of
 from .recorded_stances import RecordedStance
 from .thresholds import Thresholds
@@ -49,7 +49,7 @@ def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: 
         return recorded
     places = _places(recorded, points)
     radii = np.array([[point.radius] for point in points])
-    lowest = np.min([surface.height(places) for surface in surfaces], axis=0) - radii
+    lowest = height_above(surfaces, places) - radii
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
     return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).floor_off else recorded
 

@@ -23,9 +23,8 @@ def touches(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     """Return whether the lowest of the points is on the ground at keyframes, (K,)."""
     if not points or not surfaces:
         return np.zeros(keys.times.size, bool)
-    centres, _, _ = places_of(points, Samples.still(figure, keys.states))
-    height = heights(surfaces, centres, np.array([point.radius for point in points]))[0].min(axis=0)
-    return np.asarray(height < Thresholds.of(figure).touching)
+    height, _ = heights(surfaces, *places_of(points, Samples.still(figure, keys.states)))
+    return np.asarray(height.min(axis=0) < Thresholds.of(figure).touching)
 
 
 def grounded_intervals(

@@ -80,7 +80,7 @@ class _Tracks(NamedTuple):
 def _tracks(recorded: RecordedMotion, points: Sequence[Point]) -> _Tracks:
     step = max(1, round(recorded.rate / Thresholds.of(recorded.figure).finest))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
-    centres, _, _ = places_of(points, Samples.still(recorded.figure, states))
+    centres, _ = places_of(points, Samples.still(recorded.figure, states))
     is_known = recorded.known.min(axis=1)[::step]
     return _Tracks(recorded.times[::step], centres, is_known > 0, position_noise(centres, is_known))
 

@@ -15,6 +15,7 @@ from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface import Plane, Surface
+from ..surface.heights import height_above
 from ..surface.points import Point, placed, places_of
 from .thresholds import Thresholds
 
@@ -71,9 +72,8 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
         return ()
     states, limits = keys.states, Thresholds.of(figure)
     samples = Samples.still(figure, states)
-    centres, _, _ = places_of(points, samples)
-    radius = np.array([point.radius for point in points])[:, None]
-    height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
+    centres, radii = places_of(points, samples)
+    height = height_above(surfaces, centres) - radii[:, None]
     low, exact = (
         (np.abs(height) < limits.near_surface) & placed(figure, keys.known, points),
         placed(figure, keys.fixed, points),
@@ -99,7 +99,7 @@ def resting_objects(figure: Figure, keys: Timeline, links: Sequence[int]) -> tup
     if not points:
         return ()
     states = keys.states
-    centres, _, _ = places_of(points, Samples.still(figure, states))
+    centres, _ = places_of(points, Samples.still(figure, states))
     is_set = placed(figure, keys.known, points)
     resting: list[Stance] = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):

@@ -40,6 +40,11 @@ def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[
     return height, nearest
 
 
+def height_above(surfaces: Sequence[Surface], points: Array) -> Array:
+    """Return the signed height [m] of points (3, ...) above the highest surface below them, infinite without one."""
+    return np.min([np.full(points.shape[1:], np.inf), *(surface.height(points) for surface in surfaces)], axis=0)
+
+
 def height_gradients(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array:
     """Return the gradients (3, p) of the heights of points (3, p) above the surfaces with these indices (p,)."""
     up = np.zeros(points.shape)

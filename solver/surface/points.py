@@ -44,10 +44,16 @@ def arrays_of(points: Sequence[Point]) -> tuple[Index, Array, Array]:
     return links, positions, np.array([point.radius for point in points])
 
 
-def places_of(points: Sequence[Point], samples: Samples) -> tuple[Array, Array, Index]:
-    """Return centres of points (3, n, S) [m], their offsets from the links' origins, and the links (n,)."""
-    links, positions, _ = arrays_of(points)
-    return *samples.links.points(links, positions), links
+def places_of(points: Sequence[Point], samples: Samples) -> tuple[Array, Array]:
+    """Return centres (3, n, S) [m] and radii (n,) [m] of points."""
+    links, positions, radii = arrays_of(points)
+    return samples.links.points(links, positions)[0], radii
+
+
+def bottoms_of(points: Sequence[Point], samples: Samples) -> Array:
+    """Return the heights (n, S) [m] of the lowest ends of points."""
+    centres, radii = places_of(points, samples)
+    return centres[2] - radii[:, None]
 
 
 def hanging(figure: Figure, link: int, points: Sequence[Point]) -> tuple[Point, ...]:

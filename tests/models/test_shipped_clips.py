@@ -132,7 +132,7 @@ def test_what_the_first_keyframe_of_a_loop_says_is_met_at_its_end_as_well():
 def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal_gait():
     walk = of("walk_loop")
     samples = walk.all()
-    places, _, _ = places_of(walk.clip.context.points, samples)
+    places, _ = places_of(walk.clip.context.points, samples)
     assert places[2].min(axis=0).max() < 0.005
     assert len(walk.knees) == 2
     for knee in walk.bends(samples)[0][walk.knees]:

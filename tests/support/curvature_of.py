@@ -79,7 +79,7 @@ def _efforts(samples: Samples) -> Array:
 
 def _displacement(samples: Samples) -> Array:
     """Every planted point's way from its place, zeros when its stance is over."""
-    centres, _, _ = places_of(tuple(s.point for s in PLANTED.stances), samples)
+    centres, _ = places_of(tuple(s.point for s in PLANTED.stances), samples)
     away = []
     for stance, centre in zip(PLANTED.stances, centres.swapaxes(0, 1), strict=True):
         lasts = (samples.t >= stance.first) & (samples.t <= stance.last)

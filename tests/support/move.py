@@ -107,7 +107,7 @@ class Move:
     def displacement(self, stance: Stance) -> Array:
         """(3, S) [m] how far a point at rest is from its spot."""
         samples = self.samples(stance.first, stance.last, 100)
-        places, _, _ = places_of((stance.point,), samples)
+        places, _ = places_of((stance.point,), samples)
         return places[:, 0] - stance.place(samples.t)
 
     def keyframe_error(self) -> float:

@@ -67,7 +67,7 @@ def measured(problem: Clip, timeline: Timeline) -> Measured:
     path, figure = path_of(timeline), problem.figure
     first, last = path.span
     samples = samples_at(figure, path, np.linspace(first, last, round((last - first) * RATE) + 1))
-    centres, _, _ = places_of(problem.context.points, samples)
+    centres, _ = places_of(problem.context.points, samples)
     inside = np.max([surface.inside(centres) for surface in problem.context.surfaces], axis=0)
     away = np.sqrt(dot(centres - centres[:, :, :1], centres - centres[:, :, :1]))
     ranges = JointRange(joint_ranges(figure))

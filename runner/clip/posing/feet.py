@@ -22,7 +22,7 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.penalty import joint_ranges
-from dynsplines.solver.surface.points import Point, arrays_of, body_points, site_points
+from dynsplines.solver.surface.points import Point, arrays_of, body_points, places_of, site_points
 from dynsplines.solver.surface.touch import movers
 
 from .places import posable_sites
@@ -73,8 +73,7 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
     if not body:
         return True
     states = figure.to_state(np.vstack([figure.model.qpos0, qpos]))
-    links, positions, radii = arrays_of((*points, *body))
-    places, _ = Samples.still(figure, states).links.points(links, positions)
+    places, radii = places_of((*points, *body), Samples.still(figure, states))
     low, high = places[2] - radii[:, None], places[2] + radii[:, None]
     ground, tall = low.min(axis=0), np.ptp(np.concatenate([low, high]), axis=0)
     share = SUNK if figure.model.ntendon else THICK  # feet of figures with muscles have sites everywhere
@@ -142,10 +141,8 @@ def _roots(figure: Figure) -> list[Root]:
 def _feet(figure: Figure, root: Root, points: Sequence[Point], poses: Array) -> list[Point]:
     """Return the lowest points of a tree's lowest ends, in the pose in which it stands tallest. A tree that can fall
     sideways stands on at least two feet; otherwise, as in a kick, the next tallest pose is used."""
-    states = figure.to_state(poses)
-    links, positions, radii = arrays_of(points)
-    samples = Samples.still(figure, states)
-    places, _ = samples.links.points(links, positions)
+    samples = Samples.still(figure, figure.to_state(poses))
+    places, radii = places_of(points, samples)
     bottom = places[2] - radii[:, None]
     tall = samples.links.x[2, root.link] - bottom.min(axis=0)
     tall[0] = max(tall[0], tall.max()) if tall[0] >= NEARLY * tall.max() else tall[0]

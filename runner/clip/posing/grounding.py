@@ -82,8 +82,7 @@ class Grounding:
 
         staying  returns the positions (3, n) [m] of the sole points with a stance at keyframe k; NaN for others
         """
-        radii = np.array([point.radius for point in self.points])
-        centres, _, _ = places_of(self.points, Samples.still(self.figure, timeline.states))
+        centres, radii = places_of(self.points, Samples.still(self.figure, timeline.states))
         low = heights(self.surfaces, centres, radii)[0].min(axis=0)
         bottom = (centres[2] - radii[:, None]).min(axis=0)
         sets_height = timeline.known[:, self._height]

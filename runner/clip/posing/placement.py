@@ -173,9 +173,8 @@ def _preferred(
 
 def _touches(figure: Figure, pose: Array, points: Sequence[Point], surfaces: Sequence[Surface]) -> bool:
     """Return whether one of the points touches a surface in a pose (nq,)."""
-    centres, _, _ = places_of(points, Samples.still(figure, figure.to_state(pose[None])))
-    radii = np.array([point.radius for point in points])
-    return bool((heights(surfaces, centres, radii)[0] < Thresholds.of(figure).near_surface).any())
+    height, _ = heights(surfaces, *places_of(points, Samples.still(figure, figure.to_state(pose[None]))))
+    return bool((height < Thresholds.of(figure).near_surface).any())
 
 
 def _speed(figure: Figure, path: Timeline, k: int) -> float:

@@ -11,11 +11,10 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name
-from dynsplines.solver.surface.points import Point, arrays_of, body_points, site_points
+from dynsplines.solver.surface.points import Point, body_points, bottoms_of, site_points
 
 # Names of points of a muscle's path and of its wrapping sides in models converted from OpenSim.
 MUSCLE = re.compile(r"-P\d+[a-z]?(_|$)|path_?point|side_?site|_site_", re.IGNORECASE)
@@ -110,18 +109,6 @@ class Places:
         points = [point for point in body_points(figure) if point.link == link]
         if not points or not link:
             return origin
-        height, *bottoms = heights_at_rest(figure, [origin, *points])
+        rest = Samples.still(figure, figure.to_state(figure.model.qpos0[None]))
+        height, *bottoms = bottoms_of([origin, *points], rest)[:, 0]
         return replace(origin, radius=max(float(height - min(bottoms)), 0.0))
-
-
-def heights_at_rest(figure: Figure, points: Sequence[Point]) -> Array:
-    """Return the height (n,) [m] of the lowest place of each point in the figure's rest pose."""
-    return places_at(figure, figure.model.qpos0, points)[2] - np.array([point.radius for point in points])
-
-
-def places_at(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
-    """Return the positions (3, n) [m] of points in a pose (nq,)."""
-    state = figure.to_state(qpos[None])
-    links, positions, _ = arrays_of(points)
-    positions_in_world, _ = Samples.still(figure, state).links.points(links, positions)
-    return positions_in_world[:, :, 0]

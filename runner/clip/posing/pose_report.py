@@ -12,7 +12,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import joint_ranges
-from dynsplines.solver.surface.points import arrays_of, body_points
+from dynsplines.solver.surface.points import body_points, bottoms_of
 from dynsplines.solver.surface.touch import grounds
 
 from .equalities import Equalities
@@ -67,9 +67,7 @@ def lowest_point(figure: Figure, qpos: Array, root: int) -> float | None:
     points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
     if not points:
         return None
-    links, positions, radii = arrays_of(points)
-    places, _ = Samples.still(figure, figure.to_state(qpos[None])).links.points(links, positions)
-    return float((places[2] - radii[:, None]).min())
+    return float(bottoms_of(points, Samples.still(figure, figure.to_state(qpos[None]))).min())
 
 
 def _off_the_floor(figure: Figure, qpos: Array) -> Iterator[str]:

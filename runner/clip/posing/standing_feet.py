@@ -36,7 +36,8 @@ from dynsplines.solver.posing import (
     reached,
 )
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.points import Point, arrays_of, placed
+from dynsplines.solver.surface.heights import height_above
+from dynsplines.solver.surface.points import Point, placed, places_of
 
 from ..contacts import contacts, grasps_of
 from ..table import ContactTable, GraspTable, SolveTable
@@ -261,10 +262,8 @@ class _KnownPositions:
 
     def _unrolled(self, surfaces: Sequence[Surface]) -> tuple[Array, Array, Mask]:
         """Return times (T,), positions of the points (n, T, 3), and whether they are on a surface (n, T)."""
-        links, positions, radii = arrays_of(self.points)
-        centres, _ = self.samples.links.points(links, positions)
-        heights = [surface.height(centres) for surface in surfaces]
-        above = np.min(heights, axis=0) - radii[:, None] if heights else np.full(centres.shape[1:], np.inf)
+        centres, radii = places_of(self.points, self.samples)
+        above = height_above(surfaces, centres) - radii[:, None]
         times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < self.limits.near_surface
         if self.timeline.ends != "periodic":
             return times, centres, low

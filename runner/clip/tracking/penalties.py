@@ -37,7 +37,7 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane, Surface, static_surfaces
-from dynsplines.solver.surface.points import Point, arrays_of, body_points, places_of
+from dynsplines.solver.surface.points import Point, body_points, bottoms_of
 
 from ...errors import UserError, unknown
 from ..context import knees_and_elbows
@@ -93,7 +93,8 @@ class Ground:
         figure, body = self.figure, body_points(self.figure)
         if not body or not self.points:
             return body
-        heights = self._at_rest((*body, *self.points))
+        rest = Samples.still(figure, figure.to_state(figure.model.qpos0[None]))
+        heights = bottoms_of((*body, *self.points), rest)[:, 0]
         soles = np.array([point.link for point in self.points])
         lowest = {link: heights[len(body) :][soles == link].min() for link in np.unique(soles).tolist()}
 
@@ -106,11 +107,6 @@ class Ground:
         return tuple(
             p for p, height in zip(body, heights[: len(body)].tolist(), strict=True) if not is_below(p, height)
         )
-
-    def _at_rest(self, points: tuple[Point, ...]) -> Array:
-        """Return the heights of the lowest ends of points in the rest pose, (n,) [m]."""
-        still = Samples.still(self.figure, self.figure.to_state(self.figure.model.qpos0[None]))
-        return places_of(points, still)[0][2, :, 0] - arrays_of(points)[2]
 
 
 def ground_of(figure: Figure, qpos: Array) -> Ground:

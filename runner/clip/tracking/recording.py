@@ -172,7 +172,7 @@ class TrackedRecording:
             return False
         qpos = np.stack([edit.state, self.pose(edit.time)])
         states = figure.to_state(qpos)
-        places, _, _ = places_of((point,), Samples.still(figure, states))
+        places, _ = places_of((point,), Samples.still(figure, states))
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > Thresholds.of(figure).moved
 
 

@@ -17,7 +17,8 @@ from dynsplines.solver.objective import segment_integrals
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
-from dynsplines.solver.surface.points import arrays_of, places_of
+from dynsplines.solver.surface.heights import height_above
+from dynsplines.solver.surface.points import places_of
 
 from ...clip.build import Clip
 from ...motion import samples_at
@@ -105,9 +106,9 @@ def _heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
     points, surfaces = clip.context.points, clip.context.surfaces
     if not points or not surfaces:
         return {}
-    centres, _, _ = places_of(points, samples)
-    height = np.min([surface.height(centres) for surface in surfaces], axis=0)
-    height = np.where(np.isfinite(height), height, FAR) - arrays_of(points)[2][:, None]
+    centres, radii = places_of(points, samples)
+    height = height_above(surfaces, centres)
+    height = np.where(np.isfinite(height), height, FAR) - radii[:, None]
     return {point.name: _rounded(row, 4) for point, row in zip(points, height, strict=True)}
 
 

@@ -17,7 +17,7 @@ from ...figure.kinematics import Samples
 from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
-from ...surface.points import Point, arrays_of, placed, places_of
+from ...surface.points import Point, arrays_of, placed
 from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
@@ -134,8 +134,9 @@ class Contact(Penalty):
         return Allowance(self.allowed.times, padded)
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
-        """Return the points' positions, see `places_of`."""
-        return places_of(self.points, samples)
+        """Return centres of the points (3, n, S) [m], their offsets from the links' origins, and the links (n,)."""
+        links, positions, _ = self._arrays
+        return *samples.links.points(links, positions), links
 
     def relative_to_carrier(self, samples: Samples, points: Array) -> Array:
         """Return points (3, n, S) of the world in the axes of the surfaces' carrier."""

@@ -53,7 +53,7 @@ class Bound:
         shares = np.tile(np.minimum(1.0, (limits.long / spans) ** 2), (len(points), 1))
         if swings:
             samples = Samples.still(figure, keys.states)
-            centres, _, _ = places_of(points, samples)
+            centres, _ = places_of(points, samples)
             steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
             is_set = placed(figure, keys.known, points)
             shares[(steps > limits.strode) & (spans <= limits.shortly) & is_set[:, 1:] & is_set[:, :-1]] = 0.0

@@ -115,7 +115,7 @@ def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_te
         motion = inbetween(clip.problem)
         y, y_d, y_dd = path_of(motion.timeline).motion(t := np.linspace(0.55, 0.75, 101))
         toe = tuple(point for point in clip.context.points if point.name == "left_toe")
-        centres, _, _ = places_of(toe, Samples(clip.figure, y, y_d, y_dd, t))
+        centres, _ = places_of(toe, Samples(clip.figure, y, y_d, y_dd, t))
         moved.append(float(np.ptp(centres[0, 0])))
     assert moved[0] > 0.05
     assert moved[1] < 0.005

@@ -45,7 +45,7 @@ def resting(take: Take, ground: Ground) -> np.ndarray:
     """(p, T) which points are low and slow."""
     recorded = RecordedMotion.of(take.figure, take.time, take.qpos)
     samples = samples_at(take.figure, recorded.path, take.time)
-    places, _, _ = places_of(ground.points, samples)
+    places, _ = places_of(ground.points, samples)
     height, _ = height_over(ground.surfaces, places, np.array([point.radius for point in ground.points]))
     return (np.linalg.norm(np.gradient(places, take.time, axis=2), axis=0) < 0.2) & (height < 0.03)
 

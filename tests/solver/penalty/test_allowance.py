@@ -80,7 +80,7 @@ def test_a_knee_that_a_keyframe_bends_backward_may_do_so_near_it_and_nowhere_els
 def test_gradients_with_allowances_have_taylor_slope_two(figure, rng):
     samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
     points = Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", len(figure.links) - 1, np.zeros(3), 0.1)
-    centres, _, _ = places_of(points, samples)
+    centres, _ = places_of(points, samples)
     floor = Plane("floor", (centres[2].max() + 0.3) * UP, UP)
     allowed = Allowance(np.array([0.0, 0.4, 1]), rng.uniform(0, 0.3, (2, 3)))
     contact = Contact(points, (floor,), allowed=allowed)

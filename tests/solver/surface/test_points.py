@@ -131,7 +131,11 @@ def test_points_at_sites_are_where_mujoco_has_the_sites(coordinates, rng):
         site_points(figure, ["knee"])
     qpos = np.array([random_qpos(figure, rng) for _ in range(4)])
     state = figure.to_state(qpos)
-    centres, arms, links = places_of(points, Samples(figure, state, 0 * state, 0 * state))
+    samples = Samples(figure, state, 0 * state, 0 * state)
+    links, positions, radii = arrays_of(points)
+    _, arms = samples.links.points(links, positions)
+    centres, sizes = places_of(points, samples)
+    np.testing.assert_array_equal(sizes, radii)
     for k, pose in enumerate(qpos):
         data = kinematics(figure.model, pose)
         np.testing.assert_allclose(centres[:, :, k].T, [data.site(name).xpos for name in ("toe", "heel")], atol=1e-9)

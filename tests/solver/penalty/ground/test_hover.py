@@ -30,7 +30,7 @@ def some_points(samples: Samples) -> tuple[Point, ...]:
 def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, HoverPenalty]:
     samples = at_times(random_samples(figure, rng, count), np.linspace(0, 1, count))
     points = some_points(samples)
-    centres, _, _ = places_of(points, samples)
+    centres, _ = places_of(points, samples)
     floor = Plane("floor", (centres[2].min() - 0.3) * UP, UP)
     return samples, HoverPenalty(points, (floor,), ((0.1, 0.5), (0.7, 1.0)), reach=0.8, blend=0.2)
 
@@ -39,7 +39,7 @@ def test_the_value_by_hand(figure, rng):
     samples, grounded = case(figure, rng)
     (floor,) = grounded.surfaces
     assert isinstance(floor, Plane)
-    centres, _, _ = places_of(grounded.points, samples)
+    centres, _ = places_of(grounded.points, samples)
     height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
     lowest = np.maximum(-0.2 * np.log(np.sum(np.exp(-height / 0.2), axis=0)), 0)
     expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((lowest / 0.8) ** 2))), 0)

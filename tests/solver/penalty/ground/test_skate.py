@@ -32,7 +32,7 @@ def some_points(samples: Samples) -> tuple[Point, ...]:
 
 def below(samples: Samples, normal: np.ndarray = UP) -> Plane:
     """A plane under all of the points."""
-    centres, _, _ = places_of(some_points(samples), samples)
+    centres, _ = places_of(some_points(samples), samples)
     return Plane("floor", (np.einsum("i,ins->ns", normal, centres).min() - 0.3) * normal, normal)
 
 
