@@ -278,7 +278,22 @@ def load(source: Path) -> Saved:
 
 
 def read_arrays(source: Path) -> Arrays:
-    """Return the arrays of an .npz by name. Raises UserError if it is missing, damaged, or contains pickled objects."""
+    """Return the arrays of an .npz by name. Raises UserError if it is missing, damaged, or contains anything else."""
+    arrays: Arrays = {}
+    for name, entry in read_entries(source).items():
+        if entry is None:
+            raise UserError(f"{source}: it holds pickled objects, which are never loaded")
+        if not isinstance(entry, np.ndarray):
+            raise UserError(f"{source}: '{name}' in it is not an array")
+        arrays[name] = entry
+    return arrays
+
+
+def read_entries(source: Path) -> dict[str, np.ndarray | bytes | None]:
+    """Return the entries of an .npz by name: arrays, other data, and None for pickled objects, which are never loaded.
+
+    Raises UserError if the file is missing or damaged.
+    """
     if not source.is_file():
         raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
     with source.open("rb") as stream:
@@ -288,17 +303,20 @@ def read_arrays(source: Path) -> Arrays:
         try:
             size_limit.check_archive(stream, source)
             with np.load(stream, allow_pickle=False) as archive:
-                data = {name: archive[name] for name in archive.files}
+                return {name: _unpickled(archive, name) for name in archive.files}
         except UserError:
             raise
         except Exception as error:  # a damaged zip may raise any exception
-            if "allow_pickle" in str(error):
-                raise UserError(f"{source}: it holds pickled objects, which are never loaded") from None
             raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
-    foreign = [name for name, array in data.items() if not isinstance(array, np.ndarray)]
-    if foreign:
-        raise UserError(f"{source}: '{foreign[0]}' in it is not an array")
-    return data
+
+
+def _unpickled(archive: Any, name: str) -> Any:
+    try:
+        return archive[name]
+    except ValueError as error:
+        if "allow_pickle" in str(error):
+            return None
+        raise
 
 
 def _check(saved: Saved, data: Arrays) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ..errors import UserError
+from ..motion import read_entries
 from ..system import size_limit
 from .gaps import UnequalSamples, bridged, samples_used
 from .trajectory import BodyPoses
@@ -151,19 +152,8 @@ def read_npz(source: Path) -> ArrayReader:
     """
     if source.suffix.lower() == ".npy":
         return _single(source)
-    try:
-        with source.open("rb") as stream:
-            if not zipfile.is_zipfile(stream):
-                raise UserError(f"{source}: not an .npz file, or cut short")
-            stream.seek(0)
-            size_limit.check_archive(stream, source)
-            with np.load(stream, allow_pickle=False) as archive:
-                arrays = {name: _unpickled(archive, name) for name in archive.files}
-    except UserError:
-        raise
-    except Exception as error:  # a damaged zip raises nearly anything
-        raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
-    return ArrayReader(source, {name: array for name, array in arrays.items() if isinstance(array, np.ndarray)})
+    entries = read_entries(source)
+    return ArrayReader(source, {name: entry for name, entry in entries.items() if isinstance(entry, np.ndarray)})
 
 
 def _single(source: Path) -> ArrayReader:
@@ -175,15 +165,6 @@ def _single(source: Path) -> ArrayReader:
     if not isinstance(array, np.ndarray):
         raise UserError(f"{source}: not an .npy file; name it .npz")
     return ArrayReader(source, {"qpos": array})
-
-
-def _unpickled(archive: Any, name: str) -> Any:
-    try:
-        return archive[name]
-    except ValueError as error:
-        if "allow_pickle" in str(error):
-            return None
-        raise
 
 
 def names_in(source: Path) -> set[str]:
