@@ -73,12 +73,9 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     else:
         rotation = motion.quaternions("root_rot", "samples", 4, scalar_last=True)
     joints = motion.numbers("dof_pos", "samples", "joints")
-    readings: dict[tuple[str, ...], layouts.Reading] = {
-        (): partial(configurations, model, NAME, path, position, rotation, joints)
-    }
-    return layouts.recording(
-        model, times(len(joints), rate), readings, scalar_last=True, has_names=False, bodies=_bodies(motion), fps=rate
-    )
+    reading = partial(configurations, model, NAME, path, position, rotation, joints)
+    time, bodies = times(len(joints), rate), _bodies(motion)
+    return layouts.recording(model, time, {(): reading}, scalar_last=True, has_names=False, bodies=bodies, fps=rate)
 
 
 def _motion(reader: ArrayReader) -> ArrayReader:

@@ -105,11 +105,9 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     turned = rotation.quaternions("qpos (the root's quaternion)", "samples", 4)
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
     rate = arrays.rate("frequency", fps)
-    readings: dict[tuple[str, ...], layouts.Reading] = {
-        (): partial(configurations, model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
-    }
+    reading = partial(configurations, model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
     return layouts.recording(
-        model, times(len(qpos), rate), readings, scalar_last=False, bodies=body_poses(arrays), fps=rate
+        model, times(len(qpos), rate), {(): reading}, scalar_last=False, bodies=body_poses(arrays), fps=rate
     )
 
 

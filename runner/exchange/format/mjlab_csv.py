@@ -66,9 +66,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     arrays = ArrayReader(path, parts)
     position, joints = arrays.numbers("root", "T", 3), arrays.numbers("hinges", "T", "n")
     rotation = arrays.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
-    readings: dict[tuple[str, ...], layouts.Reading] = {
-        (): partial(configurations, model, NAME, path, position, rotation, joints)
-    }
+    reading = partial(configurations, model, NAME, path, position, rotation, joints)
     rate = fps if source.numbers.shape[1] == width else None
-    result = layouts.recording(model, time, readings, scalar_last=True, has_names=False, fps=rate)
+    result = layouts.recording(model, time, {(): reading}, scalar_last=True, has_names=False, fps=rate)
     return layouts.with_notes(result, source.notes)
