@@ -27,12 +27,11 @@ from .constraints import chosen
 from .kinds import Options
 from .table import ClipTable, SolveTable, Table
 from .table_errors import describe, describe_toml
-from .tracking.penalties import WEIGHTS
+from .tracking.penalties import LONGEST_PANEL, POINTS, WEIGHTS
 
 Tables = TypeVar("Tables", bound=Table)
 
-LONGEST_PANEL = 0.05  # [s] longest panel of Gauss's rule
-POINTS = 3  # nodes per panel of Gauss's rule, exact for polynomials of degree 5
+
 TOLERANCE = 1e-3  # [1] default progress relative to E at which a search ends
 FRAME_SECONDS = 0.1  # [s] of a clip per variable frame, the minimum of the default budget
 SHORTEST = 0.001  # [s] minimum distance of neighbouring keyframes

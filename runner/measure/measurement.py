@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.contacts import Grasp, Rest, Stance, stances
+from dynsplines.solver.contacts import ROUNDING, Grasp, Rest, Stance, stances
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
@@ -36,7 +36,6 @@ from . import checks
 from .checks import Check, ContactTarget, Fixed, Hits, Row
 
 RATE = 240.0  # [1/s] of the grid: a foot at 4 m/s moves 17 mm between samples
-ROUNDING = 1e-9  # [s] tolerance at the ends of intervals
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..motion import Saved
     from ..scene.assets import Scene
 
-BLEND = 0.4  # [s] default of `blend` in a clip that follows a recording
+
 EXAMPLES = "a clip (.toml), a model (.xml), a motion (.npz), a recording, or a shipped clip"
 
 
@@ -131,6 +131,8 @@ def _scene_with(path: Path, scene: Scene) -> str:
 
 def following(path: Path, figure: str) -> Document:
     """Return a clip that follows a motion's file, in its folder."""
+    from ..clip.tracking.recording import EASE
+
     text = f'# Keyframes here edit what was recorded; the rest stays as it is.\nfigure = "{figure}"\n\n[recording]\n'
-    text += f'file = "{path.name}"\nblend = {BLEND:g}                             # s before and after every keyframe\n'
+    text += f'file = "{path.name}"\nblend = {EASE:g}                             # s before and after every keyframe\n'
     return Document(f"{path.stem}_edited", text, path.parent)

@@ -22,7 +22,7 @@ from .grounded import grounded_intervals, open_intervals, touches
 from .stance import Rest, Stance, resting_objects, stances
 from .thresholds import Thresholds
 
-ROUNDING = 1e-9  # [s]
+ROUNDING = 1e-9  # [s] rounding tolerance of times
 
 
 @dataclass(frozen=True)

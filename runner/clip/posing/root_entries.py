@@ -15,13 +15,12 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import Root, roots_of
-from dynsplines.solver.posing import BodyGoal, in_winding, posed
+from dynsplines.solver.posing import WHOLE_TURNS, BodyGoal, in_winding, posed
 
 from ...errors import UserError, unknown
 from ..table import KeyframeTable, RootTable, RotationTable
 from .rotation import UP, quaternion_of
 
-WHOLE_TURNS = 1e3  # [rad] permitted excess of a root's hinges over their ranges: any number of turns
 MOVED = 1e-6  # [m] tolerance of a root's position
 FLAT = 1e-9  # component of a joint's motion below which it is ignored
 

@@ -58,7 +58,8 @@ WEIGHTS = {
     "support": 1000.0,  # a cost of 1 for a thirtieth of the figure's weight
 }
 STANCES = TypeAdapter(list[StanceTable])
-LONGEST_PANEL, POINTS = 0.05, 3  # longest panel [s] of Gauss's rule, and its number of nodes
+# longest panel [s] of Gauss's rule, and its number of nodes, exact for polynomials of degree 5
+LONGEST_PANEL, POINTS = 0.05, 3
 TOLERANCE = 1e-2  # [1] progress relative to E at which a search ends
 INSIDE = 0.015  # [rad, m] margin inside a joint's range
 NEXT_TO = 0.008  # [s] minimum distance of frames from a keyframe, half of their minimum spacing

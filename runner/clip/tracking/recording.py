@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Rest
+from dynsplines.solver.contacts import ROUNDING, Rest
 from dynsplines.solver.contacts.recorded_stances import infer_stances
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
@@ -39,7 +39,6 @@ DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less t
 INNER, MARGIN = 0.75, 6  # share of a blend within which frames are free; fixed frames from there to its end
 EXACT = 2e-4  # [m], [1] error in entries of the state (0.02° in a quaternion) above which a fixed frame is inserted
 TOLERANCE = 1e-3  # [1] progress relative to E at which a search ends; small, because an edit starts far from its goal
-ROUNDING = 1e-9  # [s] rounding tolerance of times
 
 
 class RecordedPath(NamedTuple):

@@ -21,6 +21,7 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...system import size_limit
+from .. import gaps
 from ..skeleton.bvh_file import Skeleton
 from .node_tree import Nodes, float32_step, moving_tree, rate_of
 
@@ -29,7 +30,6 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 PATHS = {"translation": 3, "rotation": 4, "scale": 3}
 EMBEDDED = "base64,"
 REST = "rest"  # in extras of nodes written by this program: translation and rotation in the model's rest pose
-FEWEST = 2  # least number of samples of a motion
 SOON = 1e-6  # [s] tolerance before a key's time, which is rounded to float32
 SINGULAR = 1e-12  # determinant below which a matrix counts as singular
 
@@ -93,7 +93,7 @@ class _File:
         notes = self._choice()
         channels = [channel for channel in animation.channels if channel.target.path in PATHS]
         keys = [self.rows(animation.samplers[channel.sampler].input)[:, 0] for channel in channels]
-        if not keys or max(times.size for times in keys) < FEWEST:
+        if not keys or max(times.size for times in keys) < gaps.FEWEST:
             raise UserError(f"{self.path}: its animation '{animation.name}' moves no node")
         first, last = min(float(times[0]) for times in keys), max(float(times[-1]) for times in keys)
         rate = fps or rate_of(max(keys, key=len))
@@ -173,7 +173,7 @@ class _File:
             return _hermite(keys, values, into, out, at)
         if len(values) != keys.size:
             raise UserError(f"{self.path}: a channel has {keys.size} times and {len(values)} values")
-        if sampler.interpolation == gl.ANIM_STEP or keys.size < FEWEST:
+        if sampler.interpolation == gl.ANIM_STEP or keys.size < gaps.FEWEST:
             return values[np.clip(np.searchsorted(keys, at + SOON, side="right") - 1, 0, keys.size - 1)]
         if path == "rotation":
             return Slerp(keys, Rotation.from_quat(values))(at).as_quat()
@@ -182,7 +182,7 @@ class _File:
 
 def _hermite(keys: Array, values: Array, into: Array, out: Array, at: Array) -> Array:
     """Interpolate cubically between keys with separate slopes before and after each."""
-    if keys.size < FEWEST:
+    if keys.size < gaps.FEWEST:
         return np.repeat(values, at.size, axis=0)
     span = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, keys.size - 2)
     samples = np.empty((at.size, values.shape[1]))

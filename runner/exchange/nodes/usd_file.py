@@ -18,11 +18,11 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...system import size_limit
+from .. import gaps
 from ..skeleton.bvh_file import Skeleton
 from .node_tree import Nodes, moving_tree
 
 REST = "rest"  # in custom data of prims written by this program: translation and rotation wxyz in the rest pose
-FEWEST = 2  # least number of samples of a motion
 
 
 def read(path: Path, fps: float | None, scale: float | None) -> tuple[Skeleton, float]:
@@ -67,7 +67,7 @@ def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> Nodes:
         note = f"read the skeleton {query.GetPrim().GetPath()}, the largest of {len(queries)}"
         return replace(_of_skeleton(query, times, rate), notes=(note,) if len(queries) > 1 else ())
     prims = [prim for prim in stage.Traverse() if prim.IsA(UsdGeom.Xformable) and not prim.IsA(UsdGeom.Gprim)]
-    animated = [len(UsdGeom.Xformable(prim).GetTimeSamples()) >= FEWEST for prim in prims]
+    animated = [len(UsdGeom.Xformable(prim).GetTimeSamples()) >= gaps.FEWEST for prim in prims]
     codes = sorted({code for prim in prims for code in UsdGeom.Xformable(prim).GetTimeSamples()})
     times, rate = _times(stage, path, codes, fps, len(prims))
     place = {prim.GetPath(): i for i, prim in enumerate(prims)}
@@ -92,7 +92,7 @@ def _times(
     stage: Usd.Stage, path: Path, codes: list[float], fps: float | None, nodes: int
 ) -> tuple[list[float], float]:
     """Return equally spaced time codes, and their rate [1/s]."""
-    if len(codes) < FEWEST:
+    if len(codes) < gaps.FEWEST:
         raise UserError(f"{path}: nothing moves on its stage")
     a_second = stage.GetTimeCodesPerSecond()
     rate = fps or a_second / float(np.median(np.diff(codes)))

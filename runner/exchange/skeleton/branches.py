@@ -20,13 +20,12 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import subtree
 
 from . import hierarchy
-from .roles import lineage, split, with_trunk
+from .roles import SIDES, lineage, split, with_trunk
 
 LEAST = 3  # least number of joints of a limb
 ALIKE = 0.03  # largest difference between the limbs of a pair, as a fraction of the limb's length
 ALONG = 0.85  # least cosine between a hinge's axis and the limb's line for a hinge along the limb
 HANGING = 0.7  # least height of a leg's beginning above its end, as a fraction of its length
-SIDES = ("left", "right")
 PARTS = {"leg": ("thigh", "shin", "foot"), "arm": ("upper_arm", "forearm", "hand")}
 
 

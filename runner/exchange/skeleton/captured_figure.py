@@ -11,7 +11,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from .captured_skeleton import CapturedSkeleton
-from .roles import lineage, unique
+from .roles import SIDES, lineage, unique
 
 DENSITY = 1000.0  # [kg/m³]
 LEAST = 1e-3  # [m] least length of a bone with a capsule; a shorter one gets a sphere
@@ -20,7 +20,6 @@ THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.
              "foot": (0.2, 0.015, 0.035), "upper_arm": (0.16, 0.02, 0.05), "forearm": (0.15, 0.015, 0.04),
              "pelvis": (0.5, 0.05, 0.1), "chest": (0.4, 0.04, 0.1), "neck": (0.5, 0.03, 0.055),
              "head": (0.5, 0.05, 0.09)}  # fmt: skip
-SIDES = ("left", "right")
 WORLD = "world"  # name reserved by MuJoCo
 COLOURS = {"left": "0.17 0.45 0.56 1", "right": "0.93 0.55 0.22 1", "": "0.45 0.5 0.56 1"}
 

@@ -12,8 +12,8 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
+from .roles import SIDES
 
-SIDES = ("left", "right")
 JOINTS = ("spine", *(f"{side}_{part}" for side in SIDES for part in ("shoulder", "elbow", "hip", "knee", "ankle")))
 
 

@@ -13,7 +13,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ...errors import UserError, unknown
 
-SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right", "rt": "right",
+SIDES = ("left", "right")
+SIDE_WORDS = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right", "rt": "right",
          "hidari": "left", "migi": "right"}  # fmt: skip
 WORDS = {role: tuple(words.split()) for role, words in {
     "clavicle": "clavicle collar collarbone shouldercollar thorax",
@@ -72,11 +73,11 @@ def split(name: str) -> tuple[str | None, str]:
     words = [word.lower() for word in SPLIT.findall(name)]
     words = [word for word in words if word not in FILLING] or words
     for i, word in enumerate(words):
-        if word in SIDES and len(words) > 1:
-            return SIDES[word], "".join(words[:i] + words[i + 1 :])
+        if word in SIDE_WORDS and len(words) > 1:
+            return SIDE_WORDS[word], "".join(words[:i] + words[i + 1 :])
     whole = "".join(words)
     starts = ("left", "right", "hidari", "migi", "l", "r")
-    for start, side in ((start, SIDES[start]) for start in starts):
+    for start, side in ((start, SIDE_WORDS[start]) for start in starts):
         if whole.startswith(start) and whole[len(start) :] in KNOWN:
             return side, whole[len(start) :]
     return None, whole
@@ -88,7 +89,7 @@ def _cjk(name: str) -> tuple[str | None, str]:
     if name[:1] in CJK_SIDE:
         side, name = CJK_SIDE[name[0]], name[1:]
     elif ends := LATIN_SIDE.match(name):
-        side, name = SIDES[ends[2].lower()], ends[1]
+        side, name = SIDE_WORDS[ends[2].lower()], ends[1]
     return side, CJK.get(name, name)
 
 

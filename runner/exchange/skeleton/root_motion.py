@@ -8,14 +8,13 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import Root, roots_of
-from dynsplines.solver.posing import BodyGoal, PoseSearch
+from dynsplines.solver.posing import WHOLE_TURNS, BodyGoal, PoseSearch
 
 from ...errors import UserError
 from ...scene.configuration import posed
 from ...scene.framing import root_places
 from . import hierarchy
 
-WHOLE_TURNS = 1e3  # [rad] permitted excess of a root's hinges over their ranges: any number of turns
 TURNED, MOVED = float(np.radians(0.5)), 0.005  # [rad, m] allowed deviation of a root from the recorded one
 
 

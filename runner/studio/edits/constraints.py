@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...clip.kinds import KINDS
+from ...clip.parse import SHORTEST
 from ...errors import UserError
 from .tables import Blocks, add, number, numbers, put, remove, row
 
 EDITS = ("set_contact", "set_grasp", "delete_bar", "set_weight", "set_option", "set_solve")
-SHORTEST = 0.001  # [s] minimum duration of a contact or grasp
+
 SWITCHED = {("collision", "self"): "self"}  # options that must be set if a part gets a weight
 
 

@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from ...clip.parse import SHORTEST
 from ...errors import UserError
 from .tables import DOTTED, Blocks, add, drop_dotted, number, put, put_dotted, remove, row
 
 EDITS = ("move_keys", "add_key", "delete_keys", "paste_keys", "replace_keys")
 SAME = 1e-9  # [s] difference up to which times are equal
-CLOSEST = 0.001  # [s] minimum distance of keyframes
 
 
 def times(tree: Blocks) -> list[float]:
@@ -51,7 +51,7 @@ def _follow(table: Any, end: str, was: Sequence[float], now: Mapping[int, float]
 
 def _check_order(was: Sequence[float], now: Sequence[float]) -> None:
     for index, (a, b) in enumerate(pairwise(now)):
-        if b - a < CLOSEST:
+        if b - a < SHORTEST:
             moved = index if abs(now[index] - was[index]) > SAME else index + 1
             other = index + 1 if moved == index else index
             side = "past" if (b <= a) else "on"
@@ -65,7 +65,7 @@ def add_key(tree: Blocks, *, entries: Mapping[str, Any]) -> str:
     """Insert a keyframe with these entries, sorted by time."""
     time, was = number(entries["time"], "the time of a keyframe"), times(tree)
     for index, other in enumerate(was):
-        if abs(other - time) < CLOSEST:
+        if abs(other - time) < SHORTEST:
             raise UserError(f"there is a keyframe at {other:g} s already: keyframe {index + 1}")
     add(tree, ("keyframe",), {**entries, "time": time}, sum(other < time for other in was))
     return f"add a keyframe at {time:g} s"
