@@ -45,8 +45,8 @@ class Limb:
 
 
 @dataclass(frozen=True, eq=False)
-class _Bent:
-    """A limb in all samples: position [m] of its end (T, 3) relative to its first body, and rotations {body: (T, 4)}.
+class Chain:
+    """Bodies in all samples: position [m] of the last (T, 3) relative to the first, and rotations {body: (T, 4)}.
 
     Its D degrees of freedom have axes (T, D, 3) and anchors (T, D, 3) in the world, and belong to the bodies moved
     (D,).
@@ -75,7 +75,7 @@ def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arr
     by_range = RANGE * np.concatenate([np.eye(low.size)[bounded], -np.eye(low.size)[bounded]])
 
     def residuals(now: Array, which: Index) -> Residuals:
-        state = _bent(model, now, limb.bodies, carried[which])
+        state = chain_of(model, now, limb.bodies, carried[which])
         off, rows = list[Array](), list[Array]()
         if limb.about is not None:
             off.append((state.end - limb.about[which]) / PLACE)
@@ -140,10 +140,10 @@ def _move(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], step: Array
             k += 1
 
 
-def _bent(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Array) -> _Bent:
-    """Return the forward kinematics of a chain of bodies, relative to the first one's position."""
+def chain_of(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Array) -> Chain:
+    """Return the forward kinematics of a chain of bodies; carried: (T, 4) orientation of its parent."""
     count, place, turn = len(qpos), np.zeros((len(qpos), 3)), carried
-    turns, axes, anchors, moved = dict[int, Array](), list[Array](), list[Array](), list[int]()
+    turns, rows, spots, moved = dict[int, Array](), list[Array](), list[Array](), list[int]()
     first = np.zeros((count, 3))
     for body in bodies:
         place = place + quat.rotated(turn, model.body_pos[body])
@@ -151,16 +151,18 @@ def _bent(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Ar
         for joint in joints(model, [body]):
             at, anchor = model.jnt_qposadr[joint], place + quat.rotated(turn, model.jnt_pos[joint])
             match model.jnt_type[joint]:
+                case JointKind.FREE:
+                    anchor, turn = qpos[:, at : at + 3], qpos[:, at + 3 : at + 7]
                 case JointKind.HINGE:
-                    axes.append(quat.rotated(turn, model.jnt_axis[joint]))
+                    rows.append(quat.rotated(turn, model.jnt_axis[joint]))
                     angle = qpos[:, at] - model.qpos0[at]
                     turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
-                    anchors.append(anchor)
+                    spots.append(anchor)
                     moved.append(body)
                 case JointKind.BALL:
                     turn = quat.product(turn, qpos[:, at : at + 4])
-                    axes += [quat.rotated(turn, axis) for axis in np.eye(3)]
-                    anchors += [anchor] * 3
+                    rows += [quat.rotated(turn, axis) for axis in np.eye(3)]
+                    spots += [anchor] * 3
                     moved += [body] * 3
                 case JointKind.SLIDE:
                     along = quat.rotated(turn, model.jnt_axis[joint])
@@ -168,4 +170,5 @@ def _bent(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Ar
             place = anchor - quat.rotated(turn, model.jnt_pos[joint])
         turns[body] = turn
         first = place if body == bodies[0] else first
-    return _Bent(place - first, turns, np.stack(axes, axis=1), np.stack(anchors, axis=1) - first[:, None], moved)
+    axes, anchors = (np.reshape(part, (-1, count, 3)).swapaxes(0, 1) for part in (rows, spots))
+    return Chain(place - first, turns, axes, anchors - first[:, None], moved)

@@ -30,7 +30,7 @@ from .. import missing_input
 from . import hierarchy, maps
 from .branches import completed
 from .captured_skeleton import CapturedSkeleton
-from .limbs import Limb, bend
+from .limbs import Limb, bend, chain_of
 from .roles import NEEDED, ONWARD, apply_bone_map, lineage, roles
 from .root_motion import carrying, shifted
 from .up_axis import standing_turn, unit
@@ -170,8 +170,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
         raise UserError(f"{where}: its legs are without length, which would tell how large it is")
     scale = _leg({role: standing.along_limb(role) for role in shared}) / leg
     for limb in _limbs(captured, standing, turns, scale):
-        above = hierarchy.above(model, limb.bodies[0])
-        qpos = bend(model, qpos, limb, _forward(model, qpos, above, np.tile([1.0, 0, 0, 0], (len(qpos), 1))))
+        qpos = bend(model, qpos, limb, _orientation(model, qpos, model.body_parentid[limb.bodies[0]]))
     qpos, missed = _placed(captured, standing, root, qpos, scale)
     qpos, lift = _on_ground(standing, root, qpos)
     notes = [*standing.notes, f"scaled by {scale:.3f}, the ratio of the legs"]
@@ -425,15 +424,16 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
     parent = model.body_parentid
     settled: set[int] = {0}
     for body in range(1, model.nbody):
-        world[:, body] = _forward(model, qpos, [body], world[:, parent[body]])
+        world[:, body] = chain_of(model, qpos, [body], world[:, parent[body]]).turn[body]
         if body not in turns:
             continue
         chain = [body]  # with its ancestors that have no orientation yet
         while int(parent[chain[0]]) not in settled:
             chain.insert(0, int(parent[chain[0]]))
-        _reach(model, qpos, chain, world[:, parent[chain[0]]], turns[body])
-        for link in chain:
-            world[:, link] = _forward(model, qpos, [link], world[:, parent[link]])
+        start = world[:, parent[chain[0]]]
+        _reach(model, qpos, chain, start, turns[body])
+        for link, turn in chain_of(model, qpos, chain, start).turn.items():
+            world[:, link] = turn
         settled.update(chain)
     for joint in range(model.njnt):
         if model.jnt_type[joint] == JointKind.HINGE and not model.jnt_limited[joint]:
@@ -441,22 +441,10 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
     return qpos
 
 
-def _forward(model: mujoco.MjModel, qpos: Array, bodies: list[int], start: Array) -> Array:
-    """Return the last body's orientation (T, 4) in the world, from that of the first one's parent."""
-    turn = start
-    for body in bodies:
-        turn = quat.product(turn, model.body_quat[body])
-        for joint in hierarchy.joints(model, [body]):
-            at = model.jnt_qposadr[joint]
-            match model.jnt_type[joint]:
-                case JointKind.FREE:
-                    turn = qpos[:, at + 3 : at + 7]
-                case JointKind.BALL:
-                    turn = quat.product(turn, qpos[:, at : at + 4])
-                case JointKind.HINGE:
-                    angle = qpos[:, at] - model.qpos0[at]
-                    turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
-    return turn
+def _orientation(model: mujoco.MjModel, qpos: Array, body: int) -> Array:
+    """Return a body's orientation (T, 4) in the world."""
+    chain, world = hierarchy.above(model, body, itself=True), np.tile([1.0, 0, 0, 0], (len(qpos), 1))
+    return chain_of(model, qpos, chain, world).turn[body]
 
 
 def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array) -> None:
@@ -471,9 +459,9 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
     if balls:
         at = model.jnt_qposadr[balls[-1]]
         qpos[:, at : at + 4] = [1, 0, 0, 0]
-        body = int(model.jnt_bodyid[balls[-1]])
-        before = _forward(model, qpos, chain[: chain.index(body) + 1], start)
-        after = quat.product(quat.conjugate(before), _forward(model, qpos, chain, start))
+        turn = chain_of(model, qpos, chain, start).turn
+        before = turn[int(model.jnt_bodyid[balls[-1]])]
+        after = quat.product(quat.conjugate(before), turn[chain[-1]])
         turned = quat.product(quat.product(quat.conjugate(before), wanted), quat.conjugate(after))
         qpos[:, at : at + 4] = quat.aligned(quat.normalised(turned))
         return
@@ -484,7 +472,8 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
     def turned(qpos: Array, rows: Index | slice) -> tuple[Array, Array]:
         """Return qpos with the hinges rotated, and the remaining angles (T,) [rad]."""
         there = bend(model, qpos, Limb(chain, None, {chain[-1]: wanted[rows]}), start[rows])
-        short = quat.product(wanted[rows], quat.conjugate(_forward(model, there, chain, start[rows])))
+        turn = chain_of(model, there, chain, start[rows]).turn[chain[-1]]
+        short = quat.product(wanted[rows], quat.conjugate(turn))
         return there, np.linalg.norm(quat.rotation_vector(short), axis=1)
 
     columns = model.jnt_qposadr[hinges]
@@ -528,10 +517,9 @@ def _beyond_root(
     if root.is_free:
         return []
     body = next((body for body in hierarchy.above(model, root.body, itself=True) if body in turns), None)
-    turned, chain = 0.0, hierarchy.above(model, root.body if body is None else body, itself=True)
+    turned = 0.0
     if body is not None:
-        turn = _forward(model, qpos, chain, np.tile([1.0, 0, 0, 0], (len(qpos), 1)))
-        turned = float(np.degrees(quat.angle_between(turns[body], turn).max()))
+        turned = float(np.degrees(quat.angle_between(turns[body], _orientation(model, qpos, body)).max()))
     far = float(np.linalg.norm(missed - missed[0], axis=1).max())
     names = ", ".join(model.joint(joint).name for joint in root.joints)
     if turned < ROOT_TURN and far < ROOT_MOVE:
