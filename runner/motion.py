@@ -167,12 +167,6 @@ def continuous(figure: Figure, qpos: Array) -> Array:
     return out
 
 
-def key_configurations(figure: Figure, timeline: Timeline, times: Array) -> Array:
-    """Return qpos (K, nq) of the motion at the keyframes, with the path's signs."""
-    path = path_of(timeline)
-    return figure.to_qpos(path.at(times))
-
-
 def save(saved: Saved, target: Path) -> None:
     """Write MOTION.npz atomically."""
     figure, model = saved.figure, saved.figure.model
@@ -189,7 +183,7 @@ def save(saved: Saved, target: Path) -> None:
         "raw_qvel": raw.qvel,
         "raw_qacc": raw.qacc,
         "key_time": key_time,
-        "key_qpos": key_configurations(figure, saved.timeline, key_time),
+        "key_qpos": figure.to_qpos(path_of(saved.timeline).at(key_time)),
         "key_fixed": np.array([key.fixed for key in saved.keys]),
         "key_posed": np.array([key.known & ~key.fixed for key in saved.keys]),
         "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),

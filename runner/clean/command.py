@@ -8,7 +8,6 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from rich.console import Console
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -32,7 +31,7 @@ from ..scene import file_access
 from ..scene.assets import Scene
 from ..scene.compose import compose
 from ..system.output import Replacement, check_target
-from ..system.progress import Progress
+from ..system.progress import Progress, silent
 from .cleaning import Cleaned, cleaned
 from .comparison import Comparison, verdict
 from .repairs import repaired
@@ -124,8 +123,9 @@ def moving(file: Path, figure: str, scene: SceneTable) -> RecordedPath:
 @lru_cache(maxsize=2)
 def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> RecordedPath:
     """Cached while the file is unchanged: editing a clip reads it repeatedly."""
-    around, silent = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), Progress(Console(quiet=True))
-    saved = _cleaned(_read(Source(file, figure), around, silent), around, None, silent, avoids_self_collision=False)[1]
+    around, progress = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), silent()
+    recording = _read(Source(file, figure), around, progress)
+    saved = _cleaned(recording, around, None, progress, avoids_self_collision=False)[1]
     return RecordedPath(saved.figure, saved.timeline, saved.fps)
 
 

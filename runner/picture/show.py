@@ -121,11 +121,6 @@ def draw(
         raise UserError(f"cannot write '{target}': {error.strerror or error}") from None
 
 
-def root_path(saved: Saved, qpos: Array) -> Array:
-    """Return the positions of the figure, (T, 3): its free root, or the middle of its bodies if it is fixed."""
-    return middles(saved.figure, qpos)
-
-
 def figure_height(saved: Saved) -> float:
     """Return the height of the figure for the camera's distance [m]."""
     return height(saved.figure, saved.figure.to_qpos(np.concatenate([saved.raw.states, saved.timeline.states])))
@@ -179,7 +174,7 @@ def _drawn(stage: Stage, shot: Shot) -> Picture:
 
 def _key_shots(saved: Saved, look: Look) -> list[Shot]:
     qpos = saved.figure.to_qpos(_key_states(saved, saved.raw))
-    views = _plan(saved, look, root_path(saved, qpos), 1.0, 1)
+    views = _plan(saved, look, middles(saved.figure, qpos), 1.0, 1)
     return [
         Shot(view, (Pane(q, f"keyframe {i} of {len(qpos)}, {key.time:.2f} s"),))
         for i, (q, view, key) in enumerate(zip(qpos, views, saved.keys, strict=True), 1)
@@ -191,7 +186,7 @@ def _moving_shots(saved: Saved, look: Look) -> list[Shot]:
     shown = [look.only] if look.only else ["before", "after"]
     titles = {name: name if len(shown) > 1 else "" for name in shown}
     runs = {name: sampled(saved.figure, sides[name], look.fps * look.slow) for name in shown}
-    roots = np.stack([root_path(saved, run.qpos) for run in runs.values()])
+    roots = np.stack([middles(saved.figure, run.qpos) for run in runs.values()])
     views = _plan(saved, look, roots, look.fps * look.slow, len(shown))
     ghosts = _key_ghosts(saved) if look.ghosts else ()
     time = next(iter(runs.values())).time
@@ -245,6 +240,6 @@ def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BE
     else:
         ghosts = []
     ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[is_key]]
-    view = still(root_path(saved, qpos), look.width / look.height, look.camera, **_lens(saved))
+    view = still(middles(saved.figure, qpos), look.width / look.height, look.camera, **_lens(saved))
     with _stage(saved.scene, look, graphics, 1) as stage:
         return stage.picture(None, view, ghosts=ghosts)

@@ -8,6 +8,7 @@ import socket
 import sys
 import webbrowser
 from collections.abc import Callable
+from functools import partial
 from importlib.util import find_spec
 
 from ..errors import UserError, missing_package
@@ -18,10 +19,7 @@ PACKAGES = ("starlette", "uvicorn", "websockets", "tomlkit")
 LOCAL = ("127.0.0.1", "localhost", "[::1]")
 TOKEN = 24  # random bytes in a token
 GRACE = 1  # [s] time for pages to receive the end of the server
-
-
-def _print(line: str) -> None:
-    print(line, flush=True)
+PRINT = partial(print, flush=True)
 
 
 def run(
@@ -31,7 +29,7 @@ def run(
     port: int,
     browser: bool,
     allow_remote: bool,
-    report: Callable[[str], None] = _print,
+    report: Callable[[str], None] = PRINT,
 ) -> None:
     """Serve a document until Ctrl-C. Raises UserError for an unavailable host or port."""
     check_host(host, allow_remote=allow_remote)
@@ -41,7 +39,7 @@ def run(
     token, port = secrets.token_urlsafe(TOKEN), listening.getsockname()[1]
     shown = f"[{host}]" if ":" in host else host
     hosts = frozenset(f"{name}:{port}" for name in {*LOCAL, shown})
-    if _is_any(host):
+    if host in ("0.0.0.0", "::"):  # every address of the machine
         hosts |= frozenset(f"{name}:{port}" for name in (socket.gethostname(), socket.getfqdn(), *_own_addresses()))
         shown = socket.gethostname()
     address = f"http://{shown}:{port}/?token={token}"
@@ -104,10 +102,6 @@ def _is_loopback(host: str) -> bool:
         return ipaddress.ip_address(host).is_loopback
     except ValueError:
         return False
-
-
-def _is_any(host: str) -> bool:
-    return host in ("0.0.0.0", "::")
 
 
 def _own_addresses() -> list[str]:

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from dynsplines.motion import Saved, continuous, key_configurations
+from dynsplines.motion import Saved, continuous
 from dynsplines.picture.camera import ANGLES, View, still
 from dynsplines.picture.graphics import Graphics
-from dynsplines.picture.show import Look, figure_height, figure_six, root_path
+from dynsplines.picture.show import Look, figure_height, figure_six
 from dynsplines.picture.stage import Ghost, Stage
+from dynsplines.scene.framing import middles
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
@@ -80,11 +81,11 @@ def pose(saved: Saved, timeline: Timeline, time: float) -> Array:
 
 def keyframes_and_sample(saved: Saved, timeline: Timeline, dip: Dip, graphics: Graphics) -> Picture:
     """Figures 11 and 12: the keyframes, translucent, and the motion at the time of a dip, with a close look at it."""
-    keys = key_configurations(saved.figure, timeline, np.array([key.time for key in saved.keys]))
+    keys = saved.figure.to_qpos(path_of(timeline).at(np.array([key.time for key in saved.keys])))
     sample = pose(saved, timeline, dip.time)
     ghosts = [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in keys]
     fovy = float(saved.figure.model.vis.global_.fovy)
-    view = still(root_path(saved, keys), WIDTH / TALL, "side", fovy=fovy, height=figure_height(saved))
+    view = still(middles(saved.figure, keys), WIDTH / TALL, "side", fovy=fovy, height=figure_height(saved))
     with Stage(saved.scene, WIDTH, TALL, graphics) as stage:
         whole = stage.picture(sample, view, ghosts=ghosts)
     height = round(CLOSE * TALL)
@@ -99,7 +100,7 @@ def _close(saved: Saved, qpos: Array, geom: str) -> View:
     data.qpos[:] = qpos
     mujoco.mj_kinematics(model, data)
     x, y, z = (float(entry) for entry in data.geom(geom).xpos)
-    azimuth, _ = ANGLES["left" if y > root_path(saved, qpos[None])[0, 1] else "side"]
+    azimuth, _ = ANGLES["left" if y > middles(saved.figure, qpos[None])[0, 1] else "side"]
     return View((x, y, z), CLOSE_DISTANCE, azimuth, CLOSE_ELEVATION)
 
 
