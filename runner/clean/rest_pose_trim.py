@@ -15,13 +15,13 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.root import root_of
 
 from ..exchange.skeleton import hierarchy
 from ..exchange.skeleton.roles import roles
 from ..measure.violation import is_recording
 from ..motion import Saved
-from ..scene.configuration import posed
 from ..scene.framing import root_places
 from ..system.progress import Progress
 
@@ -112,7 +112,7 @@ def _limbs(model: mujoco.MjModel) -> dict[str, int]:
 
 def _is_spread(model: mujoco.MjModel, bodies: dict[str, int], qpos: Array) -> bool:
     """Return whether a figure is in a T-pose."""
-    data = next(posed(model, qpos[None]))
+    data = kinematics(model, qpos)
     at = {role: data.xpos[body] for role, body in bodies.items()}
     leftward = at["left_thigh"] - at["right_thigh"]
     hips, shoulders = (0.5 * (at[f"left_{part}"] + at[f"right_{part}"]) for part in ("thigh", "upper_arm"))

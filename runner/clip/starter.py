@@ -16,6 +16,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import closures, couplings
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of, places_of
@@ -24,7 +25,7 @@ from dynsplines.solver.surface.touch import solids as solids_of
 
 from ..errors import UserError
 from ..scene.compose import compose, figure_spec, first_line, quietly
-from ..scene.configuration import first_wrong
+from ..scene.configuration import first_wrong, posed
 from ..scene.urdf import fixed_base
 from .load import compiled_keys
 from .posing.couplings import follow
@@ -200,13 +201,12 @@ def _on_floor(figure: Figure, qpos: Array, *, lowers: bool) -> Array:
 
 def _mount(figure: Figure, qpos: Array, root: int) -> None:
     """Raise a link's subtree to the top of the obstacle that it overlaps: its pedestal."""
-    model, data = figure.model, mujoco.MjData(figure.model)
+    model = figure.model
     endless = (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD))
     solids = [geom for geom in solids_of(model) if model.geom_type[geom] not in endless]
     geoms = [geom for geom in movers(model) if figure.tables.path[figure.body_link[model.geom_bodyid[geom]], root]]
     for _ in solids:
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(model, data)
+        data = kinematics(model, qpos)
         under = [s for s in solids if any(_depth(model, data, geom, s) > TOUCHING for geom in geoms)]
         low = lowest_point(figure, qpos, root)
         if not under or low is None:
@@ -262,7 +262,7 @@ def _loops(figure: Figure) -> set[int]:
 
 def _example_joint(figure: Figure, qpos: Array) -> tuple[Link, float]:
     """Return the joint whose motion is most visible, except those that carry half the figure, and its target value."""
-    model, data = figure.model, mujoco.MjData(figure.model)
+    model = figure.model
     after = {coupling.follower for coupling in couplings(figure)}
     loops = _loops(figure)
     size = _size(figure, qpos)
@@ -292,7 +292,7 @@ def _example_joint(figure: Figure, qpos: Array) -> tuple[Link, float]:
     for (i, _), pose, low in zip(choices, poses[1:], lowest[1:], strict=True):
         heavy, sunk = figure.tables.path[:, i].mean() > 0.5, low < lowest[0] - 1e-3
         share = (0.1 if heavy else 1.0) * (0.2 if sunk else 1.0) * (0.1 if i in loops else 1.0)
-        worth.append(share * _shift(model, data, qpos, pose))
+        worth.append(share * _shift(model, qpos, pose))
     i, value = choices[int(np.argmax(np.array(worth) > 0.999 * max(worth)))]
     return figure.links[i], value
 
@@ -310,21 +310,15 @@ def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
     return [here + step for step in steps if step != 0]
 
 
-def _shift(model: mujoco.MjModel, data: mujoco.MjData, before: Array, after: Array) -> float:
+def _shift(model: mujoco.MjModel, before: Array, after: Array) -> float:
     """Return the largest displacement of a geom between two poses [m]."""
-    places = []
-    for qpos in (before, after):
-        data.qpos[:] = qpos
-        mujoco.mj_kinematics(model, data)
-        places.append(np.concatenate([data.geom_xpos, data.xipos]))
+    places = [np.concatenate([data.geom_xpos, data.xipos]) for data in posed(model, np.stack([before, after]))]
     return float(np.linalg.norm(places[1] - places[0], axis=1).max())
 
 
 def _size(figure: Figure, qpos: Array) -> float:
     """Return the extent of a figure [m]."""
-    data = mujoco.MjData(figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(figure.model, data)
+    data = kinematics(figure.model, qpos)
     moving = figure.body_link > 0
     return float(np.linalg.norm(np.ptp(data.xipos[moving], axis=0))) or 0.1
 

@@ -19,6 +19,8 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface.touch import counts_all, movers
 
+from ..scene.configuration import posed
+
 JOINED = 2  # most joints between two bodies that are excluded if they overlap at rest
 BITS = 31  # of contype
 
@@ -72,10 +74,8 @@ class Overlaps:
 
 def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> Overlap:
     """Return the overlaps at qpos (k, nq) of samples `at` (k,)."""
-    data, parts = mujoco.MjData(model), []
-    for q, sample in zip(qpos, at.tolist(), strict=True):
-        data.qpos[:] = q
-        mujoco.mj_kinematics(model, data)
+    parts = []
+    for data, sample in zip(posed(model, qpos), at.tolist(), strict=True):
         mujoco.mj_comPos(model, data)
         mujoco.mj_collision(model, data)
         if data.ncon:

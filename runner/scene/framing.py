@@ -7,6 +7,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.root import Root
 from dynsplines.solver.surface.touch import moves
 
@@ -46,7 +47,7 @@ def _carriers(model: mujoco.MjModel) -> Array:
 
 def rest_box(model: mujoco.MjModel) -> tuple[Array, Array]:
     """Return the same for the rest pose."""
-    return box(model, next(posed(model, model.qpos0[None])))
+    return box(model, kinematics(model))
 
 
 def is_of_people_size(model: mujoco.MjModel) -> bool:

@@ -11,6 +11,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.posing import FixedPoints, FloorClearance, PointGoal, limb
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.plane import Plane
@@ -77,9 +78,7 @@ class Footing:
 
     @cached_property
     def rest(self) -> mujoco.MjData:
-        data = mujoco.MjData(self.figure.model)
-        mujoco.mj_kinematics(self.figure.model, data)
-        return data
+        return kinematics(self.figure.model)
 
     @cached_property
     def end_joints(self) -> frozenset[int]:

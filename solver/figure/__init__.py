@@ -2,6 +2,7 @@
 
 root         the joints by which a model's articulated tree moves in the world
 figure       an MjModel as a tree of links, one joint each, and the state that a spline interpolates
+forward      forward kinematics of single configurations by MuJoCo
 algebra      vectors, rotations and quaternions of many links at many samples, component first
 kinematics   motion of the links at samples of a path
 adjoint      gradients with respect to that motion, pulled back to the path

@@ -16,6 +16,7 @@ import mujoco
 import numpy as np
 
 from ..array import Array, Index, Mask
+from .forward import kinematics
 
 FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
 LIGHT = 0.05  # [1] maximum mass of a body between the world and the root's body, relative to the tree's mass
@@ -172,8 +173,7 @@ def subtree(model: mujoco.MjModel, top: int) -> Mask:
 
 def _heights(model: mujoco.MjModel) -> tuple[Array, Array]:
     """Return the lowest and highest z of the bounding boxes of every body's geoms in the default pose, (nbody,) [m]."""
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     middle, half = np.split(model.geom_aabb, 2, axis=1)
     up = data.geom_xmat[:, 6:]
     centre = data.geom_xpos[:, 2] + np.sum(up * middle, axis=1)

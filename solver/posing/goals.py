@@ -14,6 +14,7 @@ from .. import quaternion as quat
 from ..array import Array, Mask
 from ..figure.algebra import cross
 from ..figure.figure import Figure
+from ..figure.forward import kinematics
 from ..surface.points import Point
 
 # [1] smallest sine of a tilt with a defined direction; smallest squared norm of a Jacobian column in damping
@@ -155,9 +156,7 @@ class BodyGoal:
 
 def same_heading(figure: Figure, qpos: Array, body: int) -> BodyGoal:
     """Return the goal that a body is upright as in the rest pose, with the heading that it has in a pose (nq,)."""
-    model, data = figure.model, mujoco.MjData(figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
+    model, data = figure.model, kinematics(figure.model, qpos)
     at_rest = _at_rest(model, body)
     turn = quat.product(data.xquat[body], quat.inverse(at_rest)) * [1.0, 0, 0, 1]
     heading = turn / np.linalg.norm(turn) if np.linalg.norm(turn) > UPRIGHT else np.array([1.0, 0, 0, 0])

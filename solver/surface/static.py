@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 
 from ..array import Array, Index
+from ..figure.forward import kinematics
 from ..figure.naming import geom_name
 from .box import Box
 from .capsule import Capsule, Sphere
@@ -24,8 +25,7 @@ DOWN = 10.0  # [m] extension of cylinders below the floor, so that there is no e
 
 def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
     """Return the solid geoms welded to the world, planes first, and meshes as their convex hulls."""
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     ids = solids(model)
     planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
     floor = max((p.point[2] for p in planes if p.normal[2] > LEVEL), default=-np.inf)
@@ -120,8 +120,7 @@ def _computed_hull(name: str, vertices: Array, floor: float, most: int = -1) -> 
         model = spec.compile()
     except ValueError:
         return None
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     return _hull(model, name, data.geom_xpos[0], data.geom_xmat[0].reshape(3, 3), 0, floor)
 
 

@@ -18,10 +18,12 @@ import numpy as np
 
 from ..array import Mask
 from ..figure.figure import JointKind
+from ..figure.forward import kinematics
 
 SCENERY = 1 << 30  # bit of conaffinity that marks geoms which a clip adds to a model
 LEVEL = 0.99  # [1] minimum z of the unit normal of a floor
 TOUCHING = 0.001  # [m] distance up to which geoms touch
+
 FAR = np.array([-0.5, 0.5])  # [m] displacements tried for slides without bounds
 
 
@@ -72,8 +74,7 @@ def solids(model: mujoco.MjModel) -> list[int]:
 
 def grounds(model: mujoco.MjModel) -> list[int]:
     """Return the static level planes, which are floors."""
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     planes = ~moves(model) & ~_on_mocap(model) & (model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE))
     return np.flatnonzero(planes & (data.geom_xmat[:, 8] > LEVEL)).tolist()
 
@@ -85,8 +86,7 @@ def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
     These are bodies without a free joint on their chain to the world that touch a static geom at rest, unless a slide
     separates them. Also included are bodies with the geoms of the fixed body on which they turn.
     """
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     weld, pairs = model.body_weldid, set()
     fixed = [geom for geom in movers(model) if _hangs(model, int(model.geom_bodyid[geom]))]
     for solid in solids(model):

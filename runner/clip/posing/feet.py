@@ -19,6 +19,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.penalty import joint_ranges
@@ -131,8 +132,7 @@ def _lowest(figure: Figure, poses: Array) -> tuple[Point, ...]:
 
 def _roots(figure: Figure) -> list[Root]:
     """Return the roots that carry a figure: free joints, and slides and hinges that lift it."""
-    data = mujoco.MjData(figure.model)
-    mujoco.mj_kinematics(figure.model, data)
+    data = kinematics(figure.model)
     slides = {i for i, link in enumerate(figure.links) if link.kind is JointKind.SLIDE}
     steep = {i for i in slides if abs(data.xaxis[figure.links[i].joint, 2]) > STEEP}
     return [root for root in roots_of(figure.model) if root.is_free or steep.intersection(root.links)]

@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
@@ -19,6 +18,7 @@ from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.surface import Surface
@@ -231,8 +231,7 @@ def _slides(figure: Figure, root: int) -> dict[int, tuple[int, float]]:
     first = figure.links[root].qpos
     if figure.links[root].kind is JointKind.FREE:
         return {axis: (first + axis, 1.0) for axis in range(3)}
-    data, out = mujoco.MjData(figure.model), dict[int, tuple[int, float]]()
-    mujoco.mj_kinematics(figure.model, data)
+    data, out = kinematics(figure.model), dict[int, tuple[int, float]]()
     chain = [i for i in range(1, root + 1) if figure.tables.path[root, i]]
     for i in chain:
         link = figure.links[i]

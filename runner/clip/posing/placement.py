@@ -18,6 +18,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Placed
 from dynsplines.solver.posing import (
@@ -162,9 +163,7 @@ def _preferred(
             points = tuple(PointGoal.of(figure, point) for point in soles)
             most = Thresholds.of(figure).near_surface
             preferred.append((BALANCE, Balance("balance", figure.links[figure.root.link].body, points), most))
-    data = mujoco.MjData(figure.model)
-    data.qpos[:] = pose
-    mujoco.mj_kinematics(figure.model, data)
+    data = kinematics(figure.model, pose)
     mujoco.mj_comPos(figure.model, data)
     if all(np.linalg.norm(goal.missed(figure.model, data)) <= most for _, goal, most in preferred):
         return []

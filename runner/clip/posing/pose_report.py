@@ -10,6 +10,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import joint_ranges
 from dynsplines.solver.surface.points import body_points, bottoms_of
@@ -39,8 +40,7 @@ def violations(figure: Figure, qpos: Array, equalities: Equalities) -> list[str]
 
 def floor_height(model: mujoco.MjModel) -> float | None:
     """Return the height [m] of the highest level plane; None without one."""
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     return max((float(data.geom_xpos[geom, 2]) for geom in grounds(model)), default=None)
 
 
@@ -48,8 +48,7 @@ def lifts(figure: Figure) -> list[tuple[int, int, float]]:
     """Return the links that can be lifted, with the column of qpos that does so and 1, or −1 for a slide down."""
     columns = [(link, figure.links[link].qpos + 2, 1.0) for link in figure.tables.free_links.tolist()]
     if figure.root is not None and not figure.root.is_free:
-        data = mujoco.MjData(figure.model)
-        mujoco.mj_kinematics(figure.model, data)
+        data = kinematics(figure.model)
         slides = [figure.links[i] for i in figure.root.links if figure.links[i].kind is JointKind.SLIDE]
         ups = [(slide.qpos, float(data.xaxis[slide.joint, 2])) for slide in slides]
         columns += [(figure.root.link, column, float(np.sign(up))) for column, up in ups if abs(up) > VERTICAL]
@@ -104,9 +103,7 @@ def _out_of_range(figure: Figure, qpos: Array) -> list[str]:
 
 def _in_each_other(figure: Figure, qpos: Array) -> list[str]:
     """Return lines on overlapping bodies that collide in MuJoCo."""
-    model, data = figure.model, mujoco.MjData(figure.model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
+    model, data = figure.model, kinematics(figure.model, qpos)
     mujoco.mj_comPos(model, data)
     mujoco.mj_collision(model, data)
     depths: dict[tuple[int, int], float] = {}

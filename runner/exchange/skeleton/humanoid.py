@@ -10,6 +10,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.forward import kinematics
 
 from ...errors import UserError
 from .roles import SIDES
@@ -40,8 +41,7 @@ class Humanoid:
                 f"the format '{form}' is for a person of a free root and the ball joints {', '.join(JOINTS)}; "
                 f"the figure has no {lacks}, only: {names}"
             )
-        data = mujoco.MjData(model)
-        mujoco.mj_kinematics(model, data)
+        data = kinematics(model)
         bodies = {name: int(model.jnt_bodyid[balls[name]]) for name in JOINTS}
         turned = [name for name, body in bodies.items() if abs(data.xquat[body, 0]) < 1 - 1e-6]
         if turned:

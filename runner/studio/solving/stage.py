@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from typing import Any
 
-import mujoco
 import numpy as np
 
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.posing import limb
 
 from ...clip.build import Clip
@@ -24,8 +24,7 @@ def stage(clip: Clip) -> bytes:
     """Return the figure and its surroundings as JSON."""
     figure, model = clip.figure, clip.figure.model
     moving = sorted({piece.body for piece in pieces(model) if not is_still(model, piece)})
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     places = data.xpos[moving or [0]]
     description = {
         "bodies": hierarchy.names(model),

@@ -19,6 +19,7 @@ from ... import quaternion as quat
 from ...array import Array, Index
 from ...figure.algebra import cross, dot
 from ...figure.figure import Figure
+from ...figure.forward import kinematics
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
@@ -276,8 +277,7 @@ def _inside(bar: Bar, other: Bar) -> bool:
 
 
 def _overlapping(model: mujoco.MjModel, geoms: set[int]) -> set[tuple[int, int]]:
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
+    data = kinematics(model)
     ids = np.array(sorted(geoms), np.intp)
     place, reach = data.geom_xpos[ids], model.geom_rbound[ids]
     close = np.linalg.norm(place[:, None] - place, axis=2) < reach[:, None] + reach
