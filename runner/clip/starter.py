@@ -16,7 +16,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
-from dynsplines.solver.figure.forward import kinematics
+from dynsplines.solver.figure.forward import boxes, kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import closures, couplings
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of, places_of
@@ -211,19 +211,13 @@ def _mount(figure: Figure, qpos: Array, root: int) -> None:
         low = lowest_point(figure, qpos, root)
         if not under or low is None:
             return
-        qpos[figure.links[root].qpos + 2] += max(_top(model, data, geom) for geom in under) - low
+        centre, reach = boxes(model, data, np.array(under))
+        qpos[figure.links[root].qpos + 2] += (centre + reach)[:, 2].max() - low
 
 
 def _depth(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> float:
     """Return the penetration depth of one geom in another [m]."""
     return -mujoco.mj_geomDistance(model, data, geom, solid, TOUCHING, None)
-
-
-def _top(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> float:
-    """Return the height of the top of a geom's bounding box [m]."""
-    middle, half = np.split(model.geom_aabb[geom], 2)
-    turn = data.geom_xmat[geom].reshape(3, 3)
-    return float(data.geom_xpos[geom, 2] + turn[2] @ middle + np.abs(turn[2]) @ half)
 
 
 def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:

@@ -10,6 +10,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.forward import boxes
 from dynsplines.solver.figure.root import root_of
 
 from ..scene.configuration import posed
@@ -286,9 +287,8 @@ def _posture(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tupl
         """Return centres (n, 3) of the bodies and the bounding boxes of geoms, and the least height (n,) of each."""
         data.qpos = row
         mujoco.mj_kinematics(model, data)
-        matrix = data.geom_xmat[geoms].reshape(-1, 3, 3)
-        centre = data.geom_xpos[geoms] + np.einsum("nij,nj->ni", matrix, model.geom_aabb[geoms, :3])
-        low = centre[:, 2] - np.einsum("nj,nj->n", np.abs(matrix[:, 2]), model.geom_aabb[geoms, 3:])
+        centre, reach = boxes(model, data, geoms)
+        low = (centre - reach)[:, 2]
         return np.concatenate([centre, data.xpos[bodies]]), np.concatenate([low, data.xpos[bodies, 2]])
 
     rest, low = points(model.qpos0)

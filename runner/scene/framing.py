@@ -7,7 +7,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.figure.forward import kinematics
+from dynsplines.solver.figure.forward import boxes, kinematics
 from dynsplines.solver.figure.root import Root
 from dynsplines.solver.surface.touch import moves
 
@@ -27,10 +27,7 @@ def box(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
     if not geoms.size:
         centres = data.xipos[model.body_weldid != 0] if model.njnt else data.xipos
         return centres.min(axis=0), centres.max(axis=0)
-    middle, half = np.split(model.geom_aabb[geoms], 2, axis=1)
-    turn = data.geom_xmat[geoms].reshape(-1, 3, 3)
-    centre = data.geom_xpos[geoms] + np.einsum("nij,nj->ni", turn, middle)
-    reach = np.einsum("nij,nj->ni", np.abs(turn), half)
+    centre, reach = boxes(model, data, geoms)
     return (centre - reach).min(axis=0), (centre + reach).max(axis=0)
 
 

@@ -1,10 +1,11 @@
-"""Forward kinematics of single configurations by MuJoCo."""
+"""Forward kinematics of single configurations by MuJoCo, and the bounding boxes of geoms in them."""
 
 from __future__ import annotations
 
 import mujoco
+import numpy as np
 
-from ..array import Array
+from ..array import Array, Index
 
 
 def kinematics(model: mujoco.MjModel, qpos: Array | None = None) -> mujoco.MjData:
@@ -14,3 +15,11 @@ def kinematics(model: mujoco.MjModel, qpos: Array | None = None) -> mujoco.MjDat
         data.qpos[:] = qpos
     mujoco.mj_kinematics(model, data)
     return data
+
+
+def boxes(model: mujoco.MjModel, data: mujoco.MjData, geoms: Index) -> tuple[Array, Array]:
+    """Return the centres and half the extents of the bounding boxes of geoms, along the world's axes, (n, 3) [m]."""
+    middle, half = np.split(model.geom_aabb[geoms], 2, axis=1)
+    turn = data.geom_xmat[geoms].reshape(-1, 3, 3)
+    centre = data.geom_xpos[geoms] + np.einsum("nij,nj->ni", turn, middle)
+    return centre, np.einsum("nij,nj->ni", np.abs(turn), half)

@@ -16,7 +16,7 @@ import mujoco
 import numpy as np
 
 from ..array import Array, Index, Mask
-from .forward import kinematics
+from .forward import boxes, kinematics
 
 FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
 LIGHT = 0.05  # [1] maximum mass of a body between the world and the root's body, relative to the tree's mass
@@ -173,12 +173,8 @@ def subtree(model: mujoco.MjModel, top: int) -> Mask:
 
 def _heights(model: mujoco.MjModel) -> tuple[Array, Array]:
     """Return the lowest and highest z of the bounding boxes of every body's geoms in the default pose, (nbody,) [m]."""
-    data = kinematics(model)
-    middle, half = np.split(model.geom_aabb, 2, axis=1)
-    up = data.geom_xmat[:, 6:]
-    centre = data.geom_xpos[:, 2] + np.sum(up * middle, axis=1)
-    reach = np.sum(np.abs(up) * half, axis=1)
+    centre, reach = boxes(model, kinematics(model), np.arange(model.ngeom))
     low, high = np.full(model.nbody, np.inf), np.full(model.nbody, -np.inf)
-    np.minimum.at(low, model.geom_bodyid, centre - reach)
-    np.maximum.at(high, model.geom_bodyid, centre + reach)
+    np.minimum.at(low, model.geom_bodyid, (centre - reach)[:, 2])
+    np.maximum.at(high, model.geom_bodyid, (centre + reach)[:, 2])
     return low, high

@@ -22,6 +22,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.forward import boxes
 from dynsplines.solver.figure.root import Root, subtree
 
 from ...errors import UserError, listed
@@ -534,12 +535,10 @@ def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, flo
     soles = [i for i in range(model.nsite) if any(word in model.site(i).name.lower() for word in ("heel", "toe"))]
     if not soles and not feet.size:
         return qpos, 0.0
-    middle, half = model.geom_aabb[feet, :3], model.geom_aabb[feet, 3:]
     lowest = []
     for data in posed(model, qpos):
-        up = data.geom_xmat[feet, 6:]
-        heights = data.geom_xpos[feet, 2] + np.sum(up * middle - np.abs(up) * half, axis=1)
-        lowest.append((data.site_xpos[soles, 2] if soles else heights).min())
+        centre, reach = boxes(model, data, feet)
+        lowest.append((data.site_xpos[soles] if soles else centre - reach)[:, 2].min())
     lift = -float(np.percentile(lowest, LOWEST))
     if abs(lift) < LEVEL:
         return qpos, 0.0
