@@ -85,6 +85,12 @@ class Hits:
     def select(self, which: Index | Mask) -> Hits:
         return Hits(self.row[which], self.at[which], self.amount[which])
 
+    def largest(self, label: Index) -> Index:
+        """Return the index of the largest amount, the first of equal ones, for every label that is not negative."""
+        order = np.lexsort((-self.at, self.amount, label))
+        last = np.append(label[order][1:] != label[order][:-1], True)[: order.size]
+        return order[last & (label[order] >= 0)]
+
 
 @dataclass(frozen=True, eq=False)
 class Check:

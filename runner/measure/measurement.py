@@ -82,10 +82,9 @@ class Measurement:
         out = {}
         for check, hits in self.checks:
             if check.name == name:
-                order = np.lexsort((-hits.at, hits.amount, hits.row))
-                last = order[np.append(hits.row[order][1:] != hits.row[order][:-1], True)[: order.size]]
-                amounts, times = hits.amount[last].tolist(), self.time[hits.at[last]].tolist()
-                out |= dict(zip(hits.row[last].tolist(), zip(amounts, times, strict=True), strict=True))
+                worst = hits.select(hits.largest(hits.row))
+                amounts, times = worst.amount.tolist(), self.time[worst.at].tolist()
+                out |= dict(zip(worst.row.tolist(), zip(amounts, times, strict=True), strict=True))
         return out
 
     def worst(self, name: str) -> list[tuple[Row, float, float]]:
@@ -251,8 +250,7 @@ def inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
 def _same(stance: Stance, rest: Rest) -> bool:
     """Return whether a stance and a contact have the same point and overlap in time."""
     meet = stance.first < rest.last - ROUNDING and rest.first < stance.last - ROUNDING
-    same = stance.point.link == rest.point.link and np.array_equal(stance.point.position, rest.point.position)
-    return bool(meet and same)
+    return meet and stance.point.coincides(rest.point)
 
 
 def _pieces(rest: Rest, known: Sequence[Stance], middle: Array) -> list[Stance]:

@@ -173,9 +173,9 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]
     caused = key >= 0
     caused[caused] = check.is_fixed(hits.row[caused], key[caused])
     caps: dict[int, Array] = {}
-    for i in _largest(hits, np.where(caused, group * keys.size + key, -1)):
+    for i in hits.largest(np.where(caused, group * keys.size + key, -1)).tolist():
         caps.setdefault(int(group[i]), np.zeros(motion.key_at.size))[key[i]] = hits.amount[i]
-    for i in _largest(hits, np.where(caused, group if check.is_once_per_group else group * keys.size + key, -1)):
+    for i in hits.largest(np.where(caused, group if check.is_once_per_group else group * keys.size + key, -1)).tolist():
         row, time = _named(check, hits, group, i), float(motion.time[hits.at[i]])
         violation = _as_violation(check.row(row), float(hits.amount[i]), time, int(motion.numbers[key[i]]))
         others = np.count_nonzero(caps[int(group[i])]) - 1 if check.is_once_per_group else 0
@@ -187,16 +187,9 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]
         of_group = group == number
         tolerated[of_group] = np.maximum(cap[:-1], cap[1:])[before[of_group]]
     bound = np.where(tolerated > 0, check.bounds[hits.row], 0.0)
-    for i in _largest(hits, np.where(hits.amount > tolerated + bound, group, -1)):
+    for i in hits.largest(np.where(hits.amount > tolerated + bound, group, -1)).tolist():
         row = _named(check, hits, group, i)
         yield _as_violation(check.row(row), float(hits.amount[i]), float(motion.time[hits.at[i]]))
-
-
-def _largest(hits: Hits, label: Index) -> list[int]:
-    """Return the largest hit, the first of equal ones, for every label that is not negative."""
-    order = np.lexsort((-hits.at, hits.amount, label))
-    last = np.append(label[order][1:] != label[order][:-1], True)[: order.size]
-    return order[last & (label[order] >= 0)].tolist()
 
 
 def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:

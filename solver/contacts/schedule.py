@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-
 from ..array import Mask
 from ..curve.frame import Timeline
 from ..figure.figure import Figure
@@ -42,8 +40,7 @@ class Contacts:
     def overlaps(self, stance: Stance) -> bool:
         """Return whether a specified contact of the same point overlaps a stance in time."""
         return any(
-            contact.point.link == stance.point.link
-            and np.array_equal(contact.point.position, stance.point.position)
+            contact.point.coincides(stance.point)
             and contact.first < stance.last - ROUNDING
             and stance.first < contact.last - ROUNDING
             for contact in (*self.stances, *self.rests)

@@ -36,6 +36,10 @@ class Point:
     position: Array
     radius: float = 0.0
 
+    def coincides(self, other: Point) -> bool:
+        """Return whether the centres are the same on the same link, whatever the names."""
+        return self.link == other.link and np.array_equal(self.position, other.position)
+
 
 def arrays_of(points: Sequence[Point]) -> tuple[Index, Array, Array]:
     """Return links (n,), positions (3, n) and radii (n,) of points."""

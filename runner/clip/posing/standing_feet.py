@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
@@ -83,7 +82,7 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
         u, _, right = np.linalg.svd(seen.T @ own + spread * rotation)
         handed = np.diag([1.0, 1.0, np.linalg.det(u @ right)])
         rotation = u @ handed @ right
-    return _quaternion(rotation)
+    return quat.from_matrix(rotation)
 
 
 def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:
@@ -350,7 +349,7 @@ class _KnownPositions:
         spots = [
             stance.place(np.array([t]))[:, 0]
             for stance in self.contacts.stances
-            if _is_same(stance.point, point) and stance.first - ROUNDING <= t <= stance.last + ROUNDING
+            if point.coincides(stance.point) and stance.first - ROUNDING <= t <= stance.last + ROUNDING
         ]
         if not spots or any(np.linalg.norm(spot - spots[0]) >= self.limits.same_spot for spot in spots):
             return None
@@ -360,7 +359,7 @@ class _KnownPositions:
         """Return whether a contact covers a point at keyframe k."""
         t = self.timeline.times[k]
         return any(
-            _is_same(rest.point, point) and rest.first - ROUNDING <= t <= rest.last + ROUNDING
+            point.coincides(rest.point) and rest.first - ROUNDING <= t <= rest.last + ROUNDING
             for rest in self.contacts.requested
         )
 
@@ -369,22 +368,11 @@ class _KnownPositions:
         neighbours = [n for n in near if n is not None]
         nearest = min(neighbours, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if neighbours else k
         if self.timeline.ends != "periodic" or not neighbours:
-            return _quaternion(self.samples.links.rotation[:, :, link, nearest])
+            return quat.from_matrix(self.samples.links.rotation[:, :, link, nearest])
         number, nearest = divmod(nearest, self.times.size // 3)  # of the periods before, of and after the loop
-        rotation = _quaternion(self.samples.links.rotation[:, :, link, nearest])
+        rotation = quat.from_matrix(self.samples.links.rotation[:, :, link, nearest])
         return quat.product(Seam.of(self.figure, self.timeline).turn(number - 1), rotation)
 
 
-def _quaternion(rotation: Array) -> Array:
-    """Return the quaternion (4,) wxyz of a rotation matrix (3, 3)."""
-    out = np.zeros(4)
-    mujoco.mju_mat2Quat(out, np.ascontiguousarray(rotation).ravel())
-    return out
-
-
-def _is_same(a: Point, b: Point) -> bool:
-    return a.link == b.link and np.array_equal(a.position, b.position)
-
-
 def _among(point: Point, points: Sequence[Point]) -> bool:
-    return any(_is_same(point, other) for other in points)
+    return any(point.coincides(other) for other in points)

@@ -160,7 +160,7 @@ class TrackedRecording:
             rest.first < edit.time + width and edit.time - width < rest.last for edit in edits
         ):
             return True
-        if any(_same(point, o.point) and rest.first < o.last and o.first < rest.last for o in specified):
+        if any(point.coincides(o.point) and rest.first < o.last and o.first < rest.last for o in specified):
             return True
         near = [edit for edit in edits if rest.first - width < edit.time < rest.last + width]
         return any(self._moves(point, edit) for edit in near)
@@ -248,7 +248,3 @@ def _smooth(times: Array, values: Array) -> Any:
     from scipy.interpolate import PchipInterpolator  # imported here because it is slow to load
 
     return PchipInterpolator(times, values)
-
-
-def _same(one: Point, other: Point) -> bool:
-    return one.link == other.link and np.array_equal(one.position, other.position)
