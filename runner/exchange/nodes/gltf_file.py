@@ -107,11 +107,10 @@ class _File:
             if channel.target.node is not None:
                 moved.setdefault(channel.target.node, {})[channel.target.path] = values
         above = [order.index(parents[i]) if i in parents else -1 for i in order]
-        rows = moving_tree(above, [i in moved for i in order])
+        rows, parents_of_rows = moving_tree(above, [i in moved for i in order])
         rest, world = self._placed(order, above, moved, count)
-        place = {row: k for k, row in enumerate(rows)}
         names = [self.asset.nodes[order[row]].name or f"node_{order[row]}" for row in rows]
-        return Nodes(names, [place.get(above[row], -1) for row in rows], rest[rows], world[:, rows], rate, notes)
+        return Nodes(names, parents_of_rows, rest[rows], world[:, rows], rate, notes)
 
     def _choice(self) -> tuple[str, ...]:
         names = [animation.name or f"animation {i}" for i, animation in enumerate(self.asset.animations)]

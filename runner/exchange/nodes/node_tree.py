@@ -77,10 +77,11 @@ def rate_of(times: Array) -> float:
     return fps_of(mean if abs(mean - median) <= float32_step(times) else median, 6)
 
 
-def moving_tree(parents: Sequence[int], is_animated: Iterable[bool]) -> list[int]:
+def moving_tree(parents: Sequence[int], is_animated: Iterable[bool]) -> tuple[list[int], list[int]]:
     """Return the nodes of the tree with the most animated ones, parents first, without branches in which nothing moves.
 
-    Nodes below an animated one are included, such as a toe or fingertip; a static branch such as a floor is not.
+    Nodes below an animated one are included, such as a toe or fingertip; a static branch such as a floor is not. Also
+    return the parents among these nodes, -1 for the top.
     """
     animated, count = list(is_animated), len(parents)
     top = list[int]()
@@ -94,4 +95,6 @@ def moving_tree(parents: Sequence[int], is_animated: Iterable[bool]) -> list[int
     for i in reversed(range(count)):
         if carries[i] and parents[i] >= 0:
             carries[parents[i]] = True
-    return [i for i in range(count) if top[i] == chosen and (carried[i] or carries[i])]
+    nodes = [i for i in range(count) if top[i] == chosen and (carried[i] or carries[i])]
+    place = {node: k for k, node in enumerate(nodes)}
+    return nodes, [place.get(parents[node], -1) for node in nodes]

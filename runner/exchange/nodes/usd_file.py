@@ -72,8 +72,8 @@ def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> Nodes:
     times, rate = _times(stage, path, codes, fps, len(prims))
     place = {prim.GetPath(): i for i, prim in enumerate(prims)}
     parents = [place.get(prim.GetPath().GetParentPath(), -1) for prim in prims]
-    rows = moving_tree(parents, animated)
-    return _of_prims([prims[i] for i in rows], [parents[i] for i in rows], rows, times, rate)
+    rows, parents = moving_tree(parents, animated)
+    return _of_prims([prims[i] for i in rows], parents, times, rate)
 
 
 def _skeletons(stage: Usd.Stage) -> list[Any]:
@@ -112,16 +112,12 @@ def _of_skeleton(query: Any, times: list[float], rate: float) -> Nodes:
     ]
     bound = query.GetJointWorldBindTransforms()
     rest = _matrices(bound) if len(bound) == len(names) else moving[0]
-    rows = moving_tree(parents, [True] * len(parents))
-    place = {row: k for k, row in enumerate(rows)}
-    names, parents = [names[i] for i in rows], [place.get(parents[i], -1) for i in rows]
-    rest, moving = rest[rows], [matrices[rows] for matrices in moving]
+    rows, parents = moving_tree(parents, [True] * len(parents))
+    names, rest, moving = [names[i] for i in rows], rest[rows], [matrices[rows] for matrices in moving]
     return Nodes(names, parents, np.swapaxes(rest, -1, -2), np.swapaxes(np.array(moving), -1, -2), rate)
 
 
-def _of_prims(prims: list[Usd.Prim], parents: list[int], rows: list[int], times: list[float], rate: float) -> Nodes:
-    place = {row: k for k, row in enumerate(rows)}
-    above = [place.get(parent, -1) for parent in parents]
+def _of_prims(prims: list[Usd.Prim], above: list[int], times: list[float], rate: float) -> Nodes:
     moving = np.empty((len(times), len(prims), 4, 4))
     for row, code in enumerate(times):
         cache = UsdGeom.XformCache(Usd.TimeCode(code))
