@@ -143,6 +143,14 @@ def from_matrix(matrix: ArrayLike) -> Array:
     return out
 
 
+def from_euler(angles: ArrayLike, order: str) -> Array:
+    """Return quaternions (..., 4) of intrinsic angles (..., n) [rad] about axes in an order, such as "xyz"."""
+    angles, out = np.asarray(angles, float), np.array([1.0, 0.0, 0.0, 0.0])
+    for i, letter in enumerate(order):
+        out = product(out, from_rotation_vector(angles[..., i, None] * np.eye(3)["xyz".index(letter)]))
+    return out
+
+
 def right_matrix(q: ArrayLike) -> Array:
     """Return the matrix (4, 4) of p -> p ⊗ q for a quaternion q (4,)."""
     return product(np.eye(4), np.asarray(q, float)).T

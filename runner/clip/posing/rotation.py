@@ -25,7 +25,4 @@ def _without_heading(table: RotationTable) -> Array:
         return quat.from_rotation_vector(np.radians(table.rotvec))
     if table.quat is not None:
         return quat.normalised(table.quat)
-    out = np.array([1.0, 0, 0, 0])
-    for letter, angle in zip(table.order or "xyz", np.radians(table.euler or []), strict=True):
-        out = quat.product(out, quat.from_rotation_vector(angle * np.eye(3)["xyz".index(letter)]))
-    return out
+    return quat.from_euler(np.radians(table.euler or []), table.order or "xyz")

@@ -27,7 +27,7 @@ from ...errors import UserError
 from .. import layouts, plain_pickle
 from ..array_reader import times
 from ..robot import needs_figure
-from ..skeleton.hinge_joints import HingeLayout, angles, rotation_of
+from ..skeleton.hinge_joints import HingeLayout, angles
 from ..trajectory import Recording, SampledTrajectory
 
 CLAMP, WRAP = 0, 1  # values of loop_mode
@@ -54,7 +54,7 @@ class Part:
         values = qpos[:, self.columns] - (self.rest or 0.0)
         if len(self.columns) == 1:
             return values
-        return quat.rotation_vector(values if self.order is None else rotation_of(values, self.order))
+        return quat.rotation_vector(values if self.order is None else quat.from_euler(values, self.order))
 
     def configuration(self, numbers: Array) -> Array:
         """Return the columns of qpos for entries (T, width) of frames."""

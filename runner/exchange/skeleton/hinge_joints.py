@@ -73,12 +73,6 @@ def parity(order: str) -> float:
     return 1.0 if order in "xyzxy" else -1.0
 
 
-def rotation_of(angle: Array, order: str = ORDER) -> Array:
-    """Return quaternions (..., 4) of angles (..., 3) [rad] in an order."""
-    turns = [quat.from_rotation_vector(angle[..., n, None] * np.eye(3)["xyz".index(x)]) for n, x in enumerate(order)]
-    return quat.product(quat.product(turns[0], turns[1]), turns[2])
-
-
 def rates(angle: Array, spin: Array, order: str = ORDER) -> Array:
     """Return rates (..., 3) [rad/s] of angles (..., 3) from the angular velocity (..., 3) in body axes.
 
@@ -145,7 +139,7 @@ class HingeLayout:
         out = []
         for (joint, names), start in zip(self.joints, self._starts, strict=True):
             part = hinges[:, start : start + self._width(joint)]
-            out.append(part if len(names) == 1 else quat.aligned(rotation_of(part, self.order)))
+            out.append(part if len(names) == 1 else quat.aligned(quat.from_euler(part, self.order)))
         return np.concatenate(out, 1)
 
     def at_rest(self, joint: int) -> Array:

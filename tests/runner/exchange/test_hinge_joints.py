@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
 from dynsplines.exchange.robot import Robot
-from dynsplines.exchange.skeleton.hinge_joints import HingeLayout, HingeModel, angles, rates, rotation_of
+from dynsplines.exchange.skeleton.hinge_joints import HingeLayout, HingeModel, angles, rates
 from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.scene.assets import Scene
 from dynsplines.solver import quaternion as quat
@@ -52,20 +52,20 @@ def test_angles_of_every_order_are_intrinsic_rotations_in_it(order, rng):
     angle = angles(q, order)
     own = Rotation.from_euler(order.upper(), angle.reshape(-1, 3)).as_matrix()
     np.testing.assert_allclose(own, Rotation.from_quat(q.reshape(-1, 4), scalar_first=True).as_matrix(), atol=1e-12)
-    assert np.max(quat.angle_between(rotation_of(angle, order), q)) < 1e-12
+    assert np.max(quat.angle_between(quat.from_euler(angle, order), q)) < 1e-12
 
 
 @pytest.mark.parametrize("order", ORDERS)
 def test_angles_continue_through_the_lock_and_beyond_whole_turns(order):
     t = np.linspace(0, 1, 401)[:, None]
     smooth = np.concatenate([8 * t, np.pi * t, 0.3 - 9 * t], 1)  # the middle one passes 90° in sample 200, exactly
-    found = angles(rotation_of(smooth, order)[:, None], order)[:, 0]
-    assert np.max(quat.angle_between(rotation_of(found, order), rotation_of(smooth, order))) < 1e-7
+    found = angles(quat.from_euler(smooth, order)[:, None], order)[:, 0]
+    assert np.max(quat.angle_between(quat.from_euler(found, order), quat.from_euler(smooth, order))) < 1e-7
     np.testing.assert_allclose(found[:200], smooth[:200], atol=1e-7)
     np.testing.assert_allclose(found[:, 1], smooth[:, 1], atol=1e-6)
     assert np.max(np.abs(np.diff(found, axis=0))) < 0.06
     spin = quat.rotation_vector(
-        quat.product(quat.inverse(rotation_of(smooth[99], order)), rotation_of(smooth[101], order))
+        quat.product(quat.inverse(quat.from_euler(smooth[99], order)), quat.from_euler(smooth[101], order))
     )
     np.testing.assert_allclose(rates(smooth[100], spin * 200, order), [8, np.pi, -9], rtol=2e-3)
     assert np.all(np.isfinite(rates(smooth[200], np.array([5.0, 6, 7]), order)))
