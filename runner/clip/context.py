@@ -29,6 +29,7 @@ from .table import ContactTable, GraspTable
 
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
 REPEATED = 1e-3  # [m, 1] largest difference between equal keyframes; 1e-3 in a quaternion's entry is about 0.1°
+STRAIGHT = 0.7  # [1] cosine of the angle up to which a limb at rest counts as straight along an axis
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
 
@@ -208,16 +209,18 @@ class Context:
 
 
 def knees_and_elbows(figure: Figure) -> list[Bend]:
-    """Return the ball joints named as knees or elbows, or on bodies so named, of a figure that faces x."""
+    """Return the ball joints named as knees or elbows, or on bodies so named, of a figure that faces x. At rest, both
+    parts of the limb lie along the same axis, not to the side as in a T-pose; otherwise its bend is unknown."""
     bends, rest = [], _turned_at_rest(figure)
     for i, link in enumerate(figure.links[1:], start=1):
         names = f"{link.name} {figure.model.body(link.body).name}".lower()
         lateral = 1.0 if any(w in names for w in KNEES) else -1.0 if any(w in names for w in ELBOWS) else 0.0
         if lateral and link.kind is JointKind.BALL:
             down = quat.rotated(rest[i], link.centre - link.anchor)
-            down[1] = 0.0
-            if np.linalg.norm(down) > 1e-6:
-                axes = np.array([[0.0, lateral, 0.0], _principal(down)])
+            above = quat.rotated(rest[link.parent], link.offset - figure.links[link.parent].anchor)
+            along = _principal(down * [1, 0, 1])
+            if all(bone @ along >= STRAIGHT * np.linalg.norm(bone) for bone in (down, above)) and np.any(down):
+                axes = np.array([[0.0, lateral, 0.0], along])
                 bends.append(Bend(link.name, i, *quat.rotated(quat.inverse(rest[link.parent]), axes)))
     return bends
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
@@ -14,7 +15,9 @@ from tiny import CLIP, FIGURE, HINGE, changed, written
 from dynsplines import models, recordings
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
+from dynsplines.clip.context import knees_and_elbows
 from dynsplines.errors import UserError
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import (
     Bend,
     Contact,
@@ -180,6 +183,21 @@ def test_knees_and_elbows_are_found_by_joint_or_body(tmp_path, joint, body, late
     assert isinstance(bend, Bend)
     assert bend.name == joint
     np.testing.assert_array_equal(bend.lateral, [0, lateral, 0])
+
+
+@pytest.mark.parametrize(
+    ("upper", "lower", "count"),
+    [
+        ("0.02 0.03 -0.3", "0.01 0 -0.25", 1),
+        ("0.02 0.3 -0.01", "0 0.25 -0.02", 0),  # a T-pose
+        ("0 0 -0.3", "0.25 0 0", 0),  # an elbow bent at rest
+    ],
+)
+def test_an_elbow_bends_from_an_arm_that_is_straight_at_rest(upper, lower, count):
+    text = f"""<mujoco><worldbody><body pos="0 0 1"><freejoint/><geom type="capsule" size=".03" fromto="0 0 0 {upper}"/>
+     <body pos="{upper}"><joint name="elbow" type="ball"/><geom type="capsule" size=".1" fromto="0 0 0 {lower}"/></body>
+    </body></worldbody></mujoco>"""
+    assert len(knees_and_elbows(Figure(mujoco.MjModel.from_xml_string(text)))) == count
 
 
 def test_what_was_looked_for_and_not_found_is_one_line_each(tmp_path):
