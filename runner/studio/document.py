@@ -28,6 +28,15 @@ def parsed(text: str) -> TomlTable:
     return tomllib.loads(text)
 
 
+def text_of(file: Path) -> tuple[str, str]:
+    """Return a file's text with line feeds, and its line ending. Raises OSError, and UserError for other encodings."""
+    try:
+        text = file.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise UserError(f"{file}: not UTF-8 text (byte {error.start + 1})") from None
+    return text.replace("\r\n", "\n"), "\r\n" if "\r\n" in text else "\n"
+
+
 @dataclass
 class Document:
     """A clip's text and its history.
@@ -54,6 +63,14 @@ class Document:
     def is_dirty(self) -> bool:
         """Whether there is unsaved work."""
         return self.text != self.saved
+
+    @property
+    def is_outdated(self) -> bool:
+        """Whether another program has changed the file since it was opened or saved."""
+        try:
+            return self.file is not None and text_of(self.file)[0] != self.saved
+        except OSError:  # the file is gone, or cannot be read
+            return False
 
     @property
     def place(self) -> str:

@@ -51,8 +51,12 @@ class Files:
             raise UserError("this clip has no file yet: save it under a name")
         target = document.file if name is None else inside(self.folder, _ended(name, ".toml"))
         assert target is not None
-        if name is not None and target != document.file and target.exists() and not overwrite:
+        if not overwrite and target != document.file and target.exists():
             raise UserError(f"'{target.name}' already exists; choose another name")
+        if not overwrite and target == document.file and document.is_outdated:
+            raise UserError(
+                f"'{target.name}' was changed by another program; save under another name, or overwrite it by Save as"
+            )
         document.save(target)
         self.session.send_outline()
         return f"saved {target.name}"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from dynsplines import models
 
 from ..errors import UserError, unknown
-from .document import Document
+from .document import Document, text_of
 
 if TYPE_CHECKING:
     from ..motion import Saved
@@ -44,13 +44,9 @@ def opened(source: str, *, figure: str | None = None) -> Document:
 
 def _clip(path: Path) -> Document:
     try:
-        text = path.read_bytes().decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise UserError(f"{path}: not UTF-8 text (byte {error.start + 1})") from None
+        text, newline = text_of(path)
     except OSError as error:
         raise UserError(f"{path}: cannot be read: {error.strerror}") from None
-    newline = "\r\n" if "\r\n" in text else "\n"
-    text = text.replace("\r\n", "\n")
     return Document(path.stem, text, path.resolve().parent, file=path.resolve(), saved=text, newline=newline)
 
 

@@ -158,6 +158,21 @@ def test_a_file_is_replaced_only_after_a_confirmation(client, session, tmp_path)
     assert replaced["ok"]
 
 
+def test_a_file_that_another_program_changed_is_replaced_only_after_a_confirmation(client, session, tmp_path):
+    file = tmp_path / "mine.toml"
+    assert all(told["ok"] for told in answers(client, {"do": "save", "name": "mine"}, {"do": "save"}))
+    file.write_text("theirs")
+    for told in answers(client, {"do": "save"}, {"do": "save", "name": "mine.toml"}):
+        assert "'mine.toml' was changed by another program" in told["words"]
+    assert file.read_text() == "theirs"
+    assert all(
+        told["ok"] for told in answers(client, {"do": "save", "name": "mine", "overwrite": True}, {"do": "save"})
+    )
+    file.unlink()
+    assert answers(client, {"do": "save"})[0]["ok"]
+    assert file.read_text() == 'figure = "human"\n'
+
+
 @pytest.mark.parametrize(
     "asked", [{"do": "export", "to": "bvh", "name": "walk.bvh"}, {"do": "render", "name": "walk.mp4"}]
 )
