@@ -5,6 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 from oracles import kinematics
+from scipy.spatial.transform import Rotation
 
 BIPED = """
 <mujoco model="biped"><compiler angle="radian"/><worldbody>
@@ -58,6 +59,20 @@ def _leg(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     toward = np.arctan2(-x, -z)
     hip = toward - np.arcsin(0.36 * np.sin(knee) / reach)
     return np.stack([hip, knee, -(hip + knee)], axis=1)
+
+
+def assert_same(found: np.ndarray, qpos: np.ndarray, tolerance: float = 1e-9) -> None:
+    """That configurations are equal up to the sign of the root's quaternion."""
+    sign = np.sign(np.sum(found[:, 3:7] * qpos[:, 3:7], axis=1, keepdims=True))
+    np.testing.assert_allclose(np.hstack([found[:, :3], sign * found[:, 3:7], found[:, 7:]]), qpos, atol=tolerance)
+
+
+def y_up(qpos: np.ndarray, *, with_frame: bool) -> np.ndarray:
+    """As programs with y up have it, the root's own axes turned with the world or not, by SciPy."""
+    turn = Rotation.from_euler("x", -90, degrees=True)
+    rotation = turn * Rotation.from_quat(qpos[:, 3:7], scalar_first=True)
+    rotation = rotation * turn.inv() if with_frame else rotation
+    return np.hstack([turn.apply(qpos[:, :3]), rotation.as_quat(scalar_first=True), qpos[:, 7:]])
 
 
 def poses(qpos: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

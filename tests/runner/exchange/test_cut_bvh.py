@@ -82,21 +82,22 @@ def test_a_leg_without_numbers_makes_a_gap_and_one_without_any_is_refused(tmp_pa
             bvh_file.read(tmp_path / "b.bvh")
 
 
-def test_a_line_of_another_width_in_the_middle_is_refused(tmp_path):
-    (tmp_path / "a.bvh").write_text(text([*rows(3), "1 2 3", *rows(3)]))
-    with gaps.allowed(), pytest.raises(UserError, match="3 numbers for the 21 channels"):
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (text([*rows(3), "1 2 3", *rows(3)]), "3 numbers for the 21 channels"),
+        (text(rows(1), declared=12), "the file ends after 1 images; 'Frames:' declares 12"),
+    ],
+)
+def test_a_line_of_another_width_in_the_middle_and_a_single_frame_are_refused(content, message, tmp_path):
+    (tmp_path / "a.bvh").write_text(content)
+    with gaps.allowed(), pytest.raises(UserError, match=message):
         bvh_file.read(tmp_path / "a.bvh")
 
 
 def test_names_in_shift_jis_are_read(tmp_path):
     (tmp_path / "a.bvh").write_bytes(text(rows()).replace("LeftUpLeg", "左足").encode("cp932"))
     assert "左足" in bvh_file.read(tmp_path / "a.bvh")[0].names
-
-
-def test_a_file_cut_to_one_frame_is_refused(tmp_path):
-    (tmp_path / "a.bvh").write_text(text(rows(1), declared=12))
-    with gaps.allowed(), pytest.raises(UserError, match="the file ends after 1 images; 'Frames:' declares 12"):
-        bvh_file.read(tmp_path / "a.bvh")
 
 
 @pytest.mark.parametrize(("last", "count"), [("24.500000", 8), ("24.50", 7), ("2", 7)])

@@ -44,9 +44,7 @@ def read(path, kind: str | None = None):
 def check(qpos: Array, path, kind: str | None = None) -> str:
     """The file is read as qpos; returns its notes."""
     found = read(path, kind)
-    sign = np.sign(np.sum(found.qpos[:, 3:7] * qpos[:, 3:7], axis=1, keepdims=True))
-    got = np.hstack([found.qpos[:, :3], found.qpos[:, 3:7] * sign, found.qpos[:, 7:]])
-    np.testing.assert_allclose(got, qpos, atol=1e-7)
+    biped.assert_same(found.qpos, qpos, 1e-7)
     return " ".join(found.notes)
 
 
@@ -93,23 +91,16 @@ def test_the_other_order_of_quaternions_is_read_where_the_documented_one_falls(k
     assert notes.startswith(f"read as {kind} with quaternions wxyz: tilt") and f"as {kind} it would be: tilt" in notes
 
 
-def y_up(qpos: Array, *, with_frame: bool) -> Array:
-    turn = Rotation.from_euler("x", -90, degrees=True)
-    rotation = turn * Rotation.from_quat(qpos[:, WXYZ], scalar_first=True)
-    rotation = rotation * turn.inv() if with_frame else rotation
-    return np.hstack([turn.apply(qpos[:, :3]), rotation.as_quat(scalar_first=True), qpos[:, 7:]])
-
-
 @pytest.mark.parametrize("name", ["jump"])
 @pytest.mark.parametrize("kind", KINDS)
 def test_y_up_is_read_where_the_documented_layout_lies_down(kind: str, name: str, tmp_path) -> None:
     qpos = motions()[name]
-    assert "with y up" in check(qpos, saved(kind, y_up(qpos, with_frame=False), tmp_path))
+    assert "with y up" in check(qpos, saved(kind, biped.y_up(qpos, with_frame=False), tmp_path))
 
 
 def test_an_implausible_documented_layout_with_two_plausible_others_needs_a_format(tmp_path) -> None:
     qpos = np.tile(biped.walk(heading=0.0)[25], (40, 1))
-    rows = y_up(qpos, with_frame=True)
+    rows = biped.y_up(qpos, with_frame=True)
     path = saved("gmr", rows, tmp_path)
     with pytest.raises(
         UserError, match=r"as gmr it is implausible .*y up in .* and gmr with y up and z forward"
@@ -123,7 +114,7 @@ def test_an_implausible_documented_layout_with_two_plausible_others_needs_a_form
 def test_a_robot_that_flies_where_another_layout_stands_on_the_floor_needs_a_format(tmp_path) -> None:
     walk = biped.walk(heading=0.0)
     walk[:, 1] -= 1.6
-    rows = y_up(walk, with_frame=True)  # as documented it is 0.8 m above the floor, upright
+    rows = biped.y_up(walk, with_frame=True)  # as documented it is 0.8 m above the floor, upright
     path = saved("npz", rows, tmp_path)
     with pytest.raises(UserError, match=r"as npz it is doubtful .* as npz with y up .* give --from"):
         read(path)

@@ -52,21 +52,15 @@ def test_import_refuses_them(folder: Path, ending: str) -> None:
 
 
 @pytest.mark.parametrize("ending", FILES)
-def test_they_are_left_out_and_the_others_are_as_they_were(folder: Path, ending: str) -> None:
-    whole = read_recording(folder / f"whole.{ending}", figure="human")
+def test_they_are_left_out_with_a_note_and_the_others_are_as_they_were(folder: Path, ending: str) -> None:
+    whole, text = read_recording(folder / f"whole.{ending}", figure="human"), io.StringIO()
     with gaps.allowed():
-        torn = read_recording(folder / f"torn.{ending}", figure="human")
+        progress = Progress(Console(file=text, width=200))
+        torn = read_recording(folder / f"torn.{ending}", figure="human", progress=progress)
+    assert "note: 3 samples lack some or all numbers, first at 0.067 s: left out as a whole" in text.getvalue()
     kept = np.delete(np.arange(whole.time.size), [2, 3, 4])
     np.testing.assert_allclose(torn.time, whole.time[kept], atol=1e-9)
     np.testing.assert_allclose(np.abs(torn.qpos), np.abs(whole.qpos[kept]), atol=1e-6)
-
-
-@pytest.mark.parametrize("ending", FILES)
-def test_the_note_on_them_is_true_for_samples_with_some_numbers(folder: Path, ending: str) -> None:
-    text = io.StringIO()
-    with gaps.allowed():
-        read_recording(folder / f"torn.{ending}", figure="human", progress=Progress(Console(file=text, width=200)))
-    assert "note: 3 samples lack some or all numbers, first at 0.067 s: left out as a whole" in text.getvalue()
 
 
 def test_a_file_of_nothing_else_is_refused_all_the_same(folder: Path, tmp_path: Path) -> None:

@@ -24,20 +24,6 @@ def take():
     return SampledTrajectory.of(wild.motion_of("human"))
 
 
-def test_all_bodies_of_the_variant_stand_and_move_as_those_of_the_figure(take):
-    hinged = take.hinged
-    names = [[m.body(i).name for i in range(m.nbody)] for m in (take.model, hinged.model)]
-    assert names[0] == names[1]
-    assert not np.any(hinged.model.jnt_type == mujoco.mjtJoint.mjJNT_BALL)
-    ball = wild.poses(take.model, take.qpos, take.qvel)
-    hinge = wild.poses(hinged.model, hinged.qpos, hinged.qvel)
-    np.testing.assert_allclose(hinge["xpos"], ball["xpos"], atol=1e-9)
-    np.testing.assert_allclose(hinge["xmat"], ball["xmat"], atol=1e-9)
-    np.testing.assert_allclose(hinge["velocity"], ball["velocity"], atol=1e-7)
-    np.testing.assert_array_equal(take.model.body_mass, hinged.model.body_mass)
-    np.testing.assert_array_equal(take.model.body_inertia, hinged.model.body_inertia)
-
-
 def test_joints_carry_the_names_of_the_balls_and_their_axes_in_order(take):
     model = take.hinged.model
     names = [model.joint(i).name for i in range(model.njnt)]

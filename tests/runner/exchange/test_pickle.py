@@ -177,6 +177,7 @@ STRANGE = {
     "an object by its class": (b"(cos\nsystem\no.", "'os.system'"),
     "a name with dots": (b"\x8c\x05numpy\x8c\x0adtype.type\x93.", "'numpy.dtype.type'"),
     "a state of a dict": (b"}}b.", "'a state of an object without one'"),
+    "a tensor": (b"ctorch._utils\n_rebuild_tensor_v2\n(tR.", r"'torch\._utils\._rebuild_tensor_v2'.* with \.numpy\(\)"),
     "digits without end": (b"L" + b"9" * 100_000 + b"L\n.", "not a readable pickle"),
 }
 

@@ -99,13 +99,6 @@ def test_names_of_other_programs(vocabulary, tmp_path):
     assert "columns by other names" in notes
 
 
-def test_quaternions_are_taken_by_their_names_not_by_their_place(tmp_path):
-    names = ["time", *(OURS[i] for i in (0, 1, 2, 4, 5, 6, 3)), *OURS[7:]]
-    found, notes = read(written(tmp_path / "a.csv", names, TIMED[:, [0, 1, 2, 3, 5, 6, 7, 4, *range(8, 15)]]))
-    is_walk(found)
-    assert not notes
-
-
 def test_columns_that_are_numbered_are_taken_in_their_order(tmp_path):
     names = ["frame", "x", "y", "z", "qw", "qx", "qy", "qz", *(f"dof_{i}" for i in range(7))]
     rows = np.column_stack([np.arange(60), QPOS])

@@ -30,11 +30,7 @@ def lenient(path, fps=None):
 def is_start(found, tolerance=1e-8):
     """Whether a recording is the first samples of the walk."""
     count = len(found.time)
-    sign = np.sign(np.sum(found.qpos[:, 3:7] * QPOS[:count, 3:7], axis=1, keepdims=True))
-    np.testing.assert_allclose(found.qpos[:, 3:7] * sign, QPOS[:count, 3:7], atol=tolerance)
-    np.testing.assert_allclose(
-        np.delete(found.qpos, [3, 4, 5, 6], 1), np.delete(QPOS[:count], [3, 4, 5, 6], 1), atol=tolerance
-    )
+    biped.assert_same(found.qpos, QPOS[:count], tolerance)
     np.testing.assert_allclose(found.time - found.time[0], TIME[:count], atol=1e-6)
     return count
 

@@ -8,7 +8,6 @@ import puppet
 import pytest
 from oracles import kinematics
 
-from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.trajectory import SampledTrajectory
@@ -81,9 +80,3 @@ def test_openusds_own_validators_find_nothing(stage):
     validation = pytest.importorskip("pxr.UsdValidation")
     context = validation.ValidationContext(validation.ValidationRegistry().GetOrLoadAllValidators())
     assert [str(error.GetMessage()) for error in context.Validate(stage)] == []
-
-
-def test_another_ending_is_reported(take, tmp_path):
-    with pytest.raises(UserError, match=r"the name of a file of the format usd ends in \.usdc or \.usd or \.usda"):
-        formats.export(take.saved, "usd", tmp_path / "a.usdz")
-    assert list(tmp_path.iterdir()) == []

@@ -40,18 +40,20 @@ def recording(**columns):
     return qpos
 
 
-def read(arm, qpos, time=TIME):
-    np.savetxt(arm.parent / "arm.csv", np.column_stack([time, qpos]), delimiter=",", fmt="%.9f")
-    return read_recording(arm.parent / "arm.csv", "csv", figure=str(arm)).qpos
+def read(arm, qpos):
+    np.savetxt(arm.parent / "arm.csv", np.column_stack([TIME, qpos]), delimiter=",", fmt="%.9f")
+    return read_recording(arm.parent / "arm.csv", "csv", figure=str(arm), progress=Progress(Console(width=200))).qpos
 
 
 @pytest.mark.parametrize("low", [-np.pi, 0.0])
-def test_a_hinge_without_range_or_with_a_whole_turn_is_unwrapped(arm, low):
-    angle = 2.6 + 1.5 * TIME + np.sin(5 * TIME)
+def test_a_hinge_without_range_or_with_a_whole_turn_is_unwrapped_and_named(arm, low, capsys):
+    angle = low + 5.7 + 1.5 * TIME + np.sin(5 * TIME)
     start = wrapped(angle, low)[0] - angle[0]
     found = read(arm, recording(turret=wrapped(angle, low), shoulder=wrapped(-angle, low)))
     np.testing.assert_allclose(found[:, 7], angle + start, atol=1e-8)
     np.testing.assert_allclose(np.diff(found[:, 8]), -np.diff(angle), atol=1e-8)
+    note = "note: 'turret', 'shoulder': angles wrap at a whole turn, first at "
+    assert capsys.readouterr().out.startswith(note)
 
 
 def test_limited_hinges_and_slides_and_turns_that_are_recorded_stay(arm):
@@ -73,10 +75,3 @@ def test_every_format_is_unwrapped(arm, kind, tmp_path):
     target = formats.export(saved, kind, tmp_path / f"a{formats.writer(kind).ending}", fps=2.0)
     found = read_recording(target, figure=str(arm), fps=2.0)
     np.testing.assert_allclose(found.qpos[:, 7], angle, atol=1e-8)
-
-
-def test_the_joints_are_named_in_a_note(arm, capsys):
-    qpos = recording(turret=wrapped(3 * TIME))
-    np.savetxt(arm.parent / "arm.csv", np.column_stack([TIME, qpos]), delimiter=",")
-    read_recording(arm.parent / "arm.csv", "csv", figure=str(arm), progress=Progress(Console(width=200)))
-    assert capsys.readouterr().out == "note: 'turret': angles wrap at a whole turn, first at 1.067 s: unwrapped\n"
