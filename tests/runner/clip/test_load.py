@@ -221,14 +221,6 @@ def test_a_site_named_by_the_clip_must_be_there(tmp_path):
     assert [point.name for point in contact.points] == ["left_toe"]
 
 
-def test_other_keyframes_make_another_problem_of_the_same_clip(tmp_path):
-    problem = loaded(tmp_path)
-    other = clip.with_keys(problem, problem.keys[:2])
-    assert len(other.keys) == 2
-    assert other.mjcf == problem.mjcf
-    assert [p.name for p, _ in other.penalties] == [p.name for p, _ in problem.penalties]
-
-
 def mjcf(folder: Path, keys: str) -> str:
     path = folder / "keys.xml"
     path.write_text(HINGE.format(keys=keys), encoding="utf-8")
