@@ -16,16 +16,6 @@ def keys_at(*times: float) -> Timeline:
     return Timeline(tuple(Frame.key(t, [1, 2, 3]) for t in times), SLOPE)
 
 
-def test_a_timeline_gives_times_states_masks_and_rows_as_arrays():
-    timeline = Timeline(three_frames(), SLOPE)
-    np.testing.assert_array_equal(timeline.times, [0, 0.5, 1.25])
-    np.testing.assert_array_equal(timeline.states, [[1, 2, 3], [4, 5, 6], [7, 8, 9]])
-    np.testing.assert_array_equal(timeline.fixed, [[1, 1, 1], [1, 0, 0], [0, 0, 0]])
-    np.testing.assert_array_equal(timeline.rows, [[1, 2, 3], [4, 5, 6], [7, 8, 9], [0, 1, 2], [3, 4, 5]])
-    assert timeline.width == 3
-    assert timeline.variable_count == 1
-
-
 @pytest.mark.parametrize(
     ("make", "text"),
     [

@@ -47,7 +47,6 @@ from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import evenly, midpoints, split
-from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import Point
 
 
@@ -180,19 +179,6 @@ def test_the_sides_that_count_add_up_to_the_penalty_at_every_sample(figure, rng,
 
 def test_the_sides_rows_are_the_gradients_of_their_values(figure, rng, one_sided):
     assert_gradients(one_sided, figure, rng)
-
-
-@pytest.mark.parametrize(
-    "place", [(0.0, 0.26), (0.0, 0.31), (0.3, 0.2), (0.5, 0.1), (0.0, 0.351), (0.551, 0.1), (0.56, 0.1), (0.57, 0.345)]
-)
-def test_a_sphere_at_a_step_counts_as_deep_as_its_penalty_specifies_and_not_at_all_outside(place):
-    figure = figure_of(BALL)
-    step = Box("step", np.array([0.0, 0, 0.15]), np.eye(3), np.array([0.5, 0.5, 0.15]))
-    contact = Contact((Point("p", 1, np.zeros(3), 0.05),), (step,))
-    y = np.array([[place[0], 0, place[1], 1, 0, 0, 0]])
-    samples = Samples(figure, y, 0 * y, 0 * y)
-    value = np.maximum(sides_of(contact, samples).value, 0)
-    np.testing.assert_allclose(value**2, contact.evaluate(samples), rtol=1e-12)
 
 
 def test_no_points_no_surfaces_no_joints_and_nothing_near_have_no_sides(figure, rng):

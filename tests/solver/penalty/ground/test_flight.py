@@ -1,22 +1,19 @@
-"""Flight: free fall costs nothing, the value against mj_inverse, gradient and curvature, and what it does to a hop."""
+"""Flight: free fall costs nothing, the value against mj_inverse, the gradient, and what it does to a hop."""
 
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import assembled, assert_near, curvature_of, jacobians
-from figures import BALL_TREE, TINY, figure_of
+from figures import BALL_TREE, figure_of
 from oracles import mujoco_forces
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import within
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.wrench import RootWrench, height, weight
+from dynsplines.solver.figure.wrench import RootWrench, weight
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
 from dynsplines.solver.problem import Problem, Settings
@@ -68,31 +65,6 @@ def test_a_body_that_tumbles_freely_costs_nothing_and_one_that_hovers_one():
     assert flight.evaluate(samples).max() < 1e-20
     still = Samples(samples.figure, samples.y, 0 * samples.y, 0 * samples.y)
     np.testing.assert_allclose(flight.evaluate(still), 1.0, rtol=1e-12)
-
-
-@pytest.mark.parametrize("angular", [0.0, 0.4])
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
-def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian_with_a_moment_and_without(
-    coordinates, angular, rng
-):
-    assert_curvature(figure_of(TINY, coordinates), rng, angular)
-
-
-def assert_curvature(figure: Figure, rng: np.random.Generator, angular: float) -> None:
-    samples = at_times(random_samples(figure, rng, 4), np.array([0.1, 0.5, 0.9, 1.3]))
-    flight = Flight.of(figure, 1, ((0.0, 0.6), (1.2, 1.4)), angular)
-    aloft = np.array([1.0, 1, 0, 1])
-
-    def residuals(seen: Samples) -> Array:
-        wrench = RootWrench(seen, 1)
-        both = np.concatenate([wrench.force, np.sqrt(angular) * wrench.moment / height(figure, 1)])
-        return (both * aloft).T / weight(figure, 1)
-
-    np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), flight.evaluate(samples), rtol=1e-9)
-    scale, phi = rng.uniform(0.5, 2, 4), rng.normal(size=(4, 3, 2))
-    moved = np.einsum("sron,soa->sran", jacobians(residuals, samples), phi).reshape(4, 6, -1)
-    expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", moved, moved)
-    assert_near(assembled(curvature_of(flight, samples, scale), phi), expected)
 
 
 def test_a_flight_lasts_from_its_first_moment_to_its_last():

@@ -1,6 +1,5 @@
 """Resting points: the value by hand, gradient and curvature, and a foot held for an interval whose spot nobody said."""
 
-import mujoco
 import numpy as np
 import pytest
 from figures import BALL, figure_of
@@ -71,22 +70,6 @@ def test_a_foot_rests_where_nobody_said_that_it_should():
 
     assert direction(0.0) > 0.3
     assert direction(3000.0) < 0.01
-
-
-def test_a_sphere_that_rests_rolls_without_a_slip():
-    model = mujoco.MjModel.from_xml_string(BALL)
-    figure, floor = Figure(model), Plane("floor", np.zeros(3), UP)
-    resting = RestPenalty((Rest(Point("ball", 1, np.zeros(3), 0.1), 0.0, 1.0, rolls=True),), (floor,))
-    turning = 2.0  # [rad/s] about y
-
-    def sliding(speed: float) -> float:
-        y = np.array([[0.0, 0, 0.1, 1, 0, 0, 0]])
-        y_d = np.array([[speed, 0, 0, 0, 0, turning / 2, 0]])
-        samples = Samples(figure, y, y_d, 0 * y, t=np.array([0.5]))
-        return float(resting.evaluate(samples)[0])
-
-    assert sliding(0.1 * turning) < 1e-20
-    np.testing.assert_allclose(sliding(0.0), Thresholds.of(figure).settling ** 2 * (0.1 * turning) ** 2)
 
 
 @pytest.mark.parametrize("angle", [-0.7, 0.0, 1.2])

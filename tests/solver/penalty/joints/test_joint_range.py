@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import curvature_of, shifted, sides_of
+from curvature_of import shifted
 from figures import BALL_TREE, EVERY_JOINT, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -81,22 +81,6 @@ def test_the_gradient_has_taylor_slope_two(figure, rng):
     samples, penalty = random_samples(figure, rng, 12), JointRange(joint_ranges(figure))
     assert np.all(penalty.evaluate(samples) > 0)
     assert penalty_slope(penalty, samples, rng) > 1.9
-
-
-def test_the_sides_add_up_to_the_penalty_and_their_rows_are_gradients(figure, rng):
-    samples, penalty, h = random_samples(figure, rng, 30), JointRange(joint_ranges(figure)), 1e-7
-    sides = sides_of(penalty, samples)
-    total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
-    np.testing.assert_allclose(total, penalty.evaluate(samples), rtol=1e-10)
-    assert np.count_nonzero(sides.value < 0) > 0
-    direction = rng.normal(size=samples.y.shape)
-    by = h * np.stack([direction, 0 * direction, 0 * direction])
-    after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
-    np.testing.assert_array_equal(after.at, before.at)
-    slope = np.einsum("pn,pn->p", sides.rows, direction[sides.at])
-    np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)
-    nothing = curvature_of(penalty, samples, np.ones(samples.count))
-    assert not nothing.quadratic(np.ones((30, 3)), 0, 30).any()
 
 
 ONE = """<mujoco><worldbody><body><joint name="j" type="ball" limited="true" range="0 {}"/><geom size=".1"/></body>

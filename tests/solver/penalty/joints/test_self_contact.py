@@ -7,7 +7,7 @@ import io
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import curvature_of, shifted, sides_of
+from curvature_of import sides_of
 from figures import EVERY_JOINT, figure_of
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -75,24 +75,6 @@ def test_the_gradient_has_taylor_slope_two(coordinates, rng):
     assert np.count_nonzero(penalty.evaluate(samples)) > 5
     assert penalty_slope(penalty, samples, rng) > 1.9
     np.testing.assert_allclose(penalty.evaluate(scaled_like(samples, rng)), penalty.evaluate(samples), rtol=1e-9)
-
-
-@pytest.mark.parametrize("coordinates", COORDINATES)
-def test_the_sides_add_up_to_the_penalty_look_ahead_and_have_gradients_for_rows(coordinates, rng):
-    figure = spider(coordinates)
-    samples, penalty, h = tangled(figure, rng), SelfContact.of(figure), 1e-7
-    sides = sides_of(penalty, samples)
-    total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
-    np.testing.assert_allclose(total, penalty.evaluate(samples), rtol=1e-10, atol=1e-15)
-    assert np.all(sides.value > -NEAR)
-    assert np.count_nonzero(sides.value < 0) > 3
-    direction = rng.normal(size=samples.y.shape)
-    by = h * np.stack([direction, 0 * direction, 0 * direction])
-    after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
-    np.testing.assert_array_equal(after.at, before.at)
-    slope = np.einsum("pn,pn->p", sides.rows, direction[sides.at])
-    np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)
-    assert not curvature_of(penalty, samples, np.ones(60)).quadratic(np.ones((60, 3)), 0, 60).any()
 
 
 OUTER = """<mujoco><worldbody><body name="trunk"><freejoint/>
