@@ -5,9 +5,9 @@ from __future__ import annotations
 import base64
 import json
 import re
-import shutil
 from pathlib import Path
 
+import browser as browsers
 import mujoco
 import numpy as np
 import puppet
@@ -112,15 +112,9 @@ def until(page, condition):
 @pytest.fixture(scope="module")
 def tab(saved, tmp_path_factory):
     """The page of the tiny clip in a browser without windows, and all that the browser asked for or complained of."""
-    playwright = pytest.importorskip("playwright.sync_api")
-    browser = shutil.which("chromium") or shutil.which("chromium-browser")
-    if browser is None:
-        pytest.skip("no chromium")
-    target = formats.export(saved, "html", tmp_path_factory.mktemp("html") / "tiny.html")
-    flags = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    with playwright.sync_playwright() as play:
-        window = play.chromium.launch(executable_path=browser, args=flags)
-        page = window.new_page(viewport={"width": 640, "height": 360})
+    with browsers.opened() as browser:
+        target = formats.export(saved, "html", tmp_path_factory.mktemp("html") / "tiny.html")
+        page = browser.new_page(viewport={"width": 640, "height": 360})
         page.set_default_timeout(120_000)
         heard: list[str] = []
         page.on("request", lambda request: heard.append(request.url))
@@ -129,7 +123,6 @@ def tab(saved, tmp_path_factory):
         page.goto(target.as_uri())
         assert until(page, "window.player !== undefined")
         yield page, heard, target
-        window.close()
 
 
 @pytest.mark.slow
