@@ -84,8 +84,13 @@ def bridged(array: Array) -> Array | None:
     if bad.all() or (gaps.missing is not None and gaps.missing.size != bad.size):
         return None
     gaps.missing = bad if gaps.missing is None else np.asarray(gaps.missing | bad)
-    good = np.flatnonzero(~bad)
-    return array[good[np.maximum(np.searchsorted(good, np.arange(bad.size), side="right") - 1, 0)]]
+    return held(array, ~bad)
+
+
+def held(array: Array, is_good: Mask) -> Array:
+    """Return an array with each of the other rows replaced by the last good one before, else by the first good one."""
+    good = np.flatnonzero(is_good)
+    return array[good[np.maximum(np.searchsorted(good, np.arange(len(array)), side="right") - 1, 0)]]
 
 
 def without_missing(recording: Recording, where: object) -> Recording:

@@ -355,10 +355,8 @@ def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tupl
 
 def _held(track: Array, rest: float) -> Array:
     """Return a track (T,) with gaps filled by the last number before, else the first number, else the rest value."""
-    good = np.flatnonzero(np.isfinite(track))
-    if not good.size:
-        return np.full(track.shape, rest)
-    return track[good[np.maximum(np.searchsorted(good, np.arange(track.size), side="right") - 1, 0)]]
+    is_good = np.isfinite(track)
+    return gaps.held(track, is_good) if is_good.any() else np.full(track.shape, rest)
 
 
 def written(skeleton: Skeleton) -> str:
