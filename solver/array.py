@@ -1,4 +1,4 @@
-"""Array types of the solver, and read-only copies."""
+"""Array types of the solver, read-only copies, and runs of masks."""
 
 from __future__ import annotations
 
@@ -22,3 +22,9 @@ def frozen_mask(values: ArrayLike) -> Mask:
     array = np.array(values, bool)
     array.setflags(write=False)
     return array
+
+
+def runs(mask: Mask) -> list[tuple[int, int]]:
+    """Return the intervals (first, one past the last) in which a mask (T,) is true."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))

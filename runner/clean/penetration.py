@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, runs
 from dynsplines.solver.curve.spline import Path
 
 from ..clip.tracking.penalties import LONGEST_PANEL, NEXT_TO, POINTS, Ground
@@ -32,13 +32,11 @@ def missed_edge_times(ground: Ground, path: Path, frames: Array) -> Array:
     unseen."""
     times = even_times(path.span, RATE)
     deep = depth(ground, path, times)
-    under = np.flatnonzero(deep > DEEP)
-    runs = np.split(under, np.flatnonzero(np.diff(under) > 1) + 1) if under.size else []
     missed_times = list[float]()
-    for run in runs:
-        if run.size / RATE > SHALLOW:
+    for first, end in runs(deep > DEEP):
+        if (end - first) / RATE > SHALLOW:
             continue
-        worst = float(times[run[deep[run].argmax()]])
+        worst = float(times[first + deep[first:end].argmax()])
         after = int(np.clip(np.searchsorted(frames, worst), 1, frames.size - 1))
         about = frames[max(0, after - 2) : after + 2]
         wanted = [worst] if np.abs(frames - worst).min() > NEXT_TO else (0.5 * (about[1:] + about[:-1])).tolist()

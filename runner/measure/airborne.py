@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from dynsplines.solver.array import Array, Index
+from dynsplines.solver.array import Array, Index, runs
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import cross
@@ -20,7 +20,6 @@ from ..motion import samples_at
 from .bounds import BOUNDS
 from .checks import Row, row_of
 from .measurement import Measurement, feet_of
-from .swings import runs
 
 RATE = 60.0  # [1/s] of the samples
 # [1] smallest mean share of the weight that an unknown support would have to carry; in free fall this share is zero

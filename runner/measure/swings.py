@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
+from dynsplines.solver.array import runs
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface.heights import FAR, heights
@@ -31,12 +30,6 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
             if samples.t[b - 1] - samples.t[a] >= limits.brief_swing and lowest[a:b].max() < FAR
         ]
     return by_foot
-
-
-def runs(mask: np.ndarray) -> list[tuple[int, int]]:
-    """Return the intervals (first, one past the last) in which a mask (T,) is true."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def swing_text(foot_swings: list[dict[str, float]]) -> str:

@@ -21,7 +21,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..array import Array, Index, Mask
+from ..array import Array, Index, Mask, runs
 from ..curve.frame import Frame, Timeline
 from ..curve.seam import Seam
 from ..curve.spline import path_of
@@ -289,8 +289,7 @@ def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
 def _long_runs(mask: Mask, times: Array, least: float) -> Mask:
     """Return a mask (S,) without runs shorter than `least` [s]."""
     out = np.zeros(mask.size, bool)
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
-    for first, end in zip(edges[::2], edges[1::2], strict=True):
+    for first, end in runs(mask):
         out[first:end] = times[end - 1] - times[first] >= least
     return out
 
