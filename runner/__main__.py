@@ -7,8 +7,6 @@ from collections.abc import Callable
 
 from .system import signals
 
-STOPPED = 130  # exit code of Ctrl-C
-
 
 def _dynsplines() -> None:
     from .cli import main as command
@@ -38,7 +36,7 @@ def main(command: Callable[[], None] = _dynsplines) -> None:
 def _stopped() -> None:
     signals.ignore()
     print("dynsplines: stopped", file=sys.stderr)
-    sys.exit(signals.code(STOPPED))
+    sys.exit(signals.code(signals.STOPPED))
 
 
 if __name__ == "__main__":

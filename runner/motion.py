@@ -33,6 +33,7 @@ from dynsplines.solver.figure.kinematics import Samples
 
 from .errors import UserError
 from .scene.assets import Scene
+from .scene.configuration import SHORTEST
 from .system import size_limit
 from .system.output import Replacement
 
@@ -328,7 +329,7 @@ def _check(saved: Saved, data: Arrays) -> None:
         if timeline.width != model.nq:
             raise ValueError(f"frames of {timeline.width} entries, the model has {model.nq}")
         for columns in saved.figure.tables.quaternion_columns.T:
-            if np.any(np.linalg.norm(timeline.states[:, columns], axis=1) < 1e-6):
+            if np.any(np.linalg.norm(timeline.states[:, columns], axis=1) < SHORTEST):
                 raise ValueError("a frame has a quaternion that is zero")
         if not all(np.any(np.abs(timeline.times - key.time) < 1e-9) for key in saved.keys):
             raise ValueError("a keyframe has no frame")

@@ -32,6 +32,7 @@ from .clip.parse import table_of
 from .clip.text import tables
 from .measure.exactness import keyframe_error
 from .motion import Saved, read_arrays
+from .scene.configuration import SHORTEST
 from .solving import Solved
 from .system.cache_folder import hash_of, place, store, version_of
 from .system.progress import Progress
@@ -41,7 +42,6 @@ MOST_BYTES = 200_000_000  # [bytes] of all files together; a clip of some second
 
 LIBRARIES = ("mujoco", "numpy", "scipy", "nlopt")
 UNMET = 1e-9  # [m, rad] rounding tolerance of keyframes
-SMALLEST = 1e-6  # [1] minimum norm of a quaternion
 APART = ("figure", "fps")  # keys of a clip on which its solution does not depend; the scene contains the figure
 
 
@@ -151,7 +151,7 @@ def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
     if (
         str(data["key"]) != key
         or not np.isfinite(timeline.rows).all()
-        or min(lengths, default=1.0) < SMALLEST
+        or min(lengths, default=1.0) < SHORTEST
         or not np.isfinite(seconds)
     ):
         raise ValueError("not what it is called")

@@ -12,12 +12,11 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ..errors import UserError
-from ..motion import read_entries
+from ..motion import FARTHEST, read_entries
 from ..system import size_limit
 from .gaps import UnequalSamples, bridged, samples_used
 from .trajectory import BodyPoses
 
-LARGEST = 1e9  # absolute value of a file's numbers, small enough that squares stay finite in double precision
 NUMBER = 8  # [bytes] of a number in double precision
 SAMPLES = "samples"  # name of the first axis of arrays with one row per sample
 
@@ -62,7 +61,7 @@ class ArrayReader:
         array = array.astype(float)
         if not np.all(np.isfinite(array)) and (mended := bridged(array)) is not None:
             array = mended
-        if not np.all(np.abs(array) <= LARGEST):
+        if not np.all(np.abs(array) <= FARTHEST):
             what = "is too large" if np.all(np.isfinite(array)) else "is not a finite number"
             raise UserError(f"{self.where}: '{name}': an entry {what}")
         return array

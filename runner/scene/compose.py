@@ -34,10 +34,10 @@ from .mujoco_versions import (
     size_of_pictures,
 )
 from .obstacle import Obstacle, add_bodies
+from .triangles import HIDDEN_GROUP
 
 PREFIX = "stage_"
 GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's default colour of a geom
-HIDDEN = 3  # first group of geoms that is not drawn
 BURIED = 0.005  # [m] depth in the floor that is permitted for a fixed figure
 BELOW = 0.02  # [1] distance of an added floor below the figure's lowest point, relative to the figure's size
 
@@ -176,7 +176,7 @@ def _dress(spec: mujoco.MjSpec, bare: mujoco.MjModel) -> None:
     """Assign the stage's materials to geoms without colour and material: limbs light and dark in turn show bends."""
     floors, moving, depth = set(grounds(bare)), moves(bare), _depths(bare)
     for index, geom in enumerate(geoms_by_number(spec)):
-        if geom.material or not np.allclose(geom.rgba, GREY) or bare.geom_group[index] >= HIDDEN:
+        if geom.material or not np.allclose(geom.rgba, GREY) or bare.geom_group[index] >= HIDDEN_GROUP:
             continue
         if index in floors:
             geom.material = PREFIX + "floor"

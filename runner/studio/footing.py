@@ -16,9 +16,9 @@ from dynsplines.solver.posing import FixedPoints, FloorClearance, PointGoal, lim
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.plane import Plane
 from dynsplines.solver.surface.points import Point, body_points
+from dynsplines.solver.surface.touch import LEVEL
 
 CONTACT = 0.004  # [m] height over the lowest point of a foot up to which its points touch the ground
-LEVEL = 0.99  # vertical component of the normal of a floor
 END = 0.45  # distance to the tip, relative to the limb's length, below which a joint is an ankle or a wrist
 
 

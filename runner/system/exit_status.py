@@ -18,7 +18,6 @@ import typer
 from ..errors import UserError, one_line
 from . import signals
 
-STOPPED = 130  # exit code of Ctrl-C
 INTERNAL = 4  # exit code of an internal error
 DEBUG = "DYNSPLINES_DEBUG"
 HOW = "what the same command prints as `dynsplines --debug ...`"
@@ -54,8 +53,8 @@ def run(command: Callable[[], int | None]) -> NoReturn:
         if code == INTERNAL and os.environ.get(DEBUG):
             raise
         _end(code, line)
-    if code == STOPPED:  # typer's handling of Ctrl-C
-        _end(signals.code(STOPPED), "stopped")
+    if code == signals.STOPPED:  # typer's handling of Ctrl-C
+        _end(signals.code(signals.STOPPED), "stopped")
     sys.exit(signals.code(code or 0))
 
 
@@ -67,7 +66,7 @@ def _ending(error: BaseException) -> tuple[int, str]:
         case UsageError():
             return 2, one_line(_usage(error))
         case typer.Abort():
-            return signals.code(STOPPED), "stopped"
+            return signals.code(signals.STOPPED), "stopped"
         case FileNotFoundError(filename=None) if _is_nowhere():
             return 2, "the folder that the command was started in is gone"
         case OSError():
@@ -75,7 +74,7 @@ def _ending(error: BaseException) -> tuple[int, str]:
         case MemoryError():
             return 2, "not enough memory for this"
     if _is_interrupt(error):
-        return signals.code(STOPPED), "stopped"
+        return signals.code(signals.STOPPED), "stopped"
     if any(words in str(error) for words in NO_ROOM):
         return 2, "not enough memory for this, or to load what it needs"
     if isinstance(error, RuntimeError) and "can't start new thread" in str(error):

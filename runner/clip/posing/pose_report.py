@@ -19,9 +19,8 @@ from dynsplines.solver.surface.touch import grounds
 from .equalities import Equalities
 
 BEYOND = {"degrees": 0.1, "m": 1e-3}  # least excess of a joint's range that is reported
-HIGH, DEEP = 0.02, 0.005  # [m] least distance above the floor, and below it, that is reported
+HIGH, DEEP = 0.02, 0.005  # [m] least distance above the floor, and below it or inside a body, that is reported
 VERTICAL = 0.99  # least vertical component of a lifting slide's axis
-INSIDE = 0.005  # [m] least penetration of two bodies that is reported
 MOST = 3  # most lines of a kind
 
 
@@ -111,7 +110,7 @@ def _in_each_other(figure: Figure, qpos: Array) -> list[str]:
         one, two = sorted(int(model.geom_bodyid[geom]) for geom in data.contact.geom[k])
         if figure.body_link[one] and figure.body_link[two]:
             depths[one, two] = max(depths.get((one, two), 0.0), -float(data.contact.dist[k]))
-    deep = sorted(((depth, pair) for pair, depth in depths.items() if depth > INSIDE), reverse=True)
+    deep = sorted(((depth, pair) for pair, depth in depths.items() if depth > DEEP), reverse=True)
     return [
         f"bodies '{model.body(one).name}' and '{model.body(two).name}' {1000 * depth:.0f} mm in each other"
         for depth, (one, two) in deep

@@ -23,7 +23,6 @@ ODD_UNITS = {"inches": 0.0254, "the CMU database's units": 0.0254 / 0.45}
 UPRIGHT = 0.8  # least cosine between the vertical and legs and trunk in a pose that counts as standing
 LIKELY = (0.55, 3.0)  # [m] plausible reach of a person
 STILL = 1e-6  # [1 for quaternions, or the file's unit of length] largest change that counts as no motion
-MOST_NAMES = 8  # most names in a note
 DRIFT = 0.01  # least change of a bone's length that is reported, as a fraction of REACH
 
 
@@ -222,7 +221,7 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
     names = ", ".join(skeleton.names[i] for i in reversed(above))
     note = f"'{skeleton.names[root]}' is the root; its parents are folded into it: {names}"
     if beside:
-        note += f"; other branches are left out: {', '.join(skeleton.names[i] for i in beside[:MOST_NAMES])}"
+        note += f"; other branches are left out: {', '.join(skeleton.names[i] for i in beside[: bvh_file.LISTED])}"
     return bvh_file.skeleton(joints, place[:, subtree], turn[:, subtree], skeleton.frame_time), (note,)
 
 

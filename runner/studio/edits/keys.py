@@ -6,12 +6,13 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from dynsplines.solver.contacts import ROUNDING
+
 from ...clip.parse import SHORTEST
 from ...errors import UserError
 from .tables import DOTTED, Blocks, add, drop_dotted, number, put, put_dotted, remove, row
 
 EDITS = ("move_keys", "add_key", "delete_keys", "paste_keys", "replace_keys")
-SAME = 1e-9  # [s] difference up to which times are equal
 
 
 def times(tree: Blocks) -> list[float]:
@@ -32,7 +33,7 @@ def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
         now[index] = time
     _check_order(was, list(now.values()))
     for index, time in now.items():
-        if abs(time - was[index]) > SAME:
+        if abs(time - was[index]) > ROUNDING:
             put(row(tree, "keyframe", index), "time", time)
     for name in ("contact", "grasp"):
         for block in tree.rows(name):
@@ -44,7 +45,7 @@ def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
 
 def _follow(table: Any, end: str, was: Sequence[float], now: Mapping[int, float]) -> None:
     for index, time in enumerate(was):
-        if abs(float(table[end]) - time) < SAME and abs(now[index] - time) > SAME:
+        if abs(float(table[end]) - time) < ROUNDING and abs(now[index] - time) > ROUNDING:
             put(table, end, now[index])
             return
 
@@ -52,7 +53,7 @@ def _follow(table: Any, end: str, was: Sequence[float], now: Mapping[int, float]
 def _check_order(was: Sequence[float], now: Sequence[float]) -> None:
     for index, (a, b) in enumerate(pairwise(now)):
         if b - a < SHORTEST:
-            moved = index if abs(now[index] - was[index]) > SAME else index + 1
+            moved = index if abs(now[index] - was[index]) > ROUNDING else index + 1
             other = index + 1 if moved == index else index
             side = "past" if (b <= a) else "on"
             raise UserError(
