@@ -29,7 +29,7 @@ from ..scene.configuration import first_wrong, posed
 from ..scene.urdf import fixed_base
 from .load import compiled_keys
 from .posing.couplings import follow
-from .posing.equalities import Equalities
+from .posing.equalities import Equalities, in_words
 from .posing.feet import rest_within_ranges, sole_points
 from .posing.places import Places, posable_sites
 from .posing.pose_report import floor_height, lifts, lowest_point, violations
@@ -166,7 +166,7 @@ def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array,
     mujoco.mj_differentiatePos(figure.model, away, 1.0, qpos, closed)
     link = max(figure.links[1:], key=lambda candidate: float(np.abs(away[candidate.dofs]).max()))
     most = float(np.linalg.norm(away[link.dofs]))
-    size = f"{1000 * most:.3g} mm" if link.kind is JointKind.SLIDE else f"{np.degrees(most):.3g}°"
+    size = in_words(most, "m") if link.kind is JointKind.SLIDE else in_words(np.degrees(most), "degrees")
     was = str(gaps[0]).replace("open by", "was open by")
     return closed, [f"moved onto the model's equality constraints, '{link.name}' by {size}: {was}"]
 

@@ -16,7 +16,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.posing import posed
 
-OPEN = {"m": 1e-3, "degrees": 0.1}  # least violation of a constraint that is reported
+OPEN = {"m": 1e-3, "degrees": 0.1}  # least violation of a constraint or of a range that is reported
 
 
 @dataclass(frozen=True)
@@ -28,8 +28,12 @@ class Opening:
     unit: str
 
     def __str__(self) -> str:
-        size = f"{1000 * self.amount:.3g} mm" if self.unit == "m" else f"{self.amount:.3g}°"
-        return f"equality constraint '{self.name}' open by {size}"
+        return f"equality constraint '{self.name}' open by {in_words(self.amount, self.unit)}"
+
+
+def in_words(amount: float, unit: str) -> str:
+    """Return an amount in "m" or "degrees" in the notation of messages."""
+    return f"{1000 * amount:.3g} mm" if unit == "m" else f"{amount:.3g}°"
 
 
 class Equalities:

@@ -7,18 +7,16 @@ from collections.abc import Iterator
 import mujoco
 import numpy as np
 
-from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import joint_ranges
+from dynsplines.solver.penalty import JointRange, joint_ranges
 from dynsplines.solver.surface.points import body_points, bottoms_of
 from dynsplines.solver.surface.touch import grounds
 
-from .equalities import Equalities
+from .equalities import OPEN, Equalities, in_words
 
-BEYOND = {"degrees": 0.1, "m": 1e-3}  # least excess of a joint's range that is reported
 HIGH, DEEP = 0.02, 0.005  # [m] least distance above the floor, and below it or inside a body, that is reported
 VERTICAL = 0.99  # least vertical component of a lifting slide's axis
 MOST = 3  # most lines of a kind
@@ -86,17 +84,13 @@ def _off_the_floor(figure: Figure, qpos: Array) -> Iterator[str]:
 
 def _out_of_range(figure: Figure, qpos: Array) -> list[str]:
     excesses: list[tuple[float, str]] = []
-    for joint in joint_ranges(figure):
-        link = figure.links[joint.link]
-        if link.kind is JointKind.BALL:
-            beyond = float(np.linalg.norm(quat.rotation_vector(qpos[link.qpos : link.qpos + 4]))) - joint.high
-        else:
-            beyond = max(joint.low - float(qpos[link.qpos]), float(qpos[link.qpos]) - joint.high)
-        unit = "m" if link.kind is JointKind.SLIDE else "degrees"
-        amount = beyond if unit == "m" else float(np.degrees(beyond))
-        if amount > BEYOND[unit]:
-            size = f"{1000 * amount:.3g} mm" if unit == "m" else f"{amount:.3g}°"
-            excesses.append((amount, f"joint '{link.name}' {size} beyond its range"))
+    joints = joint_ranges(figure)
+    beyond = JointRange(joints).beyond(Samples.still(figure, figure.to_state(qpos[None])))[:, 0]
+    for joint, excess in zip(joints, beyond.tolist(), strict=True):
+        unit = "m" if joint.kind is JointKind.SLIDE else "degrees"
+        amount = excess if unit == "m" else float(np.degrees(excess))
+        if amount > OPEN[unit]:
+            excesses.append((amount, f"joint '{joint.name}' {in_words(amount, unit)} beyond its range"))
     return [line for _, line in sorted(excesses, reverse=True)]
 
 
