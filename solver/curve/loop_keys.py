@@ -87,7 +87,7 @@ def _headings(figure: Figure, first: Frame, last: Frame, turn: float | None) -> 
 
 def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | None) -> Array:
     """Return the displacement (3, f) [m] of each root from its first position to its last. Roots after the first have
-    none, except those that both ends fix as far apart as the first, such as those of carried objects."""
+    that of the first, as carried objects do, if their positions in both keyframes are closer to it than to none."""
     roots = figure.tables.position_columns
     out = np.zeros(roots.shape)
     difference = np.where(first.fixed & last.fixed, last.state - first.state, 0.0)[roots]
@@ -100,7 +100,8 @@ def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | No
         if not roots.size:
             raise TimelineError("the figure has no free joint, so no root to travel")
         out[:, 0] = travel
-    return np.where(np.abs(difference - out[:, :1]).max(axis=0) <= SAME, out[:, :1], out)
+    is_carried = np.linalg.norm(difference - out[:, :1], axis=0) < np.linalg.norm(difference, axis=0)
+    return np.where(is_carried, out[:, :1], out)
 
 
 def _shift(figure: Figure, first: Frame, last: Frame, seam: Seam, travel: Array) -> Array:
