@@ -344,7 +344,7 @@ def _bodies(poser: Poser, qpos: Any) -> Message:
     """Return positions (nbody · 3) [m] and rotations (nbody · 4), xyzw, of all bodies."""
     from .paths import poses
 
-    position, rotation, _ = poses(poser.figure.model, qpos[None])
+    position, rotation, _ = poses(poser.figure, qpos[None])
     return {"position": position[0].round(5).ravel().tolist(), "rotation": rotation[0].round(6).ravel().tolist()}
 
 

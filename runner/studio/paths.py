@@ -14,10 +14,11 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.root import subtree
 
 RATE = 60.0  # [1/s] sampling rate of a short motion
 MOST_SAMPLES = 1200  # number of samples of a long motion, few enough to be sent quickly
@@ -43,7 +44,7 @@ def packed(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> 
         "count": len(time),
         "bodies": figure.model.nbody,
     }
-    return framed(full_header, *poses(figure.model, qpos))
+    return framed(full_header, *poses(figure, qpos))
 
 
 def framed(header: Mapping[str, object], *arrays: Array | NDArray[np.float32]) -> bytes:
@@ -53,8 +54,10 @@ def framed(header: Mapping[str, object], *arrays: Array | NDArray[np.float32]) -
     return b"".join([struct.pack("<I", len(text)), text, *(np.ascontiguousarray(a, "<f4").tobytes() for a in arrays)])
 
 
-def poses(model: mujoco.MjModel, qpos: Array) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
-    """Return positions (T, B, 3), rotations (T, B, 4) xyzw and centres of mass (T, 3) of poses qpos (T, nq)."""
+def poses(figure: Figure, qpos: Array) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+    """Return positions (T, B, 3), rotations (T, B, 4) xyzw and the figure's centres of mass (T, 3) of poses qpos
+    (T, nq)."""
+    model = figure.model
     data, count = mujoco.MjData(model), len(qpos)
     position = np.empty((count, model.nbody, 3), np.float32)
     turned = np.empty((count, model.nbody, 4), np.float32)  # as MuJoCo has them, wxyz
@@ -64,5 +67,14 @@ def poses(model: mujoco.MjModel, qpos: Array) -> tuple[NDArray[np.float32], NDAr
         here[:] = pose
         mujoco.mj_kinematics(model, data)
         position[i], turned[i], middle[i] = places, turns, middles
-    masses = model.body_mass / max(float(model.body_mass.sum()), 1e-12)
+    masses = model.body_mass * _is_of_figure(figure)
+    masses = masses / max(float(masses.sum()), 1e-12)
     return position, turned[..., [1, 2, 3, 0]], np.einsum("b,tbi->ti", masses, middle).astype(np.float32)
+
+
+def _is_of_figure(figure: Figure) -> Mask:
+    """Return which bodies (B,) are parts of the articulated tree with the root; without one, those that move."""
+    model, root = figure.model, figure.root
+    if root is not None and root.limbs:
+        return subtree(model, root.body)
+    return (model.body_weldid != 0) | (model.njnt == 0)

@@ -8,12 +8,14 @@ import struct
 from contextlib import contextmanager
 from dataclasses import replace
 
+import mujoco
 import numpy as np
 import pytest
 import tiny
 from spoken import Line, load
 
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.studio import paths
@@ -95,6 +97,20 @@ def test_a_path_is_sent_as_poses_of_every_body(work, tmp_path):
     assert head["first"] == 0
     assert head["count"] == round(head["last"] * head["rate"]) + 1
     assert paths.rate_of(600) * 600 <= paths.MOST_SAMPLES
+
+
+@pytest.mark.parametrize("root", ["", "<freejoint/>"])
+def test_the_centre_of_mass_is_the_figure_s_without_its_table_and_what_lies_on_it(root):
+    box = '<geom type="box" size=".1 .1 .1" mass="50"/>'
+    free = f'<body pos="1 0 0"><freejoint/>{box}</body>' if root else ""
+    text = f"""<mujoco><worldbody><body pos="2 0 0">{box}</body>{free}
+     <body name="arm">{root}<geom size=".05" mass="{1 if root else 0.001}"/>
+      <body><joint/><geom size=".05" pos=".2 0 0" mass="1"/></body></body></worldbody></mujoco>"""
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    _, _, middle = paths.poses(Figure(model), data.qpos[None])
+    np.testing.assert_allclose(middle[0], data.subtree_com[model.body("arm").id], atol=1e-3)
 
 
 def test_curves_are_of_joints_feet_and_terms(work, tmp_path):
