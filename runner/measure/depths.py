@@ -16,7 +16,6 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface import Box, Surface
 from dynsplines.solver.surface.points import Point
-from dynsplines.solver.surface.surface import UPRIGHT
 
 TINY = 1e-12  # [m] least distance in a division
 
@@ -74,10 +73,4 @@ def _from_box(box: Box, points: Array) -> Array:
     """Return the signed distance of points (3, ...) from a box; inside, it is minus that to the nearest exit."""
     local = np.tensordot(box.axes.T, points - box.centre.reshape(3, *[1] * (points.ndim - 1)), axes=1)
     half = box.half.reshape(3, *[1] * (points.ndim - 1))
-    outside = np.linalg.norm(np.maximum(np.abs(local) - half, 0), axis=0)
-    inward = np.full(points.shape[1:], np.inf)
-    for axis in range(3):
-        for sign in (1.0, -1.0):
-            if not (box.buried and sign * box.axes[2, axis] < -UPRIGHT):
-                inward = np.minimum(inward, box.half[axis] - sign * local[axis])
-    return np.where(outside > 0, outside, -inward)
+    return np.linalg.norm(np.maximum(np.abs(local) - half, 0), axis=0) - box.inside(points)
