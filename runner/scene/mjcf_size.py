@@ -143,11 +143,15 @@ def _tags(text: str) -> Iterator[tuple[str, dict[str, str], bool, bool]]:
             if match is None:
                 return
             closes, tag, inside = match.groups()
-            attributes = {name: html.unescape(a or b) for name, a, b in ATTRIBUTE.findall(inside)} if inside else {}
-            yield tag, attributes, bool(closes), inside.endswith("/")
+            yield tag, attributes_in(inside), bool(closes), inside.endswith("/")
             place = match.end()
         if place >= 0:
             place = text.find("<", place)
+
+
+def attributes_in(tag: str) -> dict[str, str]:
+    """Return the attributes in the text of a tag."""
+    return {name: html.unescape(a or b) for name, a, b in ATTRIBUTE.findall(tag)}
 
 
 def _number(text: str) -> float:

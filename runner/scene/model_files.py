@@ -6,7 +6,6 @@ of these are relative to their own folders.
 
 from __future__ import annotations
 
-import html
 import os
 import re
 from collections.abc import Iterator, Mapping
@@ -15,10 +14,10 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from . import file_access
+from .mjcf_size import attributes_in
 
 FOLDERS = ("meshdir", "texturedir", "assetdir")
 TAG = re.compile(r"<\s*([\w:.-]+)([^<>]*)")
-ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
 
 
 @dataclass
@@ -96,4 +95,4 @@ def elements(text: str) -> Iterator[tuple[str, Mapping[str, str]]]:
         yield from [(element.tag, element.attrib) for element in ElementTree.fromstring(text).iter()]
     except ElementTree.ParseError:
         for tag, attributes in TAG.findall(text):
-            yield tag, {name: html.unescape(a or b) for name, a, b in ATTRIBUTE.findall(attributes)}
+            yield tag, attributes_in(attributes)
