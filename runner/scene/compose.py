@@ -14,7 +14,8 @@ import numpy as np
 
 from dynsplines import models
 from dynsplines.solver.array import Array
-from dynsplines.solver.figure.figure import JointKind, names_of_joints
+from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.naming import names_of_joints
 from dynsplines.solver.surface.touch import grounds, moves
 
 from ..errors import UserError, unknown

@@ -11,5 +11,5 @@ wrench       the external wrench at a free root that its motion requires
 turns        derivatives by small rotations of joints, converted to the coordinates of the state
 wrenches     Jacobian rows of residuals of the links' motion
 effort_rows  Jacobian rows of inverse dynamics: joint efforts, and the root's wrench
-naming       names of geoms in messages
+naming       names of joints and geoms
 """

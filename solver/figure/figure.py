@@ -12,7 +12,6 @@ is added to it. Link 0 is the world.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
@@ -23,6 +22,7 @@ from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
+from .naming import joint_names
 from .root import Root, root_of
 
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
@@ -230,33 +230,6 @@ def _upright(links: tuple[Link, ...]) -> Mask:
     for i, link in enumerate(links[1:], start=1):
         out[i] = link.kind is JointKind.FREE or (link.kind is JointKind.BALL and out[link.parent])
     return out
-
-
-def joint_names(model: mujoco.MjModel) -> list[str]:
-    """Return the names of all joints: the joint's, else its body's; `body_1` and so on for several unnamed ones.
-
-    If that name is already used, the joint is named by its number.
-    """
-    bodies = [(model.body(i).name, int(model.body_jntnum[i])) for i in range(model.nbody)]
-    return names_of_joints([model.joint(i).name for i in range(model.njnt)], bodies)
-
-
-def names_of_joints(model_names: Sequence[str], bodies: Sequence[tuple[str, int]]) -> list[str]:
-    """Return unique names of joints.
-
-    Args:
-        model_names: The joints' names in the model, "" for none.
-        bodies: Each body's name and number of joints, in order.
-    """
-    names, used, first = list(model_names), set(model_names), 0
-    for called, count in bodies:
-        nameless = [j for j in range(first, first + count) if not names[j]]
-        first += count
-        for number, joint in enumerate(nameless, start=1):
-            name = called if len(nameless) == 1 else f"{called}_{number}"
-            names[joint] = name if called and name not in used else f"joint {joint}"
-            used.add(names[joint])
-    return names
 
 
 def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array]:

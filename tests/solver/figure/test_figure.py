@@ -8,7 +8,8 @@ from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of
 from oracles import kinematics
 from random_keys import random_qpos
 
-from dynsplines.solver.figure.figure import Figure, JointKind, names_of_joints, quaternion_columns
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.naming import names_of_joints
 
 
 @pytest.mark.parametrize("text", [BALL_TREE, EVERY_JOINT, MIXED, TINY, LEG])
