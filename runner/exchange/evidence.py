@@ -10,7 +10,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.figure.forward import boxes
+from dynsplines.solver.figure.forward import boxes, set_qpos
 from dynsplines.solver.figure.root import root_of
 
 from ..scene.configuration import posed
@@ -285,8 +285,7 @@ def _posture(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tupl
 
     def points(row: Array) -> tuple[Array, Array]:
         """Return centres (n, 3) of the bodies and the bounding boxes of geoms, and the least height (n,) of each."""
-        data.qpos = row
-        mujoco.mj_kinematics(model, data)
+        set_qpos(model, data, row)
         centre, reach = boxes(model, data, geoms)
         low = (centre - reach)[:, 2]
         return np.concatenate([centre, data.xpos[bodies]]), np.concatenate([low, data.xpos[bodies, 2]])

@@ -18,6 +18,7 @@ from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import applied, cross
 from dynsplines.solver.figure.dynamics import inverse_dynamics
+from dynsplines.solver.figure.forward import set_qpos
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.penalty import Support
@@ -156,9 +157,7 @@ class Forces:
         for i in order:
             t = int(reactions.at[i])
             if t != posed:
-                data.qpos[:] = self.trajectory.qpos[t]
-                mujoco.mj_kinematics(model, data)
-                mujoco.mj_comPos(model, data)
+                set_qpos(model, data, self.trajectory.qpos[t])
                 posed = t
             mujoco.mj_jac(model, data, jacobian, None, reactions.place[:, i], bodies[reactions.footing[i]])
             out[t] -= reactions.force[:, i] @ jacobian

@@ -76,7 +76,6 @@ def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> 
     """Return the overlaps at qpos (k, nq) of samples `at` (k,)."""
     parts = []
     for data, sample in zip(posed(model, qpos), at.tolist(), strict=True):
-        mujoco.mj_comPos(model, data)
         mujoco.mj_collision(model, data)
         if data.ncon:
             parts.append((np.full(data.ncon, sample), data.contact.geom.T.copy(), -data.contact.dist))

@@ -11,6 +11,8 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from dynsplines.solver.figure.forward import set_qpos
+
 from ..scene.assets import Scene
 from ..scene.mujoco_versions import lamp, without_shadow
 from .camera import View
@@ -116,9 +118,7 @@ class Stage:
         return self._renderer.render()
 
     def _pose(self, qpos: Array) -> None:
-        self._data.qpos[:] = qpos
-        mujoco.mj_kinematics(self.model, self._data)
-        mujoco.mj_comPos(self.model, self._data)
+        set_qpos(self.model, self._data, qpos)
         mujoco.mj_camlight(self.model, self._data)
 
     def _aim_shadows(self, scene: mujoco.MjvScene, view: View) -> None:

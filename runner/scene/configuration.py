@@ -9,6 +9,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.forward import set_qpos
 
 from ..system.quantity import LARGEST
 
@@ -19,8 +20,7 @@ def posed(model: mujoco.MjModel, qpos: Array) -> Iterator[mujoco.MjData]:
     """Yield the kinematics of configurations (T, nq), one after another in the same MjData: copy what is needed."""
     data = mujoco.MjData(model)
     for row in qpos:
-        data.qpos[:] = row
-        mujoco.mj_kinematics(model, data)
+        set_qpos(model, data, row)
         yield data
 
 

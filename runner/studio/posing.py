@@ -19,6 +19,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.forward import set_qpos
 from dynsplines.solver.penalty.joints.bend import BendLimits
 from dynsplines.solver.posing import (
     BodyGoal,
@@ -113,7 +114,7 @@ class Poser:
             whole[link.columns] = bool(figure.tables.path[i, root])
         if alone and limb_mask.any():
             whole = limb_mask
-        self._place(qpos)
+        set_qpos(self.figure.model, self.data, qpos)
         standing, hanging = list[Spheres](), list[Spheres]()
         for link in dict.fromkeys(point.link for point in self.soles) if plant else ():
             if limb_mask.any() and figure.tables.path[link, links[-1]]:
@@ -140,9 +141,9 @@ class Poser:
         """Return the support polygon of the standing feet in the grip's pose and the limb's feet in the present one."""
         here = self.data.qpos.copy()
         points = [foot.centres(self.data) for foot in hanging]
-        self._place(grip.qpos)
+        set_qpos(self.figure.model, self.data, grip.qpos)
         points += [foot.centres(self.data) for foot in grip.standing]
-        self._place(here)
+        set_qpos(self.figure.model, self.data, here)
         root = self.figure.links[(chain(self.figure, grip.body)[-1:] or [0])[0]].body
         return SupportPolygon.of(root, np.concatenate(points)) if points else None
 
@@ -168,7 +169,7 @@ class Poser:
             return self._dragged(grip, target, begin, landing=landing)
         pose = self._dragged(grip, target, begin)
         for _ in range(LANDINGS if grip.hanging else 0):  # the support polygon moves with the sliding foot
-            self._place(pose.qpos)
+            set_qpos(self.figure.model, self.data, pose.qpos)
             low = tuple(foot for foot in grip.hanging if self.footing.clearance(foot, self.data) < STANDING)
             pose = self._dragged(grip, target, pose.qpos, landing=low) if low else pose
         return pose
@@ -185,11 +186,11 @@ class Poser:
     ) -> Posed:
         """Return the pose of a drag, with feet of the grabbed limb fixed, landing or in the air."""
         footing = self.footing
-        self._place(grip.qpos)
+        set_qpos(self.figure.model, self.data, grip.qpos)
         goals = [footing.fixed(foot, self.data) for foot in (*grip.standing, *fixed)]
         aloft = [foot for foot in grip.hanging if foot not in fixed and foot not in landing]
         level = [(LEVEL_WEIGHT, BodyGoal("foot", self.data.xquat[foot.body].copy(), foot.body)) for foot in aloft]
-        self._place(begin)
+        set_qpos(self.figure.model, self.data, begin)
         goals += [footing.landed(foot, self.data) for foot in landing]
         support = self._support(grip, (*fixed, *landing)) if grip.is_balanced else None
         limits = grip.limits if support is None else (*grip.limits, support)
@@ -203,13 +204,13 @@ class Poser:
         )  # fmt: skip
 
     def _keeps_balance(self, grip: Grip, pose: Posed) -> bool:
-        self._place(pose.qpos)
+        set_qpos(self.figure.model, self.data, pose.qpos)
         support = self._support(grip, grip.hanging) if grip.is_balanced else None
         return support is None or support.excess(self.data) < BALANCE_KEPT
 
     def _is_within_reach(self, grip: Grip, position: Array) -> bool:
         """Return whether the straightened limb is long enough for a position (3,) [m]."""
-        self._place(grip.qpos)
+        set_qpos(self.figure.model, self.data, grip.qpos)
         joints = [self.figure.links[link].joint for link in limb(self.figure, grip.body)]
         path = np.array([self._point(grip, self.data), *self.data.xanchor[joints]])
         length = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
@@ -232,10 +233,9 @@ class Poser:
             raise UserError(unknown("joint", joint, [each.name for each in self.figure.links[1:]]))
         moved = quat.normalised(np.array(turn, float))
         out = np.array(qpos, float)
-        self._place(qpos)
+        set_qpos(self.figure.model, self.data, qpos)
         if link.kind in (JointKind.HINGE, JointKind.SLIDE):
             about = quat.rotation_vector(moved)
-            mujoco.mj_comPos(self.figure.model, self.data)
             value = out[link.qpos] + float(self.data.xaxis[link.joint] @ about)
             if self.figure.model.jnt_limited[link.joint]:
                 value = float(np.clip(value, *self.figure.model.jnt_range[link.joint]))
@@ -295,11 +295,6 @@ class Poser:
         names |= {str(model.body(b).name) for b in bodies} | {self.figure.links[i].name for i in links}
         names |= {str(model.geom(i).name) for i in range(model.ngeom) if int(model.geom_bodyid[i]) in bodies}
         return names | {point.name for point in self.soles if point.link in links}
-
-    def _place(self, qpos: Array) -> None:
-        self.data.qpos[:] = qpos
-        mujoco.mj_kinematics(self.figure.model, self.data)
-        mujoco.mj_comPos(self.figure.model, self.data)
 
 
 def _rounded(value: Any, digits: int = DIGITS) -> Any:

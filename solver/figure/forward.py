@@ -11,10 +11,15 @@ from ..array import Array, Index
 def kinematics(model: mujoco.MjModel, qpos: Array | None = None) -> mujoco.MjData:
     """Return the positions of bodies, geoms and sites in a configuration (nq,), by default at rest."""
     data = mujoco.MjData(model)
-    if qpos is not None:
-        data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
+    set_qpos(model, data, model.qpos0 if qpos is None else qpos)
     return data
+
+
+def set_qpos(model: mujoco.MjModel, data: mujoco.MjData, qpos: Array) -> None:
+    """Compute the same in existing data, together with what Jacobians and collisions need."""
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
 
 
 def boxes(model: mujoco.MjModel, data: mujoco.MjData, geoms: Index) -> tuple[Array, Array]:

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
+from ..figure.forward import set_qpos
 from ..penalty.joints.bend import BendLimits
 from .bounds import Bends, Part, Ranges, joined
 from .goals import Goal, moved_by, reached
@@ -227,9 +228,7 @@ class PoseSearch:
         return poses[0], float(costs[0])
 
     def _place(self, qpos: Array) -> None:
-        self.data.qpos[:] = qpos
-        mujoco.mj_kinematics(self.model, self.data)
-        mujoco.mj_comPos(self.model, self.data)
+        set_qpos(self.model, self.data, qpos)
 
     def moved(self, qpos: Array, step: Array) -> Array:
         """Return qpos (nq,) moved by a step (n,) of the free degrees of freedom; all other entries are unchanged."""

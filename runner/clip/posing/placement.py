@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
@@ -164,7 +163,6 @@ def _preferred(
             most = Thresholds.of(figure).near_surface
             preferred.append((BALANCE, Balance("balance", figure.links[figure.root.link].body, points), most))
     data = kinematics(figure.model, pose)
-    mujoco.mj_comPos(figure.model, data)
     if all(np.linalg.norm(goal.missed(figure.model, data)) <= most for _, goal, most in preferred):
         return []
     return [(weight, goal) for weight, goal, _ in preferred]

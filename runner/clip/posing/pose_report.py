@@ -97,7 +97,6 @@ def _out_of_range(figure: Figure, qpos: Array) -> list[str]:
 def _in_each_other(figure: Figure, qpos: Array) -> list[str]:
     """Return lines on overlapping bodies that collide in MuJoCo."""
     model, data = figure.model, kinematics(figure.model, qpos)
-    mujoco.mj_comPos(model, data)
     mujoco.mj_collision(model, data)
     depths: dict[tuple[int, int], float] = {}
     for k in range(data.ncon):

@@ -14,6 +14,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.forward import set_qpos
 from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.posing import WHOLE_TURNS, BodyGoal, in_winding, posed
 
@@ -188,14 +189,14 @@ class _Chain:
     def turn(self, table: RotationTable, *, stays: bool) -> None:
         """Rotate the body as a table specifies, about its origin if it `stays` in place and slides permit. Raises
         UserError if its hinges do not reach the rotation."""
-        self._place(self.qpos)
+        set_qpos(self.figure.model, self.data, self.qpos)
         before = np.array(self.data.xpos[self.root.body])
         where = f"{self.where}.rotation"
         target, hint = quaternion_of(table), angles_about(table)
         hinges = [i for i in self.turning if self.figure.links[i].kind is JointKind.HINGE]
         columns = [self.figure.links[i].qpos for i in hinges]
         rest = np.array(self.figure.model.qpos0)
-        self._place(rest)
+        set_qpos(self.figure.model, self.data, rest)
         near = rest[columns] + np.array([self.data.xaxis[self.figure.links[i].joint] @ hint for i in hinges])
         self.qpos[columns] = near
         free = np.zeros(self.figure.width, bool)
@@ -238,7 +239,7 @@ class _Chain:
     def move(self, place: Array, wanted: Mask, moving: Sequence[int]) -> None:
         """Move the body to a position (3,) [m] along some axes; raises UserError if its slides do not reach it."""
         self._move(place, wanted, moving)
-        self._place(self.qpos)
+        set_qpos(self.figure.model, self.data, self.qpos)
         away = np.where(wanted, place - self.data.xpos[self.root.body], 0.0)
         worst = int(np.abs(away).argmax())
         if abs(away[worst]) > MOVED:
@@ -264,15 +265,10 @@ class _Chain:
     def _listed(self, links: Sequence[int]) -> str:
         return ", ".join(f"'{self.figure.links[i].name}'" for i in links) or "no joint"
 
-    def _place(self, qpos: Array) -> None:
-        self.data.qpos[:] = qpos
-        mujoco.mj_kinematics(self.figure.model, self.data)
-        mujoco.mj_comPos(self.figure.model, self.data)
-
     def _jacobian(self) -> tuple[Array, Array]:
         """Return the Jacobians (3, nv) of the body's position and rotation."""
         model = self.figure.model
-        self._place(self.qpos)
+        set_qpos(self.figure.model, self.data, self.qpos)
         move, turn = np.zeros((3, model.nv)), np.zeros((3, model.nv))
         mujoco.mj_jacBody(model, self.data, move, turn, self.root.body)
         return move, turn
