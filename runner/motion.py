@@ -289,8 +289,7 @@ def read_entries(source: Path) -> dict[str, np.ndarray | bytes | None]:
 
     Raises UserError if the file is missing or damaged.
     """
-    if not source.is_file():
-        raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
+    size_limit.check_file(source)
     with source.open("rb") as stream:
         if not zipfile.is_zipfile(stream):
             raise UserError(f"{source}: not an .npz file, or cut short")

@@ -291,7 +291,7 @@ def recording(
     if kind is not None and kind not in available:
         raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, available))
     fitting = [available[kind]] if kind is not None else _fitting(source)
-    _check_file(source)
+    size_limit.check_file(source)
     recordings: dict[str, Recording] = {}
     failure: UserError | None = None
     for form in fitting:
@@ -318,7 +318,7 @@ def _read(
 
 def read_by(custom: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read a file by a custom reader; raises UserError if its result is invalid or requires a figure."""
-    _check_file(source)
+    size_limit.check_file(source)
     result = custom.read(source, model, fps)
     if not isinstance(result, Recording):
         raise UserError(f"{source}: a reader's read gives a Recording, not {type(result).__name__}")
@@ -329,12 +329,6 @@ def read_by(custom: Reader, source: Path, model: mujoco.MjModel | None, fps: flo
 
 def _write_only(name: str) -> str:
     return f"the format '{name}' is only written; read are: {', '.join(readers())}"
-
-
-def _check_file(source: Path) -> None:
-    if not source.is_file():
-        raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
-    size_limit.check(source, source.stat().st_size, "it")
 
 
 def _fitting(source: Path) -> list[Format]:
@@ -354,7 +348,7 @@ def _fitting(source: Path) -> list[Format]:
 
 
 def _recognises(form: Format, source: Path) -> bool:
-    _check_file(source)
+    size_limit.check_file(source)
     module = _module(form)
     return not hasattr(module, "recognises") or module.recognises(source)
 

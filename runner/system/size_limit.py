@@ -38,6 +38,13 @@ def check(where: object, size: float, what: str) -> None:
         )
 
 
+def check_file(source: Path) -> None:
+    """Raise UserError for a folder, a missing file, and a file above the limit."""
+    if not source.is_file():
+        raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
+    check(source, source.stat().st_size, "it")
+
+
 def check_archive(stream: IO[bytes], where: Path) -> None:
     """Raise UserError for arrays that are too large together, or larger than their data in the archive.
 
