@@ -46,6 +46,11 @@ def missing_package(what: str, package: str | None, extra: str) -> UserError:
     return UserError(f"{what} needs '{package}'; install it: pip install 'dynamic-splines[{extra}]'")
 
 
+def words_of(error: Exception) -> str:
+    """Return the message of an error of several lines in one line."""
+    return " ".join(str(error).split())
+
+
 def one_line(text: object) -> str:
     """Return a text with unprintable characters escaped, so that a message is one line for any file content."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in shortened(str(text)))

@@ -31,7 +31,7 @@ from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 
-from .errors import UserError
+from .errors import UserError, words_of
 from .scene.assets import Scene
 from .scene.configuration import SHORTEST
 from .system import size_limit
@@ -268,7 +268,7 @@ def load(source: Path) -> Saved:
         saved = _restored(data)
         _check(saved, data)
     except (ValueError, KeyError, IndexError, TypeError, RecursionError) as error:
-        raise UserError(f"{source}: its arrays do not fit together: {' '.join(str(error).split())}") from None
+        raise UserError(f"{source}: its arrays do not fit together: {words_of(error)}") from None
     return saved
 
 
@@ -301,7 +301,7 @@ def read_entries(source: Path) -> dict[str, np.ndarray | bytes | None]:
         except UserError:
             raise
         except Exception as error:  # a damaged zip may raise any exception
-            raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
+            raise UserError(f"{source}: not a readable .npz file: {words_of(error)}") from None
 
 
 def _unpickled(archive: Any, name: str) -> Any:

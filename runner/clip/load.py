@@ -20,11 +20,11 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 from dynsplines.solver.penalty import Placed
 
-from ..errors import UserError, unknown
+from ..errors import UserError, unknown, words_of
 from ..motion import Saved, read_arrays
 from ..motion import load as read_motion
 from ..scene.assets import Scene, taken_along
-from ..scene.compose import compose, figure_spec, first_line, quietly, spec_joint_names
+from ..scene.compose import compose, figure_spec, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
 from .kinds import RENAMED
@@ -232,7 +232,7 @@ def compiled_keys(spec: mujoco.MjSpec, where: str) -> tuple[mujoco.MjModel, Arra
         with quietly():
             model = spec.compile()
     except ValueError as error:
-        raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
+        raise UserError(f"{where}: MuJoCo cannot compile it: {words_of(error)}") from None
     count = len(configurations)  # <size nkey> may exceed it
     time, qpos = np.array(model.key_time)[:count], np.array(model.key_qpos).reshape(model.nkey, model.nq)[:count]
     for i, values in enumerate(configurations):

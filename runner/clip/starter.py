@@ -23,8 +23,8 @@ from dynsplines.solver.surface.points import Point, body_points, bottoms_of, pla
 from dynsplines.solver.surface.touch import TOUCHING, counts_all, movers
 from dynsplines.solver.surface.touch import solids as solids_of
 
-from ..errors import UserError
-from ..scene.compose import compose, figure_spec, first_line, quietly
+from ..errors import UserError, words_of
+from ..scene.compose import compose, figure_spec, quietly
 from ..scene.configuration import first_wrong, posed
 from ..scene.urdf import fixed_base
 from .load import compiled_keys
@@ -88,7 +88,7 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     try:
         figure = Figure(scene.model())
     except (FigureError, ValueError) as error:
-        raise UserError(f"{Path(source).name}: {first_line(error)}") from None
+        raise UserError(f"{Path(source).name}: {words_of(error)}") from None
     soles = sole_points(figure, poses)
     has_keys = bool(len(poses))
     equalities = Equalities(figure)

@@ -22,7 +22,7 @@ from typing import Any, BinaryIO, Literal
 
 import numpy as np
 
-from ..errors import UserError
+from ..errors import UserError, words_of
 from ..system import size_limit
 from .array_reader import ArrayReader
 
@@ -282,7 +282,7 @@ def load(source: Path) -> ArrayReader:
             + (TENSORS if str(error).startswith("torch") else "")
         ) from None
     except Exception as error:  # a damaged pickle raises nearly anything
-        raise UserError(f"{source}: not a readable pickle: {' '.join(str(error).split()) or 'cut short'}") from None
+        raise UserError(f"{source}: not a readable pickle: {words_of(error) or 'cut short'}") from None
     if not isinstance(entries, dict):
         raise UserError(f"{source}: it holds a {type(entries).__name__}, not a dict")
     foreign = next((key for key in entries if not isinstance(key, str)), None)

@@ -18,9 +18,9 @@ from dynsplines.solver.figure.figure import Figure, FigureError
 from .. import recordings
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..clip.text import TomlTable, keyframe_tables, tables, written
-from ..errors import UserError, renamed_arguments
+from ..errors import UserError, renamed_arguments, words_of
 from ..scene import file_access
-from ..scene.compose import first_line, quietly
+from ..scene.compose import quietly
 from ..scene.model_inputs import spec_of
 from ..system.mujoco_warnings import as_python_warnings
 
@@ -129,7 +129,7 @@ def _figure(spec: mujoco.MjSpec, name: str) -> Figure:
         with quietly():
             return Figure(spec.copy().compile())
     except (FigureError, ValueError) as error:
-        raise UserError(f"{name}: {first_line(error)}") from None
+        raise UserError(f"{name}: {words_of(error)}") from None
 
 
 def _table(key: Keyframe, figure: Figure | None) -> TomlTable:

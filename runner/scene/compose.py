@@ -18,7 +18,7 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.naming import names_of_joints
 from dynsplines.solver.surface.touch import grounds, moves
 
-from ..errors import UserError, unknown
+from ..errors import UserError, unknown, words_of
 from ..system import mujoco_warnings
 from . import mjcf_size
 from .assets import Assets, Scene, check_places, taken_along
@@ -70,7 +70,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
     except UserError as error:
         raise UserError(f"{figure}: {error}") from None
     except ValueError as error:
-        raise UserError(f"{figure}: MuJoCo cannot read it: {first_line(error)}") from None
+        raise UserError(f"{figure}: MuJoCo cannot read it: {words_of(error)}") from None
     return spec
 
 
@@ -125,7 +125,7 @@ def compose(
             model = _compiled(spec, assets)
             return Scene(_with_keys(portable_text(spec), poses, bare, model), assets)
     except ValueError as error:
-        raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
+        raise UserError(f"MuJoCo cannot compile the model with its stage: {words_of(error)}") from None
 
 
 def _with_keys(text: str, poses: Mapping[str, Array], bare: mujoco.MjModel, model: mujoco.MjModel) -> str:
@@ -201,7 +201,7 @@ def compiled(model: mujoco.MjSpec | Scene, where: object) -> mujoco.MjModel:
         with quietly():
             return model.compile() if isinstance(model, mujoco.MjSpec) else model.model()
     except ValueError as error:
-        raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
+        raise UserError(f"{where}: MuJoCo cannot compile it: {words_of(error)}") from None
 
 
 def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
@@ -210,8 +210,3 @@ def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
         return compiled(spec, "the model")
     finally:
         spec.assets = {}  # otherwise MuJoCo warns about attached models without assets
-
-
-def first_line(error: Exception) -> str:
-    """Return an error of several lines as one line."""
-    return " ".join(str(error).split())

@@ -11,9 +11,9 @@ import numpy as np
 
 from dynsplines import models
 
-from ..errors import UserError
+from ..errors import UserError, words_of
 from . import file_access, mjcf_size
-from .compose import figure_spec, first_line, quietly
+from .compose import figure_spec, quietly
 from .model_files import elements
 from .mujoco_versions import last_text
 
@@ -61,7 +61,7 @@ def spec_of_text(text: str) -> mujoco.MjSpec:
         with quietly():
             return mujoco.MjSpec.from_string(text)
     except ValueError as error:
-        raise UserError(f"figure: MuJoCo cannot read the text: {first_line(error)}") from None
+        raise UserError(f"figure: MuJoCo cannot read the text: {words_of(error)}") from None
 
 
 def _of_model(model: mujoco.MjModel) -> mujoco.MjSpec:

@@ -26,7 +26,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ...errors import UserError
+from ...errors import UserError, words_of
 from ..array_reader import ArrayReader
 from ..robot import needs_figure
 from ..skeleton.humanoid import Humanoid
@@ -131,7 +131,7 @@ def _parsed(path: Path) -> dict[str, object]:
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except (ValueError, RecursionError) as error:
-        raise UserError(f"{path}: not JSON: {' '.join(str(error).split())}") from None
+        raise UserError(f"{path}: not JSON: {words_of(error)}") from None
     if not isinstance(content, dict):
         raise UserError(f"{path}: a list, not an object with 'Loop' and 'Frames'")
     return content

@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from dynsplines.solver.array import Array
 
-from ...errors import UserError
+from ...errors import UserError, words_of
 from ...system import size_limit
 from .. import gaps
 from ..skeleton.bvh_file import Skeleton
@@ -45,7 +45,7 @@ def read(path: Path, fps: float | None) -> tuple[Skeleton, float]:
     except UserError:
         raise
     except Exception as error:  # a damaged file raises nearly anything
-        raise UserError(f"{path}: not a readable glTF file: {' '.join(str(error).split())[:200]}") from None
+        raise UserError(f"{path}: not a readable glTF file: {words_of(error)[:200]}") from None
 
 
 class _File:

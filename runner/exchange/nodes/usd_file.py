@@ -16,7 +16,7 @@ from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ...errors import UserError
+from ...errors import UserError, words_of
 from ...system import size_limit
 from .. import gaps
 from ..skeleton.bvh_file import Skeleton
@@ -35,7 +35,7 @@ def read(path: Path, fps: float | None, scale: float | None) -> tuple[Skeleton, 
         stage = _stage(path)
         nodes = _nodes(stage, path, fps)
     except Tf.ErrorException as error:
-        raise UserError(f"{path}: not a readable USD file: {' '.join(str(error).split())[:200]}") from None
+        raise UserError(f"{path}: not a readable USD file: {words_of(error)[:200]}") from None
     unit = UsdGeom.GetStageMetersPerUnit(stage) if scale is None else 1.0
     for matrices in (nodes.rest, nodes.moving):
         if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z:

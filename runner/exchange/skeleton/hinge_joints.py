@@ -24,7 +24,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
-from ...errors import UserError
+from ...errors import UserError, words_of
 from ...scene.assets import Scene
 
 ORDER = "xzy"
@@ -245,7 +245,7 @@ class HingeModel:
         try:
             variant = Scene(text, scene.assets).model()
         except ValueError as error:
-            raise UserError(f"the figure with hinges for ball joints: {' '.join(str(error).split())}") from None
+            raise UserError(f"the figure with hinges for ball joints: {words_of(error)}") from None
         return cls(layout, text, variant, hinges, layout.qvel(hinges, qvel))
 
     @property
