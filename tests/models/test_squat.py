@@ -29,10 +29,10 @@ def read(text: str) -> Clip:
     return recordings.from_text(text, name="c")
 
 
-def between(*bodies: str, ends: str = "") -> Clip:
+def between(*bodies: str) -> Clip:
     """Keyframes a second apart between two at rest."""
     keys = "".join(f"[[keyframe]]\ntime = {i}\n{body}\n" for i, body in enumerate(bodies, start=1))
-    return read(ends + REST + keys + LAST)
+    return read(REST + keys + LAST)
 
 
 def told(problem: Clip, frame: Frame, joint: str) -> bool:

@@ -12,7 +12,6 @@ from dynsplines.errors import UserError
 from dynsplines.exchange.formats import recording
 
 QPOS = biped.walk()
-TIME = np.arange(len(QPOS)) / biped.FPS
 PLACE, TURN = biped.poses(QPOS)
 NAMES = ["waist_yaw", *biped.JOINTS]
 BODIES = [

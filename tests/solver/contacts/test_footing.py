@@ -30,15 +30,12 @@ SOLES = tuple(
 HEAD = (Point("head", 1, np.array([0.0, 0, 0.1]), 0.1),)
 # what a figure does with its two feet in one keyframe: how much each leg is drawn in [m]
 STAND, LEFT, RIGHT, AIR = (0.0, 0.0), (0.0, 0.3), (0.3, 0.0), (0.3, 0.3)
+TILTED = (np.cos(0.15), 0.0, np.sin(0.15), 0.0)
 
 
-def key(time: float, x: float, feet: tuple[float, float], *, z: float = 1.0, tiptoe: bool = False) -> Frame:
-    """A keyframe with the root at (x, 0, z), on its toes where it is told so."""
-    turn = np.array([np.cos(0.15), 0, np.sin(0.15), 0]) if tiptoe else np.array([1.0, 0, 0, 0])
-    reach = -1.0 + np.array(feet)
-    # the toes stay where they are when the body tilts about the root
-    height = z * np.cos(0.3) if tiptoe and max(feet) == 0 else z
-    return Frame.key(time, [x, 0, height, *turn, *(reach + 1.0)])
+def key(time: float, x: float, feet: tuple[float, float], *, z: float = 1.0) -> Frame:
+    """A keyframe with the root at (x, 0, z)."""
+    return Frame.key(time, [x, 0, z, 1, 0, 0, 0, *feet])
 
 
 def tell(*keys: Frame, body: tuple[Point, ...] = (), later: float = 0.0) -> tuple[tuple[float, float], ...]:
@@ -52,10 +49,14 @@ def tell(*keys: Frame, body: tuple[Point, ...] = (), later: float = 0.0) -> tupl
     return found
 
 
-def toes(time: float, x: float, raised: tuple[bool, bool]) -> Frame:
-    """A keyframe on one foot's toe, tilted forward, the other leg drawn in."""
-    turn = np.array([np.cos(0.15), 0, np.sin(0.15), 0])
-    return Frame.key(time, [x, 0, np.cos(0.3), *turn, *(0.3 * np.array(raised))])
+def on_toe(time: float, x: float, feet: tuple[float, float], *, z: float = 1.0) -> Frame:
+    """A keyframe that is tilted forward, so that a foot that is drawn in by 1 - z stands on its toe."""
+    return Frame.key(time, [x, 0, np.cos(0.3) * z, *TILTED, *feet])
+
+
+def crouched_on_toe(time: float, x: float, crouched: float) -> Frame:
+    """On the left toe, its leg drawn in by so much [m] and the other out of the way."""
+    return on_toe(time, x, (crouched, 0.3 + crouched), z=1 - crouched)
 
 
 def test_a_foot_pushes_with_the_corners_of_its_outline_and_none_of_the_points_inside(rng):
@@ -81,13 +82,12 @@ def test_who_does_not_push_off_or_give_way_walks_fast():
 
 def run(crouched: float) -> list[Frame]:
     """Two running steps: on one foot with its leg drawn in by so much [m], off its toe, on to the other foot."""
-    left, right = (False, True), (True, False)
     return [
         key(0, 0, (crouched, 0.3), z=1 - crouched),
-        toes(0.1, 0.3, left),
+        on_toe(0.1, 0.3, LEFT),
         key(0.25, 0.8, (0.3, 0.05), z=0.95),
         key(0.32, 0.8, (0.3, crouched), z=1 - crouched),
-        toes(0.42, 1.1, right),
+        on_toe(0.42, 1.1, RIGHT),
         key(0.57, 1.6, (0.05, 0.3), z=0.95),
         key(0.64, 1.6, (crouched, 0.3), z=1 - crouched),
     ]
@@ -128,16 +128,10 @@ def test_standing_and_walking_never_fly():
     assert tell(*walk) == ()
 
 
-def on_toe(time: float, x: float, crouched: float) -> Frame:
-    """A keyframe on the left toe, tilted forward, its leg drawn in by so much [m] and the other out of the way."""
-    turn = np.array([np.cos(0.15), 0, np.sin(0.15), 0])
-    return Frame.key(time, [x, 0, np.cos(0.3) * (1 - crouched), *turn, crouched, 0.3 + crouched])
-
-
 def test_a_clip_may_begin_and_end_on_the_toe_of_a_flight_but_none_touches_for_a_keyframe_alone():
-    assert tell(on_toe(0, 0, 0.1), on_toe(0.3, 1.0, 0.1)) == ((0.0, 0.3),)
-    assert tell(on_toe(0, 0, 0.1), key(0.15, 0.5, AIR, z=1.0), on_toe(0.3, 1.0, 0.1)) == ((0.0, 0.3),)
-    low, high, after = on_toe(0, 0, 0.25), on_toe(0.3, 1.0, 0.0), on_toe(0.6, 2.0, 0.25)
+    assert tell(crouched_on_toe(0, 0, 0.1), crouched_on_toe(0.3, 1.0, 0.1)) == ((0.0, 0.3),)
+    assert tell(crouched_on_toe(0, 0, 0.1), key(0.15, 0.5, AIR, z=1.0), crouched_on_toe(0.3, 1.0, 0.1)) == ((0.0, 0.3),)
+    low, high, after = crouched_on_toe(0, 0, 0.25), crouched_on_toe(0.3, 1.0, 0.0), crouched_on_toe(0.6, 2.0, 0.25)
     assert tell(low, high) == ((0.0, 0.3),)
     assert tell(high, after) == ((0.3, 0.6),)
     assert tell(low, high, after) == ()
@@ -145,9 +139,9 @@ def test_a_clip_may_begin_and_end_on_the_toe_of_a_flight_but_none_touches_for_a_
 
 @pytest.mark.parametrize("feet", [SOLES, SOLES[:2]])
 def test_nobody_takes_off_from_a_foot_that_is_flat_on_the_ground_be_it_the_only_one(feet):
-    flat, toe = key(0, 0, (0.1, 0.4), z=0.9), on_toe(0, 0, 0.1)
+    flat, toe = key(0, 0, (0.1, 0.4), z=0.9), crouched_on_toe(0, 0, 0.1)
     for first, found in ((flat, ()), (toe, ((0.0, 0.3),))):
-        timeline = raw_timeline(FIGURE, [first, key(0.15, 0.5, AIR, z=1.0), on_toe(0.3, 1.0, 0.1)])
+        timeline = raw_timeline(FIGURE, [first, key(0.15, 0.5, AIR, z=1.0), crouched_on_toe(0.3, 1.0, 0.1)])
         assert flights(FIGURE, 1, timeline, feet, (FLOOR,), ()) == found
 
 
@@ -222,7 +216,7 @@ def test_but_not_if_nobody_tells_of_the_push_off_or_the_landing():
         assert tell(*before, toe, aloft, landing) == ()
     assert tell(toe, landing, *on) == ((0.1, 0.25), (0.42, 0.57))
     assert tell(toe, aloft, landing, *on) == ((0.42, 0.57),)
-    ends = on_toe(0, 0, 0.1), on_toe(0.3, 1.0, 0.1)
+    ends = crouched_on_toe(0, 0, 0.1), crouched_on_toe(0.3, 1.0, 0.1)
     assert tell(ends[0], without_height(key(0.15, 0.5, AIR, z=1.0)), ends[1]) == ()
     fall = [key(t, t, AIR, z=2 + 3 * t - 9.81 * t**2 / 2) for t in (0.0, 0.2, 0.4)]
     assert tell(fall[0], without_height(fall[1]), fall[2]) == ((0.0, 0.4),)  # no foot touches
@@ -248,7 +242,7 @@ def footings_of(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[Footing, ..
 
 
 def test_a_foot_that_stands_may_push_with_all_that_touches_in_one_of_the_keyframes():
-    found = footings_of(key(0, 0, LEFT), toes(0.1, 0.295, (False, True)), key(0.3, 0.8, RIGHT))
+    found = footings_of(key(0, 0, LEFT), on_toe(0.1, 0.295, LEFT), key(0.3, 0.8, RIGHT))
     assert [(f.point.name, f.first, f.last) for f in found] == [("left_heel", 0.0, 0.1), ("left_toe", 0.0, 0.1)]
     for footing, x in zip(found, (-0.1, 0.0), strict=True):
         np.testing.assert_allclose(footing.normal, [0, 0, 1])

@@ -1,8 +1,8 @@
 """What is carried: limbs and the thing keep out of each other, wherever it is and however it is turned."""
 
-import mujoco
 import numpy as np
 import pytest
+from figures import figure_of
 from oracles import kinematics
 from penalty_slope import penalty_slope
 from random_samples import random_samples
@@ -29,20 +29,11 @@ CARRIER = """<mujoco><compiler angle="degree"/><worldbody>
 </body></worldbody></mujoco>"""
 
 
-def figure_of() -> Figure:
-    return Figure(mujoco.MjModel.from_xml_string(CARRIER))
-
-
-def clearing(figure: Figure, link: int) -> Contact:
-    points = tuple(point for point in covering_points(figure) if point.link in (1, 2))
-    return Contact(points, surfaces_on(figure, link), carrier=link)
-
-
 def few(link: int) -> Contact:
     """Three spheres of arm and trunk instead of hundreds, one of them a point."""
     places = ((2, 0.9, 0.25), (2, 0.5, 0.0), (1, 0.1, 0.3))
     points = tuple(Point(f"{i}", i, np.array([0.05, 0, z]), radius) for i, z, radius in places)
-    return Contact(points, surfaces_on(figure_of(), link), carrier=link)
+    return Contact(points, surfaces_on(figure_of(CARRIER), link), carrier=link)
 
 
 def tangled(figure: Figure, rng: np.random.Generator) -> Samples:
@@ -55,7 +46,7 @@ def tangled(figure: Figure, rng: np.random.Generator) -> Samples:
 
 
 def test_what_another_tree_holds_is_carried_with_all_its_parts():
-    figure = figure_of()
+    figure = figure_of(CARRIER)
     hand, knee = Point("hand", 2, np.zeros(3)), Point("knee", 1, np.zeros(3))
     assert grasped_links(figure, [Grasp(hand, 3, "crate", 0, 1)]) == (3, 4)
     assert grasped_links(figure, [Grasp(hand, 1, "trunk", 0, 1)]) == ()
@@ -72,14 +63,14 @@ def test_what_another_tree_holds_is_carried_with_all_its_parts():
 
 @pytest.mark.parametrize("link", [3, 4])
 def test_the_gradient_has_taylor_slope_two_with_few_spheres(link, rng):
-    samples = tangled(figure_of(), rng)
+    samples = tangled(figure_of(CARRIER), rng)
     assert np.count_nonzero(few(link).evaluate(samples)) > 2
     assert penalty_slope(few(link), samples, rng) > 1.9
 
 
 def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
     """MuJoCo puts every pose's crate into the world, as a surface of its own."""
-    figure = figure_of()
+    figure = figure_of(CARRIER)
     model, samples, contact = figure.model, tangled(figure, rng), few(3)
     found, own = contact.evaluate(samples), [model.geom(name).id for name in ("crate", "knob")]
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
@@ -94,7 +85,7 @@ def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
 
 @pytest.mark.parametrize("link", [3, 4])
 def test_the_rows_of_its_sides_are_its_gradient(link, rng):
-    figure = figure_of()
+    figure = figure_of(CARRIER)
     samples, contact = tangled(figure, rng), few(link)
     sides = contact.one_sided_residuals(samples)
     assert sides is not None
@@ -113,7 +104,7 @@ def test_the_rows_of_its_sides_are_its_gradient(link, rng):
 def test_a_limb_that_holds_on_may_stay_as_deep_as_it_took_hold_while_the_hold_lasts_and_no_longer():
     """The arm of the trunk holds on, but not a wing in the world, though it is as free."""
     wing = '<body pos="0 0 1"><joint type="ball"/><geom type="capsule" size=".1" fromto="0 0 0 0 0 .3"/></body>'
-    figure = Figure(mujoco.MjModel.from_xml_string(CARRIER.replace("</worldbody>", wing + "</worldbody>")))
+    figure = figure_of(CARRIER.replace("</worldbody>", wing + "</worldbody>"))
     arm = np.zeros(figure.width, bool)
     for link in (2, 5):
         arm[figure.links[link].qpos : figure.links[link].qpos + 4] = True
