@@ -37,10 +37,13 @@ def in_words(amount: float, unit: str) -> str:
 
 
 class Equalities:
-    """The active equality constraints of a model, at any pose."""
+    """The active equality constraints of a model, at any pose; with `is_inner`, only those within trees of bodies."""
 
-    def __init__(self, figure: Figure) -> None:
+    def __init__(self, figure: Figure, *, is_inner: bool = False) -> None:
         self.figure, self.model = figure, _bare(figure.model)
+        if is_inner:
+            for number in range(self.model.neq):
+                self.model.eq_active0[number] &= _is_inner(self.model, number)
         self.data = mujoco.MjData(self.model)
 
     def residuals(self, qpos: Array) -> tuple[Array, Array]:
@@ -81,6 +84,27 @@ class Equalities:
                 return pose.qpos
         return None
 
+    def coupled(self, qpos: Array, free: Mask) -> Mask:
+        """Return a mask (nq,) with the entries of the joints that move with those of another mask at a pose (nq,)."""
+        model, joints = self.model, self.figure.links[1:]
+        rows = self.residuals(qpos)[1] != 0
+        pairs = np.zeros((model.neq, model.nv), bool)
+        for number in np.flatnonzero(np.array(self.data.eq_active) * (model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT))):
+            ids = [i for i in (model.eq_obj1id[number], model.eq_obj2id[number]) if i >= 0]
+            pairs[number, model.jnt_dofadr[ids]] = True
+        rows, out = np.concatenate([rows, pairs]), np.array(free, bool)
+        for _ in joints:
+            moving = np.zeros(model.nv, bool)
+            for link in joints:
+                moving[link.dofs] = out[link.columns].all() and link.kind is not JointKind.FREE
+            reached: Mask = np.any(rows[rows[:, moving].any(axis=1)], axis=0)
+            before = out.copy()
+            for link in joints:
+                out[link.columns] |= reached[link.dofs].any() and link.kind is not JointKind.FREE
+            if np.array_equal(out, before):
+                break
+        return out
+
     # a goal of inverse kinematics
 
     name = "equality constraints"
@@ -97,6 +121,16 @@ class Equalities:
     @property
     def _rows(self) -> Mask:
         return np.array(self.data.efc_type) == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
+
+
+def _is_inner(model: mujoco.MjModel, number: int) -> bool:
+    """Return whether an equality constraint is between joints, or between bodies of one tree."""
+    if int(model.eq_type[number]) not in (int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD)):
+        return True
+    bodies = [int(model.eq_obj1id[number]), int(model.eq_obj2id[number])]
+    if int(model.eq_objtype[number]) == int(mujoco.mjtObj.mjOBJ_SITE):
+        bodies = [int(model.site_bodyid[site]) for site in bodies]
+    return bool(model.body_weldid[bodies].all() and np.ptp(model.body_rootid[bodies]) == 0)
 
 
 def _bare(model: mujoco.MjModel) -> mujoco.MjModel:
