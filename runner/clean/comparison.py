@@ -106,7 +106,7 @@ class Comparison:
         ]
         for link, row in zip(links, np.concatenate(off, axis=1), strict=True):
             high, at = float(np.percentile(row, 95)), int(row.argmax())
-            name = figure.model.body(figure.links[link].body).name or figure.links[link].name
+            name = figure.body_name(link)
             farthest.append(BodyDisplacement(name, float(np.median(row)), high, float(row[at]), float(self.times[at])))
         return tuple(sorted(farthest, key=lambda one: -one.maximum))
 

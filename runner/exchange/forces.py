@@ -135,7 +135,7 @@ class Forces:
         away = place - centre[:, at]
         moment = np.array([np.bincount(at, part, count) for part in cross(away, force)])
         loaded = total > 0
-        name = figure.model.body(figure.links[link].body).name or figure.links[link].name
+        name = figure.body_name(link)
         return Foot(
             name,
             np.where(self.has_known_support, whole, np.nan),

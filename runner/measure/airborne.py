@@ -99,7 +99,7 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
             run = np.arange(start, end)
             seconds = float(np.ptp(samples.t[run]))
             if seconds >= limits.step:
-                top, name = run[slowest[run].argmax()], figure.model.body(figure.links[foot].body).name
+                top, name = run[slowest[run].argmax()], figure.body_name(int(foot))
                 row = row_of("slide", name, f"{name} slides along the ground for {seconds:.2f} s, at up to {{}}")
                 yield row, float(slowest[top]), float(samples.t[top]), None
 

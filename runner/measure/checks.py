@@ -423,7 +423,7 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
 
     def row(index: int) -> Row:
         links = divmod(index, count)
-        one, two = (figure.model.body(figure.links[i].body).name or figure.links[i].name for i in links)
+        one, two = (figure.body_name(i) for i in links)
         if is_solid[links]:
             one, two = (two, one) if is_carried[links[0]] else (one, two)
             return row_of("penetration", one, f"{one} is {{}} in {_quoted(two)}", other=two)

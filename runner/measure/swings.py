@@ -17,14 +17,13 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
     """Return the swings of each foot: start and end [s], and height [m] of its lowest point above the surface below."""
     if not clip.context.points or not clip.context.surfaces:
         return {}
-    model, links, limits = clip.figure.model, clip.figure.links, Thresholds.of(clip.figure)
+    limits = Thresholds.of(clip.figure)
     by_foot: dict[str, list[dict[str, float]]] = {}
     for link in sorted({point.link for point in clip.context.points}):
         points = tuple(point for point in clip.context.points if point.link == link)
         over, _ = heights(clip.context.surfaces, *places_of(points, samples))
         lowest = over.min(axis=0)
-        name = model.body(links[link].body).name or links[link].name
-        by_foot[name] = [
+        by_foot[clip.figure.body_name(link)] = [
             {"from, s": float(samples.t[a]), "to, s": float(samples.t[b - 1]), "height, m": float(lowest[a:b].max())}
             for a, b in runs(lowest > limits.swings)
             if samples.t[b - 1] - samples.t[a] >= limits.brief_swing and lowest[a:b].max() < FAR

@@ -203,6 +203,10 @@ class Figure:
         body = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name)
         return int(self.body_link[body]) if by_joint is None and body > 0 else by_joint
 
+    def body_name(self, link: int) -> str:
+        """Return the name of a link's body, or that of its joint if the body has none."""
+        return str(self.model.body(self.links[link].body).name) or self.links[link].name
+
     def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
         """Return the link of points in a body's frame (..., 3) [m], and the points in the link's frame."""
         offset = quat.rotated(self.body_turn[body], np.asarray(position, float))

@@ -175,7 +175,7 @@ class _Chain:
 
     def __init__(self, figure: Figure, root: Root, qpos: Array, named: Collection[str], where: str) -> None:
         self.figure, self.root, self.qpos, self.where = figure, root, qpos, where
-        self.data = mujoco.MjData(figure.model)
+        self.data, self.called = mujoco.MjData(figure.model), figure.body_name(root.link)
         loose = [i for i in root.links if figure.links[i].name not in named]
         slides = [figure.links[i].kind is JointKind.SLIDE for i in loose]
         self.turning = [i for i, is_slide in zip(loose, slides, strict=True) if not is_slide]
@@ -201,12 +201,12 @@ class _Chain:
         self.qpos[columns] = near
         free = np.zeros(self.figure.width, bool)
         self.fix(free, self.turning, True)
-        goal = BodyGoal(self._body, target, self.root.body)
+        goal = BodyGoal(self.called, target, self.root.body)
         pose = posed(self.figure, self.qpos, free, (goal,), beyond=WHOLE_TURNS)
         self.qpos[:] = pose.qpos
         if not pose.is_met:
             raise UserError(
-                f"{where}: '{self._body}' turns on {self._listed(self.turning)} alone, which come within "
+                f"{where}: '{self.called}' turns on {self._listed(self.turning)} alone, which come within "
                 f"{np.degrees(pose.worst):.3g} degrees of it; specify a rotation that they reach, or joints.NAME"
             )
         for column, angle in zip(columns, near, strict=True):  # whole turns as specified
@@ -244,7 +244,7 @@ class _Chain:
         worst = int(np.abs(away).argmax())
         if abs(away[worst]) > MOVED:
             raise UserError(
-                f"{self.where}.position: '{self._body}' moves on {self._listed(self.sliding)} alone and stays at "
+                f"{self.where}.position: '{self.called}' moves on {self._listed(self.sliding)} alone and stays at "
                 f"{'xyz'[worst]} = {self.data.xpos[self.root.body, worst]:.6g} m, not {place[worst]:.6g} m; "
                 f'specify that, or "free"'
             )
@@ -257,10 +257,6 @@ class _Chain:
             steps = np.linalg.lstsq(jacobian, away, rcond=None)[0]
             for i, step in zip(moving, steps, strict=True):
                 self.qpos[self.figure.links[i].qpos] += step
-
-    @property
-    def _body(self) -> str:
-        return str(self.figure.model.body(self.root.body).name) or self.figure.links[self.root.link].name
 
     def _listed(self, links: Sequence[int]) -> str:
         return ", ".join(f"'{self.figure.links[i].name}'" for i in links) or "no joint"
