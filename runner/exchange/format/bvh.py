@@ -42,10 +42,18 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
 
 
 def recording(
-    skeleton: Skeleton, rate: float, path: Path, model: mujoco.MjModel | None, scale: float | None
+    skeleton: Skeleton,
+    rate: float,
+    path: Path,
+    model: mujoco.MjModel | None,
+    scale: float | None,
+    *,
+    is_metric: bool = False,
 ) -> Recording:
-    """Read a skeleton's motion, from any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`."""
-    return of_captured(CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording), rate, path, model)
+    """Read a skeleton's motion, from any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`;
+    is_metric, whether the format specifies metres."""
+    captured = CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording, is_metric=is_metric)
+    return of_captured(captured, rate, path, model)
 
 
 def of_captured(

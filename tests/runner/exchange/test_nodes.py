@@ -221,10 +221,11 @@ CHAIN = """<mujoco><worldbody><body name="a" pos="0 0 1"><joint name="a" axis="0
 </worldbody></mujoco>"""
 
 
-@pytest.mark.parametrize("root", ["hinge", "free"])
+@pytest.mark.parametrize(("root", "length"), [("hinge", 0.3), ("free", 0.3), ("free", 0.03), ("hinge", 4)])
 @pytest.mark.parametrize("ending", ["glb", "usdc"])
-def test_the_joints_of_a_chain_come_back(ending, root, tmp_path):
+def test_the_joints_of_a_chain_come_back_in_metres(ending, root, length, tmp_path):
     text = CHAIN.replace('<joint name="a" axis="0 0 1"/>', "<freejoint/>") if root == "free" else CHAIN
+    text = text.replace(".3 0 0", f"{length} 0 0")
     start = mujoco.MjModel.from_xml_string(text).qpos0
     turned = start + np.linspace(0.1, 0.5, start.size)
     arm = inbetween(build(text, [Keyframe(0, qpos=start), Keyframe(1, qpos=turned)]))
