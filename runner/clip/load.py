@@ -218,7 +218,17 @@ def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> 
         scene = compose(spec, bare=model)
     except UserError as error:
         raise UserError(_placed(error, where)) from None
-    return from_qpos(name, scene, time, qpos, fps, where)
+    clip = from_qpos(name, scene, time, qpos, fps, where)
+    return replace(clip, notes=(*clip.notes, *_displaced(model, time.size)))
+
+
+def _displaced(model: mujoco.MjModel, count: int) -> list[str]:
+    """Return a note on mocap bodies that the first `count` <key> elements place elsewhere than the model does."""
+    places = np.array(model.key_mpos).reshape(model.nkey, model.nmocap, 3)[:count]
+    mocap = [(i, int(model.body_mocapid[i])) for i in range(model.nbody) if model.body_mocapid[i] >= 0]
+    moved = [i for i, column in mocap if np.any(places[:, column] != model.body_pos[i])]
+    names = ", ".join(f"'{model.body(i).name or i}'" for i in moved)
+    return [f"mocap bodies do not move; mpos of <key> elements is ignored for {names}"] if moved else []
 
 
 def compiled_keys(spec: mujoco.MjSpec, where: str) -> tuple[mujoco.MjModel, Array, Array]:

@@ -254,6 +254,16 @@ def test_a_figure_and_arrays_are_a_clip(tmp_path):
     assert problem.name == "keys"
 
 
+def test_a_mocap_body_that_keys_move_is_noted(tmp_path):
+    for x, noted in ((1, False), (0.6, True)):
+        keys = f'<keyframe><key time="0" qpos="0"/><key time="1" qpos="0.5" mpos="{x} 0 .5"/></keyframe>'
+        text = """<mujoco><worldbody><body name="goal" mocap="true" pos="1 0 .5"><geom size=".1"/></body>
+         <body><joint/><geom size=".1"/></body></worldbody>"""
+        (tmp_path / "arm.xml").write_text(f"{text}{keys}</mujoco>", encoding="utf-8")
+        notes = clip.load(str(tmp_path / "arm.xml")).notes
+        assert ("mocap bodies do not move; mpos of <key> elements is ignored for 'goal'" in notes) is noted
+
+
 def test_keyframes_of_a_motion_file_win_over_its_samples(tmp_path):
     qpos = np.array([[0, 0], [0.1, 1.0]])
     problem = arrays(tmp_path, time=np.arange(5.0), qpos=np.zeros((5, 2)), key_time=np.array([1.0, 2.0]), key_qpos=qpos)
