@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..array import Array
+from ..array import Array, Index
 from .surface import UPRIGHT
 
 SIDEWAYS = 4.0  # [1] κ, the factor on distances to faces that do not point up
@@ -100,3 +100,26 @@ class Box:
         if not self.buried:
             over &= height > -2 * self.half[top]
         return np.where(over, height, np.inf)
+
+    def beside(self, points: Array, radius: Array, most: Array) -> tuple[Index, Array]:
+        """Return the spheres beside the box whose lowest points are near its top.
+
+        Args:
+            points: Centres, (3, n, S) [m].
+            radius: Radii, (n,) [m].
+            most: Distances from which spheres are omitted, (n, S) [m].
+
+        Returns:
+            Flat indices of the spheres, (p,), and their offsets from the nearest points of the top, (3, p) [m].
+        """
+        local = self._local(points)
+        top = int(np.argmax(np.abs(self.axes[2])))
+        local[top] = np.sign(self.axes[2, top]) * local[top] - self.half[top] - radius[:, None]
+        sides = [axis for axis in range(3) if axis != top]
+        for axis in sides:
+            local[axis] -= np.clip(local[axis], -self.half[axis], self.half[axis])
+        squared = np.einsum("ins,ins->ns", local, local)
+        which = np.flatnonzero((squared < most * most) & ((local[sides[0]] != 0) | (local[sides[1]] != 0)))
+        near = local.reshape(3, -1)[:, which]
+        near[top] *= np.sign(self.axes[2, top])
+        return which, self.axes @ near

@@ -1,4 +1,4 @@
-"""Heights of spheres above the surfaces that can support a figure."""
+"""Heights of spheres above the surfaces that can support a figure, and distances from the edges of boxes."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..array import Array, Index
+from .box import Box
 from .plane import Plane
 from .surface import Surface
 
 DEEP = 0.15  # [m] depth below its top from which a point is beside or below a surface
+TOUCHING = 1e-12  # [m] distance that counts as none, against division by zero
 FAR = 1e3  # [m] height where there is no surface
 BESIDE = 0.05  # [m] handicap in height of ground beside a point, relative to ground below it
 
@@ -27,6 +29,22 @@ def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tu
     """
     height, nearest = heights(surfaces, points, radius)
     return height, height_gradients(surfaces, nearest.ravel(), points.reshape(3, -1)).reshape(points.shape)
+
+
+def clearances(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
+    """Return `height_over`, or the distance from the edge of a box's top beside a sphere if it is shorter.
+
+    The result is continuous where spheres pass over the edge of a box.
+    """
+    height, up = height_over(surfaces, points, radius)
+    flat = up.reshape(3, -1)
+    for surface in surfaces:
+        if isinstance(surface, Box):
+            which, offset = surface.beside(points, radius, height)
+            distance = np.sqrt(np.einsum("ip,ip->p", offset, offset))
+            height.put(which, distance)
+            flat[:, which] = offset / np.maximum(distance, TOUCHING)
+    return height, up
 
 
 def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Index]:

@@ -19,7 +19,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches, of_point, of_velocity
 from ...surface import Surface
-from ...surface.heights import height_over
+from ...surface.heights import clearances
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
@@ -151,7 +151,7 @@ class Skate(Penalty):
         links, positions, radius = self._arrays
         motion = samples.links
         where, arms = motion.points(links, positions)
-        height, up = height_over(self.surfaces, where, radius)
+        height, up = clearances(self.surfaces, where, radius)
         np.maximum(height, 0, out=height)
         root = np.sqrt(self._weight(height, samples.t))
         at, which = np.nonzero(least < root.T)

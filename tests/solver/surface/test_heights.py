@@ -1,10 +1,11 @@
 """Heights of points that are known badly: over what is below them, or beside them and much nearer."""
 
+import mujoco
 import numpy as np
 import pytest
 
 from dynsplines.solver.surface import Box, Plane
-from dynsplines.solver.surface.heights import FAR, ground_at, grounds, height_over
+from dynsplines.solver.surface.heights import FAR, clearances, ground_at, grounds, height_over
 
 UP = np.array([0.0, 0, 1])
 FLOOR = Plane("floor", np.zeros(3), UP)
@@ -65,3 +66,27 @@ def test_next_to_an_edge_it_is_the_plane_that_ends_there_and_where_nothing_is_th
     assert ground_at([BOX], np.array([2.0, 0.0, 0.4]), 0.05, REACH) is None
     height, _ = grounds([BOX], np.array([[[2.0]], [[0.0]], [[0.4]]]), np.array([0.05]), REACH)
     assert height[0, 0] == FAR
+
+
+ONE_BOX = """<mujoco><worldbody><geom type="box" size=".5 .3 .2" pos=".1 .2 .2" euler="0 0 40"/>
+<body mocap="true"><geom size="1e-6"/></body></worldbody></mujoco>"""
+
+
+def test_clearances_are_distances_by_mujoco_for_points_above_the_top_of_a_box(rng):
+    """The floor is nearer for some of the points, and the gradients are those of the values."""
+    model = mujoco.MjModel.from_xml_string(ONE_BOX)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    box = Box("box", data.geom_xpos[0].copy(), data.geom_xmat[0].reshape(3, 3).copy(), model.geom_size[0].copy())
+    bottoms = rng.uniform([-1, -1, 0.4], [1, 1, 0.9], (200, 3))
+    expected = np.empty(len(bottoms))
+    for i, place in enumerate(bottoms):
+        data.mocap_pos[0] = place
+        mujoco.mj_kinematics(model, data)
+        expected[i] = min(mujoco.mj_geomDistance(model, data, 0, 1, 9.0, None) + 1e-6, place[2])
+    points = (bottoms + 0.05 * UP).T[:, None]
+    found, gradient = clearances([FLOOR, box], points, np.array([0.05]))
+    np.testing.assert_allclose(found[0], expected, atol=1e-9)
+    step, h = rng.normal(size=points.shape), 1e-6
+    rise = [clearances([FLOOR, box], points + s * step, np.array([0.05]))[0] for s in (-h, h)]
+    np.testing.assert_allclose((rise[1] - rise[0]) / (2 * h), np.einsum("ins,ins->ns", gradient, step), atol=1e-4)

@@ -15,7 +15,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, HoverPenalty, Penalty, RootAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
@@ -33,6 +33,15 @@ def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samp
     centres, _ = places_of(points, samples)
     floor = Plane("floor", (centres[2].min() - 0.3) * UP, UP)
     return samples, HoverPenalty(points, (floor,), ((0.1, 0.5), (0.7, 1.0)), reach=0.8, blend=0.2)
+
+
+def test_the_value_is_continuous_where_the_lowest_point_passes_over_the_edge_of_a_step():
+    step = Box("step", np.array([0.5, 0, 0.1]), np.eye(3), np.array([0.5, 0.5, 0.1]))
+    grounded = HoverPenalty((Point("foot", 1, np.zeros(3), 0.1),), (FLOOR, step), ((0.0, 1.0),))
+    y = np.array([[x, 0, 0.35, 1, 0, 0, 0] for x in (-1e-9, 1e-9)])
+    left, right = grounded.evaluate(at_times(Samples(figure_of(BALL), y, 0 * y, 0 * y), np.array([0.5, 0.5])))
+    assert left > 1e-4
+    np.testing.assert_allclose(left, right, rtol=1e-6)
 
 
 def test_the_value_by_hand(figure, rng):

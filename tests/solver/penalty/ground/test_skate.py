@@ -18,7 +18,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
 from dynsplines.solver.penalty.ground.skate import Bound
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
@@ -65,6 +65,15 @@ def test_a_step_of_the_model_cannot_gain_without_limit(figure, rng):
         assert 0 < -0.5 * gradient @ step <= 2 * value * (1 + 1e-6)
 
 
+def test_the_value_is_continuous_where_a_point_passes_over_the_edge_of_a_step():
+    figure, skate = figure_of(BALL), Skate((FOOT,), (FLOOR, STEP))
+    for height in (0.0, 0.01, 0.05):
+        y = np.array([[x, 0, 0.3 + height, 1, 0, 0, 0] for x in (-1e-9, 1e-9)])
+        left, right = skate.evaluate(Samples(figure, y, np.eye(1, 7) + np.zeros((2, 1)), np.zeros((2, 7))))
+        assert left > 0.1
+        np.testing.assert_allclose(left, right, rtol=1e-6)
+
+
 def test_without_points_or_surfaces_nothing_skates(figure, rng):
     samples = random_samples(figure, rng, 4)
     assert not Skate((), (FLOOR,)).evaluate(samples).any()
@@ -73,6 +82,7 @@ def test_without_points_or_surfaces_nothing_skates(figure, rng):
 
 FOOT = Point("foot", 1, np.zeros(3), 0.1)
 FLOOR = Plane("floor", np.zeros(3), UP)
+STEP = Box("step", np.array([0.5, 0, 0.1]), np.eye(3), np.array([0.5, 0.5, 0.1]))
 
 
 def speed_on_the_ground(weight: float, clock: float = 1.0) -> float:
