@@ -12,6 +12,7 @@ from taylor import taylor_slope
 from dynsplines.solver.array import Array
 from dynsplines.solver.surface import HeightField, Surface, static_surfaces
 from dynsplines.solver.surface.height_field import from_triangle
+from dynsplines.solver.surface.solid import Solid
 
 rough = np.random.default_rng(3)
 ELEVATION = " ".join(f"{z:.3f}" for z in rough.uniform(0, 1, 42))
@@ -74,7 +75,9 @@ def test_distances_inside_and_outside_are_mujocos_and_the_cheap_bound_is_no_long
     np.testing.assert_allclose(found[shallow], expected[shallow], atol=2e-6)
     np.testing.assert_allclose(found, expected, atol=3e-3 if name == "egg" else 2e-6)
     np.testing.assert_allclose(inside, np.maximum(-found, 0), atol=1e-12)
-    assert np.all(SURFACES[name].least(points[:, :, 0]) <= found + 1e-12)
+    surface = SURFACES[name]
+    assert isinstance(surface, Solid)
+    assert np.all(surface.least(points[:, :, 0]) <= found + 1e-12)
 
 
 @pytest.mark.parametrize("name", SURFACES)
