@@ -111,15 +111,16 @@ def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_te
     contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
     no_slip = '[[penalty]]\nkind = "no_slip"\nweight = 0'
     moved = []
-    for clip in (recordings.from_text(text(*one, x=0.2, y=0.4) + no_slip, name="it") for one in ((), (contact,))):
-        motion = inbetween(clip.problem)
+    clips = [recordings.from_text(text(*one, x=0.2, y=0.4) + no_slip, name="it") for one in ((), (contact,))]
+    motions = [inbetween(clip.problem) for clip in clips]
+    for clip, motion in zip(clips, motions, strict=True):
         y, y_d, y_dd = path_of(motion.timeline).motion(t := np.linspace(0.55, 0.75, 101))
         toe = tuple(point for point in clip.context.points if point.name == "left_toe")
         centres, _ = places_of(toe, Samples(clip.figure, y, y_d, y_dd, t))
         moved.append(float(np.ptp(centres[0, 0])))
     assert moved[0] > 0.05
     assert moved[1] < 0.005
-    told = report(clip, motion, 0.0)
+    told = report(clips[1], motions[1], 0.0)
     (before,), (after,) = told["before"]["contacts"], told["after"]["contacts"]
     assert (after["point"], after["from, s"], after["to, s"]) == ("left_toe", 0.55, 0.75)
     assert before["moved, m"] > 0.03
