@@ -27,7 +27,6 @@ ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] distance that a held
 LONG = 1.5  # [1] length, relative to the shorter adjacent segment, from which a segment is always a hold
 BRIEF = 0.3  # [s] length below which other segments are no holds
 LOOKS = 12  # samples per segment
-FELT = 3  # segments on each side of a moving segment in which the spline can overshoot
 BESIDE = 0.25  # [1] distance of variable frames from the ends of a hold, relative to the adjacent segment
 CLOSEST = 0.02  # [s] minimum distance of such a frame from others
 SEGMENTS_AT_ONCE = 200  # segments whose samples are in memory at once
