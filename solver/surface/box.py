@@ -87,16 +87,28 @@ class Box:
         away = points.reshape(3, -1) - self.centre[:, None]
         return (self.axes.T @ away).reshape(points.shape)
 
+    @cached_property
+    def _top(self) -> tuple[int, float]:
+        """The axis of the face that points up, and the sign of the direction along this axis."""
+        axis = int(np.argmax(np.abs(self.axes[2])))
+        return axis, float(np.sign(self.axes[2, axis]))
+
+    @cached_property
+    def _sides(self) -> tuple[int, int]:
+        """The two other axes."""
+        across, along = (axis for axis in range(3) if axis != self._top[0])
+        return across, along
+
     def up(self, points: Array) -> Array:
-        top = int(np.argmax(np.abs(self.axes[2])))
-        return np.repeat((self.axes[:, top] * np.sign(self.axes[2, top]))[:, None], points.shape[1], axis=1)
+        top, sign = self._top
+        return np.repeat((self.axes[:, top] * sign)[:, None], points.shape[1], axis=1)
 
     def height(self, points: Array) -> Array:
         local = self._local(points)
-        top = int(np.argmax(np.abs(self.axes[2])))
-        across, along = (axis for axis in range(3) if axis != top)
+        top, sign = self._top
+        across, along = self._sides
         over = (np.abs(local[across]) <= self.half[across]) & (np.abs(local[along]) <= self.half[along])
-        height = local[top] * np.sign(self.axes[2, top]) - self.half[top]
+        height = local[top] * sign - self.half[top]
         if not self.buried:
             over &= height > -2 * self.half[top]
         return np.where(over, height, np.inf)
@@ -113,13 +125,13 @@ class Box:
             Flat indices of the spheres, (p,), and their offsets from the nearest points of the top, (3, p) [m].
         """
         local = self._local(points)
-        top = int(np.argmax(np.abs(self.axes[2])))
-        local[top] = np.sign(self.axes[2, top]) * local[top] - self.half[top] - radius[:, None]
-        sides = [axis for axis in range(3) if axis != top]
-        for axis in sides:
+        top, sign = self._top
+        across, along = self._sides
+        local[top] = sign * local[top] - self.half[top] - radius[:, None]
+        for axis in self._sides:
             local[axis] -= np.clip(local[axis], -self.half[axis], self.half[axis])
         squared = np.einsum("ins,ins->ns", local, local)
-        which = np.flatnonzero((squared < most * most) & ((local[sides[0]] != 0) | (local[sides[1]] != 0)))
+        which = np.flatnonzero((squared < most * most) & ((local[across] != 0) | (local[along] != 0)))
         near = local.reshape(3, -1)[:, which]
-        near[top] *= np.sign(self.axes[2, top])
+        near[top] *= sign
         return which, self.axes @ near
