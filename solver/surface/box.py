@@ -1,8 +1,8 @@
-"""A box. A point inside may leave it through every face.
+"""A box. The depth of a point inside considers every face as an exit.
 
 The distances to the faces are joined smoothly as d = (Σ_i (κ_i d_i)⁻²)^(-1/2): zero on the boundary, positive inside,
-and dominated by the nearest face. The face that points up has κ = 1, the others κ = 4, because a foot inside a step can
-only leave through its top.
+and dominated by the nearest face. The face that points up has κ = 1, the others κ = 4: they count as four times as far
+away, because a foot inside a step should leave through the top.
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ class Box:
         Args:
             points: Centres, (3, n, S) [m].
             radius: Radii, (n,) [m].
-            most: Distances from which spheres are omitted, (n, S) [m].
+            most: Spheres at least this far from the top are omitted, (n, S) [m].
 
         Returns:
             Flat indices of the spheres, (p,), and their offsets from the nearest points of the top, (3, p) [m].

@@ -25,14 +25,14 @@ def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tu
         radius: Radii, (n,) [m].
 
     Returns:
-        Heights (n, S) [m], FAR if there is no surface or it is far above, and gradients (3, n, S).
+        Heights (n, S) [m], FAR where no surface is below the sphere, and gradients (3, n, S).
     """
     height, nearest = heights(surfaces, points, radius)
     return height, height_gradients(surfaces, nearest.ravel(), points.reshape(3, -1)).reshape(points.shape)
 
 
 def clearances(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
-    """Return `height_over`, or the distance from the edge of a box's top beside a sphere if it is shorter.
+    """Return the height over the ground, or the distance from the top of a box beside the sphere if that is smaller.
 
     The result is continuous where spheres pass over the edge of a box.
     """

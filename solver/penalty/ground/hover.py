@@ -1,7 +1,7 @@
 """Bodies that do not float: between keyframes that touch the ground, the lowest point of the body stays near it.
 
-The paper leaves floating to future work (§6). The pull fades with the height, because a body that rises far leaps. It
-does not fade where keyframes leave the height to the search: no leap is specified there.
+The paper leaves floating to future work (§6). The cost stops growing with the height, because a body that rises
+far leaps. It keeps growing where the keyframes do not specify the height of the body, because they specify no leap.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ FIRM = 10.0  # times as much a body is held down that nothing else holds to a he
 
 @dataclass(frozen=True)
 class HoverPenalty(Penalty):
-    """reach² (1 − exp(−(m/reach)²)) [m²] in given intervals, and 10 m² in `firm` intervals.
+    """reach² (1 − exp(−(low/reach)²)) [m²] in given intervals, and 10 low² in `firm` intervals.
 
-    m ≥ 0 is a smooth minimum of the heights h of the points: m = −blend log Σ exp(−h/blend). For n points of the same
+    low is a smooth minimum of the heights h of the points: max(0, −blend log Σ exp(−h/blend)). For n points of the same
     height, it is lower than the exact minimum by blend log n.
 
     Attributes:

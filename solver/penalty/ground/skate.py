@@ -45,9 +45,9 @@ class Bound:
         """Return the factors of points.
 
         In segments of more than 0.45 s, the factor falls with the square of the duration, because feet may take steps
-        between the keyframes. If `swings` is set, it is zero in segments of at most 0.25 s in which the point moves by
-        more than 8 cm. Such a point belongs to a swinging foot, which may pass low over the ground. These are values of
-        an adult, which scale with the figure.
+        between the keyframes. If `swings` is set, the factor is zero in segments of at most 0.25 s in which the point
+        moves by more than 8 cm. Such a point belongs to a swinging foot, which may pass low over the ground. The two
+        times and the distance are those of an adult. They are scaled to the size of the figure.
         """
         spans, limits = np.diff(keys.times), Thresholds.of(figure)
         shares = np.tile(np.minimum(1.0, (limits.long / spans) ** 2), (len(points), 1))
@@ -133,10 +133,11 @@ class Skate(Penalty):
             yield Block(near.at, near.share * near.speed, (by_velocity, near.by_weight))
 
     def nearby(self, samples: Samples) -> Iterator[Block]:
-        """Return the components of √weight · v with derivatives by v, and separately √weight · |v| by the weight.
+        """Return √weight · v with its derivatives by v, and separately √weight · |v| with that by the weight.
 
-        Together, they would make it costly to raise a point that a step also stops. Without derivatives by the weight,
-        raising a point would seem to reduce E without limit.
+        The gradient of E contains both kinds of derivatives. Without the second kind, the model would have no curvature
+        in the height of a moving point, and raising it would seem to reduce E without limit. If the same residuals had
+        both kinds, the model would make it costly to raise a point that stops in the same step of the search.
         """
         for near in self._near(samples, NEGLIGIBLE):
             value = near.share * near.velocity
