@@ -85,7 +85,7 @@ app = typer.Typer(
     cls=_Panels,
     help="Compute smooth motion of an articulated figure through sparse keyframes.\n\n"
     "A clip is a file of keyframes. A motion (.npz) is a movement over time: a solved clip or an imported recording. "
-    "A recording is a file of motion capture or of another program.\n\n"
+    "A recording is a file with captured motion, or with motion from another program.\n\n"
     "To start, run `dynsplines render run_and_step`. `dynsplines COMMAND --help` lists the options of a command.",
     add_completion=False,
     rich_markup_mode=None,
@@ -176,7 +176,9 @@ def render(
     fps: Annotated[float | None, number("HZ", "Frames per second", 0.01, 1000, "the clip's, or 30")] = None,
     camera: option.Camera = "side",
     slow: option.SlowMotion = 1.0,
-    at: Annotated[float | None, seconds("Render one frame, at this time", "all; twelve in a picture")] = None,
+    at: Annotated[
+        float | None, seconds("Render one frame, at this time", "all frames of a video, twelve of a picture")
+    ] = None,
     workers: option.RenderWorkers = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,

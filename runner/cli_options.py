@@ -206,7 +206,8 @@ Contacts = Annotated[
 ]
 WriteMap = Annotated[bool, flag("--write-map", "Also write the inferred bone map to the file that --map names")]
 Model = Annotated[
-    str | None, value("MODEL", "Figure of the keyframes in --keys: name of a shipped figure, or MJCF file", "none")
+    str | None,
+    value("MODEL", "With --keys: the figure that they belong to, a shipped figure's name or an MJCF file", "none"),
 ]
 Keys = Annotated[
     str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
@@ -250,13 +251,13 @@ Exact = Annotated[
     flag("--exact", "Disable optimisation in the written clip; its solution is then the spline through its keyframes"),
 ]
 ExportFormat = Annotated[
-    str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "that of the extension of -o")
+    str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "from the extension of -o")
 ]
 Columns = Annotated[
     str,
     value(
         "COLUMNS",
-        "Further columns of csv, separated by commas: velocities, torques, wrench (of the root), ground; or all",
+        "Columns to add to csv, a list with commas of: velocities, torques, wrench (at the root), ground; or all",
         "none",
         "--with",
     ),
