@@ -16,6 +16,7 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.root import has_fixed_base
 from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.penalty import Bend, Lean, Placed, Range, Support, leans, steady
 from dynsplines.solver.surface import Surface
@@ -105,13 +106,14 @@ class Context:
     def is_stationary_at_ends(self) -> tuple[bool, bool]:
         """Whether the figure is stationary at the first and at the last keyframe.
 
-        An end is stationary if its keyframe equals the neighbouring keyframe, or if all feet are planted and the root
-        is slow (0.5 m/s for an adult). Both are False unless the clip has free ends. A partial keyframe is never
-        stationary.
+        An end is stationary if its keyframe equals the neighbouring keyframe, if all feet are planted and the root is
+        slow (0.5 m/s for an adult), or if the figure has a fixed base and no feet, like a robot arm. Both are False
+        unless the clip has free ends. A partial keyframe is never stationary.
         """
         keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
         if keys.ends != "free":
             return False, False
+        is_arm = not self.points and has_fixed_base(self.figure.model)
         feet, inferred = {point.link for point in self.points}, (*schedule.stances, *schedule.contacts.stances)
         planted = (
             {stance.point.link for stance in inferred if stance.first <= keys.times[0]},
@@ -124,7 +126,7 @@ class Context:
                 return False
             travel = np.linalg.norm(moves[self.figure.tables.position_columns[:2]], axis=0).max(initial=0.0)
             is_slow = travel < limits.travels * abs(keys.times[neighbour] - keys.times[end])
-            return bool(np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
+            return bool(is_arm or np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
 
         return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
 

@@ -74,6 +74,12 @@ def roots_of(model: mujoco.MjModel) -> list[Root]:
     return [tree.root for tree in _moving(model)]
 
 
+def has_fixed_base(model: mujoco.MjModel) -> bool:
+    """Return whether the only bodies that move about are rigid objects, and others turn on a fixed base, like an arm."""
+    roots = roots_of(model)
+    return not any(root.limbs for root in roots) and sum(len(root.joints) for root in roots) < model.njnt
+
+
 def _moving(model: mujoco.MjModel) -> list[_Tree]:
     """Return the mobile trees, without rigid objects on slides (a drawer) if there are articulated trees."""
     trees = [_Tree(model, joint) for joint in _first_joints(model)]

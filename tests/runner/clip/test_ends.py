@@ -50,3 +50,25 @@ def test_ends_are_at_rest_and_noted_unless_they_move_or_are_in_the_air(bodies, e
     at_rest = end_speeds(found) < 1e-9
     assert at_rest.tolist() == [ends in ("clamped", "clamped start"), ends in ("clamped", "clamped end")]
     assert any("ends = 'free'" in note for note in found.notes) == at_rest.any()
+
+
+@pytest.mark.parametrize(
+    ("base", "box", "ends"),
+    [("", "", "clamped"), ("", '<freejoint name="box"/>', "clamped"), ("<freejoint/>", "", "free")],
+)
+def test_an_arm_on_a_fixed_base_begins_and_ends_at_rest(tmp_path, base, box, ends):
+    (tmp_path / "arm.xml").write_text(
+        f"""<mujoco><option gravity="0 0 0"/><worldbody>
+          <body>{base}<geom size=".1"/>
+            <body><joint name="lift" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 .4" size=".04"/>
+              <body pos="0 0 .4"><joint name="elbow" axis="0 1 0"/><geom size=".04"/></body></body></body>
+          <body pos="1 0 0">{box}<geom size=".1"/></body></worldbody></mujoco>"""
+    )
+    keyframes = "".join(
+        f'[[keyframe]]\ntime = {0.4 * i}\nothers = "rest"\njoints.lift = {20 * i * i}\njoints.elbow = {30 * i}\n'
+        for i in range(3)
+    )
+    head = f'figure = "{tmp_path / "arm.xml"}"\n[solve]\nframes = 2\n'
+    found = recordings.from_text(head + keyframes, name="c")
+    assert found.ends == ends
+    assert (end_speeds(found) < 1e-9).all() == (ends == "clamped")

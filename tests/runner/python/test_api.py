@@ -270,7 +270,7 @@ def test_unknown_figures_and_penalties_are_reported():
 
 
 def test_a_motion_says_what_it_is(motion, loop):
-    assert repr(motion) == "<Motion wave: 1.00 s, 3 keyframes, 6 variable frames, 4 DOF>"
+    assert repr(motion) == "<Motion wave: 1.00 s, 3 keyframes, 8 variable frames, 4 DOF>"
     assert ", loop," in repr(loop)
     assert (motion.name, motion.start, motion.end, motion.duration, motion.fps) == ("wave", 0, 1, 1, 30)
     assert (motion.is_loop, loop.is_loop) == (False, True)
