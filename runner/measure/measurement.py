@@ -12,6 +12,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts import ROUNDING, Grasp, Rest, Stance, stances
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
@@ -218,7 +219,10 @@ def grasp_start(figure: Figure, timeline: Timeline, grasp: Grasp) -> Array:
 
 
 def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTarget, int]]:
-    """Yield the clip's contacts, and the stances inferred from keyframes, each with the number of its group."""
+    """Yield the clip's contacts, and the stances inferred from keyframes, each with the number of its group.
+
+    Frames of a recording are samples, not poses: a foot that lands between two of them is near its place in both.
+    """
     figure, feet = clip.figure, feet_of(clip.figure, clip.context.points)
     specified = [stance for part in _parts(clip) if isinstance(part, StancePenalty) for stance in part.stances]
     rests = clip.context.schedule.contacts.requested
@@ -230,7 +234,13 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTa
             for stance in _pieces(rest, specified, spots[:, k]):
                 text = f"contact {stance.point.name} moves {{}} while it should rest"
                 yield ContactTarget("contact", stance, text, rolling), group
-    free = [stance for stance in inferred(clip, timeline) if not any(_same(stance, rest) for rest in rests)]
+    is_recording = not clip.text and timeline.variable_count == 0
+    shortest = Thresholds.of(figure).far_apart if is_recording else 0.0
+    free = [
+        stance
+        for stance in inferred(clip, timeline)
+        if stance.last - stance.first > shortest and not any(_same(stance, rest) for rest in rests)
+    ]
     for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
         yield (
             ContactTarget("stance", stance, f"{stance.point.name} moves {{}} between keyframes with the same position"),

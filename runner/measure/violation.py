@@ -210,7 +210,7 @@ def _drifts(motion: Measurement) -> Iterator[Violation]:
         drift = float(np.linalg.norm(stance.landed - stance.spot))
         place = stay.kind, group, int(np.argmin(np.abs(motion.time[motion.key_at] - stance.last)))
         if drift > max(BOUNDS[stay.kind].most, worst[place][0] if place in worst else 0.0):
-            text = f"{stance.point.name}, which is to rest, is {{}} from where the keyframe before has it"
+            text = f"{stance.point.name} should rest, but is {{}} from its position in the previous keyframe"
             worst[place] = drift, row_of(stay.kind, stance.point.name, text), stance.last
     for (_, _, k), (drift, row, time) in worst.items():
         yield _as_violation(row, drift, time, int(motion.numbers[k]))

@@ -262,7 +262,19 @@ def test_keyframes_that_move_a_contact_are_to_blame_themselves():
     contact = '[[contact]]\npoint = "right_toe"\nfrom = 0\nto = 1\n'
     (found,) = [each for each in wrong(read(standing(0, 0.03, 0.03) + contact)) if each.kind == "contact"]
     assert (found.keyframe, found.amount) == (2, pytest.approx(0.03, abs=1e-6))
-    assert found.text.startswith("keyframe 2 itself: right_toe, which is to rest, is 30 mm from where")
+    assert found.text == (
+        "keyframe 2 itself: right_toe should rest, but is 30 mm from its position in the previous keyframe at 1.00 s"
+    )
+
+
+@pytest.mark.parametrize(("step", "reported"), [(0.1, set()), (1.0, {"stance"})])
+def test_a_foot_moves_between_samples_of_a_recording_unless_they_are_far_apart(step, reported):
+    """A sole on the ground in two neighbouring samples, 25 mm apart, lands or slides between them."""
+    standing_still = read(standing(0, 0))
+    qpos = np.tile(standing_still.keys[0].state, (4, 1))
+    qpos[2:, 0] += 0.025
+    recorded = clip.from_qpos("it", standing_still.scene, step * np.arange(4), qpos, 30.0, "it")
+    assert kinds(wrong(recorded)) == reported
 
 
 def test_a_point_off_the_place_that_the_search_was_to_find(tmp_path):
