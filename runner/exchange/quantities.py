@@ -26,6 +26,7 @@ from .forces import Forces
 from .trajectory import SampledTrajectory
 
 Columns = dict[str, Array]
+ALL = "all"
 AXES = "xyz"
 LARGE = 0.01  # fraction of the largest torque above which constraint forces are reported
 EQUALITIES_AND_LIMITS = int(mujoco.mjtDisableBit.mjDSBL_EQUALITY | mujoco.mjtDisableBit.mjDSBL_LIMIT)
@@ -47,13 +48,15 @@ def torques(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     return _by_dof(trajectory.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
 
 
+class Unavailable(Exception):
+    """A group that a motion has no values for: the reason, and what to do."""
+
+
 def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
-    """Return the external wrench at the free root; raises UserError without a free root."""
+    """Return the external wrench at the free root; raises Unavailable without a free root."""
     root_wrench, root = forces.wrench, trajectory.figure.root
     if root_wrench is None or root is None or not root.is_free:
-        raise UserError(
-            f"{trajectory.name}: the figure has no free root, so no wrench moves it from outside; omit `wrench`"
-        )
+        raise Unavailable("the figure has no free root, so no wrench moves it from outside", "omit `wrench`")
     name = trajectory.figure.links[root_wrench.root].name
     return (
         _vector(f"{name}.f", "N", root_wrench.force)
@@ -63,11 +66,10 @@ def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
 
 
 def ground(trajectory: SampledTrajectory, forces: Forces) -> Columns:
-    """Return the ground reactions of every foot with a stance; raises UserError if there is none."""
+    """Return the ground reactions of every foot with a stance; raises Unavailable if there is none."""
     if not forces.feet:
-        raise UserError(
-            f"{trajectory.name}: no stance is known, so the ground reaction force is unknown; add a [[contact]], "
-            "or omit `ground`"
+        raise Unavailable(
+            "no stance is known, so the ground reaction force is unknown", "add a [[contact]], or omit `ground`"
         )
     out: Columns = {}
     for foot in forces.feet:
@@ -86,26 +88,38 @@ GROUPS: dict[str, Callable[[SampledTrajectory, Forces], Columns]] = {
 
 
 def named(text: str) -> tuple[str, ...]:
-    """Return the groups in a comma-separated list, all of them for "all"; raises UserError with the list of groups."""
+    """Return the groups in a comma-separated list, or "all" alone; raises UserError with the list of groups."""
     words = tuple(word.strip() for word in text.split(",") if word.strip())
     for word in words:
-        if word != "all" and word not in GROUPS:
-            raise UserError(unknown("column group", word, (*GROUPS, "all")))
-    return tuple(GROUPS) if "all" in words else tuple(dict.fromkeys(words))
+        if word != ALL and word not in GROUPS:
+            raise UserError(unknown("column group", word, (*GROUPS, ALL)))
+    return (ALL,) if ALL in words else tuple(dict.fromkeys(words))
 
 
 def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
-    """Return the columns (T,) of groups, by heading, and add a note on unknown forces."""
+    """Return the columns (T,) of groups, by heading, and add a note on unknown forces.
+
+    A note lists the groups of "all" that the motion has no values for.
+
+    Raises:
+        UserError: The motion has no values for another group.
+    """
     if not groups:
         return {}
+    wanted = [group for group in GROUPS if ALL in groups or group in groups]
     forces = Forces.of(trajectory)
     out: Columns = {}
-    for group in GROUPS:
-        if group in groups:
+    for group in wanted:
+        try:
             out |= GROUPS[group](trajectory, forces)
-    if {"torques", "ground"} & set(groups) and not forces.has_known_support.all():
+        except Unavailable as missing:
+            reason, remedy = missing.args
+            if ALL not in groups:
+                raise UserError(f"{trajectory.name}: {reason}; {remedy}") from None
+            trajectory.notes.append(f"no columns `{group}`: {reason}")
+    if {"torques", "ground"} & set(wanted) and not forces.has_known_support.all():
         trajectory.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.has_known_support.mean())))
-    if "torques" in groups:
+    if "torques" in wanted:
         trajectory.notes.extend(constraint_notes(trajectory, forces))
     return out
 

@@ -124,6 +124,9 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
         quantities.table(SampledTrajectory.of(saved), ("wrench",))
     with pytest.raises(UserError, match="no stance is known"):
         quantities.table(SampledTrajectory.of(saved), ("ground",))
+    trajectory = SampledTrajectory.of(saved)
+    assert list(quantities.table(trajectory, quantities.named("all"))) == list(columns)
+    assert [note.partition(":")[0] for note in trajectory.notes[:2]] == ["no columns `wrench`", "no columns `ground`"]
 
 
 ARM = """
@@ -165,6 +168,6 @@ def test_torques_include_every_passive_force_of_the_users_own_file_and_large_one
 
 def test_groups_are_named_with_commas():
     assert quantities.named(" torques, ground,torques") == ("torques", "ground")
-    assert quantities.named("all") == ALL and quantities.named("") == ()
+    assert quantities.named("torques,all") == (quantities.ALL,) and quantities.named("") == ()
     with pytest.raises(UserError, match="no column group 'forces'"):
         quantities.named("velocities,forces")
