@@ -46,6 +46,11 @@ def missing_package(what: str, package: str | None, extra: str) -> UserError:
     return UserError(f"{what} needs '{package}'; install it: pip install 'dynamic-splines[{extra}]'")
 
 
+def import_first(source: object) -> str:
+    """Return what to do with a recording of another program where a clip or a motion is needed."""
+    return f"import a recording first: `dynsplines import {source} -o motion.npz`, or import_motion in Python"
+
+
 def words_of(error: Exception) -> str:
     """Return the message of an error of several lines in one line."""
     return " ".join(str(error).split())

@@ -31,7 +31,7 @@ from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 
-from .errors import UserError, words_of
+from .errors import UserError, import_first, words_of
 from .scene.assets import Scene
 from .scene.configuration import SHORTEST
 from .system import size_limit
@@ -255,7 +255,7 @@ def load(source: Path) -> Saved:
     data = read_arrays(source)
     missing = [name for name in NEEDED if name not in data]
     if missing:
-        raise UserError(f"{source}: not a motion of dynsplines: it has no '{missing[0]}'")
+        raise UserError(f"{source}: not a motion of dynsplines: it has no '{missing[0]}'; {import_first(source)}")
     for name in NEEDED:
         if data[name].dtype.kind not in ("U" if name in TEXTS else "fiub"):
             raise UserError(f"{source}: not a motion of dynsplines: '{name}' holds {data[name].dtype.name}")

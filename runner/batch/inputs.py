@@ -155,7 +155,8 @@ def _named(word: str, recordings: bool) -> Iterator[Source]:
         yield Source(None, PurePosixPath(word))
     elif path.is_file():
         if not recordings and path.suffix.lower() not in ENDINGS:
-            raise UserError(f"'{word}': a clip is a .toml file, an MJCF .xml with keyframes, or a shipped name")
+            kinds = "a .toml file, an MJCF .xml with keyframes, or a shipped name"
+            raise UserError(f"'{word}': a clip is {kinds}; add --clean or --retarget for recordings")
         yield _source(path, path.parent, recordings)
     elif path.is_dir() or glob.has_magic(word):
         files = path.rglob("*") if path.is_dir() else Path(path.anchor).glob(str(path.relative_to(path.anchor)))

@@ -19,7 +19,7 @@ from dynsplines.solver.problem import FEW, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import check_method
 
-from ..errors import UserError, unknown
+from ..errors import UserError, import_first, unknown
 from ..scene import file_access
 from ..scene.file_access import lies_in
 from ..scene.model_files import is_there
@@ -106,7 +106,8 @@ def read(source: str) -> Parsed | Path:
     if path.suffix.lower() == ".xml":
         return path
     if path.suffix.lower() != ".toml":
-        raise UserError(f"'{source}': a clip is a .toml file, an MJCF .xml with keyframes, or a shipped name")
+        kinds = "a .toml file, an MJCF .xml with keyframes, or a shipped name"
+        raise UserError(f"'{source}': a clip is {kinds}; {import_first(source)}")
     try:
         text = _text_of(path)
     except OSError as error:

@@ -76,6 +76,8 @@ def load_motion(source: str | os.PathLike[str]) -> Motion:
     Raises:
         UserError: For any other file.
     """
+    if not files.is_motion(os.fspath(source)):
+        raise UserError(f"'{source}': a motion is an .npz file; load opens a clip, import_motion a recording")
     return Motion(clips.load_motion(Path(source)))
 
 

@@ -410,6 +410,8 @@ BAD_WORDS = [
     (["solve", "."], ["'.' is a folder"]),
     (["report", "folder.npz"], ["'folder.npz' is a folder"]),
     (["solve", "tiny.txt"], ["tiny.txt", ".toml"]),
+    (["render", "tiny.txt"], ["dynsplines import tiny.txt -o motion.npz"]),
+    (["report", "poses.npz"], ["not a motion of dynsplines", "dynsplines import poses.npz -o motion.npz"]),
     (["solve", "a\nb"], [r"a\nb"]),
     (["solve", "x" * 5000], ["name too long"]),
     (["solve", MOTION, "-o", "again.npz"], ["solved already"]),

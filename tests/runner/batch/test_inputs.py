@@ -64,7 +64,7 @@ def test_a_list_names_more_a_line_each(tree: Path, monkeypatch: pytest.MonkeyPat
     [
         ("walk_lop", "did you mean 'walk_loop'"),
         ("clips/none.toml", "no file 'clips/none.toml'"),
-        ("clips/readme.txt", "a clip is a .toml file"),
+        ("clips/readme.txt", "a clip is a .toml file.*; add --clean or --retarget for recordings"),
         ("clips/*.xml", "no .toml or .xml file is called so"),
         ("empty", "no .toml file in it"),
     ],

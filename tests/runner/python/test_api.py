@@ -139,6 +139,8 @@ def test_the_verb_takes_what_load_takes(tmp_path):
         np.testing.assert_array_equal(inbetween(source).at(0.3), expected)
     with pytest.raises(UserError, match=r"no clip 'run_and_stp'; did you mean 'run_and_step'"):
         inbetween("run_and_stp")
+    with pytest.raises(UserError, match=r"tiny\.toml': a motion is an \.npz file; load opens a clip"):
+        load_motion(path)
 
 
 @pytest.mark.slow
