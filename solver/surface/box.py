@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ..array import Array, Index
 from .surface import UPRIGHT
 
+TOUCHING = 1e-12  # [m] distance that counts as none, against division by zero
 SIDEWAYS = 4.0  # [1] κ, the factor on distances to faces that do not point up
 
 
@@ -122,16 +123,26 @@ class Box:
             most: Spheres at least this far from the top are omitted, (n, S) [m].
 
         Returns:
-            Flat indices of the spheres, (p,), and their offsets from the nearest points of the top, (3, p) [m].
+            Flat indices of the spheres, (p,), and their distances from the top, (p,) [m].
         """
         local = self._local(points)
         top, sign = self._top
-        across, along = self._sides
-        local[top] = sign * local[top] - self.half[top] - radius[:, None]
+        across, along = (np.maximum(np.abs(local[axis]) - self.half[axis], 0) for axis in self._sides)
+        over = local[top] - sign * (self.half[top] + radius[:, None])
+        squared = across * across + along * along
+        which = np.flatnonzero((squared > 0) & (squared + over * over < most * most))
+        return which, np.hypot(np.sqrt(squared.take(which)), over.take(which))
+
+    def away(self, points: Array, radius: Array) -> Array:
+        """Return the unit vectors (3, p) to the lowest points of spheres from the nearest points of the top.
+
+        Args:
+            points: Centres, (3, p) [m].
+            radius: Radii, (p,) [m].
+        """
+        local = self._local(points)
+        top, sign = self._top
+        local[top] -= sign * (self.half[top] + radius)
         for axis in self._sides:
             local[axis] -= np.clip(local[axis], -self.half[axis], self.half[axis])
-        squared = np.einsum("ins,ins->ns", local, local)
-        which = np.flatnonzero((squared < most * most) & ((local[across] != 0) | (local[along] != 0)))
-        near = local.reshape(3, -1)[:, which]
-        near[top] *= sign
-        return which, self.axes @ near
+        return self.axes @ (local / np.maximum(np.linalg.norm(local, axis=0), TOUCHING))

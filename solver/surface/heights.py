@@ -12,7 +12,6 @@ from .plane import Plane
 from .surface import Surface
 
 DEEP = 0.15  # [m] depth below its top from which a point is beside or below a surface
-TOUCHING = 1e-12  # [m] distance that counts as none, against division by zero
 FAR = 1e3  # [m] height where there is no surface
 BESIDE = 0.05  # [m] handicap in height of ground beside a point, relative to ground below it
 
@@ -31,20 +30,32 @@ def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tu
     return height, height_gradients(surfaces, nearest.ravel(), points.reshape(3, -1)).reshape(points.shape)
 
 
-def clearances(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
+def clearances(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Index]:
     """Return the height over the ground, or the distance from the top of a box beside the sphere if that is smaller.
 
     The result is continuous where spheres pass over the edge of a box.
+
+    Returns:
+        Clearances (n, S) [m], and for `clearance_gradients` what they are measured from, (n, S): the index of the
+        surface below, −1 for none, or the index of the box plus the number of surfaces.
     """
-    height, up = height_over(surfaces, points, radius)
-    flat = up.reshape(3, -1)
-    for surface in surfaces:
+    height, origin = heights(surfaces, points, radius)
+    for i, surface in enumerate(surfaces):
         if isinstance(surface, Box):
-            which, offset = surface.beside(points, radius, height)
-            distance = np.sqrt(np.einsum("ip,ip->p", offset, offset))
+            which, distance = surface.beside(points, radius, height)
             height.put(which, distance)
-            flat[:, which] = offset / np.maximum(distance, TOUCHING)
-    return height, up
+            origin.put(which, len(surfaces) + i)
+    return height, origin
+
+
+def clearance_gradients(surfaces: Sequence[Surface], origin: Index, points: Array, radius: Array) -> Array:
+    """Return the gradients (3, p) of `clearances` of spheres at `points` (3, p) with radii and origins (p,)."""
+    up = height_gradients(surfaces, origin, points)
+    for i, surface in enumerate(surfaces):
+        if isinstance(surface, Box):
+            mine = np.flatnonzero(origin == len(surfaces) + i)
+            up[:, mine] = surface.away(points[:, mine], radius[mine])
+    return up
 
 
 def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Index]:

@@ -18,7 +18,7 @@ from ...contacts.thresholds import Thresholds
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface import Surface
-from ...surface.heights import clearances
+from ...surface.heights import clearance_gradients, clearances
 from ...surface.points import Point, arrays_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
@@ -64,7 +64,9 @@ class HoverPenalty(Penalty):
             return
         links, positions, radius = self._arrays
         centre, offset = samples.links.points(links, positions)
-        height, up = clearances(self.surfaces, centre if at.size == samples.count else centre[:, :, at], radius)
+        if at.size < samples.count:
+            centre, offset = centre[:, :, at], offset[:, :, at]
+        height, origin = clearances(self.surfaces, centre, radius)
         least = height.min(axis=0)
         which, pair = np.nonzero(height < least + self.blend * np.log(1 / NEGLIGIBLE))
         share = np.exp((least[pair] - height[which, pair]) / self.blend)
@@ -73,7 +75,8 @@ class HoverPenalty(Penalty):
         value, slope = self._faded(lowest, within(self.firm, samples.t[at]))
         high = np.flatnonzero(lowest[pair] > 0)
         which, pair, share = which[high], pair[high], (share / total[pair] * slope[pair])[high]
-        changes = of_point(at[pair], links[which], offset[:, which, at[pair]], share * up[:, which, pair])
+        up = clearance_gradients(self.surfaces, origin[which, pair], centre[:, which, pair], radius[which])
+        changes = of_point(at[pair], links[which], offset[:, which, pair], share * up)
         yield Block(at, value, (changes,), of=pair)
 
     def _faded(self, lowest: Array, firm: Mask) -> tuple[Array, Array]:

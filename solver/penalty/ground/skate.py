@@ -19,7 +19,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches, of_point, of_velocity
 from ...surface import Surface
-from ...surface.heights import clearances
+from ...surface.heights import clearance_gradients, clearances
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
@@ -152,13 +152,14 @@ class Skate(Penalty):
         links, positions, radius = self._arrays
         motion = samples.links
         where, arms = motion.points(links, positions)
-        height, up = clearances(self.surfaces, where, radius)
+        height, origin = clearances(self.surfaces, where, radius)
         np.maximum(height, 0, out=height)
         root = np.sqrt(self._weight(height, samples.t))
         at, which = np.nonzero(least < root.T)
         link, offset, share = links[which], arms[:, which, at], root[which, at]
         velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], offset)
-        fading = -share * height[which, at] / self.reach**2 * up[:, which, at]
+        up = clearance_gradients(self.surfaces, origin[which, at], where[:, which, at], radius[which])
+        fading = -share * height[which, at] / self.reach**2 * up
         yield _Near(samples, at, link, offset, share, velocity, fading)
 
     def _weight(self, height: Array, t: Array) -> Array:

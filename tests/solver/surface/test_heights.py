@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from dynsplines.solver.surface import Box, Plane
-from dynsplines.solver.surface.heights import FAR, clearances, ground_at, grounds, height_over
+from dynsplines.solver.surface.heights import FAR, clearance_gradients, clearances, ground_at, grounds, height_over
 
 UP = np.array([0.0, 0, 1])
 FLOOR = Plane("floor", np.zeros(3), UP)
@@ -85,8 +85,9 @@ def test_clearances_are_distances_by_mujoco_for_points_above_the_top_of_a_box(rn
         mujoco.mj_kinematics(model, data)
         expected[i] = min(mujoco.mj_geomDistance(model, data, 0, 1, 9.0, None) + 1e-6, place[2])
     points = (bottoms + 0.05 * UP).T[:, None]
-    found, gradient = clearances([FLOOR, box], points, np.array([0.05]))
+    found, origin = clearances([FLOOR, box], points, np.array([0.05]))
+    gradient = clearance_gradients([FLOOR, box], origin[0], points[:, 0], np.full(200, 0.05))
     np.testing.assert_allclose(found[0], expected, atol=1e-9)
     step, h = rng.normal(size=points.shape), 1e-6
     rise = [clearances([FLOOR, box], points + s * step, np.array([0.05]))[0] for s in (-h, h)]
-    np.testing.assert_allclose((rise[1] - rise[0]) / (2 * h), np.einsum("ins,ins->ns", gradient, step), atol=1e-4)
+    np.testing.assert_allclose((rise[1] - rise[0]) / (2 * h), np.einsum("is,ins->ns", gradient, step), atol=1e-4)
