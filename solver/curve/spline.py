@@ -239,6 +239,11 @@ class Sampling:
         return b0, b1, b2
 
     @cached_property
+    def basis_transposed(self) -> sparse.csc_matrix:
+        """The transposed B-splines at the sample times, (M + 2, S)."""
+        return self.bases[0].T
+
+    @cached_property
     def whole(self) -> Piece:
         return self.piece(slice(0, self.t.size))
 

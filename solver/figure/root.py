@@ -75,7 +75,7 @@ def roots_of(model: mujoco.MjModel) -> list[Root]:
 
 
 def has_fixed_base(model: mujoco.MjModel) -> bool:
-    """Return whether the only bodies that move about are rigid objects, and others turn on a fixed base, like an arm."""
+    """Return whether only rigid objects move about, and other bodies turn on a fixed base, like an arm."""
     roots = roots_of(model)
     return not any(root.limbs for root in roots) and sum(len(root.joints) for root in roots) < model.njnt
 

@@ -58,12 +58,11 @@ class Rows:
             np.einsum("rkn,rn->rk", self.basis[run], change[self.at[run]], out=changes[run])
         return changes[:, 0] if self.is_plain else np.einsum("pk,pk->p", self.shares, changes[self.of])
 
-    def pulled_back(self, forces: Array, count: int) -> Array:
-        """Return the gradient of forces · residuals, (S, N), for forces (P,)."""
-        out = np.zeros((count, self.basis.shape[2]))
+    def pull_back(self, forces: Array, into: Array) -> None:
+        """Add the gradient of forces · residuals, for forces (P,), to `into` (S, N)."""
         nonzero = np.flatnonzero(forces)
         if not nonzero.size:
-            return out
+            return
         if self.is_plain:
             felt, rows = nonzero, forces[nonzero, None] * self.basis[nonzero, 0]
         else:
@@ -77,8 +76,7 @@ class Rows:
             order = np.argsort(at, kind="stable")
             at, rows = at[order], rows[order]
         first = np.flatnonzero(np.diff(at, prepend=-1))
-        out[at[first]] = np.add.reduceat(rows, first)
-        return out
+        into[at[first]] += np.add.reduceat(rows, first)
 
     def squared(self, indices: Index, factor: Array) -> tuple[Index, Array]:
         """Return samples (A,) and rows (A, N) with Σ rowᵀrow at every sample of some rows, each with a factor."""

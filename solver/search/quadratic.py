@@ -390,9 +390,10 @@ class OneSidedTerms:
 
     def pulled_back(self, forces: Array) -> Array:
         """Return the gradient (M + 2, N) of forces · residuals, forces (P,)."""
-        count = self.sampling.t.size
-        pulled = [rows.pulled_back(forces[run], count) for run, rows in self.residuals.parts()]
-        return self.sampling.bases[0].T @ np.add.reduce(pulled)
+        total = np.zeros((self.sampling.t.size, self.residuals.gradients[0].basis.shape[2]))
+        for run, rows in self.residuals.parts():
+            rows.pull_back(forces[run], total)
+        return self.sampling.basis_transposed @ total
 
     def squares(self, active: Mask, factor: Array) -> tuple[Index, Array]:
         """Return samples (A,), in ascending order, and rows (A, N) whose Σ rowᵀrow is that of the selected residuals.

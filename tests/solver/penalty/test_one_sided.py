@@ -64,9 +64,10 @@ def test_what_a_change_moves_and_forces_pull_back_are_the_matrix_and_its_transpo
             rng.normal(size=at.size) * (np.arange(at.size) % 2),
             np.zeros(at.size),
         ):
-            pulled = np.zeros((SAMPLES, WIDTH))
-            np.add.at(pulled, at, forces[:, None] * written)
-            np.testing.assert_allclose(rows.pulled_back(forces, SAMPLES), pulled, atol=1e-13)
+            pulled, expected = np.ones((2, SAMPLES, WIDTH))
+            np.add.at(expected, at, forces[:, None] * written)
+            rows.pull_back(forces, pulled)
+            np.testing.assert_allclose(pulled, expected, atol=1e-13)
 
 
 def test_the_fewer_rows_that_stand_for_many_have_the_same_squares_at_every_sample(rng):
