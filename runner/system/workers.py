@@ -6,6 +6,7 @@ its parent, even during an item.
 
 from __future__ import annotations
 
+import gc
 import math
 import multiprocessing
 import os
@@ -279,6 +280,7 @@ def _serve(
                     line.send((None, work(tool, item), notes))
         except Exception as error:
             line.send((_portable(error), None, notes))
+    gc.freeze()  # without a garbage collection, the process ends sooner
 
 
 def _end_with_parent() -> None:
