@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import AfterValidator
 
 from ..errors import UserError
-from ..exchange import formats
 
 if TYPE_CHECKING:
     from ..clean.command import Source as Recording
@@ -57,7 +56,11 @@ class Options:
     @property
     def suffix(self) -> str:
         """The extension of the output. Raises UserError for an unknown format."""
-        return ".npz" if self.to == NPZ else formats.writer(self.to).ending
+        if self.to == NPZ:
+            return ".npz"
+        from ..exchange import formats  # imported here because a worker prepares its process before it imports NumPy
+
+        return formats.writer(self.to).ending
 
 
 @dataclass(frozen=True)

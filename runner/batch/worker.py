@@ -21,7 +21,7 @@ import psutil
 from ..errors import UserError, one_line
 from ..system import workers
 from ..system.scratch import scratch
-from ..system.threads import THREADS
+from ..system.threads import use_one_thread, without_tools
 from ..system.workers import LimitExceeded, WorkerEnded
 from .task import Outcome
 
@@ -63,11 +63,15 @@ class Pool:
 @contextmanager
 def _prepared(folder: Path) -> Iterator[None]:
     """Prepare a worker process: one thread of linear algebra, no graphics, imports excluded from garbage collection."""
+    gc.disable()
     os.chdir(folder)
-    os.environ.update({**dict.fromkeys(THREADS, "1"), "MUJOCO_GL": "disable"})
+    use_one_thread()
+    os.environ["MUJOCO_GL"] = "disable"
+    without_tools()
     from .. import motion, recordings, solving  # noqa: F401
 
     gc.freeze()
+    gc.enable()
     yield
 
 
