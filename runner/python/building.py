@@ -96,7 +96,8 @@ def build(
             in s.
         penalties: Changes of the default soft constraints: {"torque": 0.1, "collision": {"weight": 100, "margin":
             0.002}}.
-        solve: The clip file's [solve] table: {"ends": "periodic", "variable": 3}.
+        solve: The clip file's [solve] table: {"ends": "clamped"} starts and ends the motion at rest, {"ends":
+            "periodic"} makes it a loop.
         recording: The clip file's [recording] table: {"file": "walk.npz", "blend": 0.4}. The path is relative to the
             current folder. The motion then follows the recording, except within `blend` [s] of a keyframe.
         custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
