@@ -347,7 +347,7 @@ class Motion(Renames):
                 write(trajectory, path).
             fps: Samples per second [1/s]; default: the motion's.
             columns: Only for tables: additional columns, "velocities", "torques", "wrench" (at the root), "ground"
-                (force at each foot), several of these, or "all".
+                (force at each foot), several of these, or "all": those for which the motion has values.
             simulate: Only for MJCF: write a scene for simulation, with collisions. Every joint has an actuator, and
                 the target of the actuator follows the motion. A path that ends in .simulate.xml implies it.
 
