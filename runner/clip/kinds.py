@@ -305,7 +305,9 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
     schedule, limits = context.schedule, Thresholds.of(context.figure)
     blend = limits.firm_blend if schedule.held_down else limits.float_blend
     reach = options.reach or limits.float_reach
-    return HoverPenalty(schedule.low_points, context.surfaces, schedule.grounded, reach, blend, schedule.held_down)
+    low, held_down = schedule.low_points, schedule.held_down
+    hover = HoverPenalty(low, context.surfaces, schedule.grounded, reach, blend, held_down)
+    return hover.allowing(context.figure, context.keys)
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:

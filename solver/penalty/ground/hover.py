@@ -7,7 +7,7 @@ far leaps. It keeps growing where the keyframes do not specify the height of the
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -15,11 +15,14 @@ import numpy as np
 from ...array import Array, Index, Mask
 from ...contacts.footing import Interval, within
 from ...contacts.thresholds import Thresholds
+from ...curve.frame import Timeline
+from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface import Surface
-from ...surface.heights import clearance_gradients, clearances
-from ...surface.points import Point, arrays_of
+from ...surface.heights import clearance_gradients, clearances, heights
+from ...surface.points import Point, arrays_of, placed, places_of
+from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
@@ -32,14 +35,15 @@ FIRM = 10.0  # times as much a body is held down that nothing else holds to a he
 class HoverPenalty(Penalty):
     """reach² (1 − exp(−(low/reach)²)) [m²] in given intervals, and 10 low² in `firm` intervals.
 
-    low is a smooth minimum of the heights h of the points: max(0, −blend log Σ exp(−h/blend)). For n points of the same
-    height, it is lower than the exact minimum by blend log n.
+    low is a smooth minimum of the heights h of the points: max(0, −blend log Σ exp(−h/blend) − allowed). For n points
+    of the same height, it is lower than the exact minimum by blend log n.
 
     Attributes:
         intervals: The intervals (first, last) [s] in which the body stays near the ground.
         reach: The height from which the body counts as being in the air [m].
         blend: The smoothing length of the minimum [m].
         firm: The intervals (first, last) [s] in which the body must not leave the ground.
+        allowed: Heights of the lowest point that are tolerated, (K,) [m]; None: none.
     """
 
     points: tuple[Point, ...]
@@ -48,10 +52,24 @@ class HoverPenalty(Penalty):
     reach: float = Thresholds.float_reach
     blend: float = Thresholds.float_blend
     firm: tuple[Interval, ...] = ()
+    allowed: Allowance | None = None
 
     name = "grounded"
     role = Role.CONTACT
     normalization = Normalization(1e-4, length_power=2, is_violation=True)
+
+    def allowing(self, figure: Figure, keys: Timeline) -> HoverPenalty:
+        """Return the penalty without the heights that keyframes fix, such as that of a foot that just left the ground.
+
+        This is limited to keyframes whose neighbours are so near that there is no time for a stance between them.
+        """
+        if not self.points or not self.surfaces:
+            return self
+        places, radii = places_of(self.points, Samples.still(figure, keys.states))
+        low = np.maximum(heights(self.surfaces, places, radii)[0].min(axis=0), 0)
+        is_set = placed(figure, keys.fixed, self.points).all(axis=0)
+        short = np.pad(np.diff(keys.times) <= Thresholds.of(figure).shortly, 1, constant_values=True)
+        return replace(self, allowed=Allowance(keys.times, low * (is_set & short[:-1] & short[1:])))
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
@@ -71,7 +89,8 @@ class HoverPenalty(Penalty):
         which, pair = np.nonzero(height < least + self.blend * np.log(1 / NEGLIGIBLE))
         share = np.exp((least[pair] - height[which, pair]) / self.blend)
         total = np.bincount(pair, share, at.size)
-        lowest = np.maximum(least - self.blend * np.log(total), 0)
+        allowed = 0.0 if self.allowed is None else self.allowed.at(samples.t[at])
+        lowest = np.maximum(least - self.blend * np.log(total) - allowed, 0)
         value, slope = self._faded(lowest, within(self.firm, samples.t[at]))
         high = np.flatnonzero(lowest[pair] > 0)
         which, pair, share = which[high], pair[high], (share / total[pair] * slope[pair])[high]

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from figures import BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
@@ -14,6 +15,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, HoverPenalty, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty.block import summed
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
@@ -144,3 +146,19 @@ def test_of_segments_into_the_air_a_quarter_is_open():
     assert open_of([0.2, 0.0, 0.0], {1, 2}) == ((0.75, 1.0), (1.0, 2.0))
     assert open_of([0.0, 0.2, 0.0], {1}) == ()  # it hangs itself
     assert open_of([0.2, 0.2, 0.0], set()) == ()
+
+
+@pytest.mark.parametrize(("step", "tolerated"), [(0.15, True), (0.5, False)])
+def test_the_height_of_keyframes_that_are_close_in_time_is_tolerated_between_them(step, tolerated):
+    figure = figure_of(BALL)
+    keys = [Frame.key(i * step, [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate([0.0, 0.03, 0.03, 0.0])]
+    hover = HoverPenalty((FOOT,), (FLOOR,), ((0.0, 3 * step),)).allowing(figure, raw_timeline(figure, keys))
+    middle = np.array([1.5 * step])
+
+    def cost(z: float) -> float:
+        samples = Samples.still(figure, np.array([[0, 0, z + 0.1, 1, 0, 0, 0]]), t=middle)
+        return float(summed(hover.residuals(samples), samples)[0])
+
+    lower, higher = cost(0.03), cost(0.05)
+    assert (lower == 0) == tolerated
+    assert higher == pytest.approx(0.05**2 * -np.expm1(-((0.02 if tolerated else 0.05) ** 2) / 0.05**2))
