@@ -56,7 +56,13 @@ class PoseProcess:
         if at is not None:
             out[:, : times.size] += REST * _smooth(at, times, self.poses.limits.smooth)
             return out
-        return out + REST * np.kron(np.eye(sides), _smooth(times, times, self.poses.limits.smooth))
+        return out + self._rest
+
+    @cached_property
+    def _rest(self) -> Array:
+        """Covariances of the part of the rows that does not repeat."""
+        smooth = _smooth(self.poses.times, self.poses.times, self.poses.limits.smooth)
+        return REST * np.kron(np.eye(self.poses.sides), smooth)
 
     def predicted(self, period: float, at: Array) -> tuple[Array, Array]:
         """Return the poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""
