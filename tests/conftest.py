@@ -19,7 +19,7 @@ import pytest
 import shared_figures
 import shipped
 import tiny
-from figures import FIGURES, figure_of
+from figures import FIGURES, figure_named
 from quiet import quiet
 
 from dynsplines import motion, solving
@@ -54,8 +54,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 @pytest.fixture(params=FIGURES)
 def figure(request: pytest.FixtureRequest) -> Figure:
-    text, coordinates = FIGURES[request.param]
-    return figure_of(text, coordinates)
+    return figure_named(request.param)
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from copy import copy
+from functools import cache
+
 import mujoco
 import numpy as np
 
@@ -99,9 +102,15 @@ def figure_of(text: str, coordinates: str = "auto") -> Figure:
     return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
 
 
+@cache
+def figure_named(name: str) -> Figure:
+    """One of FIGURES, built once in a process; not to be changed."""
+    return figure_of(*FIGURES[name])
+
+
 def with_armature(figure: Figure, rng: np.random.Generator) -> Figure:
     """The same figure with rotor inertia on every joint, one value a joint."""
-    model = figure.model
+    model = copy(figure.model)
     model.dof_armature[:] = rng.uniform(0.1, 1, model.njnt)[model.dof_jntid]
     mujoco.mj_setConst(model, mujoco.MjData(model))
     return Figure(model, figure.coordinates)
