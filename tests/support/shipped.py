@@ -40,6 +40,7 @@ def solved(name: str) -> Solved:
     return _cached(recordings.load(name), quiet(), SOLVE)
 
 
+@cache
 def unsolved(name: str) -> Saved:
     """The raw motion of a shipped clip, without a report."""
     return solving.unsolved(recordings.load(name)).saved(quiet(), with_report=False)

@@ -9,6 +9,7 @@ import imageio.v3 as iio
 import mujoco
 import numpy as np
 import pytest
+import shipped
 from oracles import kinematics
 from paper.figures import charts, drawing, scenes
 from paper.figures.captioned import captioned
@@ -20,7 +21,6 @@ from quiet import quiet
 from tiny import names
 
 from dynsplines import recordings, solving
-from dynsplines.clip import load as clip
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.refine.euler_lagrange import covariant_residual
@@ -57,7 +57,7 @@ def climber() -> Saved:
 
 @pytest.fixture(scope="module")
 def tumbler() -> Saved:
-    return solving.solve(clip.load("tumble"), quiet()).saved(quiet(), with_report=False)
+    return shipped.solved("tumble").saved(quiet(), with_report=False)
 
 
 @pytest.fixture
