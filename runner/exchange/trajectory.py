@@ -87,7 +87,7 @@ class SampledTrajectory:
 
     @property
     def is_wrapped(self) -> bool:
-        """Whether the motion can be marked as a loop, as `is_loop`. If it ends rotated, a note is added."""
+        """`is_loop`, for formats that mark loops. If a loop ends rotated, the property also adds a note to `notes`."""
         if self.turns:
             self.notes.append("the format has no loops that rotate: one period is written, without a loop")
         return self.is_loop

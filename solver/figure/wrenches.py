@@ -68,7 +68,7 @@ class Wrenches:
 
     @property
     def orders(self) -> int:
-        """1 if the residuals depend only on y, 2 if also on y', and 3 if also on y''."""
+        """How many of the states y and their derivatives y' and y'' the residuals depend on: 1, 2 or 3."""
         if self.torque_dd is not None:
             return 3
         return 1 if self.force_d is None and self.torque_d is None else 2
@@ -101,7 +101,7 @@ class Wrenches:
         return cls(at, link, **vectors_by_name)
 
     def rows(self, samples: Samples) -> Array:
-        """Return the gradients of the residuals by y, and by y' and y'' if they depend on these, (P, 1 to 3, N)."""
+        """Return the gradients of the residuals with respect to y, y' and y'', (P, `orders`, N)."""
         if compiled.kernel is not None:
             return _compiled_rows(samples, self)
         out = np.zeros((self.at.size, self.orders, samples.y.shape[1]))
@@ -177,7 +177,7 @@ def of_velocity(
         offset: Offsets (3, P) of the points from the links' origins, in world axes [m].
         direction: Directions (3, P).
         turning: The part (3, P) of each offset that rotates with its link; default: the whole offset. For the lowest
-            point of a sphere, give the offset of the centre, because the rest always points down.
+            point of a sphere, give the offset of the centre: the vector from there to the point always points down.
 
     Returns:
         P wrenches.

@@ -79,9 +79,9 @@ class Block:
     Attributes:
         at: Indices of the residuals' samples, (P,).
         value: Residuals, (P,).
-        changes: The derivatives of the residuals: a tuple of `Wrenches`, for changes with the motion of links, and
-            `Entries`, for changes with entries of the state. Each has one item per residual, in the same order,
-            unless `of` is given. The derivative is their sum.
+        changes: The derivatives of the residuals, as a tuple of parts that are added: `Wrenches` with respect to the
+            motion of links, and `Entries` with respect to entries of the state. Each part has one item per residual, in
+            the same order, unless `of` is given.
         weight: Weights of the squared residuals, (P,).
         one_sided: Whether only positive residuals count.
         of: If residuals have several wrenches each: for each of the Q wrenches, the index of its residual, (Q,).
@@ -111,7 +111,7 @@ class Block:
         return np.maximum(self.value, 0) if self.one_sided else self.value
 
     def values(self, count: int) -> Array:
-        """Return f at every sample, (S,)."""
+        """Return the penalty f at every sample, (S,): the weighted sum of the sample's squared residuals."""
         return np.bincount(self.at, self.weight * self.counted * self.counted, count).astype(float)
 
     def pull_back(self, into: Cotangent, scale: Array) -> None:
