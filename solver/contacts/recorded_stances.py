@@ -15,16 +15,18 @@ import numpy as np
 
 from ..array import Array, Mask
 from ..curve.recording import GAIN, NORMAL, ORDER, RecordedMotion
+from ..figure.algebra import cross
 from ..figure.kinematics import Samples
 from ..surface import Plane, Surface
 from ..surface.heights import ground_at, grounds
-from ..surface.points import Point, places_of
+from ..surface.points import Point, arrays_of, places_of
 from .point_likelihood import surprisal
 from .thresholds import Thresholds
 
 DEAR = 6.0  # minus the log prior of a stance: one sample in e³ begins or ends one
 SURE = 3.0  # largest difference between the means of two parts of one stance, in standard errors of the noise
-INSTANT = 1e-3  # half the interval in which a speed is measured, relative to the time between samples
+LOOSE = 2.0  # largest speed at the ends of stances, in medians of the speeds during all stances of the recording
+UP = np.array([0.0, 0, 1])  # normal of the ground on which points roll
 
 
 class RecordedStance(NamedTuple):
@@ -37,22 +39,28 @@ class RecordedStance(NamedTuple):
 
 
 def infer_stances(
-    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]
+    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface], smoothed: float = 0.0
 ) -> tuple[RecordedStance, ...]:
-    """Return the stances of points on surfaces, point by point in order of time."""
+    """Return the stances of points on surfaces, point by point in order of time.
+
+    smoothed  noise [m] of positions that an earlier search has smoothed
+    """
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
     limits = Thresholds.of(recorded.figure)
     times, centres, is_known, noise = _tracks(recorded, points)
     height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), limits.edge)
     moving = surprisal(times, centres, noise**2 + limits.rolls**2, is_known, limits)
-    slow = _speeds(recorded, points, times) <= (limits.fast + noise / limits.blurred)[:, None]
+    runs = []
+    for i, point_noise in enumerate(noise.tolist()):
+        cuts = _cut(times, centres[:, i], height[i], moving[i], is_known, point_noise, limits)
+        runs.append(_joined(times, cuts, centres[:, i], point_noise, limits))
+    speeds = _speeds(recorded, points, times)
+    slow = speeds <= (_largest_speed(speeds, runs, smoothed, limits) + noise / limits.blurred)[:, None]
     result = []
     for i, point in enumerate(points):
         place, point_noise = centres[:, i], float(noise[i])
-        cuts = _cut(times, place, height[i], moving[i], is_known, point_noise, limits)
-        runs = _joined(times, cuts, place, point_noise, limits)
-        for run in runs:
+        for run in runs[i]:
             still = slow[i] & _is_low(place, *run, point_noise, limits)
             a, b = _trimmed(still, *run)
             if b - a > 1 and not _moves(times, place, a, b, point_noise, limits):
@@ -86,11 +94,21 @@ def _tracks(recorded: RecordedMotion, points: Sequence[Point]) -> _Tracks:
 
 
 def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> Array:
-    """Return speeds (p, T) [m/s] of points of the smoothed motion at times (T,)."""
-    instant = INSTANT / Thresholds.of(recorded.figure).finest
-    ends = [np.clip(times + shift, *recorded.path.span) for shift in (-instant, instant)]
-    before, after = (places_of(points, Samples.still(recorded.figure, recorded.path.at(t)))[0] for t in ends)
-    return np.linalg.norm(after - before, axis=0) / (ends[1] - ends[0])
+    """Return speeds (p, T) [m/s] of the smoothed motion at times (T,): of the lowest material of each round point."""
+    links, positions, radii = arrays_of(points)
+    motion = Samples(recorded.figure, *recorded.path.motion(np.clip(times, *recorded.path.span)), t=times).links
+    offset = np.einsum("ijpt,jp->ipt", motion.rotation[:, :, links], positions) - (radii * UP[:, None])[:, :, None]
+    return np.linalg.norm(motion.x_d[:, links] + cross(motion.omega[:, links], offset), axis=0)
+
+
+def _largest_speed(
+    speeds: Array, runs: Sequence[Sequence[tuple[int, int]]], smoothed: float, limits: Thresholds
+) -> float:
+    """Return the largest speed [m/s] of planted points, from speeds (p, T) and the runs of all points. It is higher in
+    a recording whose feet skate, or whose noise [m] has been smoothed."""
+    planted = [row[a:b] for row, cuts in zip(speeds, runs, strict=True) for a, b in cuts]
+    usual = float(np.median(np.concatenate(planted))) if any(map(len, runs)) else 0.0
+    return min(limits.fast, max(limits.still, LOOSE * usual) + smoothed / limits.blurred)
 
 
 def position_noise(places: Array, known: Array) -> Array:

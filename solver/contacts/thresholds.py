@@ -76,6 +76,7 @@ class Thresholds:
     longest: float = _seconds(1.0)  # longest stance that is examined at once
     finest: float = _of(60.0, 0, -1)  # rate of the samples that are examined
     fast: float = _of(0.35, 1, -1)  # speed from which a point is not planted
+    still: float = _of(0.05, 1, -1)  # likewise in a recording whose planted points do not move
     blurred: float = _seconds(0.03)  # noise of positions over this time is noise of smoothed speeds
     interrupted: float = _seconds(0.1)  # gap between two parts of one stance: heel and toes take turns
     drift: float = _of(0.2, 1, -1)  # speed of a planted point in a recording that drifts

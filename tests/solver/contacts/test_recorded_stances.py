@@ -17,6 +17,7 @@ from dynsplines.solver.contacts.recorded_stances import (
     RecordedStance,
     _cut,
     _is_low,
+    _largest_speed,
     _moves,
     infer_stances,
     largest_noise,
@@ -77,6 +78,16 @@ def test_what_shakes_slides_and_sinks_keeps_most_of_them(take, rng):
     )
     assert (found & true).sum() >= 0.7 * true.sum()
     assert (found & ~true).sum() <= 0.25 * found.sum()
+
+
+@pytest.mark.parametrize(
+    ("skates", "smoothed", "most"), [(0.0, 0, 0.05), (0.1, 0, 0.2), (0.3, 0, 0.35), (0, 0.006, 0.25)]
+)
+def test_planted_points_are_as_slow_as_those_of_the_whole_recording(skates, smoothed, most):
+    speeds = np.full((2, 20), 2.0)
+    speeds[0, 3:15] = skates
+    assert _largest_speed(speeds, [[(3, 15)], []], smoothed, ADULT) == pytest.approx(most)
+    assert _largest_speed(speeds, [[], []], smoothed, ADULT) <= most
 
 
 # of the size of an adult
