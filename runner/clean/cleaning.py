@@ -29,6 +29,7 @@ from .repairs import Repaired
 OFTEN = 30.0  # [1/s] sampling rate of the first measurement of depths
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
 ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends
+FAITHFUL = 1.0  # detail that a segment may lose in a recording without noise, see `TrackingPenalty.times`
 FAR = 0.04  # [s] largest distance of the start or end of a stance from a frame
 ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
 LONG = 60.0  # [s] shortest recording that is searched again in parts only
@@ -103,15 +104,17 @@ def cleaned(
         stances = infer_stances(recorded, ground.points, ground.surfaces)
     rests = tuple(Rest(*stance, rolls=True) for stance in stances)
     near = TrackingPenalty(recorded)
-    tracking = problem(near, ground, rests, near.times())
     is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
+    tracking = _problem(near, ground, rests, near.times())
     if is_noisy:
         tracking = _with_soft_start(tracking, near, SOFTEST, improved)
         if specified is None:
             rests = _refined_stances(ground, recorded, tracking)
-            tracking = replace(problem(near, ground, rests, near.times()), keys=_with_stance_ends(tracking, rests))
+            tracking = _problem(near, ground, rests, _times(tracking), _curve(tracking))
     if is_noisy or _is_deep(ground, recorded):
         tracking = _with_soft_start(tracking, near, SOFTER, improved)
+    if not is_noisy:
+        tracking = _problem(near, ground, rests, near.times(FAITHFUL), _rough_path(tracking, improved))
     tracking, solution = _out_of_edges(ground, tracking, inbetween(tracking, improved=improved), improved)
     result = Cleaned(ground, before, recorded, rests, tracking, solution)
     if max_displacement is None:
@@ -185,27 +188,39 @@ def _with_soft_start(
     return problem
 
 
-def _with_stance_ends(problem: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
-    """Return the frames, with additional ones for starts and ends of stances, where the path must be able to bend."""
-    figure, path = problem.figure, _curve(problem)
-    times = [key.time for key in problem.keys]
+def _problem(
+    near: TrackingPenalty, ground: Ground, rests: Sequence[Rest], times: Array, start: Path | None = None
+) -> Problem:
+    """Return the problem of tracking a recording from a path, by default the recording's, with frames at times (M,) [s]
+    and at the starts and ends of stances, where the path must be able to bend."""
     ends = sorted({time for rest in rests for time in (rest.first, rest.last)})
-    for time in ends:
-        if min(abs(time - other) for other in times) > FAR:
-            times.append(time)
-    return loose(figure, np.array(sorted(times)), path.at(np.array(sorted(times))))
+    times = np.sort(np.append(times, [end for end in ends if np.abs(times - end).min() > FAR]))
+    tracking = problem(near, ground, rests, times)
+    return tracking if start is None else replace(tracking, keys=loose(ground.figure, times, start.at(times)))
+
+
+def _rough_path(problem: Problem, improved: Callable[[Improvement], None] | None) -> Path:
+    """Return the path of a short search. A search with more frames starts there: a path with few frames is stiff, so
+    that it does not leave a foot behind an obstacle."""
+    roughly = replace(problem.settings, tolerance=ROUGHLY)
+    return path_of(inbetween(replace(problem, settings=roughly), improved=improved).timeline)
+
+
+def _times(problem: Problem) -> Array:
+    return np.array([key.time for key in problem.keys])
 
 
 def _curve(problem: Problem) -> Path:
-    states = problem.figure.to_state(np.array([key.state for key in problem.keys]))
-    return natural_spline(np.array([key.time for key in problem.keys]), states)
+    return natural_spline(_times(problem), problem.figure.to_state(np.array([key.state for key in problem.keys])))
 
 
 def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Problem) -> tuple[Rest, ...]:
     """Return the stances of a noisy recording after a search with the surest ones, which reveals more."""
     calm = ground.figure.to_qpos(_curve(soft_problem).at(recorded.times))
     smoothed = RecordedMotion.of(ground.figure, recorded.times, calm)
-    return tuple(Rest(*stance, rolls=True) for stance in infer_stances(smoothed, ground.points, ground.surfaces))
+    noise = largest_noise(recorded, ground.points)
+    stances = infer_stances(smoothed, ground.points, ground.surfaces, noise)
+    return tuple(Rest(*stance, rolls=True) for stance in stances)
 
 
 def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:

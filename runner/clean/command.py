@@ -37,7 +37,7 @@ from .comparison import Comparison, verdict
 from .repairs import repaired
 
 NAMED = 6  # most stances of a point that are listed
-FAR = 0.05  # [m] displacement in 95 % of the time above which stances are in doubt: most for captured motion is 4.8 cm
+FAR = 0.05  # [m] displacement in 95 % of the time above which stances are in doubt: most for captured motion is 2.7 cm
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import Path, natural_spline
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import body_points
@@ -185,6 +186,18 @@ def test_what_is_asked_to_stay_near_does_as_far_as_its_stances_let_it(part, bad)
     held = cleaned(clean.ground, repair, max_displacement=0.9 * verdict(clean).displacement, verdict=verdict)
     assert verdict(held).displacement <= verdict(clean).displacement
     assert verdict(held).is_sound
+
+
+@pytest.mark.parametrize("name", ["walk_loop", "stairs"])
+def test_a_recording_without_faults_hardly_changes(name):
+    """Heels land before toes, and leave the ground before them: no stance begins too early or ends too late."""
+    take = Take.of(shipped.solved(name), 100)
+    after = cleaned(ground_of(take.figure, take.qpos), repaired(take.figure, take.time, take.qpos, name)).after
+    links = [Samples.still(take.figure, s).links for s in (take.figure.to_state(take.qpos), after.at(take.time))]
+    assert np.linalg.norm(links[0].x - links[1].x, axis=0).max() < 0.012
+    turned = [each.rotation for each in links]
+    cosine = 0.5 * (np.einsum("ijlt,ijlt->lt", *turned) - 1)
+    assert np.degrees(np.arccos(np.clip(cosine, -1, 1))).max() < 4
 
 
 def test_a_gap_is_bridged(part):
