@@ -177,7 +177,7 @@ def render(
     camera: option.Camera = "side",
     slow: option.SlowMotion = 1.0,
     at: Annotated[
-        float | None, seconds("Render one frame, at this time", "all frames of a video, twelve of a picture")
+        float | None, seconds("Render only the frame at this time", "a video shows all frames, a picture twelve")
     ] = None,
     workers: option.RenderWorkers = None,
     repeat: option.Repeat = None,

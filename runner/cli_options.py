@@ -257,7 +257,7 @@ Columns = Annotated[
     str,
     value(
         "COLUMNS",
-        "Columns to add to csv, a list with commas of: velocities, torques, wrench (at the root), ground; or all",
+        "Columns to add to csv: a comma-separated list of velocities, torques, wrench (at the root), ground; or all",
         "none",
         "--with",
     ),

@@ -151,7 +151,7 @@ def _facts(figure: Figure) -> tuple[Index, Index]:
 
 
 def of_point(at: Index, link: Index, offset: Array, direction: Array) -> Wrenches:
-    """Return the wrenches of direction · p, for points p fixed to links.
+    """Return the derivatives of direction · p, for points p fixed to links.
 
     Args:
         at: Samples (P,).
@@ -168,7 +168,7 @@ def of_point(at: Index, link: Index, offset: Array, direction: Array) -> Wrenche
 def of_velocity(
     samples: Samples, at: Index, link: Index, offset: Array, direction: Array, turning: Array | None = None
 ) -> Wrenches:
-    """Return the wrenches of direction · p', for velocities p' of points on links.
+    """Return the derivatives of direction · p', for velocities p' of points on links.
 
     Args:
         samples: The samples.

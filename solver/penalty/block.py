@@ -206,13 +206,13 @@ class Dense:
 
     Attributes:
         value: Residuals, (R, S).
-        pulled_back: pulled_back(cotangent, bar) adds the gradient of Σ bar[i, s] · r[i, s] to the cotangent, bar
-            (R, S).
-        curved: curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,). If
-            None, they are computed by an adjoint sweep of the kinematics for every residual.
+        pulled_back: pulled_back(cotangent, bar) adds the gradient of Σ bar[i, s] · r[i, s] to `cotangent`. The shape of
+            `bar` is (R, S).
+        curved: curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s) to `curvature`. The shape
+            of `scale` is (S,). If None, they are computed by an adjoint sweep of the kinematics for every residual.
         more: Summand of f in addition to the squares, (S,). Its gradient is not computed: the gradient of f is
-            taken to be that of the squares. Use it only where this holds: if f is the minimum of squares and `more`
-            over further variables, and the gradient of r is that for constant further variables (envelope theorem).
+            taken to be that of the squares. This is correct if f was minimised over auxiliary variables, and the
+            gradient of r is computed with these held constant (envelope theorem).
     """
 
     value: Array
