@@ -21,6 +21,7 @@ from .graphics import Graphics
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
 
+SHADOW_DETAIL = 8  # maximum texels of a shadow map for each pixel of the picture's longer side, with OpenGL
 _SUN_DISTANCE = 6.0  # [m] distance of a directional light from the camera's target, around which it casts shadows
 
 
@@ -66,6 +67,8 @@ class Stage:
         else:
             window = self.model.vis.global_
             window.offwidth, window.offheight = width, height  # larger buffers are slow to clear
+            quality = self.model.vis.quality
+            quality.shadowsize = min(quality.shadowsize, SHADOW_DETAIL * max(width, height))  # also slow to clear
             self._renderer = mujoco.Renderer(self.model, height, width, max_geom=most)
 
     def __enter__(self) -> Self:
