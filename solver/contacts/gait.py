@@ -62,7 +62,7 @@ class PoseProcess:
     def _rest(self) -> Array:
         """Covariances of the part of the rows that does not repeat."""
         smooth = _smooth(self.poses.times, self.poses.times, self.poses.limits.smooth)
-        return REST * np.kron(np.eye(self.poses.sides), smooth)
+        return np.asarray(REST * np.kron(np.eye(self.poses.sides), smooth), dtype=np.float64)
 
     def predicted(self, period: float, at: Array) -> tuple[Array, Array]:
         """Return the poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""
