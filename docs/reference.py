@@ -78,7 +78,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "bodies.NAME": (
         table.BodyTable,
         {
-            "flat": "`true` makes the sole parallel to the ground",
+            "flat": "`true` makes the sole parallel to the ground; of the rotations below, only `heading` may be added",
             "position": "in the world, in metres, for the origin of the body or the point `at`",
             "at": "a point in the axes of the body, in metres",
         }

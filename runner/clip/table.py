@@ -133,8 +133,8 @@ class BodyTable(RotationTable):
         """Raise ValueError unless it has a position, is flat, or has a rotation."""
         if self.at is not None and self.position is None:
             raise ValueError("'at' is a point of the body; give its target as position = [x, y, z]")
-        if self.flat is not None and self.is_rotation:
-            raise ValueError("give flat or a rotation, not both")
+        if self.flat is not None and self.is_rotation and not self.is_heading:
+            raise ValueError("give flat or a rotation, not both; heading may be added to flat")
         if self.flat is False:
             raise ValueError(f"flat = false has no effect; give flat = true or a rotation, {ROTATION}")
         if self.is_rotation or (self.flat is None and self.position is None):

@@ -124,7 +124,7 @@ def with_pose(
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
-    also = stander.beside(path, key, k, goals)
+    also = [*stander.beside(path, key, k, goals), *(_planted(figure, keys[k - 1], goals) if k else ())]
     soles = sole_points(figure, np.reshape([frame.state for frame in keys if frame.is_key], (-1, figure.width)))
     is_slow = _speed(figure, path, k) < Thresholds.of(figure).travels
     best = None
@@ -139,6 +139,18 @@ def with_pose(
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
     return posed_key, best
+
+
+def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]:
+    """Return goals of the headings of flat bodies that the keyframe `before` has in the same position."""
+    model, data, kept = figure.model, kinematics(figure.model, before.state), list[Goal]()
+    for flat in (goal for goal in goals if isinstance(goal, BodyGoal) and goal.rotation is None):
+        (body,) = flat.bodies(model)
+        is_set = all(before.fixed[figure.links[link].columns].all() for link in chain(figure, body))
+        missed = [goal.missed(model, data) for goal in goals if isinstance(goal, PointGoal) and goal.index == body]
+        if is_set and missed and np.linalg.norm(np.concatenate(missed)) <= Thresholds.of(figure).same_place:
+            kept.append(same_heading(figure, before.state, body))
+    return kept
 
 
 def _preferred(
@@ -197,7 +209,7 @@ def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal
         goals.append(PointGoal(name, body, np.array(table.at or (0.0, 0, 0)), target))
     if table.is_rotation:
         goals.append(BodyGoal(name, quaternion_of(table), body))
-    if table.flat:
+    elif table.flat:
         goals.append(BodyGoal(name, index=body))
     return goals
 

@@ -324,3 +324,27 @@ def test_a_hand_that_reaches_down_bends_knees_and_trunk_over_feet_that_point_for
     for side, toe in zip(("left", "right"), toes, strict=True):
         ahead = toe - data.site(f"{side}_heel").xpos
         assert abs(np.degrees(np.arctan2(ahead[1], ahead[0]))) < 10
+
+
+def heading(data: mujoco.MjData, side: str) -> float:
+    """The heading of a foot in degrees."""
+    ahead = data.site(f"{side}_toe").xpos - data.site(f"{side}_heel").xpos
+    assert abs(ahead[2]) < 1e-6, "the sole is level"
+    return float(np.degrees(np.arctan2(ahead[1], ahead[0])))
+
+
+LUNGE = """root.position = [-0.1, 0.4, 0.62]
+sites.left_heel = [-0.055, 0.65, 0]
+bodies.left_foot = {flat = true}
+sites.right_heel = [-0.055, -0.09, 0]
+bodies.right_foot = {flat = true}
+sites.right_hand = [0.25, 0.6, 0.4]
+"""
+
+
+def test_a_flat_foot_keeps_its_heading_where_it_stays_in_its_position():
+    problem = read(second(LUNGE))
+    first, lunge = (seen(problem, key.state) for key in problem.keys)
+    assert heading(lunge, "right") == pytest.approx(heading(first, "right"), abs=1e-4)
+    turned = LUNGE.replace("right_foot = {flat = true}", "right_foot = {flat = true, heading = 20}")
+    assert heading(seen(problem, read(second(turned)).keys[1].state), "right") == pytest.approx(20, abs=1e-4)

@@ -99,7 +99,7 @@ def test_headings_and_turns_that_make_no_sense_are_refused_where_they_stand(tmp_
     )
     refused(
         tmp_path,
-        tiny.changed(knee, f"{knee}\nbodies.left_shin = {{flat = true, heading = 3}}"),
+        tiny.changed(knee, f"{knee}\nbodies.left_shin = {{flat = true, euler = [0], order = 'x', heading = 3}}"),
         "give flat or a rotation, not both",
     )
     refused(
