@@ -12,6 +12,7 @@ from scipy.optimize import minimize
 from dynsplines import models
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.posing import (
+    Balance,
     Constraints,
     FixedPoints,
     FloorClearance,
@@ -71,6 +72,15 @@ def test_the_pose_is_the_least_of_its_cost(arm, far):
     assert cost(last) <= 1.002 * minimize(cost, last, method="BFGS").fun
 
 
+@pytest.mark.parametrize(("home", "share", "end"), [(0.0, 1.0, 1.0), (0.0, 0.5, 0.5), (0.7, 0.5, 0.7)])
+def test_a_joint_uses_only_its_share_of_its_range_unless_home_is_beyond_it(home, share, end):
+    arm, start = figure_of(ARM.replace('type="hinge"', 'type="hinge" range="-1 1"')), np.array([0.0, 0.2, home])
+    free, goal = np.array([False, False, True]), hand(arm, tip(arm, [0.0, 0.2, 1.6]))
+    shares = dict.fromkeys((1, 2, 3), share)
+    found = dragged(arm, start, free, goal, Constraints(), begin=start, range_shares=shares).qpos
+    np.testing.assert_allclose(found, [0, 0.2, end], atol=0.02)
+
+
 def test_with_nothing_free_a_hand_pulls_in_vain(arm):
     home = np.array([0.1, 0.2, 0.3])
     found = dragged(arm, home, np.zeros(3, bool), hand(arm, [9, 9, 9]), Constraints(), begin=home + 1)
@@ -85,13 +95,16 @@ def test_derivatives_are_differences(human, rng):
     places = rng.normal(size=(3, 3))
     places[1, 0] = np.nan
     pins = FixedPoints("foot", foot, 0.1 * rng.normal(size=(3, 3)), places)
-    balance = SupportPolygon.of(1, rng.normal(size=(6, 3)))
+    polygon = rng.normal(size=(6, 3))
+    balance = SupportPolygon.of(1, polygon)
     assert balance is not None
     chest, offsets = model.body("chest").id, 0.1 * rng.normal(size=(4, 3))
     above = FloorClearance(
         np.array([chest, chest, foot, foot]), offsets, np.full(4, 0.1), np.zeros(4), np.eye(3)[2], 3.0
     )
+    feet = Balance("feet", 1, tuple(PointGoal("foot", 0, place, np.zeros(3)) for place in polygon + 5.0))
     terms = [
+        (lambda data: feet.missed(model, data), lambda data: feet.rows(model, data)),
         (lambda data: pins.missed(model, data), lambda data: pins.rows(model, data)),
         (lambda data: balance.linearized(model, data)[0], lambda data: balance.linearized(model, data)[1]),
         (lambda data: above.linearized(model, data)[0], lambda data: above.linearized(model, data)[1]),
@@ -106,6 +119,15 @@ def test_derivatives_are_differences(human, rng):
                 (value(kinematics(human.model, ends[0])) - value(kinematics(human.model, ends[1]))) / (2 * STEP)
             )
         np.testing.assert_allclose(rows(kinematics(human.model, qpos)), np.transpose(differences), atol=1e-7)
+
+
+def test_floor_clearance_is_the_depth_of_the_lowest_sphere_beyond_the_permitted_depth(arm):
+    """Spheres of 0.3 m and 0.6 m with centres 1 m high, over a floor at 0.9 m that they may enter by 0.1 m."""
+    body, radii = np.full(2, arm.model.body("lower").id), np.array([0.3, 0.6])
+    floor = FloorClearance(body, np.zeros((2, 3)), radii, np.full(2, 0.1), np.eye(3)[2], 0.9)
+    data = kinematics(arm.model, np.zeros(3))
+    np.testing.assert_allclose(floor.depth(data), [0.1, 0.4])
+    np.testing.assert_allclose(floor.linearized(arm.model, data)[0], [0.4])
 
 
 def test_a_line_gives_no_support_polygon():

@@ -100,6 +100,10 @@ def test_a_body_that_leans_misses_upright_by_its_lean_about_the_axis_that_it_lea
     x, y, z, w = heading.as_quat()
     qpos[3:7] = w, x, y, z
     np.testing.assert_allclose(goal.missed(model, kinematics(model, qpos)), [0, 0], atol=1e-12)
+    for angle in range(9):  # upside down, with rounding of the cosine on either side of -1
+        over = np.array(qpos)
+        over[3:7] = 0, np.cos(angle), np.sin(angle), 0
+        assert np.linalg.norm(goal.missed(model, kinematics(model, over))) == pytest.approx(np.pi)
     nearly = np.array(qpos)
     mujoco.mj_integratePos(model, nearly, np.eye(model.nv)[3], 1e-5)
     assert_rows(goal, model, nearly, atol=2e-5)
