@@ -219,3 +219,10 @@ def test_names_that_lack_a_side_are_paired_with_the_side_that_the_other_has():
         </worldbody></mujoco>"""
     mirror = Mirror.of(figure_of(text))
     np.testing.assert_array_equal(mirror.states(np.array([0.3, 0.1, 0.2])), [0.3, 0.2, 0.1])
+
+
+def test_unnamed_joints_at_the_same_place_are_their_own_mirror_images():
+    joints = "".join(f'<body><joint name="{name}" axis="0 1 0"/><geom size=".1"/></body>' for name in ("fan", "lamp"))
+    text = f'<mujoco><worldbody><body><freejoint/><geom size=".1"/>{joints}</body></worldbody></mujoco>'
+    qpos = np.array([0, 0, 0, 1, 0, 0, 0, 0.3, 0.1])
+    np.testing.assert_allclose(Mirror.of(figure_of(text)).configurations(qpos), qpos)

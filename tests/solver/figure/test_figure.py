@@ -87,6 +87,14 @@ def test_joints_without_a_name_have_one_all_the_same_and_no_two_the_same(given, 
     assert len(set(names)) == len(names)
 
 
+def test_joints_cover_every_column_of_qpos_and_qvel_once():
+    figure = figure_of(EVERY_JOINT)
+    assert {link.kind for link in figure.links[1:]} == set(JointKind)
+    columns, dofs = ([getattr(link, name) for link in figure.links[1:]] for name in ("columns", "dofs"))
+    for slices, count in ((columns, figure.model.nq), (dofs, figure.model.nv)):
+        assert [k for part in slices for k in range(part.start, part.stop)] == list(range(count))
+
+
 def test_gravity_is_the_models_unless_it_is_switched_off():
     text = """<mujoco><option gravity="0 1 -3">{}</option><worldbody><body><joint/><geom size=".1"/></body></worldbody>
         </mujoco>"""
