@@ -191,13 +191,15 @@ def test_a_meshs_points_are_on_its_hull_with_every_corner_and_none_is_far():
     assert len(centres) < 2000 and apart.min() > 0
 
 
-PAIR = """<mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint/>
+PAIR = """<mujoco><asset><mesh name="hand" vertex="0 0 0 .2 0 0 0 .1 0 0 0 .05"/></asset><worldbody>
+  <body name="trunk" pos="0 0 1"><freejoint/>
   <geom name="trunk" type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
   <geom name="inner" type="sphere" size=".02" pos="0 0 .1"/>
   <geom name="mark" type="sphere" size=".5" contype="0" conaffinity="0"/>
   <body name="pack" pos="-.1 0 .2" quat=".9 .1 .2 .1"><geom name="pack" type="box" size=".05 .1 .15" euler="10 20 30"/></body>
   <body name="arm" pos="0 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball"/>
-    <geom name="arm" type="ellipsoid" size=".04 .05 .2" pos=".01 .02 -.2" euler="40 5 0"/></body></body>
+    <geom name="arm" type="ellipsoid" size=".04 .05 .2" pos=".01 .02 -.2" euler="40 5 0"/>
+    <geom name="hand" type="mesh" mesh="hand" pos=".2 0 -.4" euler="20 40 0"/></body></body>
   <geom name="floor" type="plane" size="1 1 1"/></worldbody></mujoco>"""  # noqa: E501
 
 
@@ -205,11 +207,12 @@ def test_the_points_of_a_figure_are_the_spheres_of_its_geoms_where_mujoco_has_th
     model = mujoco.MjModel.from_xml_string(PAIR)
     figure, data = Figure(model), mujoco.MjData(model)
     points = covering_points(figure)
-    assert {point.name for point in points} == {"trunk", "pack", "arm"}, "inner is inside, a mark and a floor no part"
+    assert {point.name for point in points} == {"trunk", "pack", "arm", "hand"}, "inner is inside, others no part"
     data.qpos[:] = rng.normal(size=model.nq)
     mujoco.mj_normalizeQuat(model, data.qpos)
     mujoco.mj_kinematics(model, data)
-    for name, body, joint in (("trunk", "trunk", "trunk"), ("pack", "trunk", "trunk"), ("arm", "arm", "shoulder")):
+    trunk, arm = ("trunk", "trunk"), ("arm", "shoulder")
+    for name, (body, joint) in {"trunk": trunk, "pack": trunk, "arm": arm, "hand": arm}.items():
         geom = model.geom(name).id
         centres, _ = cover.filling_spheres(model, geom)
         expected = data.geom_xpos[geom] + centres @ data.geom_xmat[geom].reshape(3, 3).T

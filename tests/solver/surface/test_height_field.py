@@ -192,6 +192,13 @@ def test_over_a_slope_of_uneven_cells_a_sphere_is_deep_as_soon_as_it_reaches_the
     assert not field.depth(points, away - 0.001)[0].any()
 
 
+def test_a_sphere_whose_centre_is_on_level_ground_is_pushed_up_by_its_radius():
+    field = HeightField("level", np.zeros(3), np.eye(3), np.ones(2), np.full((3, 3), 0.5))
+    depth, gradient = field.depth(np.array([[[0.1]], [[0.2]], [[0.5]]]), np.array([0.3]))
+    np.testing.assert_allclose(depth, 0.3)
+    np.testing.assert_allclose(gradient[:, 0, 0], [0, 0, -1])
+
+
 def test_the_depth_of_a_sphere_is_continuous_wherever_it_goes_through_a_height_field(rng):
     for _ in range(6):
         ends = about("ground", rng, 2)[:, :, 0]

@@ -98,6 +98,17 @@ def test_an_ellipsoid_is_small_spheres_at_its_tips():
     assert {(0, 0.1, 0), (0, -0.1, 0), (0, 0, 0.3), (0, 0, -0.3)} <= places
 
 
+def test_a_small_meshs_points_are_its_vertices():
+    vertices = np.array([[0, 0, 0], [0.3, 0, 0], [0, 0.2, 0], [0, 0, 0.4], [0.3, 0.2, 0.4]])
+    asset = f'<asset><mesh name="it" vertex="{" ".join(map(str, vertices.ravel()))}"/></asset>'
+    geom = '<geom type="mesh" mesh="it" pos=".1 0 0" euler="0 0 90"/>'
+    text = f"<mujoco>{asset}<worldbody><body><freejoint/>{geom}</body></worldbody></mujoco>"
+    _, positions, radii = arrays_of(body_points(figure_of(text)))
+    expected = vertices @ np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]) + [0.1, 0, 0]
+    np.testing.assert_allclose(np.unique(positions.T.round(6), axis=0), np.unique(expected, axis=0), atol=1e-6)
+    assert not radii.any()
+
+
 LIMB = """
 <mujoco><worldbody><body pos="0 0 1"><freejoint/><geom name="limb" type="capsule" size=".03" fromto="0 0 .1 0 0 -.3"/>
   <geom name="lump" type="sphere" size="{size}" pos="0 0 {z}"/></body></worldbody></mujoco>"""
