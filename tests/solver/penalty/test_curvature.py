@@ -193,6 +193,12 @@ def test_no_points_no_surfaces_no_joints_and_nothing_near_have_no_sides(figure, 
     assert nothing.at.size == nothing.value.size == len(nothing.rows) == 0
 
 
+def test_one_sided_residuals_do_not_enter_the_curvature(figure, rng, one_sided):
+    samples = low_samples(figure, rng, 6)
+    curvature = curvature_of(one_sided, samples, np.ones(6))
+    assert not curvature.quadratic(rng.normal(size=(6, 3)), 0, 6).any()
+
+
 def test_sides_that_count_enter_a_curvature_as_squares(figure, rng, one_sided):
     samples = low_samples(figure, rng, 6)
     sides, scale, curvature = sides_of(one_sided, samples), rng.uniform(0.5, 2, 6), Curvature(samples)

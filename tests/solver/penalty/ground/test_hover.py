@@ -58,6 +58,12 @@ def test_the_value_by_hand(figure, rng):
     assert np.count_nonzero(expected) > 1
 
 
+def test_without_points_or_surfaces_nothing_hovers(figure, rng):
+    samples, hover = case(figure, rng)
+    assert not replace(hover, points=(), intervals=((0.0, 1.0),)).evaluate(samples).any()
+    assert not replace(hover, surfaces=(), intervals=((0.0, 1.0),)).evaluate(samples).any()
+
+
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     samples, grounded = case(figure, rng)
     assert penalty_slope(grounded, samples, rng) > 1.95

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import shifted
+from curvature_of import shifted, sides_of
 from figures import BALL_TREE, EVERY_JOINT, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -81,6 +81,19 @@ def test_the_gradient_has_taylor_slope_two(figure, rng):
     samples, penalty = random_samples(figure, rng, 12), JointRange(joint_ranges(figure))
     assert np.all(penalty.evaluate(samples) > 0)
     assert penalty_slope(penalty, samples, rng) > 1.9
+
+
+@pytest.mark.parametrize(("kind", "near"), [("hinge", np.radians(4)), ("slide", 0.03), ("ball", np.radians(4))])
+def test_the_model_includes_joints_within_their_range_by_at_most_four_degrees_or_three_centimetres(kind, near):
+    low = 0 if kind == "ball" else -1
+    joint = f'<joint type="{kind}" axis="0 1 0" range="{low} 1"/>'
+    text = f'<mujoco><compiler angle="radian"/><worldbody><body>{joint}<geom size=".1"/></body></worldbody></mujoco>'
+    over = np.array([-near - 1e-4, -near + 1e-4, 1e-4, 0.01])
+    y = quat.from_rotation_vector((1 + over)[:, None] * np.eye(3)[1]) if kind == "ball" else (1 + over)[:, None]
+    figure = figure_of(text)
+    sides = sides_of(JointRange(joint_ranges(figure)), Samples.still(figure, y))
+    assert sides.at.tolist() == [1, 2, 3]
+    np.testing.assert_allclose(sides.value, over[1:], atol=2e-5)  # that of balls is rounded
 
 
 ONE = """<mujoco><worldbody><body><joint name="j" type="ball" limited="true" range="0 {}"/><geom size=".1"/></body>

@@ -117,8 +117,10 @@ def test_shapes_that_overlap_at_rest_are_left_out_though_they_lie_far_from_their
     assert pairs == {("elbow", "heel"), ("knee", "toe"), ("heel", "toe")}
     shifted = np.array(rest)
     shifted[0] = 0.5  # the toe comes within 0.5 m of the heel, and elbow and knee go on overlapping
-    y = figure.to_state(np.array([rest, shifted]))
-    np.testing.assert_allclose(penalty.evaluate(Samples(figure, y, 0 * y, 0 * y)), [0, 0.1**2], atol=1e-12)
+    lowered = np.array(shifted)
+    lowered[2] = -4.0  # the elbow is where the toe was
+    y = figure.to_state(np.array([rest, shifted, lowered]))
+    np.testing.assert_allclose(penalty.evaluate(Samples(figure, y, 0 * y, 0 * y)), [0, 0.1**2, 0.1**2], atol=1e-12)
 
 
 @pytest.mark.parametrize("margin", [0.0, 0.02, 0.2])

@@ -15,6 +15,7 @@ from dynsplines.clip.context import Context
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
@@ -123,6 +124,8 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
     times = np.array([frame.time for frame in initial_guess.frames if frame.is_variable])
     off = cycle.deviation(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
     assert np.degrees(off.max()) < 0.1
+    turns = FIGURE.tables.quaternion_columns.T
+    assert np.einsum("tqi,tqi->tq", loose[:, turns], path_of(seen.keys).at(times)[:, turns]).min() > 0
     for present in (0, 5):
         keys = evenly(seen.keys, present)
         assert cycle.initial_guess(keys, 0).variable_count == keys.variable_count
