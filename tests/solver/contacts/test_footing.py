@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from figures import CHAIN, figure_of
+from figures import BALL, CHAIN, figure_of
 from scipy.spatial import ConvexHull
 
 from dynsplines.clip import load as clips
@@ -109,6 +109,15 @@ def test_a_figure_without_a_free_joint_is_not_held_down():
     figure = figure_of(CHAIN.format("hinge"))
     timeline = raw_timeline(figure, [Frame.key(t, figure.model.qpos0) for t in (0, 1)])
     assert ContactSchedule(figure, timeline, (Point("tip", 2, np.zeros(3)),), (FLOOR,)).held_down == ()
+
+
+@pytest.mark.parametrize(("entry", "held_down"), [(2, ((0.0, 1.0), (1.0, 2.0))), (1, ()), (0, ())])
+def test_a_body_is_held_down_next_to_keyframes_that_do_not_specify_its_height(entry, held_down):
+    figure = figure_of(BALL)
+    masks = [np.ones(7, bool), np.arange(7) != entry, np.ones(7, bool)]
+    keys = [Frame.key(t, [0, 0, 0.1, 1, 0, 0, 0], mask) for t, mask in enumerate(masks)]
+    schedule = ContactSchedule(figure, raw_timeline(figure, keys), (Point("sole", 1, np.zeros(3), 0.1),), (FLOOR,))
+    assert schedule.held_down == held_down
 
 
 def test_contacts_overlap_stances_of_the_same_point_at_the_same_times():

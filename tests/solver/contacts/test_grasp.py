@@ -50,6 +50,7 @@ def test_what_another_tree_holds_is_carried_with_all_its_parts():
     hand, knee = Point("hand", 2, np.zeros(3)), Point("knee", 1, np.zeros(3))
     assert grasped_links(figure, [Grasp(hand, 3, "crate", 0, 1)]) == (3, 4)
     assert grasped_links(figure, [Grasp(hand, 1, "trunk", 0, 1)]) == ()
+    assert grasped_links(figure, [Grasp(Point("hook", 3, np.zeros(3)), 1, "trunk", 0, 1)]) == (1, 2)
     assert grasped_links(figure, [Grasp(hand, 3, "crate", 0, 1), Grasp(knee, 2, "arm", 0, 1)]) == (3, 4)
     assert [surface.name for surface in surfaces_on(figure, 3)] == ["crate", "knob"]
     schedule = ContactSchedule(
