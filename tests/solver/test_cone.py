@@ -34,6 +34,16 @@ def test_it_is_the_least_squares_over_shares_that_are_not_negative(rng, points, 
         np.testing.assert_allclose(found.shares[:, s], shares, atol=1e-5)
 
 
+@pytest.mark.parametrize("softness", [1e-4, 1e-8])
+def test_thousands_of_cones_meet_the_optimality_conditions(rng, softness):
+    edges, w = pyramids(rng, 8, 2000), rng.normal(size=(6, 2000))
+    w[2] += 1
+    found = unsupplied(w, edges, softness)
+    pull = np.einsum("nks,ns->ks", edges, found.rest)
+    np.testing.assert_allclose(softness * found.shares, np.maximum(pull, 0), atol=1e-12)
+    np.testing.assert_allclose(found.rest, w - np.einsum("nks,ks->ns", edges, found.shares), atol=1e-6)
+
+
 def test_without_edges_all_of_it_is_left(rng):
     w = rng.normal(size=(6, 5))
     for edges in (np.zeros((6, 8, 5)), np.zeros((6, 0, 5))):

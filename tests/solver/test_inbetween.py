@@ -138,15 +138,15 @@ def test_the_segments_that_need_it_most_are_split_first(monkeypatch, frames):
 def test_nothing_is_split_in_what_is_held_and_nothing_that_promises_too_little(monkeypatch, criterion, since, until):
     needs = np.array([0.1, 0.6, 0.3, 0.5, 0.2, 0.4])
     monkeypatch.setitem(CRITERIA, criterion, lambda objective, timeline: needs)
-    settings = Settings(criterion=criterion, threshold=0.25, batch=0.5)
+    settings = Settings(criterion=criterion, threshold=0.3, batch=0.5)
     loop = _Loop(Objective.of(hinged(), [(CovariantAcceleration(), 1.0)]), settings, None)
     loop.since, loop.until = since, until
     loop.outside_terms = np.array([2.0])
     loop.trace = [(0, 0, 9.0, {}), (1, 0, 4.4, {})]
     timeline = split(raw_timeline(hinged(), hinge_keys()), np.array([0.25, 0.95, 1.7]))
     middles = (timeline.times[1:] + timeline.times[:-1]) / 2
-    left = 4.4 - 2.0  # of E, in three segments: a segment deserves a frame from a quarter of its share on
-    least = 0.25 * left / 3 if criterion == "weak" else 0.25
+    left = 4.4 - 2.0  # of E, in three segments: a segment deserves a frame beyond three tenths of its share
+    least = 0.3 * left / 3 if criterion == "weak" else 0.3
     worth = [k for k in np.argsort(-needs) if since < middles[k] < until]
     for room in (1, 2, 6):
         best = [k for k in worth[: min(room, 3)] if needs[k] > least]

@@ -187,6 +187,7 @@ def test_a_long_clip_in_runs_of_samples_has_the_value_and_gradient_of_one_piece(
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
     assert problem.weights.size > 2 * RUN
     found = problem(x)
+    assert problem.evaluated_runs(x) is problem.evaluated_runs(x)
     samples = Samples(figure, *problem.sampling.samples(problem.unknowns.rows(x)), t=problem.sampling.t)
     whole = sum(problem.weights @ (term.factor * term.penalty.evaluate(samples)) for term in objective.terms)
     np.testing.assert_allclose(found.value, whole, rtol=1e-12)

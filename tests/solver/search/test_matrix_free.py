@@ -33,6 +33,13 @@ def test_it_ends_nearly_as_low_as_gauss_newton(rng: np.random.Generator, ends: s
     assert problem(found.x).value == found.value
 
 
+def test_at_a_minimum_it_ends_after_one_more_evaluation(problem: Discretised) -> None:
+    found = matrix_free(problem, max_evaluations=500, tolerance=1e-8)
+    there = problem.objective.on(problem.timeline.with_rows(problem.unknowns.rows(found.x)))
+    again = matrix_free(there, max_evaluations=500, tolerance=1e-8)
+    assert (again.stop, again.evaluations) == (Stop.CONVERGED, 2)
+
+
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
 @pytest.mark.parametrize("at", [1, 3])
 def test_a_stop_requested_keeps_the_best_point(problem: Discretised, error: type[BaseException], at: int) -> None:
