@@ -34,11 +34,10 @@ class Heading:
 
     @classmethod
     def of(cls, times: Array, rotations: Array) -> Heading:
-        """Return the heading of the root's x axis, for orientations (n, 4) at times (n,) [s]."""
+        """Return the heading of the root's x axis, for orientations (n, 4) at times (n,) [s], at least three."""
         ahead = quat.rotated(rotations, np.array([1.0, 0, 0]))
         angle, middle = np.unwrap(np.arctan2(ahead[:, 1], ahead[:, 0])), float(np.mean(times))
-        degree = min(BENT if times.size > FEW else EVEN, times.size - 2)
-        return cls(np.polyfit(times - middle, angle, max(degree, 0)), middle)
+        return cls(np.polyfit(times - middle, angle, BENT if times.size > FEW else EVEN), middle)
 
     def turn(self, times: Array, sign: int = 1) -> Array:
         """Return rotations (n, 4) to the heading, or back with sign −1."""
