@@ -170,8 +170,8 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
     """Return the horizontal distance that each contact point travels while close to its surface, and its mean speed."""
     if not clip.context.points or not clip.context.surfaces:
         return {}
-    centres, _ = places_of(clip.context.points, samples)
-    low = np.abs(height_above(clip.context.surfaces, centres)) < Thresholds.of(clip.figure).rests
+    centres, radii = places_of(clip.context.points, samples)
+    low = np.abs(height_above(clip.context.surfaces, centres) - radii[:, None]) < Thresholds.of(clip.figure).rests
     steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
     together = low[:, 1:] & low[:, :-1]
     pace = np.diff(samples.t)

@@ -99,6 +99,19 @@ def test_a_stance_that_drifts_evenly_does_not_slide(tmp_path):
     assert stance["slide, m"] < 1e-9
 
 
+def test_skate_of_round_feet_is_measured_at_their_lowest_points(tmp_path):
+    (tmp_path / "ball.xml").write_text(
+        """<mujoco><worldbody><body name="trunk" pos="0 0 .4"><freejoint/><geom size=".1"/>
+        <body name="left_foot" pos="0 .1 -.37"><joint name="left" axis="0 1 0"/><geom name="left" size=".03"/></body>
+        <body name="right_foot" pos="0 -.1 -.37"><joint name="right" axis="0 1 0"/><geom name="right" size=".03"/></body>
+        </body></worldbody></mujoco>"""
+    )
+    keys = "".join(f'[[keyframe]]\ntime = {x}\nroot.position = [{x}, 0, 0.4]\nothers = "rest"\n' for x in (0.0, 1.0))
+    written(tmp_path, f'figure = "ball.xml"\n[solve]\nends = "free"\n{keys}', "ball.toml")
+    skate = side(solving.unsolved(clip.load(str(tmp_path / "ball.toml"))))["skate"]
+    assert skate and all(one["path, m"] == pytest.approx(1) for one in skate.values())
+
+
 @pytest.mark.slow
 def test_skate_is_the_path_along_the_floor_while_near_it(tmp_path):
     data = side(unsolved(tmp_path, [(0, 0, 0, 0.1), (2, 3, 4, 0.1)]))
