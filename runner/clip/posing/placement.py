@@ -34,7 +34,7 @@ from dynsplines.solver.posing import (
     same_heading,
 )
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.heights import heights
+from dynsplines.solver.surface.heights import height_above, heights
 from dynsplines.solver.surface.points import Point, body_points, places_of
 
 from ...errors import UserError, unknown
@@ -47,6 +47,7 @@ from .standing_feet import Stander
 from .unmet_goals import can_move, immovable
 
 HEADING, BALANCE = 2.0, 100.0  # [1/rad], [1/m] weights of preferences relative to 1 rad of a limb joint
+MOST_RISES = 10  # attempts to lift the soles out of the ground
 MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
 
@@ -134,11 +135,41 @@ def with_pose(
             if preferred := _preferred(figure, home, best.qpos, chosen, soles, stander.surfaces if is_slow else ()):
                 other = posed(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
                 best = other if other.is_met else best
+            best = _raised(figure, key, best, soles, stander, chosen)
             break
     assert best is not None, "there are goals"
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
     return posed_key, best
+
+
+def _raised(
+    figure: Figure, key: Frame, best: Posed, soles: Sequence[Point], stander: Stander, goals: Sequence[Goal]
+) -> Posed:
+    """Return a pose for the same goals with the soles out of the ground, if the keyframe leaves the root's height free
+    and there is one."""
+    root, surfaces, limit = figure.root, stander.surfaces, Thresholds.of(figure).same_place
+    if root is None or not root.is_free or not soles or not surfaces:
+        return best
+    column = figure.links[root.link].qpos + 2
+    depth = _depth(figure, best.qpos, soles, surfaces)
+    for _ in range(MOST_RISES):
+        if key.fixed[column] or depth <= limit:
+            break
+        home = np.array(best.qpos)
+        home[column] += depth
+        other = posed(figure, home, ~key.fixed, goals, stander.bends)
+        deep = _depth(figure, other.qpos, soles, surfaces)
+        if not other.is_met or deep >= depth:
+            break
+        best, depth = other, deep
+    return best
+
+
+def _depth(figure: Figure, qpos: Array, soles: Sequence[Point], surfaces: Sequence[Surface]) -> float:
+    """Return the depth [m] of the lowest sole point below the ground in a pose (nq,), negative above it."""
+    places, radii = places_of(soles, Samples.still(figure, figure.to_state(qpos[None])))
+    return -float((height_above(surfaces, places) - radii[:, None]).min())
 
 
 def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]:

@@ -348,3 +348,18 @@ def test_a_flat_foot_keeps_its_heading_where_it_stays_in_its_position():
     assert heading(lunge, "right") == pytest.approx(heading(first, "right"), abs=1e-4)
     turned = LUNGE.replace("right_foot = {flat = true}", "right_foot = {flat = true, heading = 20}")
     assert heading(seen(problem, read(second(turned)).keys[1].state), "right") == pytest.approx(20, abs=1e-4)
+
+
+def test_a_free_height_lifts_the_other_foot_out_of_the_floor():
+    raised = """root.position = [0, 0.66, "free"]
+sites.left_heel = [-0.055, 0.65, 0]
+bodies.left_foot = {flat = true}
+joints.right_hip = {rotvec = [0, -80, 0]}
+joints.right_knee = {rotvec = [0, 90, 0]}
+others = "rest"
+"""
+    low = LUNGE.replace("[-0.1, 0.4, 0.62]", "[-0.1, 0.4, 0.35]").replace("sites.right_hand = [0.25, 0.6, 0.4]\n", "")
+    problem = read(f"{second(low)}[[keyframe]]\ntime = 1.6\n{raised}")
+    data = seen(problem, problem.keys[2].state)
+    assert data.site("left_heel").xpos == pytest.approx([-0.055, 0.65, 0], abs=1e-4)
+    assert min(data.site(f"right_{part}").xpos[2] for part in ("heel", "toe")) > -0.001
