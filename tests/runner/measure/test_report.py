@@ -106,7 +106,8 @@ def test_skate_of_round_feet_is_measured_at_their_lowest_points(tmp_path):
         <body name="right_foot" pos="0 -.1 -.37"><joint name="right" axis="0 1 0"/><geom name="right" size=".03"/></body>
         </body></worldbody></mujoco>"""
     )
-    keys = "".join(f'[[keyframe]]\ntime = {x}\nroot.position = [{x}, 0, 0.4]\nothers = "rest"\n' for x in (0.0, 1.0))
+    key = '[[keyframe]]\ntime = {0}\nroot.position = [{0}, 0, 0.4]\nothers = "rest"\n'
+    keys = key.format(0.0) + key.format(1.0)
     written(tmp_path, f'figure = "ball.xml"\n[solve]\nends = "free"\n{keys}', "ball.toml")
     skate = side(solving.unsolved(clip.load(str(tmp_path / "ball.toml"))))["skate"]
     assert skate and all(one["path, m"] == pytest.approx(1) for one in skate.values())
