@@ -102,8 +102,8 @@ def test_a_stance_that_drifts_evenly_does_not_slide(tmp_path):
 def test_skate_of_round_feet_is_measured_at_their_lowest_points(tmp_path):
     (tmp_path / "ball.xml").write_text(
         """<mujoco><worldbody><body name="trunk" pos="0 0 .4"><freejoint/><geom size=".1"/>
-        <body name="left_foot" pos="0 .1 -.37"><joint name="left" axis="0 1 0"/><geom name="left" size=".03"/></body>
-        <body name="right_foot" pos="0 -.1 -.37"><joint name="right" axis="0 1 0"/><geom name="right" size=".03"/></body>
+        <body name="left_foot" pos="0 .1 -.37"><joint name="l" axis="0 1 0"/><geom name="left" size=".03"/></body>
+        <body name="right_foot" pos="0 -.1 -.37"><joint name="r" axis="0 1 0"/><geom name="right" size=".03"/></body>
         </body></worldbody></mujoco>"""
     )
     key = '[[keyframe]]\ntime = {0}\nroot.position = [{0}, 0, 0.4]\nothers = "rest"\n'
