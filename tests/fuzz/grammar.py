@@ -271,10 +271,13 @@ class _Drawn:
             for kind in self.draw.sample(known, self.draw.randint(0, 3))
         ]
 
+    def _weight(self, kind: object) -> object:
+        weight = self.draw.choice([0, 0.1, 1, 100, {"self": 1}, {"range": 0}])
+        fits = not isinstance(weight, dict) or kind == ("collision" if "self" in weight else "limits")
+        return weight if fits or self.oddly else 10
+
     def _penalty(self, kind: object) -> dict[str, object]:
-        found: dict[str, Callable[[], object]] = {
-            "weight": lambda: self.draw.choice([0, 0.1, 1, 100, {"self": 1}, {"range": 0}])
-        }
+        found: dict[str, Callable[[], object]] = {"weight": lambda: self._weight(kind)}
         if self.draw.random() < 50 * self.oddly:
             found |= {
                 "margin": lambda: 0.01,
