@@ -22,6 +22,7 @@ from .errors import UserError, unknown
 from .picture import graphics
 from .system import exit_status
 from .system import output as outputs
+from .system.threads import without_tools
 
 
 class _Lazy:
@@ -31,6 +32,8 @@ class _Lazy:
         self._name = name
 
     def __getattr__(self, attribute: str) -> Any:
+        if not self._name.startswith(".system"):
+            without_tools()  # before modules that import SciPy
         return getattr(import_module(self._name, __package__), attribute)
 
 
