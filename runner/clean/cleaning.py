@@ -218,7 +218,8 @@ def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Pro
     """Return the stances of a noisy recording after a search with the surest ones, which reveals more."""
     calm = ground.figure.to_qpos(_curve(soft_problem).at(recorded.times))
     smoothed = RecordedMotion.of(ground.figure, recorded.times, calm)
-    noise = largest_noise(recorded, ground.points)
+    averaged = max(1.0, recorded.rate * Thresholds.of(ground.figure).blurred)  # samples
+    noise = largest_noise(recorded, ground.points) / np.sqrt(averaged)
     stances = infer_stances(smoothed, ground.points, ground.surfaces, noise)
     return tuple(Rest(*stance, rolls=True) for stance in stances)
 

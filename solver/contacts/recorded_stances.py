@@ -26,6 +26,7 @@ from .thresholds import Thresholds
 DEAR = 6.0  # minus the log prior of a stance: one sample in e³ begins or ends one
 SURE = 3.0  # largest difference between the means of two parts of one stance, in standard errors of the noise
 LOOSE = 2.0  # largest speed at the ends of stances, in medians of the speeds during all stances of the recording
+REMAINS = 0.2  # share of the noise of speeds that remains in a smoothed recording
 UP = np.array([0.0, 0, 1])  # normal of the ground on which points roll
 
 
@@ -43,7 +44,8 @@ def infer_stances(
 ) -> tuple[RecordedStance, ...]:
     """Return the stances of points on surfaces, point by point in order of time.
 
-    smoothed  noise [m] of positions that an earlier search has smoothed
+    smoothed  noise [m] of positions that an earlier search has smoothed. A point that rests only briefly then seems to
+              move, so that a stance includes at least half of the samples that look like one.
     """
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
@@ -56,12 +58,15 @@ def infer_stances(
         cuts = _cut(times, centres[:, i], height[i], moving[i], is_known, point_noise, limits)
         runs.append(_joined(times, cuts, centres[:, i], point_noise, limits))
     speeds = _speeds(recorded, points, times)
-    slow = speeds <= (_largest_speed(speeds, runs, smoothed, limits) + noise / limits.blurred)[:, None]
+    largest = _largest_speed(speeds, runs, limits) + REMAINS * smoothed / limits.blurred
+    largest = np.minimum(largest, limits.fast + noise / limits.blurred)
     result = []
     for i, point in enumerate(points):
         place, point_noise = centres[:, i], float(noise[i])
         for run in runs[i]:
-            still = slow[i] & _is_low(place, *run, point_noise, limits)
+            usual = float(np.median(speeds[i, slice(*run)])) if smoothed else 0.0
+            still = speeds[i] <= max(largest[i], min(usual, limits.fast))
+            still &= _is_low(place, *run, point_noise, limits)
             a, b = _trimmed(still, *run)
             if b - a > 1 and not _moves(times, place, a, b, point_noise, limits):
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
@@ -101,14 +106,11 @@ def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> 
     return np.linalg.norm(motion.x_d[:, links] + cross(motion.omega[:, links], offset), axis=0)
 
 
-def _largest_speed(
-    speeds: Array, runs: Sequence[Sequence[tuple[int, int]]], smoothed: float, limits: Thresholds
-) -> float:
+def _largest_speed(speeds: Array, runs: Sequence[Sequence[tuple[int, int]]], limits: Thresholds) -> float:
     """Return the largest speed [m/s] of planted points, from speeds (p, T) and the runs of all points. It is higher in
-    a recording whose feet skate, or whose noise [m] has been smoothed."""
+    a recording with noise, or whose feet skate."""
     planted = [row[a:b] for row, cuts in zip(speeds, runs, strict=True) for a, b in cuts]
-    usual = float(np.median(np.concatenate(planted))) if any(map(len, runs)) else 0.0
-    return min(limits.fast, max(limits.still, LOOSE * usual) + smoothed / limits.blurred)
+    return max(limits.still, LOOSE * float(np.median(np.concatenate(planted)))) if any(map(len, runs)) else limits.still
 
 
 def position_noise(places: Array, known: Array) -> Array:
