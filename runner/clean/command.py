@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.solution import Improvement
@@ -269,7 +270,15 @@ def _displacement_notes(comparison: Comparison, max_displacement: float) -> Iter
 
 
 def _stance_doubts(comparison: Comparison) -> Iterator[str]:
-    """Yield a note if a hand, a foot or the pelvis is moved so far that the detected stances may be wrong."""
+    """Yield a note on the stance with the highest sole, if that is off the ground, and one if a hand, a foot or the
+    pelvis is moved so far that the detected stances may be wrong."""
+    highest = comparison.highest_sole
+    if highest is not None and highest.height > Thresholds.of(comparison.cleaned.figure).swings:
+        rest, height = highest.rest, 1000 * highest.height
+        yield (
+            f"note: {rest.point.name} is recorded {height:.0f} mm above the ground at {highest.time:.2f} s, "
+            f"in its stance {rest.first:.2f}-{rest.last:.2f} s"
+        )
     farthest = max(comparison.displacements, key=lambda one: one.percentile_95, default=None)
     if comparison.cleaned.rests and farthest is not None and farthest.percentile_95 > FAR:
         yield (

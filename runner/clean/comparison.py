@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from rich.table import Table
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Rest
 from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -51,6 +52,14 @@ class BodyDisplacement:
     time: float
 
 
+class HighestSole(NamedTuple):
+    """The largest height [m] of a point in a stance, with its time [s]."""
+
+    rest: Rest
+    time: float
+    height: float
+
+
 @dataclass(frozen=True, eq=False)
 class Comparison:
     """The changes by cleaning."""
@@ -89,6 +98,12 @@ class Comparison:
     def figures(self) -> dict[str, tuple[float, float]]:
         """The measured quantities before and after, by name and unit."""
         return {f"{line.label} [{line.unit}]": (round(line.before, 6), round(line.after, 6)) for line in self.lines}
+
+    @cached_property
+    def highest_sole(self) -> HighestSole | None:
+        """The largest height of a point of the recording during its stances, None without stances."""
+        recorded = PathMeasurement(self.cleaned, self.cleaned.recorded.path, self.times)
+        return max(recorded.highest_soles(), key=lambda one: one.height, default=None)
 
     @cached_property
     def times(self) -> Array:
@@ -170,8 +185,8 @@ class PathMeasurement:
         places, turned = (np.concatenate(part, axis=2) for part in zip(*parts, strict=True))
         return places, height_over(self.ground.surfaces, places, radius)[0], turned
 
-    def _resting(self) -> Iterator[tuple[Array, Array]]:
-        """Yield for every stance positions without the part of rolling (3, t), and heights (t,)."""
+    def _resting(self) -> Iterator[tuple[Rest, Array, Array, Array]]:
+        """Yield every stance, its times (t,) [s], positions without the part of rolling (3, t), and heights (t,)."""
         places, heights, turned = self._soles
         row = {id(point): i for i, point in enumerate(self.ground.points)}
         for rest in self.cleaned.rests:
@@ -185,7 +200,13 @@ class PathMeasurement:
                     )[0][0]
                 its_turns = turned[:, i, during]
                 rolling = Rolling.of(rest, its_turns[:, its_turns.shape[1] // 2])
-                yield places[:, i, during] - rolling.displacement(its_turns), resting_heights
+                yield rest, self.times[during], places[:, i, during] - rolling.displacement(its_turns), resting_heights
+
+    def highest_soles(self) -> Iterator[HighestSole]:
+        """Yield the largest height in every stance."""
+        for rest, times, _, heights in self._resting():
+            at = int(heights.argmax())
+            yield HighestSole(rest, float(times[at]), float(heights[at]))
 
     @property
     def depth(self) -> float:
@@ -193,12 +214,12 @@ class PathMeasurement:
 
     @property
     def slip(self) -> float:
-        from_middle = [np.linalg.norm(at - at.mean(axis=1, keepdims=True), axis=0).max() for at, _ in self._resting()]
-        return 1000 * float(max(from_middle, default=0.0))
+        centred = [at - at.mean(axis=1, keepdims=True) for *_, at, _ in self._resting()]
+        return 1000 * float(max((np.linalg.norm(each, axis=0).max() for each in centred), default=0.0))
 
     @property
     def hover(self) -> float:
-        return 1000 * float(max((height.max() for _, height in self._resting()), default=0.0))
+        return 1000 * max((one.height for one in self.highest_soles()), default=0.0)
 
     @property
     def range(self) -> float:

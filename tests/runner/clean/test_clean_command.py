@@ -139,8 +139,26 @@ def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squ
     assert "left_heel stands 0.20-1.00 s" in done.err
     assert "right_heel stands" not in done.err
     assert "mm off the recording at" in done.err
+    assert "above the ground" not in done.err
     heel = soles(tmp_path / "a.npz")[24:121]
     assert np.ptp(heel[:, :2], axis=0).max() < 0.01  # what it gives way by for --within
+
+
+@pytest.mark.slow
+def test_a_stance_of_a_raised_sole_is_named(command, squats, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    table = np.genfromtxt(squats / "bobs.csv", delimiter=",", names=True)
+    heading = (squats / "bobs.csv").read_text(encoding="utf-8").splitlines()[0]
+    rows = np.column_stack([table[name] for name in table.dtype.names or ()])
+    rows[:, 3] += 0.04 * np.exp(-(((rows[:, 0] - 0.7) / 0.1) ** 2))
+    np.savetxt("hop.csv", rows, delimiter=",", header=heading, comments="")
+    (tmp_path / "c.toml").write_text('[[contact]]\npoint = "left_heel"\nfrom = 0.2\nto = 1.0\n', encoding="utf-8")
+    done = command("clean", "hop.csv", "--figure", "human", "--contacts", "c.toml", "-o", "a.npz")
+    assert done.code == 0, done.err
+    (note,) = [line for line in done.err.splitlines() if "above the ground" in line]
+    assert note.startswith("note: left_heel is recorded ")
+    assert note.endswith("in its stance 0.20-1.00 s")
+    assert float(note.split(" at ")[1].split()[0]) == pytest.approx(0.7, abs=0.1)
 
 
 @pytest.mark.parametrize(
