@@ -50,7 +50,7 @@ def check_forces(saved: Saved, expected: Array) -> None:
     root = saved.figure.root
     if root is None or not root.is_free:
         with pytest.raises(UserError, match="no free root"):
-            quantities.wrench(SampledTrajectory.of(saved), forces)
+            quantities.table(SampledTrajectory.of(saved), ("wrench",))
         return
     columns = quantities.wrench(SampledTrajectory.of(saved), forces)
     force, moment, centre = np.array(list(columns.values())).reshape(3, 3, -1).transpose(0, 2, 1)
