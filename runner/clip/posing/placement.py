@@ -152,9 +152,11 @@ def _raised(
     if root is None or not root.is_free or not soles or not surfaces:
         return best
     column = figure.links[root.link].qpos + 2
+    if key.fixed[column]:
+        return best
     depth = _depth(figure, best.qpos, soles, surfaces)
     for _ in range(MOST_RISES):
-        if key.fixed[column] or depth <= limit:
+        if depth <= limit:
             break
         home = np.array(best.qpos)
         home[column] += depth
