@@ -2,7 +2,8 @@
 
 The distances to the faces are joined smoothly as d = (Σ_i (κ_i d_i)⁻²)^(-1/2): zero on the boundary, positive inside,
 and dominated by the nearest face. The face that points up has κ = 1, the others κ = 4: they count as four times as far
-away, because a foot inside a step should leave through the top.
+away, because a foot inside a step should leave through the top. Outside, d = κ_i d_i of the face farthest from the
+point, as the point enters the box only when it has passed all faces.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array import Array, Index
-from .surface import UPRIGHT
+from .surface import FAR, UPRIGHT
 
 TOUCHING = 1e-12  # [m] distance that counts as none, against division by zero
 SIDEWAYS = 4.0  # [1] κ, the factor on distances to faces that do not point up
@@ -39,24 +40,37 @@ class Box:
     buried: bool = True
     sideways: float = SIDEWAYS
 
-    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
+    def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         local = self._local(points)
-        inside = self._within(local, self.half[:, None, None] + radius[:, None])
-        depth, gradient = np.zeros(inside.shape), np.zeros(points.shape)
+        size, radii = self.half[:, None, None] + radius[:, None], radius.repeat(points.shape[2])
+        inside = self._within(local, size)
+        depth, gradient = np.full(inside.shape, FAR if margin else 0.0), np.zeros(points.shape)
+        flat, slopes = local.reshape(3, -1), gradient.reshape(3, -1)
+        _, _, kappa, inward = self._faces
+        if margin:  # the face that separates a sphere from the box by the largest distance
+            which = np.flatnonzero(self._within(local, size + margin) & ~inside)
+            exits = self._exits(flat.take(which, axis=1), radii.take(which))
+            face = np.argmin(exits, axis=0)
+            value = exits[face, np.arange(face.size)]
+            face, which, value = (one[value <= 0] for one in (face, which, value))
+            depth.put(which, kappa[face, 0] * value)
+            slopes[:, which] = inward[:, face]
         which = np.flatnonzero(inside)
-        if not which.size:
-            return depth, gradient
-        outward, size, kappa, inward = self._faces
-        near = np.add.outer(size, radius.repeat(inside.shape[1]).take(which))
-        near -= outward @ local.reshape(3, -1).take(which, axis=1)
-        near *= kappa
-        np.divide(1, near, out=near)
-        squared = near * near
-        value = 1 / np.sqrt(np.add.reduce(squared, axis=0))
-        near *= squared
-        depth.put(which, value)
-        gradient.reshape(3, -1)[:, which] = (inward @ near) * (value * value * value)
+        if which.size:
+            near = self._exits(flat.take(which, axis=1), radii.take(which))
+            near *= kappa
+            np.divide(1, near, out=near)
+            squared = near * near
+            value = 1 / np.sqrt(np.add.reduce(squared, axis=0))
+            near *= squared
+            depth.put(which, value)
+            slopes[:, which] = (inward @ near) * (value * value * value)
         return depth, gradient
+
+    def _exits(self, local: Array, radii: Array) -> Array:
+        """Return how far spheres would have to move out through each face, (f, p) [m]; negative if they are outside."""
+        outward, size, _, _ = self._faces
+        return np.add.outer(size, radii) - outward @ local
 
     @cached_property
     def _faces(self) -> tuple[Array, Array, Array, Array]:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..array import Array, Index
 from .solid import TINY, lengths
-from .surface import UPRIGHT
+from .surface import FAR, UPRIGHT
 
 WINDOW = 8  # cells in each direction that are searched for the nearest triangle
 
@@ -36,13 +36,13 @@ class HeightField:
     half: Array
     elevation: Array
 
-    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
+    def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         local, radii = self._local(points.reshape(3, -1)), np.repeat(radius, points.shape[2])
-        depth, gradient = np.zeros(radii.size), np.zeros(local.shape)
-        which = np.flatnonzero(self._least(local) < radii)
-        distance, outward = self._distance(local[:, which], np.maximum(radii[which], 0))
+        depth, gradient = np.full(radii.size, FAR if margin else 0.0), np.zeros(local.shape)
+        which = np.flatnonzero(self._least(local) < radii + margin)
+        distance, outward = self._distance(local[:, which], np.maximum(radii[which] + margin, 0))
         over = radii[which] - distance
-        deep = over > 0
+        deep = over > -margin
         depth[which[deep]] = over[deep]
         gradient[:, which[deep]] = self.axes @ -outward[:, deep]
         return depth.reshape(points.shape[1:]), gradient.reshape(points.shape)

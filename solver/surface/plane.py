@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array import Array
-from .surface import UPRIGHT
+from .surface import FAR, UPRIGHT
 
 
 @dataclass(frozen=True)
@@ -19,9 +19,10 @@ class Plane:
     point: Array
     normal: Array
 
-    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
-        depth = np.maximum(radius[:, None] - self._over(points), 0)
-        return depth, np.multiply.outer(-self.normal, depth > 0)
+    def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
+        depth = radius[:, None] - self._over(points)
+        near = depth > -margin
+        return np.where(near, depth, FAR if margin else 0.0), np.multiply.outer(-self.normal, near)
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
         return self._over(points) < radius

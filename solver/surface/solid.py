@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array import Array, Index
+from .surface import FAR
 
 TINY = 1e-12  # [m] length up to which a vector has no direction
 LEAST_RISE = 0.05  # minimum z of a normal of a surface to stand on
@@ -35,13 +36,13 @@ class Solid(ABC):
         It is NaN if the line misses the solid.
         """
 
-    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
+    def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         flat, radii = points.reshape(3, -1), np.repeat(radius, points.shape[2])
-        depth, gradient = np.zeros(radii.size), np.zeros(flat.shape)
-        which = self._candidates(flat, radii)
+        depth, gradient = np.full(radii.size, FAR if margin else 0.0), np.zeros(flat.shape)
+        which = self._candidates(flat, radii + margin)
         distance, outward = self.distance(flat[:, which])
         over = radii[which] - distance
-        deep = over > 0
+        deep = over > -margin
         depth[which[deep]] = over[deep]
         gradient[:, which[deep]] = -outward[:, deep]
         return depth.reshape(points.shape[1:]), gradient.reshape(points.shape)

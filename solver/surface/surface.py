@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ..array import Array
 
 UPRIGHT = 0.7  # [1] z of the unit normal above which a face points up and can support a figure
+FAR = -np.inf  # depth of a sphere outside the margin
 GROUNDED = 0.01  # [m] maximum gap to the floor of solids that stand on it
 
 
@@ -19,7 +20,7 @@ class Surface(Protocol):
     @property
     def name(self) -> str: ...
 
-    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
+    def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         """Return the penetration depth of spheres, for penalties, and its gradient.
 
         Through the sides of a box, the depth is κ times the distance.
@@ -27,9 +28,10 @@ class Surface(Protocol):
         Args:
             points: Centres, (3, n, S) [m].
             radius: Radii, (n,) [m].
+            margin: Spheres outside by less than this have a negative depth [m].
 
         Returns:
-            Depths (n, S) [m], 0 outside, and gradients (3, n, S).
+            Depths (n, S) [m], of spheres farther outside 0, or −∞ with a margin; and gradients (3, n, S).
         """
         ...
 

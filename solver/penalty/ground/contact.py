@@ -11,13 +11,14 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.algebra import applied, dot
+from ...figure.algebra import applied
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
 from ...surface.points import Point, arrays_of, placed
+from ...surface.surface import FAR
 from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
@@ -168,14 +169,9 @@ class Contact(Penalty):
 
     def _in(self, surface: Surface, samples: Samples, candidates: _Near, margin: float) -> Block:
         flat, arms, centres, radii = candidates
-        about, away = surface.depth(centres, radii + margin)
-        near = np.flatnonzero(about > 0)
-        depth, direction = about.ravel()[near], away.reshape(3, -1)[:, near]
-        if margin:  # outside a surface the depth changes by |away| per metre, at the sides of a box by more than 1
-            exact, normal = surface.depth(centres[:, near], radii[near])
-            inside = exact[:, 0] > 0
-            beyond = np.minimum(depth - margin * np.sqrt(dot(direction, direction)), 0)
-            depth, direction = np.where(inside, exact[:, 0], beyond), np.where(inside, normal[..., 0], direction)
+        depth, direction = surface.depth(centres, radii, margin)
+        near = np.flatnonzero(depth > FAR if margin else depth)
+        depth, direction = depth.ravel()[near], direction.reshape(3, -1)[:, near]
         link, at = np.divmod(flat[near % flat.size], samples.count)
         direction, leg = self._in_world(samples, at, direction, centres[:, near, 0])
         changes = [of_point(at, link, arms[:, near], direction)]

@@ -29,11 +29,14 @@ def scene() -> tuple[mujoco.MjModel, dict]:
 
 def mujoco_depth(model: mujoco.MjModel, name: str, centre: np.ndarray) -> float:
     """How deep the ball at this place is in the named geom, by MuJoCo; 0 outside."""
+    return max(-mujoco_distance(model, name, centre), 0.0)
+
+
+def mujoco_distance(model: mujoco.MjModel, name: str, centre: np.ndarray) -> float:
     data = mujoco.MjData(model)
     data.qpos[:3] = centre
     mujoco.mj_forward(model, data)
-    distance = mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom(name).id, 10, None)
-    return max(-distance, 0.0)
+    return mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom(name).id, 10, None)
 
 
 def depth_at(surface, centre: np.ndarray, radius: float = 0.15) -> float:
@@ -95,6 +98,41 @@ def test_the_gradients_of_depth_have_taylor_slope_two(buried, rng):
             return float(np.sum(weights * surface.depth(p, radius)[0]))
 
         assert taylor_slope(value, points, weights * gradient, rng) > 1.95
+
+
+@pytest.mark.parametrize("name", ["crate", "step", "ramp"])
+def test_within_a_margin_spheres_outside_have_negative_depths(scene, name, rng):
+    model, surfaces = scene
+    surface, radius = surfaces[name], np.array([0.15])
+    centre = surface.point if name == "ramp" else surface.centre
+    found = 0
+    for place in centre + rng.normal(scale=0.7, size=(300, 3)):
+        at = place.reshape(3, 1, 1)
+        depth, gradient = (np.squeeze(part, axis=(-2, -1)) for part in surface.depth(at, radius, 0.2))
+        inside, slope = (np.squeeze(part, axis=(-2, -1)) for part in surface.depth(at, radius))
+        if inside > 0:
+            assert depth == inside
+            np.testing.assert_array_equal(gradient, slope)
+        elif np.isfinite(depth):
+            found += 1
+            assert 0 <= -depth / np.linalg.norm(gradient) <= mujoco_distance(model, name, place) + 1e-6
+        else:
+            assert not gradient.any()
+            below = name == "step" and place[2] < surface.centre[2] - surface.half[2]  # no exit downwards
+            assert below or mujoco_distance(model, name, place) > 0.2 - 1e-6
+    assert found > 20
+
+
+def test_a_sphere_beyond_an_edge_of_a_box_is_free_to_pass_the_nearer_face(scene):
+    _, surfaces = scene
+    step, radius = surfaces["step"], np.array([0.0])
+    edge = step.centre + step.half
+    depth, gradient = step.depth(np.add(edge, [0.02, -0.5, 0.005]).reshape(3, 1, 1), radius, 0.03)
+    np.testing.assert_allclose(depth[0, 0], -4 * 0.02)
+    np.testing.assert_allclose(gradient[:, 0, 0], [-4, 0, 0], atol=1e-12)
+    depth, gradient = step.depth(np.add(edge, [0.005, -0.5, 0.02]).reshape(3, 1, 1), radius, 0.03)
+    np.testing.assert_allclose(depth[0, 0], -0.02)
+    np.testing.assert_allclose(gradient[:, 0, 0], [0, 0, -1], atol=1e-12)
 
 
 def test_a_box_counts_as_up_the_face_that_looks_up_however_it_lies():
