@@ -12,8 +12,8 @@ springs only shape the step: keyframes are not unknowns and stay exact.
 The H of smooth terms is summed over a few nodes per span. The H of terms that begin, end or peak within a span is
 summed over the samples of E; otherwise the model would predict reductions that E does not have.
 
-m is convex and piecewise quadratic. Newton steps on the active residuals, with a line search, reach its minimum after a
-few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
+m is convex and piecewise quadratic. Newton steps on the active residuals, with an exact line search, reach its minimum
+after a few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ SETTLED = 0.05  # [1] gain of a change of the active set, relative to the total 
 ENTRIES_AT_ONCE = 2_000_000  # entries of rows over four coefficients in memory at once, 16 MB
 LOCAL = DEGREE + 1  # B-splines that are nonzero at a sample
 LEAST = 1e-12  # smallest median curvature, against division by zero
-SHORTEST = 1e-3  # [1] share of a Newton step below which the line search ends
+BLOCKED = 0.1  # [1] share of a Newton step below which inactive residuals block it, so that another change follows
 
 Picked = Index | slice
 
@@ -414,6 +414,31 @@ class OneSidedTerms:
         return at, rows
 
 
+def line_minimum(slope: float, bend: float, weight: Array, value: Array, change: Array) -> float:
+    """Return the s in [0, 1] of least slope · s + ½ bend · s² + Σ weight max(0, value + s · change)².
+
+    Args:
+        slope: Negative; the function decreases at s = 0.
+        bend: Not negative, so that the function is convex.
+        weight: (P,).
+        value: (P,).
+        change: (P,).
+    """
+    pull = 2 * weight * change
+    if slope + bend + pull @ np.maximum(value + change, 0) <= 0:
+        return 1.0
+    # the derivative is linear between the values of s at which a residual becomes active (change > 0) or inactive
+    active, crosses = value > 0, (value > 0) != (value + change > 0)
+    s = -value[crosses] / change[crosses]
+    order = np.argsort(s)
+    s, value_step, change_step = s[order], (np.abs(pull) * value)[crosses][order], (pull * change)[crosses][order]
+    sign = np.sign(change[crosses][order])
+    constant = slope + pull[active] @ value[active] + np.append(0.0, np.cumsum(value_step))
+    linear = bend + pull[active] @ change[active] + np.append(0.0, np.cumsum(sign * change_step))
+    part = int(np.searchsorted(constant[:-1] + linear[:-1] * s > 0, True))
+    return float(np.clip(-constant[part] / max(linear[part], LEAST), 0, 1))
+
+
 class Proposal(NamedTuple):
     """The minimum of the model m.
 
@@ -529,20 +554,15 @@ class Model:
             target = -layout.solve(factor, self.gradient + sided.pulled_back(push * sided.value))
             residual_target = sided.value + sided.change(target)
             force_target = -self.gradient - sided.pulled_back(push * residual_target)
-            share, previous = 1.0, value
-            while True:
-                trial = step + share * (target - step)
-                trial_residual = residual + share * (residual_target - residual)
-                force = force_step + share * (force_target - force_step)
-                one_sided = sided.weight @ np.maximum(trial_residual, 0) ** 2
-                value = float(np.sum((self.gradient + 0.5 * force) * trial) + one_sided)
-                if value <= previous or share < SHORTEST:
-                    break
-                share /= 2
-            if value > previous:
-                value = previous
-                break
-            step, residual, force_step = trial, trial_residual, force
-            if previous - value <= SETTLED * (first_value - value):
+            toward, change = target - step, residual_target - residual
+            slope = float(np.sum((self.gradient + force_step) * toward))
+            bend = float(np.sum((force_target - force_step) * toward))
+            share = line_minimum(slope, bend, sided.weight, residual, change)
+            step, residual = step + share * toward, residual + share * change
+            force_step, previous = force_step + share * (force_target - force_step), value
+            one_sided = sided.weight @ np.maximum(residual, 0) ** 2
+            value = float(np.sum((self.gradient + 0.5 * force_step) * step) + one_sided)
+            is_blocked = 0 < share < BLOCKED
+            if not is_blocked and previous - value <= SETTLED * (first_value - value):
                 break
         return Proposal(layout.to_x(step), first_value - value, last)

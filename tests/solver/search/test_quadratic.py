@@ -1,5 +1,8 @@
 """The model of a step: its minimum against dense Gauss-Newton steps in the unknowns, on both sides and on one."""
 
+from collections.abc import Iterator
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from bends import limits_of
@@ -24,6 +27,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import (
@@ -34,8 +38,9 @@ from dynsplines.solver.penalty import (
     StancePenalty,
     UnitMagnitude,
 )
+from dynsplines.solver.penalty.block import Block
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search.quadratic import Layout, Model, middle
+from dynsplines.solver.search.quadratic import Layout, Model, line_minimum, middle
 from dynsplines.solver.surface.points import Point
 
 ENDS = ["free", "clamped", "clamped end", "periodic"]
@@ -163,7 +168,17 @@ def test_a_model_that_has_no_minimum_promises_nothing(rng):
     assert promised == 0
 
 
-def one_sided_problem(rng: np.random.Generator, ends: str, *, floor: bool = True) -> tuple[Discretised, Array]:
+class Touching(Contact):
+    """All points near the floor, but not in it, touch it."""
+
+    def nearby(self, samples: Samples) -> Iterator[Block]:
+        for block in super().nearby(samples):
+            yield replace(block, value=np.where(block.value > 0, block.value, -1e-9))
+
+
+def one_sided_problem(
+    rng: np.random.Generator, ends: str, *, floor: bool = True, kind: type[Contact] = Contact
+) -> tuple[Discretised, Array]:
     """Two bodies whose points lie in a floor and just over it, and whose knee bends too far or nearly so."""
     figure = figure_of(TINY)
     timeline = tiny_clip(rng, ends, "world")
@@ -172,7 +187,7 @@ def one_sided_problem(rng: np.random.Generator, ends: str, *, floor: bool = True
     timeline = timeline.with_rows(rows)
     positions = 0.15 * rng.normal(size=(8, 3))
     points = tuple(Point(f"{i}", 1 + i % 2, position, 0.02) for i, position in enumerate(positions))
-    contact, bend = Contact(points, (FLOOR,)), limits_of(figure)
+    contact, bend = kind(points, (FLOOR,)), limits_of(figure)
     more: list[Penalty] = [contact, bend] if floor else [bend]
     problem = discretised(timeline, figure, [*(RESIDUALS[name][0] for name in SMOOTH), *more])
     start = problem.unknowns.start
@@ -218,9 +233,10 @@ class Dense:
         return np.linalg.solve(half.T, found.x), float(found.fun)
 
 
+@pytest.mark.parametrize("kind", [Contact, Touching])
 @pytest.mark.parametrize("ends", ["clamped", "periodic"])
-def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends, monkeypatch):
-    problem, x = one_sided_problem(rng, ends)
+def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends, kind, monkeypatch):
+    problem, x = one_sided_problem(rng, ends, kind=kind)
     dense = Dense(problem, x)
     before = dense(np.zeros(x.size))[0]
     best, least = dense.minimum()
@@ -245,6 +261,21 @@ def test_so_it_does_where_whole_newton_steps_would_raise_the_model(seed, monkeyp
     step, promised, _ = Model(Layout(problem), x, problem(x).gradient).minimise(0.0)
     np.testing.assert_allclose(dense(step)[0], least, rtol=0, atol=1e-4 * (before - least))
     np.testing.assert_allclose(promised, before - least, rtol=1e-3)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_line_search_finds_the_minimum_on_a_fine_grid(seed):
+    rng, share = np.random.default_rng(seed), np.linspace(0, 1, 5001)
+    count = rng.integers(1, 30)
+    weight, value, change = rng.random(count), rng.normal(size=count), 3 * rng.normal(size=count)
+    value[rng.random(count) < 0.2] = 0.0
+    slope, bend = float(-5 * rng.random() - 2 * weight @ (np.maximum(value, 0) * change)), rng.random()
+
+    def worth(s: Array) -> Array:
+        return slope * s + bend * s**2 / 2 + weight @ np.maximum(value[:, None] + change[:, None] * s, 0) ** 2
+
+    found = line_minimum(slope, bend, weight, value, change)
+    assert worth(np.array([found]))[0] <= worth(share).min() + 1e-12
 
 
 @pytest.mark.parametrize("ends", ["free", "periodic"])
