@@ -110,7 +110,12 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
     absent = {kind for kind in CARRIED if kind not in listed and not is_carried}
     penalties = list[tuple[Penalty, float]]()
     for name in [name for name in options if name not in absent]:
-        penalties += _built(context, _carried(KINDS[name]) if is_carried else KINDS[name], options[name])
+        kind = _carried(KINDS[name]) if is_carried else KINDS[name]
+        terms = list(_built(context, kind, options[name]))
+        if name in listed and name != "cycle" and not terms and any(kind.weights(options[name]).values()):
+            measured = "; ".join(part.quantity for part in kind.parts)
+            notes.append(f"penalty '{name}' has no effect in this clip; it measures: {measured}")
+        penalties += terms
     return Constraints(context, tuple((p, weight) for p, weight in penalties if weight > 0), tuple(notes))
 
 

@@ -321,8 +321,10 @@ def _equality(context: Context, options: Options) -> Penalty | None:
     return Sum(tuple(parts), term_name="equality") if parts else None
 
 
-def _flight(context: Context, options: FlightOptions) -> Penalty:
+def _flight(context: Context, options: FlightOptions) -> Penalty | None:
     support = _supported(context, "flight")
+    if not support.flights:
+        return None
     return Flight.of(context.figure, support.root, support.flights, options.angular or 0.0)
 
 
@@ -499,8 +501,8 @@ KINDS = {
         Kind(
             "upright",
             (
-                Part(1.0, "tilt of the trunk, relative to its tilt in the keyframes", _trunk, "trunk"),
-                Part(30.0, "tilt of other bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
+                Part(1.0, "tilt of the trunk in keyframes that leave the rotation of the root free", _trunk, "trunk"),
+                Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
             ),
             UprightOptions,
         ),

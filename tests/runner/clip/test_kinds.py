@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dynsplines import Keyframe, UserError, build, inbetween, load, load_motion
+from dynsplines import Keyframe, UserError, build, inbetween, load, load_motion, recordings
 from dynsplines.cli import list_penalties
 from dynsplines.clip.kinds import KINDS, RENAMED, Kind, Part
 from dynsplines.motion import save
@@ -40,7 +40,7 @@ def test_there_are_at_most_fifteen_kinds_whose_options_have_units():
 
 def test_every_part_is_a_term_of_its_name_or_there_is_nothing_to_penalise():
     absent = {
-        "attach.contact", "attach.grasp", "attach.placement", "limits.range", "limits.overshoot", "equality",
+        "attach.contact", "attach.grasp", "attach.placement", "limits.range", "limits.overshoot", "equality", "flight",
         "upright.trunk", "cycle",
     }  # fmt: skip
     tables, terms = [], {}
@@ -149,3 +149,12 @@ def test_a_motion_of_an_older_version_is_read_without_its_text(tmp_path, old):
     assert not read.saved.text
     assert read.clip.penalties
     assert read.mirrored().duration == 1
+
+
+@pytest.mark.parametrize("kind", ["upright", "flight", "equality"])
+def test_a_listed_kind_without_effect_is_noted(kind):
+    text = 'figure = "human"\n' + "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 1))
+    listed = recordings.from_text(text + f'[[penalty]]\nkind = "{kind}"\n', name="c")
+    assert any(note.startswith(f"penalty '{kind}' has no effect in this clip; it measures: ") for note in listed.notes)
+    off = recordings.from_text(text + f'[[penalty]]\nkind = "{kind}"\nweight = 0\n', name="c")
+    assert not any("no effect" in note for note in (*off.notes, *recordings.from_text(text, name="c").notes))
