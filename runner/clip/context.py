@@ -18,7 +18,7 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import has_fixed_base
 from dynsplines.solver.figure.wrench import height
-from dynsplines.solver.penalty import Bend, Lean, Placed, Range, Support, leans, steady
+from dynsplines.solver.penalty import Bend, Holds, Lean, Placed, Support, leans
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point
 
@@ -177,10 +177,10 @@ class Context:
         return bool(self.figure.tables.free_links.size)
 
     @cached_property
-    def held_joints(self) -> tuple[Range, ...]:
-        """Ranges that keep joints constant between equal keyframes, where the raw spline does not."""
+    def holds(self) -> Holds:
+        """The values of joints in two neighbouring keyframes, where they are equal."""
         repeats = self.keys.ends == "periodic" or self.schedule.gait_cycle is not None
-        return steady(self.figure, self.keys, repeats=repeats, aloft=self.schedule.flights)
+        return Holds.of(self.figure, self.keys, repeats=repeats, aloft=self.schedule.flights)
 
     @property
     def leans(self) -> tuple[Lean, ...]:

@@ -373,8 +373,7 @@ def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
 
 
 def _overshoot(context: Context, options: Options) -> Penalty | None:
-    joints = context.held_joints
-    return OvershootPenalty.of(context.figure, joints, context.keys.times) if joints else None
+    return OvershootPenalty.of(context.figure, context.holds, context.keys.times)
 
 
 def _speed(context: Context, options: LimitOptions) -> Penalty | None:

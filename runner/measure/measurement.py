@@ -148,10 +148,10 @@ def _checks(
     if joints:
         fixed_joints = fixed.joints([joint.link for joint in joints])
         yield checks.ranges(joints, ("range", "travel"), "{joint.name} is {} beyond its range", fixed_joints)
-    if context.held_joints and not clip.has_recording:
-        during = "the keyframes at {joint.first:g} and {joint.last:g} s both specify"
-        text = f"{{joint.name}} swings {{}} off the value that {during}"
-        yield checks.ranges(context.held_joints, ("overshoot", "overshoot travel"), text)
+    held = (*context.holds.swinging, *context.holds.roots)
+    if held and not clip.has_recording:
+        text = "{joint.name} swings {} away from its values in the keyframes at {joint.first:g} and {joint.last:g} s"
+        yield checks.ranges(held, ("overshoot", "overshoot travel"), text)
     if context.placed:
         yield checks.misses(context.placed)
     optional = (

@@ -39,8 +39,8 @@ from .joints.level import Level as Level
 from .joints.loop_closure import Closure as Closure
 from .joints.loop_closure import LoopClosure as LoopClosure
 from .joints.loop_closure import closures as closures
+from .joints.overshoot import Holds as Holds
 from .joints.overshoot import OvershootPenalty as OvershootPenalty
-from .joints.overshoot import steady as steady
 from .joints.self_contact import SelfContact as SelfContact
 from .joints.speed import Speed as Speed
 from .joints.upright import Lean as Lean

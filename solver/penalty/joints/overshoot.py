@@ -1,15 +1,19 @@
-"""Holds: joints with the same value in two neighbouring keyframes stay at this value in between.
+"""Holds: joints with the same value in two neighbouring keyframes stay near this value in between.
 
 A spline through a hold next to a fast motion overshoots in the hold. Where the raw spline of a joint does so, all
 joints that the keyframes hold there are bounded to their values, see `JointRange`: the others must not move for its
 sake. In an oscillation, two keyframes on both sides of a peak may have the same value; such turning points are not
 holds. A clip oscillates if it repeats itself with segments of similar length.
+
+The rotation of a root has wider bounds in all segments in which it changes little: a person who stands up may sway, but
+must not lean far to one side.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,23 +22,27 @@ from ...array import Array, Index, Mask
 from ...curve.frame import Frame, Timeline
 from ...curve.spline import path_of
 from ...figure.figure import Figure, JointKind, quaternion_columns
+from ...figure.kinematics import Samples
 from ..penalty import Guide
 from .joint_range import JointRange, Range
 
 SAME = {"angle": np.radians(0.25), "length": 0.002}  # [rad, m] maximum difference of keyframes of the same value
 SWINGS = {"angle": np.radians(3), "length": 0.03}  # [rad, m] overshoot of the raw spline above which a joint is held
-ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] distance that a held joint may move
+ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] distance that a held joint may move there
+SWAY = np.radians(5)  # [rad] angle by which a root may turn beyond its rotations in the keyframes
+LITTLE = np.radians(20)  # [rad] change of its rotation up to which it is bounded
+SHARE = 0.15  # [1] further angle, relative to this change
 LONG = 1.5  # [1] length, relative to the shorter adjacent segment, from which a segment is always a hold
 BRIEF = 0.3  # [s] length below which other segments are no holds
 LOOKS = 12  # samples per segment
 BESIDE = 0.25  # [1] distance of variable frames from the ends of a hold, relative to the adjacent segment
 CLOSEST = 0.02  # [s] minimum distance of such a frame from others
-SEGMENTS_AT_ONCE = 200  # segments whose samples are in memory at once
+SEGMENTS_AT_ONCE = 20  # segments whose samples are in memory at once
 
 
 @dataclass(frozen=True)
 class OvershootPenalty(JointRange, Guide):
-    """Σ over held joints of their squared excess [rad² or m²] over the bounds of `steady`.
+    """Σ over held joints of their squared excess [rad² or m²] over their bounds, see `of`.
 
     Attributes:
         frames: Times of variable frames that the spline needs to stay within the bounds [s].
@@ -45,18 +53,22 @@ class OvershootPenalty(JointRange, Guide):
     figure: Figure | None = None
 
     @classmethod
-    def of(cls, figure: Figure, ranges: Sequence[Range], times: Array) -> OvershootPenalty:
-        """Return the penalty of held joints in a clip of keyframes at times (K,) [s]."""
-        frames: set[float] = set()
-        for first, last in {(joint.first, joint.last) for joint in ranges}:
+    def of(cls, figure: Figure, holds: Holds, times: Array) -> OvershootPenalty | None:
+        """Return the penalty of the holds in a clip of keyframes at times (K,) [s]; None without bounds."""
+        ranges, frames = [_widened(joint, ROOM[_unit(joint)]) for joint in holds.swinging], set[float]()
+        ranges += [_widened(joint, SWAY + 2 * SHARE * joint.high) for joint in holds.roots]
+        for first, last in {(joint.first, joint.last) for joint in holds.swinging}:
             k, length = int(np.argmin(np.abs(times - first))), last - first
             beside = [times[k] - times[k - 1] if k else length, times[k + 2] - last if k + 2 < times.size else length]
             one, other = (float(min(BESIDE * length, BESIDE * span)) for span in beside)
             frames |= {first + one, last - other}
-        return cls(tuple(ranges), frames=tuple(sorted(frames)), figure=figure)
+        return cls(tuple(ranges), frames=tuple(sorted(frames)), figure=figure) if ranges else None
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
-        """Return the timeline with held joints at their values, and variable frames near the ends of holds."""
+        """Return the timeline with held joints at their values, and variable frames near the ends of holds in which
+        the raw spline overshoots."""
+        if not self.frames:
+            return timeline
         new = [t for t in self.frames if np.abs(timeline.times - t).min() > CLOSEST]
         if new and (most is None or timeline.variable_count + len(new) <= most):
             states = path_of(timeline).at(np.array(new))
@@ -67,11 +79,13 @@ class OvershootPenalty(JointRange, Guide):
         return timeline.with_rows(rows)
 
     def _still(self, states: Array, times: Array) -> Array:
-        """Return states (T, N) at times (T,) [s] with held joints at their values."""
+        """Return states (T, N) at times (T,) [s] with joints at their values where the raw spline swings."""
         if self.figure is None:
             return states
         qpos = self.figure.to_qpos(states)
         for joint in self.joints:
+            if joint.high - joint.low >= SWAY:
+                continue
             during, link = (joint.first < times) & (times < joint.last), self.figure.links[joint.link]
             columns = quaternion_columns(link) if joint.home is not None else None
             if columns is not None:
@@ -111,15 +125,14 @@ class Track:
         values = qpos[..., self.columns]
         return quat.rotation_vector(quat.product(quat.inverse(home), values)) if self.is_rotation else values - home
 
-    def constant_range(self, home: Array, first: float, last: float) -> Range:
-        """Return the bounds that hold the coordinate at a value (1 or 4) from one time to another [s]."""
-        tolerance = ROOM[self.unit]
+    def range_around(self, home: Array, radius: float, first: float, last: float) -> Range:
+        """Return the bounds of the coordinate around a value (1 or 4) from one time to another [s]."""
         if self.is_rotation:
             return Range(
-                self.name, self.link, JointKind.BALL, 0.0, tolerance, home=tuple(home.tolist()), first=first, last=last
+                self.name, self.link, JointKind.BALL, 0.0, radius, home=tuple(home.tolist()), first=first, last=last
             )
         kind = JointKind.HINGE if self.unit == "angle" else JointKind.SLIDE
-        low, high = float(home[0]) - tolerance, float(home[0]) + tolerance
+        low, high = float(home[0]) - radius, float(home[0]) + radius
         return Range(self.name, self.link, kind, low, high, self.axis, first=first, last=last)
 
 
@@ -138,60 +151,91 @@ def tracks(figure: Figure) -> list[Track]:
     return coordinates
 
 
-def steady(
-    figure: Figure, keys: Timeline, *, repeats: bool = False, aloft: Sequence[tuple[float, float]] = ()
-) -> tuple[Range, ...]:
-    """Return the joints that keyframes hold and the raw spline does not, with their bounds.
+class Holds(NamedTuple):
+    """The ranges of joints between the values of two neighbouring keyframes, where these are equal or similar.
 
-    Args:
-        repeats: Whether the clip is a loop or a gait cycle.
-        aloft: Flights (first, last) [s], in which a root rises and falls between two keyframes of one height.
+    Attributes:
+        swinging: Equal values, in segments in which the raw spline of a joint leaves its value.
+        roots: Rotations of roots that change by at most 20 degrees, in other segments; a range is around the middle of
+            both rotations.
     """
-    qpos = figure.to_qpos(keys.states)
-    holds = [hold for track in tracks(figure) for hold in _held_segments(track, keys, qpos, repeats=repeats)]
-    holds = [(track, k) for track, k in holds if not _flies(figure, track, keys.times[k : k + 2], aloft)]
-    by_segment: dict[int, list[int]] = {}
-    for i, (_, k) in enumerate(holds):
-        by_segment.setdefault(k, []).append(i)
-    segments = np.array(sorted(by_segment), int)
-    swings: set[int] = set()
-    for first in range(0, segments.size, SEGMENTS_AT_ONCE):
-        batch = segments[first : first + SEGMENTS_AT_ONCE]
-        share = (np.arange(LOOKS) + 0.5) / LOOKS
-        times = keys.times[batch, None] + share * np.diff(keys.times)[batch, None]
-        raw = figure.to_qpos(path_of(keys).at(times.ravel())).reshape(batch.size, LOOKS, -1)
-        for row, k in zip(raw, batch.tolist(), strict=True):
-            for i in by_segment[k]:
-                track = holds[i][0]
-                off = np.linalg.norm(track.deviation(row, qpos[k, track.columns]), axis=-1)
-                if off.max() > SWINGS[track.unit]:
-                    swings.add(k)
-    times = keys.times.tolist()
-    return tuple(
-        track.constant_range(qpos[k, track.columns], times[k], times[k + 1]) for track, k in holds if k in swings
-    )
+
+    swinging: tuple[Range, ...]
+    roots: tuple[Range, ...]
+
+    @classmethod
+    def of(
+        cls, figure: Figure, raw: Timeline, *, repeats: bool = False, aloft: Sequence[tuple[float, float]] = ()
+    ) -> Holds:
+        """Find the holds of a clip with this raw spline.
+
+        Args:
+            repeats: Whether the clip is a loop or a gait cycle.
+            aloft: Flights (first, last) [s], in which a root rises and falls between two keyframes of one height.
+        """
+        qpos, times = figure.to_qpos(raw.states), raw.times.tolist()
+        equal, similar = list[Range](), list[Range]()
+        for track in tracks(figure):
+            for k in _held_segments(track, raw, qpos, repeats=repeats):
+                if not _flies(figure, track, raw.times[k : k + 2], aloft):
+                    equal.append(track.range_around(qpos[k, track.columns], 0.0, times[k], times[k + 1]))
+            if track.is_rotation and figure.links[track.link].kind is JointKind.FREE:
+                both, change = _changes(track, raw, qpos)
+                for k, turn in zip(both.tolist(), change, strict=True):
+                    angle = float(np.linalg.norm(turn))
+                    if angle <= LITTLE:
+                        middle = quat.product(qpos[k, track.columns], quat.from_rotation_vector(turn / 2))
+                        similar.append(track.range_around(middle, angle / 2, times[k], times[k + 1]))
+        segments = _swinging(figure, equal, raw)
+        swinging = tuple(joint for joint in equal if joint.first in segments)
+        tight = {(joint.first, joint.link) for joint in swinging if joint.home is not None}
+        return cls(swinging, tuple(joint for joint in similar if (joint.first, joint.link) not in tight))
 
 
-def _held_segments(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterator[tuple[Track, int]]:
-    """Yield the coordinate with each segment, by its first keyframe, in which keyframes hold it."""
+def _unit(joint: Range) -> str:
+    return "length" if joint.kind is JointKind.SLIDE else "angle"
+
+
+def _widened(joint: Range, room: float) -> Range:
+    return replace(joint, low=joint.low if joint.home is not None else joint.low - room, high=joint.high + room)
+
+
+def _swinging(figure: Figure, holds: Sequence[Range], raw: Timeline) -> set[float]:
+    """Return the beginnings [s] of the segments in which the raw spline of a joint leaves its value."""
+    by_segment: dict[tuple[float, float], list[Range]] = {}
+    for joint in holds:
+        by_segment.setdefault((joint.first, joint.last), []).append(joint)
+    segments, share, path = sorted(by_segment), (np.arange(LOOKS) + 0.5) / LOOKS, path_of(raw)
+    swinging: set[float] = set()
+    for i in range(0, len(segments), SEGMENTS_AT_ONCE):
+        batch = segments[i : i + SEGMENTS_AT_ONCE]
+        t = np.concatenate([first + share * (last - first) for first, last in batch])
+        joints = tuple(joint for segment in batch for joint in by_segment[segment])
+        most = JointRange(joints).beyond(Samples.still(figure, path.at(t), t=t)).max(axis=1)
+        swinging |= {joint.first for joint, off in zip(joints, most, strict=True) if off > SWINGS[_unit(joint)]}
+    return swinging
+
+
+def _changes(track: Track, keys: Timeline, qpos: Array) -> tuple[Index, Array]:
+    """Return the segments (s,) whose two keyframes both fix a coordinate, and its change in them (s, 1 or 3)."""
     fixed: Mask = np.asarray(keys.fixed[:, track.columns].all(axis=1))
     both = np.flatnonzero(fixed[:-1] & fixed[1:])
-    if not both.size:
-        return
-    homes = qpos[both][:, track.columns]
+    before, after = qpos[both][:, track.columns], qpos[both + 1][:, track.columns]
     if track.is_rotation:
-        step = quat.rotation_vector(quat.product(quat.inverse(homes), qpos[both + 1][:, track.columns]))
-    else:
-        step = qpos[both + 1][:, track.columns] - homes
-    is_same = np.zeros(len(fixed) - 1, bool)
-    is_same[both] = np.linalg.norm(step, axis=1) <= SAME[track.unit]
-    fixing = np.flatnonzero(fixed)
-    for k in np.flatnonzero(is_same).tolist():
+        return both, quat.rotation_vector(quat.product(quat.inverse(before), after))
+    return both, after - before
+
+
+def _held_segments(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterator[int]:
+    """Yield the first keyframe of each segment in which keyframes hold a coordinate."""
+    both, change = _changes(track, keys, qpos)
+    fixing = np.flatnonzero(keys.fixed[:, track.columns].all(axis=1))
+    for k in both[np.linalg.norm(change, axis=1) <= SAME[track.unit]].tolist():
         beside, length = _neighbours(keys, fixing, k), float(keys.times[k + 1] - keys.times[k])
         lengths = [span for _, span in filter(None, beside)]
         is_long, is_brief = length >= LONG * min(lengths, default=0.0), length < BRIEF
         if is_long or not (is_brief or (repeats and _is_turning_point(track, qpos, k, beside))):
-            yield track, k
+            yield k
 
 
 def _is_turning_point(track: Track, qpos: Array, k: int, neighbours: Sequence[tuple[int, float] | None]) -> bool:

@@ -53,6 +53,44 @@ def test_an_arm_and_the_body_are_held_before_and_after_a_fast_motion_of_the_arm(
 def test_holds_among_a_thousand_keyframes_take_seconds() -> None:
     problem = read(tuple((0.5 * i, 90 * (i // 50 % 2)) for i in range(1000)))
     begin = time.perf_counter()
-    held = problem.context.held_joints
+    held = problem.context.holds.swinging
     assert time.perf_counter() - begin < 10.0
     assert len(held) >= 38
+
+
+STEP = """
+figure = "human"
+scene.step = {x = 0.25, height = 0.2}
+[[keyframe]]
+time = 0.0
+others = "rest"
+[[keyframe]]
+time = 0.7
+root = {position = [0.1, 0, 0.91], rotation = {rotvec = [0, LEAN, 0]}}
+sites.left_heel = [0.4, 0.09, 0.2]
+sites.right_heel = [-0.05, -0.09, 0]
+bodies.left_foot.flat = true
+bodies.right_foot.flat = true
+others = "previous"
+[[keyframe]]
+time = 1.6
+root.position = [0.45, 0, 1.13]
+others = "rest"
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("lean", [0, 10])
+def test_a_person_who_climbs_a_step_does_not_lean_to_the_side(lean: int) -> None:
+    motion = inbetween(recordings.from_text(STEP.replace("LEAN", str(lean)), name="c"))
+    rotation = Rotation.from_quat(motion.at(np.linspace(0, 1.6, 161))[:, 3:7], scalar_first=True)
+    sideways = np.degrees(np.arcsin(rotation.as_matrix()[:, 2, 1]))  # 30 degrees without the bound
+    assert np.abs(sideways).max() < 5.5 + 0.65 * lean
+    assert not [violation for violation in motion.violations if violation.kind == "overshoot"]
+
+
+def test_a_rotation_of_the_root_that_swings_between_equal_keyframes_is_reported() -> None:
+    text = STEP.replace("LEAN", "0") + '[[penalty]]\nkind = "limits"\nweight = {overshoot = 0}\n'
+    kinds = {violation.kind: violation for violation in inbetween(recordings.from_text(text, name="c")).violations}
+    assert kinds["overshoot"].name == "root"
+    assert kinds["overshoot"].amount > 15

@@ -19,11 +19,11 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
+    Holds,
     OvershootPenalty,
     Range,
     RootAcceleration,
     UnitMagnitude,
-    steady,
 )
 from dynsplines.solver.problem import Problem, Settings
 
@@ -42,38 +42,60 @@ def hinged(times: Sequence[float], degrees: Sequence[float], ends: str = "free")
     return figure, raw_timeline(figure, keys, ends)
 
 
-def holds(times: Sequence[float], degrees: Sequence[float], *, repeats: bool = False) -> list[float]:
-    """When the holds of a hinge begin [s]."""
+def bounds(times: Sequence[float], degrees: Sequence[float], *, repeats: bool = False) -> dict[float, float]:
+    """By how many degrees a hinge may leave its value, by the time at which each hold begins [s]."""
     figure, keys = hinged(times, degrees, "periodic" if repeats else "free")
-    return [joint.first for joint in steady(figure, keys, repeats=repeats)]
+    penalty = OvershootPenalty.of(figure, Holds.of(figure, keys, repeats=repeats), keys.times)
+    joints = penalty.joints if penalty is not None else ()
+    return {joint.first: round(float(np.degrees(joint.high - joint.low)) / 2, 9) for joint in joints}
 
 
-def test_values_that_neighbouring_keyframes_share_are_held_where_the_raw_spline_swings() -> None:
-    assert holds([0, 1, 1.3, 2.3], [0, 0, 90, 90]) == [0, 1.3]
-    assert holds([0, 1, 2, 3], [0, 90, 90, 0]) == [1]
-    assert holds([0, 1, 2, 3], [0, 5, 5, 0]) == []  # by a degree
-    assert holds([0, 1, 2, 3], [40, 40, 40, 40]) == []
-    assert holds([0, 0.1, 0.2, 0.3], [0, 90, 90, 0]) == []  # passed in a tenth of a second
-    assert holds([0, 0.1, 0.3, 0.4], [0, 90, 90, 0]) == [0.1]
+def test_values_that_neighbouring_keyframes_share_are_held_tightly_where_the_raw_spline_swings() -> None:
+    assert bounds([0, 1, 1.3, 2.3], [0, 0, 90, 90]) == {0: 1, 1.3: 1}
+    assert bounds([0, 1, 2, 3], [0, 90, 90, 0]) == {1: 1}
+    assert bounds([0, 1, 2, 3], [0, 5, 5, 0]) == {}  # by a degree
+    assert bounds([0, 1, 2, 3], [40, 40, 40, 40]) == {}
+    assert bounds([0, 0.1, 0.2, 0.3], [0, 90, 90, 0]) == {}  # passed in a tenth of a second
+    assert bounds([0, 0.1, 0.3, 0.4], [0, 90, 90, 0]) == {0.1: 1}
 
 
 def test_turning_points_of_what_repeats_itself_are_no_holds() -> None:
     oscillation = [-30, 30, 30, -30, -30]
-    assert holds([0, 0.5, 1, 1.5, 2], oscillation, repeats=True) == []
-    assert holds([0, 0.5, 1, 1.5, 2], oscillation) == [0.5, 1.5]
-    assert holds([0, 0.2, 1.2, 1.4, 2.4], [0, 90, 90, 0, 0], repeats=True) == [0.2, 1.4]  # long beside the rest
-    assert holds([0, 0.5, 1, 1.5, 2], [0, 0, 90, -90, 0], repeats=True) == [0.0]  # no turning point: it goes on
+    assert bounds([0, 0.5, 1, 1.5, 2], oscillation, repeats=True) == {}
+    assert bounds([0, 0.5, 1, 1.5, 2], oscillation) == {0.5: 1, 1.5: 1}
+    assert bounds([0, 0.2, 1.2, 1.4, 2.4], [0, 90, 90, 0, 0], repeats=True) == {0.2: 1, 1.4: 1}  # long beside the rest
+    assert bounds([0, 0.5, 1, 1.5, 2], [0, 0, 90, -90, 0], repeats=True) == {0.0: 1}  # no turning point: it goes on
+
+
+FREE = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
 
 
 def test_the_height_of_a_root_is_not_held_in_a_flight() -> None:
-    figure = figure_of('<mujoco><worldbody><body><freejoint/><geom size=".1"/></body>'
-                                                   "</worldbody></mujoco>")  # fmt: skip
+    figure = figure_of(FREE)
     states = [[0, 0, z, 1, 0, 0, 0] for z in (0.5, 1, 1, 0.5)]
     keys = raw_timeline(figure, [Frame.key(t, state) for t, state in enumerate(states)])
-    held = steady(figure, keys)
-    assert {joint.first for joint in held} == {1.0}
-    assert {joint.column for joint in held if joint.home is None} == {0, 1, 2}
-    assert steady(figure, keys, aloft=[(1.0, 2.0)]) == ()
+    held = [joint for joint in Holds.of(figure, keys).swinging if joint.home is None]
+    assert {joint.column for joint in held if joint.first == 1.0} == {0, 1, 2}
+    assert Holds.of(figure, keys, aloft=[(1.0, 2.0)]).swinging == ()
+
+
+@pytest.mark.parametrize("degrees", [0.2, 12.0, 19.0, 21.0])
+def test_a_root_may_turn_a_little_beyond_its_two_rotations_if_they_are_similar(degrees: float) -> None:
+    figure, axis = figure_of(FREE), np.array([0.6, 0, 0.8])
+    ends = [Rotation.from_rotvec(angle * axis, degrees=True) for angle in (30.0, 30 + degrees)]
+    states = [[0, 0, 1, *rotation.as_quat(scalar_first=True)] for rotation in ends]
+    keys = raw_timeline(figure, [Frame.key(t, state) for t, state in enumerate(states)])
+    penalty = OvershootPenalty.of(figure, Holds.of(figure, keys), keys.times)
+    if degrees > 20:
+        assert penalty is None
+        return
+    assert penalty is not None
+    (joint,) = penalty.joints
+    assert joint.home is not None
+    home = Rotation.from_quat(joint.home, scalar_first=True)
+    room = [np.degrees(joint.high - (home.inv() * end).magnitude()) for end in ends]
+    expected = 5 + 0.15 * degrees if degrees > 0.25 else 5
+    np.testing.assert_allclose(room, expected, atol=0.21 if degrees <= 0.25 else 1e-6)
 
 
 @pytest.fixture(params=[(BALL_TREE, "world"), (BALL_TREE, "joint"), (EVERY_JOINT, "joint"), (ONE_BALL, "world")])
@@ -129,7 +151,8 @@ def swings(first: Array, last: Array) -> tuple[Array, Array]:
     figure = figure_of(CHAIN)
     keys = [Frame.key(t, q) for t, q in zip((0, 1, 1.3, 2.3), (first, first, last, last), strict=True)]
     raw = raw_timeline(figure, keys)
-    held = OvershootPenalty.of(figure, steady(figure, raw), raw.times)
+    held = OvershootPenalty.of(figure, Holds.of(figure, raw), raw.times)
+    assert held is not None
     motion = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
     solution = inbetween(Problem(figure, keys, [*motion, (held, 10.0)], Settings(frames=20, tolerance=1e-3)))
 
