@@ -207,7 +207,7 @@ Contacts = Annotated[
 WriteMap = Annotated[bool, flag("--write-map", "Also write the inferred bone map to the file that --map names")]
 Model = Annotated[
     str | None,
-    value("MODEL", "With --keys: the figure that they belong to, a shipped figure's name or an MJCF file", "none"),
+    value("MODEL", "The figure of the keyframes in --keys: a shipped figure's name or an MJCF file", "none"),
 ]
 Keys = Annotated[
     str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")

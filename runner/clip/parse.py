@@ -235,7 +235,7 @@ def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
         if long > UNEVEN * short * (1 + 1e-9):
             raise UserError(
                 f"{where}: keyframes {i}, {i + 1} and {i + 2} are {b - a:g} s and {c - b:g} s apart, which is over "
-                f"{UNEVEN:,} : 1; insert keyframes into the long interval, closer together towards the short one"
+                f"{UNEVEN:,} : 1; insert keyframes into the long interval, with shorter intervals near the short one"
             )
     if len(times) > 1 and times[-1] - times[0] > LONGEST:
         raise UserError(

@@ -87,7 +87,10 @@ class SampledTrajectory:
 
     @property
     def is_wrapped(self) -> bool:
-        """`is_loop`, for formats that mark loops. If a loop ends rotated, the property also adds a note to `notes`."""
+        """Whether the motion is a loop, for writers of formats that mark loops.
+
+        If the loop ends rotated, which no format can mark, reading this property adds a note to `notes`.
+        """
         if self.turns:
             self.notes.append("the format has no loops that rotate: one period is written, without a loop")
         return self.is_loop

@@ -68,7 +68,7 @@ class Wrenches:
 
     @property
     def orders(self) -> int:
-        """How many of the states y and their derivatives y' and y'' the residuals depend on: 1, 2 or 3."""
+        """1 if the residuals depend only on y, 2 if also on y', and 3 if also on y''."""
         if self.torque_dd is not None:
             return 3
         return 1 if self.force_d is None and self.torque_d is None else 2
@@ -177,7 +177,7 @@ def of_velocity(
         offset: Offsets (3, P) of the points from the links' origins, in world axes [m].
         direction: Directions (3, P).
         turning: The part (3, P) of each offset that rotates with its link; default: the whole offset. For the lowest
-            point of a sphere, give the offset of the centre: the vector from there to the point always points down.
+            point of a sphere, it is the offset of the sphere's centre, as the lowest point is always below the centre.
 
     Returns:
         P wrenches.
@@ -187,7 +187,7 @@ def of_velocity(
 
 
 def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
-    """Return the wrenches of the angles by which links turn about axes.
+    """Return the derivatives of the angles by which links turn about axes, as wrenches.
 
     Args:
         at: Samples (P,).

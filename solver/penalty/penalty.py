@@ -42,8 +42,8 @@ class Normalization:
         raw_cap: The upper limit of the integral, divided by the duration of the clip [s].
         is_sharp: Whether f_j changes abruptly in time. The search then computes its curvature at all samples instead
             of a few. This affects only a `Block` with `Wrenches`, and a `Dense` that uses `Curvature.add_rows`.
-        by_tension: The weight of f_j is divided by `Objective.tension` to this power. The tension rises with the time
-            between keyframes.
+        by_tension: The weight of f_j is multiplied by `Objective.tension` to this power. The tension rises with the
+            time between keyframes.
     """
 
     reference: float
@@ -198,7 +198,10 @@ class Penalty(ABC):
     def one_sided_residuals(
         self, samples: Samples, known: Sequence[Block | Dense] | None = None
     ) -> OneSidedResiduals | None:
-        """Return the residuals d of the terms max(0, d)² in f_j, active or near activation; None if there are none."""
+        """Return the one-sided residuals d, which add max(0, d)² to f_j, that are positive or nearly so.
+
+        None if the penalty has no one-sided residuals.
+        """
         if type(self).residuals is Penalty.residuals:
             return None
         return _one_sided(self.model_blocks(samples, known), samples)
