@@ -68,7 +68,7 @@ class Wrenches:
 
     @property
     def orders(self) -> int:
-        """1 if the residuals depend only on y, 2 if also on y', and 3 if also on y''."""
+        """1 if the residuals depend only on the state y, 2 if also on y', and 3 if also on y''."""
         if self.torque_dd is not None:
             return 3
         return 1 if self.force_d is None and self.torque_d is None else 2

@@ -53,7 +53,7 @@ class Entries:
 
     @property
     def orders(self) -> int:
-        """1 if the residuals depend only on y, 2 if also on y', and 3 if also on y''."""
+        """The number of gradients in `rows`: 1 for y, 2 for y and y', 3 for y, y' and y''."""
         return self.order + 1
 
     def rows(self, samples: Samples) -> Array:

@@ -28,7 +28,8 @@ from .one_sided import OneSidedResiduals
 class Normalization:
     """Numbers by which the solver scales a soft constraint, so that constraints are comparable.
 
-    The solver divides f_j / `reference` by its integral over the raw spline, the spline through the keyframes.
+    The solver divides f_j by its integral over the raw spline, the spline through the keyframes. The `reference` limits this
+    divisor, see `Objective.renormalised`.
 
     Attributes:
         reference: The value of f_j for a violation of 1 cm or 1°, on a figure of an adult's size. For speeds and
@@ -39,7 +40,7 @@ class Normalization:
         length_power: The exponent p: on a figure λ times as large, f_j is λ^p times as large; 2 for squared lengths.
         time_power: The exponent p: in a clip slowed by a factor λ, f_j is divided by λ^p; 4 for squared accelerations.
         normalize_by: The name of another term. If the objective contains it, the integral of that term is used.
-        raw_cap: The upper limit of the integral, divided by the duration of the clip [s].
+        raw_cap: The largest divisor per second of the clip, for terms that measure no violation.
         is_sharp: Whether f_j changes abruptly in time. The search then computes its curvature at all samples instead
             of a few. This affects only a `Block` with `Wrenches`, and a `Dense` that uses `Curvature.add_rows`.
         by_tension: The weight of f_j is multiplied by `Objective.tension` to this power. The tension rises with the
@@ -198,7 +199,7 @@ class Penalty(ABC):
     def one_sided_residuals(
         self, samples: Samples, known: Sequence[Block | Dense] | None = None
     ) -> OneSidedResiduals | None:
-        """Return the one-sided residuals d, which add max(0, d)² to f_j, that are positive or nearly so.
+        """Return the one-sided residuals d that are positive or nearly so. Each adds max(0, d)² to f_j.
 
         None if the penalty has no one-sided residuals.
         """
