@@ -36,7 +36,7 @@ def _side(clip: Clip, motion: Solution, timeline: Timeline) -> dict[str, Any]:
     heights: dict[str, list[float]] = {}
     if clip.context.points and clip.context.surfaces:
         centres, radii = places_of(clip.context.points, samples)
-        height = height_above(clip.context.surfaces, centres) - radii[:, None]
+        height = height_above(clip.context.surfaces, centres, radii[:, None])
         rows = np.where(np.isfinite(height), height, 10.0).round(5)
         heights = {point.name: row.tolist() for point, row in zip(clip.context.points, rows, strict=True)}
     length = np.linalg.norm(samples.q, axis=0)

@@ -49,7 +49,7 @@ def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: 
         return recorded
     places = _places(recorded, points)
     radii = np.array([[point.radius] for point in points])
-    lowest = height_above(surfaces, places) - radii
+    lowest = height_above(surfaces, places, radii)
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
     return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).floor_off else recorded
 

@@ -73,7 +73,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     states, limits = keys.states, Thresholds.of(figure)
     samples = Samples.still(figure, states)
     centres, radii = places_of(points, samples)
-    height = height_above(surfaces, centres) - radii[:, None]
+    height = height_above(surfaces, centres, radii[:, None])
     low, exact = (
         (np.abs(height) < limits.near_surface) & placed(figure, keys.known, points),
         placed(figure, keys.fixed, points),

@@ -69,9 +69,15 @@ def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[
     return height, nearest
 
 
-def height_above(surfaces: Sequence[Surface], points: Array) -> Array:
-    """Return the signed height [m] of points (3, ...) above the highest surface below them, infinite without one."""
-    return np.min([np.full(points.shape[1:], np.inf), *(surface.height(points) for surface in surfaces)], axis=0)
+def height_above(surfaces: Sequence[Surface], points: Array, radius: Array | float = 0.0) -> Array:
+    """Return the signed height of spheres above the highest surface below them, infinite without one.
+
+    Args:
+        points: Centres, (3, ...) [m].
+        radius: Radii, (...) [m], or 0 for points.
+    """
+    above = (surface.height(points) for surface in surfaces)
+    return np.min([np.full(points.shape[1:], np.inf), *above], axis=0) - radius
 
 
 def height_gradients(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array:

@@ -171,7 +171,7 @@ def _raised(
 def _depth(figure: Figure, qpos: Array, soles: Sequence[Point], surfaces: Sequence[Surface]) -> float:
     """Return the depth [m] of the lowest sole point below the ground in a pose (nq,), negative above it."""
     places, radii = places_of(soles, Samples.still(figure, figure.to_state(qpos[None])))
-    return -float((height_above(surfaces, places) - radii[:, None]).min())
+    return -float(height_above(surfaces, places, radii[:, None]).min())
 
 
 def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]:

@@ -262,7 +262,7 @@ class _KnownPositions:
     def _unrolled(self, surfaces: Sequence[Surface]) -> tuple[Array, Array, Mask]:
         """Return times (T,), positions of the points (n, T, 3), and whether they are on a surface (n, T)."""
         centres, radii = places_of(self.points, self.samples)
-        above = height_above(surfaces, centres) - radii[:, None]
+        above = height_above(surfaces, centres, radii[:, None])
         times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < self.limits.near_surface
         if self.timeline.ends != "periodic":
             return times, centres, low
