@@ -11,7 +11,12 @@ import numpy as np
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import Rest
 from dynsplines.solver.contacts.ground_alignment import align_to_ground, move_to_ground
-from dynsplines.solver.contacts.recorded_stances import RecordedStance, infer_stances, largest_noise
+from dynsplines.solver.contacts.recorded_stances import (
+    RecordedStance,
+    infer_stances,
+    infer_stances_and_raised,
+    largest_noise,
+)
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.recording import RecordedMotion
@@ -44,6 +49,7 @@ class Cleaned:
     before   the spline through the samples as recorded
     recorded the tracked recording: smoothed, and aligned with the ground
     rests    the stances that the motion satisfies
+    raised   intervals in which points are at rest too high for a stance; empty for specified stances
     problem  the solved problem
     """
 
@@ -51,6 +57,7 @@ class Cleaned:
     before: Path
     recorded: RecordedMotion
     rests: tuple[Rest, ...]
+    raised: tuple[Rest, ...]
     problem: Problem
     solution: Solution
 
@@ -98,11 +105,12 @@ def cleaned(
         RecordedStance(one.point, one.first, one.last, one.ground) for one in specified or ()
     ]
     if specified is None:
-        stances = infer_stances(recorded, ground.points, ground.surfaces)
+        stances = infer_stances(recorded, ground.points, ground.surfaces, aligned=False)
     recorded = align_to_ground(recorded, stances, ground.surfaces)
+    raised: Sequence[RecordedStance] = ()
     if specified is None:
-        stances = infer_stances(recorded, ground.points, ground.surfaces)
-    rests = tuple(Rest(*stance, rolls=True) for stance in stances)
+        stances, raised = infer_stances_and_raised(recorded, ground.points, ground.surfaces)
+    rests, high_rests = (tuple(Rest(*stance, rolls=True) for stance in each) for each in (stances, raised))
     near = TrackingPenalty(recorded)
     is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
     tracking = _problem(near, ground, rests, near.times())
@@ -116,7 +124,7 @@ def cleaned(
     if not is_noisy:
         tracking = _problem(near, ground, rests, near.times(FAITHFUL), _rough_path(tracking, improved))
     tracking, solution = _out_of_edges(ground, tracking, inbetween(tracking, improved=improved), improved)
-    result = Cleaned(ground, before, recorded, rests, tracking, solution)
+    result = Cleaned(ground, before, recorded, rests, high_rests, tracking, solution)
     if max_displacement is None:
         return result
     off = verdict(result).displacement

@@ -89,9 +89,10 @@ def run(
     result, saved = clean_recording(source, max_displacement, progress)
     comparison = Comparison(result)
     table = comparison.table()
-    notes = tuple(
+    further = (
         _stance_doubts(comparison) if max_displacement is None else _displacement_notes(comparison, max_displacement)
     )
+    notes = (*_raised_soles(comparison), *further)
     del result, comparison  # they need as much memory as writing the files
     if form is None:
         motion.save(saved, target)
@@ -267,6 +268,16 @@ def _displacement_notes(comparison: Comparison, max_displacement: float) -> Iter
         held = {rest.point.name for rest in comparison.cleaned.rests if rest.first <= one.time <= rest.last}
         why = f" while {' and '.join(sorted(held))} stand" + ("s" if len(held) == 1 else "") if held else ""
         yield f"note: {one.name} is {1000 * one.maximum:.0f} mm off the recording at {one.time:.2f} s{why}"
+
+
+def _raised_soles(comparison: Comparison) -> Iterator[str]:
+    """Yield a note on every point that rests too high for a stance."""
+    for one in comparison.raised_soles:
+        yield (
+            f"note: {one.rest.point.name} rests up to {1000 * one.height:.0f} mm above the ground at "
+            f"{one.rest.first:.2f}-{one.rest.last:.2f} s, which is not a stance; if it is one, give the surface by "
+            "--scene or the stances by --contacts"
+        )
 
 
 def _stance_doubts(comparison: Comparison) -> Iterator[str]:

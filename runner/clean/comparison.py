@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -102,8 +102,19 @@ class Comparison:
     @cached_property
     def highest_sole(self) -> HighestSole | None:
         """The largest height of a point of the recording during its stances, None without stances."""
-        recorded = PathMeasurement(self.cleaned, self.cleaned.recorded.path, self.times)
-        return max(recorded.highest_soles(), key=lambda one: one.height, default=None)
+        return max(self._recorded.highest_soles(self.cleaned.rests), key=lambda one: one.height, default=None)
+
+    @cached_property
+    def raised_soles(self) -> tuple[HighestSole, ...]:
+        """The longest interval in which a point of the recording rests too high for a stance, for every such point."""
+        longest = {
+            id(rest.point): rest for rest in sorted(self.cleaned.raised, key=lambda rest: rest.last - rest.first)
+        }
+        return tuple(self._recorded.highest_soles(tuple(longest.values())))
+
+    @cached_property
+    def _recorded(self) -> PathMeasurement:
+        return PathMeasurement(self.cleaned, self.cleaned.recorded.path, self.times)
 
     @cached_property
     def times(self) -> Array:
@@ -185,11 +196,11 @@ class PathMeasurement:
         places, turned = (np.concatenate(part, axis=2) for part in zip(*parts, strict=True))
         return places, height_over(self.ground.surfaces, places, radius)[0], turned
 
-    def _resting(self) -> Iterator[tuple[Rest, Array, Array, Array]]:
+    def _resting(self, rests: Sequence[Rest]) -> Iterator[tuple[Rest, Array, Array, Array]]:
         """Yield every stance, its times (t,) [s], positions without the part of rolling (3, t), and heights (t,)."""
         places, heights, turned = self._soles
         row = {id(point): i for i, point in enumerate(self.ground.points)}
-        for rest in self.cleaned.rests:
+        for rest in rests:
             i = row.get(id(rest.point))
             during = (self.times >= rest.first) & (self.times <= rest.last)
             if i is not None and during.any():
@@ -202,9 +213,9 @@ class PathMeasurement:
                 rolling = Rolling.of(rest, its_turns[:, its_turns.shape[1] // 2])
                 yield rest, self.times[during], places[:, i, during] - rolling.displacement(its_turns), resting_heights
 
-    def highest_soles(self) -> Iterator[HighestSole]:
+    def highest_soles(self, rests: Sequence[Rest]) -> Iterator[HighestSole]:
         """Yield the largest height in every stance."""
-        for rest, times, _, heights in self._resting():
+        for rest, times, _, heights in self._resting(rests):
             at = int(heights.argmax())
             yield HighestSole(rest, float(times[at]), float(heights[at]))
 
@@ -214,12 +225,12 @@ class PathMeasurement:
 
     @property
     def slip(self) -> float:
-        centred = [at - at.mean(axis=1, keepdims=True) for *_, at, _ in self._resting()]
+        centred = [at - at.mean(axis=1, keepdims=True) for *_, at, _ in self._resting(self.cleaned.rests)]
         return 1000 * float(max((np.linalg.norm(each, axis=0).max() for each in centred), default=0.0))
 
     @property
     def hover(self) -> float:
-        return 1000 * max((one.height for one in self.highest_soles()), default=0.0)
+        return 1000 * max((one.height for one in self.highest_soles(self.cleaned.rests)), default=0.0)
 
     @property
     def range(self) -> float:

@@ -3,12 +3,13 @@
 Every sample has a likelihood under two models. A resting point is scattered about its position by noise and the
 rolling of the foot; a moving point moves like a limb. The result is the likeliest segmentation of the recording into
 stances and other intervals (B. Jackson et al. 2005). The height of a stance counts once, because an offset from the
-ground lasts for the whole stance.
+ground lasts for the whole stance. A long rest thus outweighs any height, so that a point must also be near a surface
+throughout its stance: the heel of a kneeling person hardly moves, but only the toe is planted.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -40,27 +41,81 @@ class RecordedStance(NamedTuple):
 
 
 def infer_stances(
-    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface], smoothed: float = 0.0
+    recorded: RecordedMotion,
+    points: Sequence[Point],
+    surfaces: Sequence[Surface],
+    smoothed: float = 0.0,
+    *,
+    aligned: bool = True,
 ) -> tuple[RecordedStance, ...]:
     """Return the stances of points on surfaces, point by point in order of time.
 
     smoothed  noise [m] of positions that an earlier search has smoothed. A point that rests only briefly then seems to
               move, so that a stance includes at least half of the samples that look like one.
+    aligned   whether the recording is aligned with the ground. If not, the height of a point is measured from the
+              lowest point of the soles, and from its own lowest stance.
     """
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
+    segments = _segments(recorded, points, surfaces, aligned)
+    return tuple(_stances(segments, segments.near, points, surfaces, smoothed))
+
+
+def infer_stances_and_raised(
+    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]
+) -> tuple[tuple[RecordedStance, ...], tuple[RecordedStance, ...]]:
+    """Return the stances of an aligned recording, and the intervals in which points rest too high for a stance."""
+    if not points or not surfaces or recorded.times.size < ORDER:
+        return (), ()
+    segments = _segments(recorded, points, surfaces, aligned=True)
+    near, raised = (tuple(_stances(segments, runs, points, surfaces)) for runs in (segments.near, segments.raised))
+    return near, raised
+
+
+class _Segments(NamedTuple):
+    """Tracks, speeds (p, T) [m/s], and for each point the runs in which it rests near surfaces or above them."""
+
+    tracks: _Tracks
+    speeds: Array
+    near: list[list[tuple[int, int]]]
+    raised: list[list[tuple[int, int]]]
+    limits: Thresholds
+
+
+def _segments(
+    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface], aligned: bool
+) -> _Segments:
     limits = Thresholds.of(recorded.figure)
-    times, centres, is_known, noise = _tracks(recorded, points)
+    tracks = _tracks(recorded, points)
+    times, centres, is_known, noise = tracks
     height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), limits.edge)
     moving = surprisal(times, centres, noise**2 + limits.rolls**2, is_known, limits)
-    runs = []
+    speeds, smooth_height = _smooth(recorded, points, surfaces, times)
+    lowest = smooth_height.min(axis=0)  # of the soles at each time, which a recording that drifts raises or lowers
+    above = smooth_height - (np.clip(lowest, 0, limits.floor_off) if aligned else lowest)
+    near: list[list[tuple[int, int]]] = []
+    raised: list[list[tuple[int, int]]] = []
     for i, point_noise in enumerate(noise.tolist()):
         cuts = _cut(times, centres[:, i], height[i], moving[i], is_known, point_noise, limits)
-        runs.append(_joined(times, cuts, centres[:, i], point_noise, limits))
-    speeds = _speeds(recorded, points, times)
-    largest = _largest_speed(speeds, runs, limits) + REMAINS * smoothed / limits.blurred
+        runs = _joined(times, cuts, centres[:, i], point_noise, limits)
+        planted_height = 0.0 if aligned else min((float(above[i, a:b].mean()) for a, b in runs), default=0.0)
+        is_near = above[i] <= planted_height + limits.raised + SURE * REMAINS * point_noise
+        near.append([part for run in runs for part in _parts(is_near, *run)])
+        raised.append([part for run in runs for part in _parts(~is_near, *run)])
+    return _Segments(tracks, speeds, near, raised, limits)
+
+
+def _stances(
+    segments: _Segments,
+    runs: Sequence[Sequence[tuple[int, int]]],
+    points: Sequence[Point],
+    surfaces: Sequence[Surface],
+    smoothed: float = 0.0,
+) -> Iterator[RecordedStance]:
+    """Yield the stances in runs of every point, without their ends in which the point moves."""
+    (times, centres, _, noise), speeds, near, _, limits = segments
+    largest = _largest_speed(speeds, near, limits) + REMAINS * smoothed / limits.blurred
     largest = np.minimum(largest, limits.fast + noise / limits.blurred)
-    result = []
     for i, point in enumerate(points):
         place, point_noise = centres[:, i], float(noise[i])
         for run in runs[i]:
@@ -70,8 +125,7 @@ def infer_stances(
             a, b = _trimmed(still, *run)
             if b - a > 1 and not _moves(times, place, a, b, point_noise, limits):
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
-                result.append(RecordedStance(point, float(times[a]), float(times[b - 1]), ground))
-    return tuple(result)
+                yield RecordedStance(point, float(times[a]), float(times[b - 1]), ground)
 
 
 def largest_noise(recorded: RecordedMotion, points: Sequence[Point]) -> float:
@@ -98,12 +152,18 @@ def _tracks(recorded: RecordedMotion, points: Sequence[Point]) -> _Tracks:
     return _Tracks(recorded.times[::step], centres, is_known > 0, position_noise(centres, is_known))
 
 
-def _speeds(recorded: RecordedMotion, points: Sequence[Point], times: Array) -> Array:
-    """Return speeds (p, T) [m/s] of the smoothed motion at times (T,): of the lowest material of each round point."""
+def _smooth(
+    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface], times: Array
+) -> tuple[Array, Array]:
+    """Return speeds [m/s] of the lowest material of round points, and heights [m], of the smoothed motion at times
+    (T,), (p, T) each."""
     links, positions, radii = arrays_of(points)
-    motion = Samples(recorded.figure, *recorded.path.motion(np.clip(times, *recorded.path.span)), t=times).links
+    samples = Samples(recorded.figure, *recorded.path.motion(np.clip(times, *recorded.path.span)), t=times)
+    motion = samples.links
     offset = np.einsum("ijpt,jp->ipt", motion.rotation[:, :, links], positions) - (radii * UP[:, None])[:, :, None]
-    return np.linalg.norm(motion.x_d[:, links] + cross(motion.omega[:, links], offset), axis=0)
+    speeds = np.linalg.norm(motion.x_d[:, links] + cross(motion.omega[:, links], offset), axis=0)
+    reach = Thresholds.of(recorded.figure).edge
+    return speeds, grounds(surfaces, places_of(points, samples)[0], radii, reach)[0]
 
 
 def _largest_speed(speeds: Array, runs: Sequence[Sequence[tuple[int, int]]], limits: Thresholds) -> float:
@@ -182,6 +242,12 @@ def _trimmed(still: Mask, first: int, last: int) -> tuple[int, int]:
     """Remove samples at both ends of a run at which the point is not still (T,)."""
     rests = first + np.flatnonzero(still[first:last])
     return (int(rests[0]), int(rests[-1]) + 1) if rests.size else (first, first)
+
+
+def _parts(mask: Mask, first: int, last: int) -> list[tuple[int, int]]:
+    """Return the intervals [a, b) within a run in which a mask (T,) holds."""
+    edges = first + np.flatnonzero(np.diff(np.concatenate([[0], mask[first:last].astype(int), [0]])))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def _is_low(place: Array, first: int, last: int, noise: float, limits: Thresholds) -> Mask:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from command import Command, commanded
+from kneeling import kneeling
 from oracles import kinematics
 
 from dynsplines import UserError, load_motion, motion
@@ -142,6 +143,22 @@ def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squ
     assert "above the ground" not in done.err
     heel = soles(tmp_path / "a.npz")[24:121]
     assert np.ptp(heel[:, :2], axis=0).max() < 0.01  # what it gives way by for --within
+
+
+@pytest.mark.slow
+def test_a_heel_at_rest_in_the_air_is_named_and_does_not_stand(command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    take = kneeling(60, np.radians(36))
+    found = clips.from_qpos("kneels", compose(figure_spec("human")), take.time, take.qpos, 60.0, "kneels")
+    motion.save(unsolved(found).saved(Progress(), with_report=False), tmp_path / "kneels.npz")
+    done = command("clean", "kneels.npz", "-o", "a.npz")
+    assert done.code == 0, done.err
+    (note,) = [line for line in done.err.splitlines() if "right_heel rests up to" in line]
+    assert float(note.split("up to ")[1].split()[0]) == pytest.approx(1000 * 0.225 * np.sin(np.radians(36)), abs=5)
+    assert "--scene" in note
+    (stands,) = [line for line in done.err.splitlines() if line.startswith("right_heel stands")]
+    assert stands.startswith("right_heel stands 0.00-0.9")
+    assert "," not in stands
 
 
 @pytest.mark.slow
