@@ -253,11 +253,13 @@ def _cleaned(
 
 
 def _stances(result: Cleaned) -> Iterator[str]:
-    """Yield a note on the stances of every point."""
-    for point in result.ground.points:
-        spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point is point]
+    """Yield a note on the stances of every point: first those of soles."""
+    for name in dict.fromkeys(
+        [point.name for point in (*result.ground.points, *(rest.point for rest in result.rests))]
+    ):
+        spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point.name == name]
         if spans:
-            yield f"{point.name} stands {listed(spans, NAMED)} s"
+            yield f"{name} stands {listed(spans, NAMED)} s"
 
 
 def _displacement_notes(comparison: Comparison, max_displacement: float) -> Iterator[str]:

@@ -146,6 +146,26 @@ def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squ
 
 
 @pytest.mark.slow
+def test_stances_of_geoms_and_bodies_are_listed_after_those_of_soles(command, squats, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    spans = [("right_shin", 0.2, 0.4), ("right_toe_sole", 0.2, 1.0), ("left_heel", 0.3, 1.1), ("right_shin", 0.9, 1.2)]
+    tables = [f'[[contact]]\npoint = "{point}"\nfrom = {first}\nto = {last}\n' for point, first, last in spans]
+    (tmp_path / "c.toml").write_text("".join(tables), encoding="utf-8")
+    done = command("clean", squats / "bobs.npz", "--contacts", "c.toml", "-o", "a.npz")
+    assert done.code == 0, done.err
+    assert [line for line in done.err.splitlines() if " stands " in line] == [
+        "left_heel stands 0.30-1.10 s",
+        "right_shin stands 0.20-0.40, 0.90-1.20 s",
+        "right_toe_sole stands 0.20-1.00 s",
+    ]
+    saved = motion.load(tmp_path / "a.npz")
+    run, model = motion.sampled(saved.figure, saved.timeline, 120), saved.figure.model
+    during = (run.time >= 0.25) & (run.time <= 0.95)
+    toe = np.array([kinematics(model, row).geom("right_toe_sole").xpos for row in run.qpos[during]])
+    assert np.ptp(toe, axis=0).max() < 0.005
+
+
+@pytest.mark.slow
 def test_a_heel_at_rest_in_the_air_is_named_and_does_not_stand(command, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     take = kneeling(60, np.radians(36))
