@@ -50,6 +50,7 @@ from dynsplines.solver.penalty import (
     closures,
     couplings,
     joint_ranges,
+    root_limits,
 )
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points
@@ -387,6 +388,10 @@ def _trunk(context: Context, options: UprightOptions) -> Penalty | None:
     return Upright(context.leans) if context.leans else None
 
 
+def _root(context: Context, options: UprightOptions) -> Penalty | None:
+    return root_limits(context.holds)
+
+
 def _bodies(context: Context, options: UprightOptions) -> Penalty | None:
     movable, links = moving_bodies(context.figure), list[int]()
     for name in options.bodies or ():
@@ -501,6 +506,10 @@ KINDS = {
             "upright",
             (
                 Part(1.0, "tilt of the trunk in keyframes that leave the rotation of the root free", _trunk, "trunk"),
+                Part(
+                    0.1, "rotation of the root beyond its rotations in two keyframes that differ by at most 20°",
+                    _root, "root",
+                ),
                 Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
             ),
             UprightOptions,

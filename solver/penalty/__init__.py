@@ -41,6 +41,7 @@ from .joints.loop_closure import LoopClosure as LoopClosure
 from .joints.loop_closure import closures as closures
 from .joints.overshoot import Holds as Holds
 from .joints.overshoot import OvershootPenalty as OvershootPenalty
+from .joints.overshoot import root_limits as root_limits
 from .joints.self_contact import SelfContact as SelfContact
 from .joints.speed import Speed as Speed
 from .joints.upright import Lean as Lean

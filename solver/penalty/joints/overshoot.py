@@ -54,9 +54,8 @@ class OvershootPenalty(JointRange, Guide):
 
     @classmethod
     def of(cls, figure: Figure, holds: Holds, times: Array) -> OvershootPenalty | None:
-        """Return the penalty of the holds in a clip of keyframes at times (K,) [s]; None without bounds."""
+        """Return the penalty of joints that swing in a clip of keyframes at times (K,) [s]; None if none does."""
         ranges, frames = [_widened(joint, ROOM[_unit(joint)]) for joint in holds.swinging], set[float]()
-        ranges += [_widened(joint, SWAY + 2 * SHARE * joint.high) for joint in holds.roots]
         for first, last in {(joint.first, joint.last) for joint in holds.swinging}:
             k, length = int(np.argmin(np.abs(times - first))), last - first
             beside = [times[k] - times[k - 1] if k else length, times[k + 2] - last if k + 2 < times.size else length]
@@ -65,10 +64,7 @@ class OvershootPenalty(JointRange, Guide):
         return cls(tuple(ranges), frames=tuple(sorted(frames)), figure=figure) if ranges else None
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
-        """Return the timeline with held joints at their values, and variable frames near the ends of holds in which
-        the raw spline overshoots."""
-        if not self.frames:
-            return timeline
+        """Return the timeline with held joints at their values, and variable frames near the ends of holds."""
         new = [t for t in self.frames if np.abs(timeline.times - t).min() > CLOSEST]
         if new and (most is None or timeline.variable_count + len(new) <= most):
             states = path_of(timeline).at(np.array(new))
@@ -79,13 +75,11 @@ class OvershootPenalty(JointRange, Guide):
         return timeline.with_rows(rows)
 
     def _still(self, states: Array, times: Array) -> Array:
-        """Return states (T, N) at times (T,) [s] with joints at their values where the raw spline swings."""
+        """Return states (T, N) at times (T,) [s] with held joints at their values."""
         if self.figure is None:
             return states
         qpos = self.figure.to_qpos(states)
         for joint in self.joints:
-            if joint.high - joint.low >= SWAY:
-                continue
             during, link = (joint.first < times) & (times < joint.last), self.figure.links[joint.link]
             columns = quaternion_columns(link) if joint.home is not None else None
             if columns is not None:
@@ -98,6 +92,12 @@ class OvershootPenalty(JointRange, Guide):
                 np.sum(held_states[:, columns] * states[:, columns], axis=1) < 0, -1, 1
             )[:, None]
         return held_states
+
+
+def root_limits(holds: Holds) -> JointRange | None:
+    """Return the penalty that keeps roots upright between keyframes of similar rotation; None if there are none."""
+    ranges = tuple(_widened(joint, SWAY + 2 * SHARE * joint.high) for joint in holds.roots)
+    return JointRange(ranges, term_name="upright.root") if ranges else None
 
 
 @dataclass(frozen=True, eq=False)

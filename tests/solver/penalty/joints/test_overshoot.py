@@ -24,6 +24,7 @@ from dynsplines.solver.penalty import (
     Range,
     RootAcceleration,
     UnitMagnitude,
+    root_limits,
 )
 from dynsplines.solver.problem import Problem, Settings
 
@@ -85,7 +86,7 @@ def test_a_root_may_turn_a_little_beyond_its_two_rotations_if_they_are_similar(d
     ends = [Rotation.from_rotvec(angle * axis, degrees=True) for angle in (30.0, 30 + degrees)]
     states = [[0, 0, 1, *rotation.as_quat(scalar_first=True)] for rotation in ends]
     keys = raw_timeline(figure, [Frame.key(t, state) for t, state in enumerate(states)])
-    penalty = OvershootPenalty.of(figure, Holds.of(figure, keys), keys.times)
+    penalty = root_limits(Holds.of(figure, keys))
     if degrees > 20:
         assert penalty is None
         return
