@@ -35,7 +35,7 @@ OFTEN = 30.0  # [1/s] sampling rate of the first measurement of depths
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
 ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends
 FAITHFUL = 1.0  # detail that a segment may lose in a recording without noise, see `TrackingPenalty.times`
-FAR = 0.04  # [s] largest distance of the start or end of a stance from a frame
+FAR, CLOSE = 0.04, 0.01  # [s] largest distance of the ends of a stance from a frame, with and without noise
 ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
 LONG = 60.0  # [s] shortest recording that is searched again in parts only
 LOOKS = 3  # most rounds of additional frames
@@ -113,16 +113,15 @@ def cleaned(
     rests, high_rests = (tuple(Rest(*stance, rolls=True) for stance in each) for each in (stances, raised))
     near = TrackingPenalty(recorded)
     is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
-    tracking = _problem(near, ground, rests, near.times())
     if is_noisy:
-        tracking = _with_soft_start(tracking, near, SOFTEST, improved)
+        tracking = _with_soft_start(_problem(near, ground, rests, near.times()), near, SOFTEST, improved)
         if specified is None:
             rests = _refined_stances(ground, recorded, tracking)
             tracking = _problem(near, ground, rests, _times(tracking), _curve(tracking))
+    else:
+        tracking = _problem(near, ground, rests, near.times(FAITHFUL), far=CLOSE)
     if is_noisy or _is_deep(ground, recorded):
         tracking = _with_soft_start(tracking, near, SOFTER, improved)
-    if not is_noisy:
-        tracking = _problem(near, ground, rests, near.times(FAITHFUL), _rough_path(tracking, improved))
     tracking, solution = _out_of_edges(ground, tracking, inbetween(tracking, improved=improved), improved)
     result = Cleaned(ground, before, recorded, rests, high_rests, tracking, solution)
     if max_displacement is None:
@@ -197,21 +196,20 @@ def _with_soft_start(
 
 
 def _problem(
-    near: TrackingPenalty, ground: Ground, rests: Sequence[Rest], times: Array, start: Path | None = None
+    near: TrackingPenalty,
+    ground: Ground,
+    rests: Sequence[Rest],
+    times: Array,
+    start: Path | None = None,
+    *,
+    far: float = FAR,
 ) -> Problem:
     """Return the problem of tracking a recording from a path, by default the recording's, with frames at times (M,) [s]
-    and at the starts and ends of stances, where the path must be able to bend."""
+    and within `far` [s] of the starts and ends of stances, where the path must be able to bend."""
     ends = sorted({time for rest in rests for time in (rest.first, rest.last)})
-    times = np.sort(np.append(times, [end for end in ends if np.abs(times - end).min() > FAR]))
+    times = np.sort(np.append(times, [end for end in ends if np.abs(times - end).min() > far]))
     tracking = problem(near, ground, rests, times)
     return tracking if start is None else replace(tracking, keys=loose(ground.figure, times, start.at(times)))
-
-
-def _rough_path(problem: Problem, improved: Callable[[Improvement], None] | None) -> Path:
-    """Return the path of a short search. A search with more frames starts there: a path with few frames is stiff, so
-    that it does not leave a foot behind an obstacle."""
-    roughly = replace(problem.settings, tolerance=ROUGHLY)
-    return path_of(inbetween(replace(problem, settings=roughly), improved=improved).timeline)
 
 
 def _times(problem: Problem) -> Array:

@@ -60,7 +60,7 @@ WEIGHTS = {
 STANCES = TypeAdapter(list[StanceTable])
 # longest panel [s] of Gauss's rule, and its number of nodes, exact for polynomials of degree 5
 LONGEST_PANEL, POINTS = 0.05, 3
-TOLERANCE = 1e-2  # [1] progress relative to E at which a search ends
+TOLERANCE = 3e-3  # [1] progress relative to E at which a search ends
 INSIDE = 0.015  # [rad, m] margin inside a joint's range
 NEXT_TO = 0.008  # [s] minimum distance of frames from a keyframe, half of their minimum spacing
 RARE = 2.0  # [%] share of poses with extreme knee and elbow angles that is ignored
