@@ -358,14 +358,15 @@ def _present_names(search: Any) -> Any:
 def _restored(data: Arrays) -> Saved:
     scene = Scene.received(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
-    posed = data.get("key_posed", np.zeros_like(data["key_fixed"]))
-    key_rows = zip(data["key_time"], data["key_qpos"], data["key_fixed"], posed, strict=True)
-    keys = tuple(Frame(*row) for row in key_rows)
     ends = str(data["ends"])
     timelines = []
     for prefix in ("", "raw_"):
         rows = zip(*(data[f"{prefix}frame_{part}"] for part in ("time", "state", "fixed")), strict=True)
         timelines.append(Timeline(tuple(Frame(*row) for row in rows), data[f"{prefix}end_slope"], ends))
+    posed = data.get("key_posed", np.zeros_like(data["key_fixed"]))
+    # what keyframes leave free is as before the search: the places of grasps depend on it
+    qpos = figure.to_qpos(path_of(timelines[1]).at(data["key_time"]))
+    keys = tuple(Frame(*row) for row in zip(data["key_time"], qpos, data["key_fixed"], posed, strict=True))
     return Saved(
         name=str(data["name"]),
         text=str(data["clip"]),

@@ -11,6 +11,7 @@ from carried import in_carried
 from oracles import kinematics
 from quiet import quiet
 
+import dynsplines
 from dynsplines import recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
@@ -101,6 +102,16 @@ def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely(lifted):
     assert crate.mass == pytest.approx(5) and crate.jntnum == 1 and crate.geomnum == 2
     assert model.joint("crate").type == mujoco.mjtJoint.mjJNT_FREE
     assert "crate's walls" not in {surface.name for surface in lifted.context.surfaces}
+
+
+def test_a_saved_motion_holds_the_body_at_the_same_places(lifted, tmp_path):
+    motion = dynsplines.inbetween(lifted)
+    motion.save(tmp_path / "lifted.npz")
+    loaded = dynsplines.load_motion(tmp_path / "lifted.npz")
+    for saved, grasp in zip(loaded.clip.context.schedule.grasps, lifted.context.schedule.grasps, strict=True):
+        np.testing.assert_allclose(spot_of(saved, 0.6, 1.0, 1.5), spot_of(grasp, 0.6, 1.0, 1.5), atol=1e-9)
+    terms = [one.report()["after"]["terms"]["attach.grasp"] for one in (motion, loaded)]
+    assert terms[0] == pytest.approx(terms[1], rel=1e-6)
 
 
 def test_a_grasp_is_where_the_keyframes_have_the_site_on_the_body_and_arms_left_free_begin_there(lifted):
