@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 
 import mujoco
 import numpy as np
 
+from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import JointRange, joint_ranges
 from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, chain
 
 from ..table import KeyframeTable
 
 BESIDE = 0.1  # least reported error of a goal relative to the largest, as smaller ones result from the largest
 CLOSE = 2e-3  # [m or rad] errors up to which goals are not reported beside one with a larger error
+# [rad, m] distance from the end of a joint's range up to which it is reported
+AT_LIMIT = {JointKind.HINGE: np.radians(1), JointKind.BALL: np.radians(1), JointKind.SLIDE: 1e-3}
 MOST = 3  # most goals of a keyframe that are reported
 
 
@@ -28,7 +33,7 @@ def describe(figure: Figure, key: Frame, row: KeyframeTable, goals: Sequence[Goa
     least = max(MET, BESIDE * nearest.worst, min(CLOSE, 0.5 * nearest.worst))
     errors = sorted(zip(nearest.missed.tolist(), goals, strict=True), key=lambda pair: -pair[0])
     worst = [(goal, error) for error, goal in errors if error > least][:MOST]
-    notes = [_note(figure, key, goal, error) for goal, error in worst]
+    notes = [_note(figure, key, goal, error, _at_limits(figure, nearest.qpos)) for goal, error in worst]
     if not all(can_move(figure, key, goal.bodies(figure.model)[0]) for goal, _ in worst):
         return "; ".join(notes)
     move = "move the target" if len(worst) == 1 else "move one of the targets"
@@ -47,12 +52,24 @@ def immovable(figure: Figure, body: int) -> str:
     return f"cannot move: every joint on the way to it is given ({names}); leave one of them free"
 
 
-def _note(figure: Figure, key: Frame, goal: Goal, error: float) -> str:
+def _at_limits(figure: Figure, qpos: Array) -> set[int]:
+    """Return the links whose joints are at the end of their ranges in a pose (nq,)."""
+    limits = JointRange(joint_ranges(figure))
+    if not limits.joints:
+        return set()
+    excess = limits.beyond(Samples.still(figure, figure.to_state(qpos[None])))[:, 0]
+    return {joint.link for joint, over in zip(limits.joints, excess, strict=True) if over > -AT_LIMIT[joint.kind]}
+
+
+def _note(figure: Figure, key: Frame, goal: Goal, error: float, stopped: Container[int]) -> str:
     body = goal.bodies(figure.model)[0]
     kind = _kind(figure, goal)
     if not can_move(figure, key, body):
         return f"{kind} '{goal.name}' {immovable(figure, body)}"
-    joints = ", ".join(figure.links[link].name for link in _joints(figure, key, body, is_fixed=False))
+    joints = ", ".join(
+        figure.links[link].name + (" (at the end of its range)" if link in stopped else "")
+        for link in _joints(figure, key, body, is_fixed=False)
+    )
     if isinstance(goal, PointGoal):
         where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
         return f"no pose found that puts {kind} '{goal.name}' at ({where}): {_metres(error)} short with {joints} free"

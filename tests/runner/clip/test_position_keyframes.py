@@ -225,7 +225,7 @@ MISTAKES = {
     "a body that cannot turn": (
         'others = "rest"\nroot.position = [0, 0, 0.93]\nbodies.chest = {rotvec = [0, 0, 170]}',
         [
-            "no pose found that turns body 'chest' so: 110 degrees short with spine free; ",
+            "no pose found that turns body 'chest' so: 110 degrees short with spine (at the end of its range) free; ",
             'others = "rest" fixes root: write root.rotation = "free"',
         ],
     ),
