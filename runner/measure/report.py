@@ -94,9 +94,9 @@ def _centre_of_mass(samples: Samples) -> Array:
 
 
 def _remaining_decrease(motion: Solution) -> dict[str, float]:
-    """Return the estimated decrease of E by one more frame in every interval between frames (weak form)."""
-    promised = float(by_weak_form(motion.objective, motion.timeline).sum())
+    """Return the estimated decrease of E by one more frame in every interval between frames (weak form), at most E."""
     value = motion.objective.value(motion.path)
+    promised = min(float(by_weak_form(motion.objective, motion.timeline).sum()), value)
     return {"objective": promised, "share": promised / value if value > 0 else 0.0}
 
 
@@ -140,9 +140,9 @@ def _segments(
 def tables(data: dict[str, Any]) -> Group:
     """Return the report for the terminal."""
     before, after = data["before"], data["after"]
-    gain = (
-        f"; about {data['left to gain']['share']:.1%} of the objective is left to gain" if data["left to gain"] else ""
-    )
+    share = data["left to gain"].get("share", 0.0)
+    about = "an unknown share" if share >= 1 else f"about {share:.1%}"
+    gain = f"; {about} of the objective is left to gain" if data["left to gain"] else ""
     took = f" in {data['seconds']:.2f} s" if "seconds" in data else ""
     evaluations = f"{data['evaluations']} evaluations{took}; " if data["evaluations"] else ""
     head = (
