@@ -101,7 +101,7 @@ print(import_motion("up.csv", "arm.xml"))
 def test_what_ships_is_listed_and_loads():
     assert "run_and_step" in clips()
     assert "human" in figures()
-    assert repr(load("run_and_step")) == "<Clip run_and_step: 2.20 s, 12 keyframes (1 partial), 15 penalties, 39 DOF>"
+    assert repr(load("run_and_step")) == "<Clip run_and_step: 2.20 s, 12 keyframes (1 partial), 16 penalties, 39 DOF>"
 
 
 @pytest.mark.slow
