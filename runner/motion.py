@@ -16,7 +16,7 @@ from __future__ import annotations
 import json
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypedDict
 
@@ -267,6 +267,10 @@ def load(source: Path) -> Saved:
     try:
         saved = _restored(data)
         _check(saved, data)
+        # free entries of keyframes are as before the search, because the places of grasps depend on them
+        before = saved.figure.to_qpos(path_of(saved.raw).at(data["key_time"]))
+        keys = tuple(replace(key, state=qpos) for key, qpos in zip(saved.keys, before, strict=True))
+        saved = replace(saved, keys=keys)
     except (ValueError, KeyError, IndexError, TypeError, RecursionError) as error:
         raise UserError(f"{source}: its arrays do not fit together: {words_of(error)}") from None
     return saved
@@ -364,9 +368,8 @@ def _restored(data: Arrays) -> Saved:
         rows = zip(*(data[f"{prefix}frame_{part}"] for part in ("time", "state", "fixed")), strict=True)
         timelines.append(Timeline(tuple(Frame(*row) for row in rows), data[f"{prefix}end_slope"], ends))
     posed = data.get("key_posed", np.zeros_like(data["key_fixed"]))
-    # what keyframes leave free is as before the search: the places of grasps depend on it
-    qpos = figure.to_qpos(path_of(timelines[1]).at(data["key_time"]))
-    keys = tuple(Frame(*row) for row in zip(data["key_time"], qpos, data["key_fixed"], posed, strict=True))
+    key_rows = zip(data["key_time"], data["key_qpos"], data["key_fixed"], posed, strict=True)
+    keys = tuple(Frame(*row) for row in key_rows)
     return Saved(
         name=str(data["name"]),
         text=str(data["clip"]),

@@ -163,7 +163,7 @@ def test_keyframes_too_unevenly_apart_for_a_spline_are_refused() -> None:
         ([0, 0.001, 100], "keyframes 1, 2 and 3 are 0.001 s and 99.999 s apart, which is over 10,000 : 1"),
         ([-100, 0, 0.001], "keyframes 1, 2 and 3 are 100 s and 0.001 s apart, which is over 10,000 : 1"),
     ):
-        with pytest.raises(UserError, match=f"clip: {told}; insert keyframes into the long interval, closer together"):
+        with pytest.raises(UserError, match=f"clip: {told}; insert keyframes into the long interval, with shorter"):
             check_times(times, "clip")
 
 
