@@ -204,7 +204,9 @@ Contacts = Annotated[
     Path | None,
     value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
 ]
-WriteMap = Annotated[bool, flag("--write-map", "Infer the names even if --map is given, and write them to its file")]
+WriteMap = Annotated[
+    bool, flag("--write-map", "Infer the names, and write them to the file of --map instead of reading it")
+]
 Model = Annotated[
     str | None,
     value("MODEL", "The figure of the keyframes in --keys: a shipped figure's name or an MJCF file", "none"),

@@ -168,7 +168,7 @@ def of_point(at: Index, link: Index, offset: Array, direction: Array) -> Wrenche
 def of_velocity(
     samples: Samples, at: Index, link: Index, offset: Array, direction: Array, turning: Array | None = None
 ) -> Wrenches:
-    """Return the derivatives of direction · p', for velocities p' of points on links.
+    """Return the derivatives of direction · p' by the motion of links, for velocities p' of points on them.
 
     Args:
         samples: The samples.
@@ -206,9 +206,9 @@ def along_axes(at: Index, link: Index) -> tuple[Index, Index, Array]:
 
 
 def every_axis(links: Index, count: int) -> tuple[Index, Index, Array]:
-    """Return the sample, the link and the world axis of every component of an array of vectors (3, n, S).
+    """Return the sample, the link and the world axis to which each component of an array (3, n, S) belongs.
 
-    The array has a vector for each of n links and S samples.
+    The array is one of vectors, for n links and S samples.
 
     Args:
         links: Links (n,).

@@ -129,7 +129,7 @@ class Block:
                 part.pull_back(into, bar[nonzero])
 
     def add_to(self, curvature: Curvature, scale: Array) -> None:
-        """Add the Gauss-Newton matrices of Σ_s scale_s f(s) to `curvature`, without one-sided residuals."""
+        """Add the Gauss-Newton matrices of Σ_s scale_s f(s) to `curvature`. One-sided residuals add nothing."""
         if self.one_sided or not self.at.size:
             return
         factor = scale[self.at] * self.weight
