@@ -100,6 +100,11 @@ class JointRange(Penalty):
 
     def beyond(self, samples: Samples) -> Array:
         """Return the excess of every joint over its range, negative within it, (n, S) [rad or m]."""
+        local, which = self._during(samples.t)
+        if local is not self:
+            out = np.full((len(self.joints), samples.count), -np.inf)
+            out[which] = local.beyond(samples)
+            return out
         out = np.empty((len(self.joints), samples.count))
         plain, balls = self._which
         if plain.size:
@@ -122,6 +127,10 @@ class JointRange(Penalty):
 
     def _outside(self, samples: Samples, *, near: bool) -> Iterator[Block]:
         """Yield joints beyond their ranges; with `near` also those close to a bound."""
+        local, _ = self._during(samples.t)
+        if local is not self:
+            yield from local._outside(samples, near=near)
+            return
         plain, balls = self._which
         if plain.size:
             columns, (low, high) = self._columns(samples), self._limits(samples.t, plain)
@@ -150,9 +159,23 @@ class JointRange(Penalty):
         return np.array([joint.low for joint in self.joints]), np.array([joint.high for joint in self.joints])
 
     @cached_property
+    def _intervals(self) -> Array:
+        """The intervals in which the bounds apply, (2, n) [s]."""
+        return np.array([(joint.first, joint.last) for joint in self.joints]).reshape(-1, 2).T
+
+    @cached_property
     def _is_timed(self) -> bool:
         """Whether any bounds apply to an interval only."""
-        return any(np.isfinite([joint.first, joint.last]).any() for joint in self.joints)
+        return bool(np.isfinite(self._intervals).any())
+
+    def _during(self, t: Array) -> tuple[JointRange, Index]:
+        """Return the penalty of the joints whose bounds apply somewhere between times t (S,), and their indices."""
+        first, last = self._intervals
+        which = np.flatnonzero((first <= t.max(initial=-np.inf)) & (last >= t.min(initial=np.inf)))
+        if which.size == len(self.joints):
+            return self, which
+        allowed = None if self.allowed is None else replace(self.allowed, excess=self.allowed.excess[:, which])
+        return JointRange(tuple(self.joints[i] for i in which), allowed, self.term_name), which
 
     @cached_property
     def _links(self) -> Index:
@@ -167,9 +190,7 @@ class JointRange(Penalty):
         """Return lower and upper bounds of joints (n,) at times t (S,), (n, S), or (n, 1) if they are constant."""
         low, high = (bound[joints, None] for bound in self._bounds)
         if self._is_timed:
-            first, last = (
-                np.array([getattr(self.joints[i], end) for i in joints])[:, None] for end in ("first", "last")
-            )
+            first, last = self._intervals[:, joints, None]
             holds = (first <= t) & (t <= last)
             low, high = np.where(holds, low, -np.inf), np.where(holds, high, np.inf)
         if self.allowed is None or not self.allowed.excess.any():
