@@ -67,7 +67,8 @@ class Context:
         points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
         specified = contacts(figure, keys, tables, where, points, surfaces)
         grasps = grasps_of(figure, keys, grasp_tables, where, points)
-        schedule = ContactSchedule(figure, keys, points, surfaces, specified, grasps)
+        targets = tuple((one.point, one.time, one.target) for one in placed)
+        schedule = ContactSchedule(figure, keys, points, surfaces, specified, grasps, targets)
         return cls(schedule, where, tuple(knees_and_elbows(figure)), placed)
 
     def scheduled(self, **changes: Any) -> Context:

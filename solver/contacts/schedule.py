@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..array import Mask
+import numpy as np
+
+from ..array import Array, Mask
 from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..surface import Surface
@@ -58,6 +60,8 @@ class ContactSchedule:
         surfaces: The floor and the obstacles.
         contacts: The contacts that the clip specifies.
         grasps: The grasps that the clip specifies.
+        targets: Points, times [s] and positions (3,) [m] that the search has to reach, with NaN along free axes. A foot
+            with a target elsewhere does not stand.
         specified_footings: The points that can support the figure, each with its interval; None: inferred from stances.
         specified_flights: The intervals [s] in which nothing supports the figure; None: inferred from keyframes.
         has_cycle: Whether the keyframes form a gait cycle; None: inferred, true only if a cycle is unambiguous.
@@ -70,6 +74,7 @@ class ContactSchedule:
     surfaces: tuple[Surface, ...] = ()
     contacts: Contacts = Contacts()
     grasps: tuple[Grasp, ...] = ()
+    targets: tuple[tuple[Point, float, Array], ...] = ()
     specified_footings: tuple[Footing, ...] | None = None
     specified_flights: tuple[Interval, ...] | None = None
     has_cycle: bool | None = None
@@ -86,9 +91,22 @@ class ContactSchedule:
 
     @cached_property
     def stances(self) -> tuple[Stance, ...]:
-        """The stances inferred from keyframes, without those that overlap specified contacts."""
+        """The stances inferred from keyframes, without those that contradict specified contacts or targets."""
         inferred = stances(self.figure, self.keys, self.points, self.surfaces)
-        return tuple(stance for stance in inferred if not self.contacts.overlaps(stance))
+        return tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
+
+    def _leaves(self, stance: Stance) -> bool:
+        """Return whether a target of the stance's link is too near or too far for it during the stance."""
+        tolerance = Thresholds.of(self.figure).near_surface
+        for point, time, target in self.targets:
+            if point.link != stance.point.link or not stance.first <= time <= stance.last:
+                continue
+            known = np.isfinite(target)
+            apart = np.linalg.norm((target - stance.place(np.array([time]))[:, 0])[known])
+            length = np.linalg.norm(point.position - stance.point.position)
+            if apart > length + tolerance or (known.all() and apart < length - tolerance):
+                return True
+        return False
 
     @cached_property
     def grasped(self) -> tuple[int, ...]:

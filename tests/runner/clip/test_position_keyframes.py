@@ -12,7 +12,7 @@ from oracles import kinematics
 from quiet import quiet
 from tiny import HINGE
 
-from dynsplines import recordings, solving
+from dynsplines import inbetween, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import parse
@@ -363,3 +363,14 @@ others = "rest"
     data = seen(problem, problem.keys[2].state)
     assert data.site("left_heel").xpos == pytest.approx([-0.055, 0.65, 0], abs=1e-4)
     assert min(data.site(f"right_{part}").xpos[2] for part in ("heel", "toe")) > -0.001
+
+
+@pytest.mark.parametrize("name", ["left_heel", "left_toe"])
+def test_a_foot_that_the_search_lifts_between_two_keyframes_does_not_stand(name):
+    rest = '[[keyframe]]\ntime = {}\nothers = "rest"\n'
+    text = f'figure = "human"\n{rest.format(0)}[[keyframe]]\ntime = 1\n'
+    text += f'sites.{name} = {{position = [0.1, 0.09, 0.25], by = "search"}}\n{rest.format(2)}'
+    motion = inbetween(recordings.from_text(text, name="c"))
+    assert not [violation for violation in motion.violations if violation.kind == "placement"]
+    stances = motion.clip.context.schedule.stances
+    assert {stance.point.name for stance in stances} == {"right_heel", "right_toe"}
