@@ -195,6 +195,8 @@ def render(
     target = output or Path(f"{_name(source, model, keys)}.{'png' if ghosts or at is not None else 'mp4'}")
     width, height = size
     film.check_target(target, width, height)
+    if at is not None and only == "keys":
+        raise UserError("--at and --only keys: give one of them; --only keys draws all keyframes")
     if width % 2 and not only and not (ghosts and target.suffix.lower() == ".png"):
         raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
     renderer = graphics.choose_while_importing(BEFORE_MUJOCO)

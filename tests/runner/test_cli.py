@@ -429,6 +429,7 @@ BAD_WORDS = [
     (["render", MOTION, "--size", "99999x99999"], ["3840x2160"]),
     (["render", MOTION, *SMALL, "--fps", "1000", "--slow", "1000"], ["images", "lower"]),
     *((["render", MOTION, *SMALL, "--at", at], ["--at"]) for at in ("-1", "0.5")),
+    (["render", MOTION, *SMALL, "--only", "keys", "--at", "0.2"], ["--at", "--only keys"]),
     (["render", MOTION, *SMALL, "--only", "all"], ["--only 'all'", "'before', 'after', 'keys'"]),
     (["render", MOTION, *SMALL, "--camera", "sidee"], ["no camera 'sidee'", "did you mean 'side'?", "high"]),
     (["render", "tiny.toml", *SMALL, "--camera", "hihg"], ["did you mean 'high'?"]),
