@@ -47,8 +47,8 @@ def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
         raise ValueError(f"penalty '{name}': its gradient is not that of its values: Taylor slope {slope:.2f}, not 2")
     if not np.any(values):
         raise ValueError(
-            f"penalty '{name}': no residual was positive on the samples, so nothing was checked; "
-            "pass another seed, or check the penalty with a bound that random poses violate"
+            f"penalty '{name}': no residual was positive on the samples, at 0 to {samples.t[-1]:g} s, so nothing was "
+            "checked; pass another seed, or check the penalty with a bound that random poses violate, or at these times"
         )
 
 
