@@ -243,7 +243,7 @@ def test_too_few_handles_are_reported(tried: Tried, tmp_path: Path):
     assert left(tmp_path) == []
 
 
-@pytest.mark.parametrize("megabytes", [0, 40])
+@pytest.mark.parametrize("megabytes", [2, 40])  # with less, the stack may not grow, which ends any program at once
 def test_too_little_memory_is_reported(megabytes: int, tried: Tried, tmp_path: Path):
     little = (
         "import resource; used = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()\n"
