@@ -25,7 +25,10 @@ def clip():
 
 @pytest.fixture(scope="module")
 def found(clip):
-    return inbetween(replace(clip.problem, settings=replace(clip.settings, max_evaluations=12, frames=0)))
+    """A solution whose quaternions have almost exactly length one."""
+    unit = [(penalty, 100 * weight if penalty.name == "unit" else weight) for penalty, weight in clip.problem.penalties]
+    settings = replace(clip.settings, max_evaluations=40, frames=0)
+    return inbetween(replace(clip.problem, penalties=unit, settings=settings))
 
 
 def met(figure, timeline, keys):
@@ -75,10 +78,7 @@ def test_where_nothing_was_edited_it_is_the_path_that_was_found(clip, found):
     a, b = (clip.figure.to_qpos(path_of(line).at(t)) for line in (found.timeline, begin))
     for columns in clip.figure.tables.quaternion_columns.T:
         b[:, columns] *= np.sign(np.einsum("ij,ij->i", a[:, columns], b[:, columns]))[:, None]
-    at_keys = path_of(found.timeline).at([key.time for key in clip.keys])[:, clip.figure.tables.quaternion_columns]
-    longest = np.abs(np.linalg.norm(at_keys, axis=1) - 1).max()  # they are of length one again
-    assert longest < 0.02
-    np.testing.assert_allclose(a, b, atol=max(1e-3, 0.5 * longest))
+    np.testing.assert_allclose(a, b, atol=1e-3)  # quaternions at keyframes are of length one again
 
 
 @pytest.mark.parametrize(
