@@ -175,8 +175,7 @@ class _Loop:
             initial_guess = guide.initial_guess(
                 first, settings.frames if settings.variable is None else first.variable_count
             )
-            if initial_guess is not first:
-                first = min(first, initial_guess, key=lambda timeline: self.objective.value(path_of(timeline)))
+            first = min(first, initial_guess, key=lambda timeline: self.objective.value(path_of(timeline)))
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 
     def continue_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:

@@ -110,7 +110,7 @@ def cleaned(
     raised: Sequence[RecordedStance] = ()
     if specified is None:
         stances, raised = infer_stances_and_raised(recorded, ground.points, ground.surfaces)
-    rests, high_rests = (tuple(Rest(*stance, rolls=True) for stance in each) for each in (stances, raised))
+    rests, high_rests = (tuple(Rest(*stance, rolls=True) for stance in kind) for kind in (stances, raised))
     near = TrackingPenalty(recorded)
     is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
     if is_noisy:

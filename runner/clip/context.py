@@ -67,7 +67,7 @@ class Context:
         points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
         specified = contacts(figure, keys, tables, where, points, surfaces)
         grasps = grasps_of(figure, keys, grasp_tables, where, points)
-        targets = tuple((one.point, one.time, one.target) for one in placed)
+        targets = tuple((goal.point, goal.time, goal.target) for goal in placed)
         schedule = ContactSchedule(figure, keys, points, surfaces, specified, grasps, targets)
         return cls(schedule, where, tuple(knees_and_elbows(figure)), placed)
 
@@ -179,7 +179,7 @@ class Context:
 
     @cached_property
     def holds(self) -> Holds:
-        """The values of joints in two neighbouring keyframes, where they are equal."""
+        """The values of joints in two neighbouring keyframes, where they are equal or similar."""
         repeats = self.keys.ends == "periodic" or self.schedule.gait_cycle is not None
         return Holds.of(self.figure, self.keys, repeats=repeats, aloft=self.schedule.flights)
 

@@ -52,7 +52,7 @@ class Box:
             exits = self._exits(flat.take(which, axis=1), radii.take(which))
             face = np.argmin(exits, axis=0)
             value = exits[face, np.arange(face.size)]
-            face, which, value = (one[value <= 0] for one in (face, which, value))
+            face, which, value = (array[value <= 0] for array in (face, which, value))
             depth.put(which, kappa[face, 0] * value)
             slopes[:, which] = inward[:, face]
         which = np.flatnonzero(inside)

@@ -33,7 +33,8 @@ def describe(figure: Figure, key: Frame, row: KeyframeTable, goals: Sequence[Goa
     least = max(MET, BESIDE * nearest.worst, min(CLOSE, 0.5 * nearest.worst))
     errors = sorted(zip(nearest.missed.tolist(), goals, strict=True), key=lambda pair: -pair[0])
     worst = [(goal, error) for error, goal in errors if error > least][:MOST]
-    notes = [_note(figure, key, goal, error, _at_limits(figure, nearest.qpos)) for goal, error in worst]
+    stopped = _at_limits(figure, nearest.qpos)
+    notes = [_note(figure, key, goal, error, stopped) for goal, error in worst]
     if not all(can_move(figure, key, goal.bodies(figure.model)[0]) for goal, _ in worst):
         return "; ".join(notes)
     move = "move the target" if len(worst) == 1 else "move one of the targets"
@@ -55,8 +56,6 @@ def immovable(figure: Figure, body: int) -> str:
 def _at_limits(figure: Figure, qpos: Array) -> set[int]:
     """Return the links whose joints are at the end of their ranges in a pose (nq,)."""
     limits = JointRange(joint_ranges(figure))
-    if not limits.joints:
-        return set()
     excess = limits.beyond(Samples.still(figure, figure.to_state(qpos[None])))[:, 0]
     return {joint.link for joint, over in zip(limits.joints, excess, strict=True) if over > -AT_LIMIT[joint.kind]}
 
