@@ -35,7 +35,8 @@ OFTEN = 30.0  # [1/s] sampling rate of the first measurement of depths
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
 ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends
 FAITHFUL = 1.0  # detail that a segment may lose in a recording without noise, see `TrackingPenalty.times`
-FAR, CLOSE = 0.04, 0.01  # [s] largest distance of the ends of a stance from a frame, with and without noise
+FAR, CLOSE = 0.02, 0.01  # [s] largest distance of the ends of a stance from a frame, with and without noise
+OUTSIDE = 0.04  # [s] time from the end of a stance to another frame, outside of the stance
 ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
 LONG = 60.0  # [s] shortest recording that is searched again in parts only
 LOOKS = 3  # most rounds of additional frames
@@ -205,9 +206,14 @@ def _problem(
     far: float = FAR,
 ) -> Problem:
     """Return the problem of tracking a recording from a path, by default the recording's, with frames at times (M,) [s]
-    and within `far` [s] of the starts and ends of stances, where the path must be able to bend."""
-    ends = sorted({time for rest in rests for time in (rest.first, rest.last)})
-    times = np.sort(np.append(times, [end for end in ends if np.abs(times - end).min() > far]))
+    and near the starts and ends of stances. Velocity and acceleration are 0 there, so that the path outside of a stance
+    could hardly follow the recording without a frame `OUTSIDE` the end."""
+    first, last = near.recorded.path.span
+    ends = {time for rest in rests for time in (rest.first, rest.last)}
+    outside = {time for rest in rests for time in (rest.first - OUTSIDE, rest.last + OUTSIDE) if first < time < last}
+    for time in (*sorted(ends), *sorted(outside)):
+        if np.abs(times - time).min() > far:
+            times = np.sort(np.append(times, time))
     tracking = problem(near, ground, rests, times)
     return tracking if start is None else replace(tracking, keys=loose(ground.figure, times, start.at(times)))
 
