@@ -36,6 +36,7 @@ SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the record
 ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends
 FAITHFUL = 1.0  # detail that a segment may lose in a recording without noise, see `TrackingPenalty.times`
 FAR, CLOSE = 0.02, 0.01  # [s] largest distance of the ends of a stance from a frame, with and without noise
+SHARE = 0.25  # largest share of a stance at either end that is not sure
 OUTSIDE = 0.04  # [s] time from the end of a stance to another frame, outside of the stance
 ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
 LONG = 60.0  # [s] shortest recording that is searched again in parts only
@@ -115,7 +116,8 @@ def cleaned(
     near = TrackingPenalty(recorded)
     is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
     if is_noisy:
-        tracking = _with_soft_start(_problem(near, ground, rests, near.times()), near, SOFTEST, improved)
+        sure = rests if specified is not None else tuple(_without_ends(ground, recorded, rest) for rest in rests)
+        tracking = _with_soft_start(_problem(near, ground, sure, near.times()), near, SOFTEST, improved)
         if specified is None:
             rests = _refined_stances(ground, recorded, tracking)
             tracking = _problem(near, ground, rests, _times(tracking), _curve(tracking))
@@ -226,8 +228,19 @@ def _curve(problem: Problem) -> Path:
     return natural_spline(_times(problem), problem.figure.to_state(np.array([key.state for key in problem.keys])))
 
 
+def _without_ends(ground: Ground, recorded: RecordedMotion, rest: Rest) -> Rest:
+    """Return a stance without the times in which the point may already move, hidden by noise."""
+    first, last = recorded.path.span
+    unsure = min(Thresholds.of(ground.figure).unsure, SHARE * (rest.last - rest.first))
+    return replace(
+        rest,
+        first=rest.first + unsure * (rest.first > first),
+        last=rest.last - unsure * (rest.last < last),
+    )
+
+
 def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Problem) -> tuple[Rest, ...]:
-    """Return the stances of a noisy recording after a search with the surest ones, which reveals more."""
+    """Return the stances of a noisy recording after a search with the sure parts of its first ones."""
     calm = ground.figure.to_qpos(_curve(soft_problem).at(recorded.times))
     smoothed = RecordedMotion.of(ground.figure, recorded.times, calm)
     averaged = max(1.0, recorded.rate * Thresholds.of(ground.figure).blurred)  # samples

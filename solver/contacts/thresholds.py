@@ -87,7 +87,8 @@ class Thresholds:
     fastest: float = _of(3.0, 1, -1)  # standard deviation of the initial speed of a point
     floor_off: float = _metres(0.05)  # distance of a floor that is a fault of the recording
     level: float = _metres(0.001)  # distance of a recording from its floor that is left unchanged
-    noisy: float = _metres(0.008)  # noise of soles from which stances are inferred twice
+    noisy: float = _metres(0.004)  # noise of soles from which stances are inferred twice
+    unsure: float = _seconds(0.1)  # time at the ends of stances in which a point may move, hidden by noise
     deep: float = _metres(0.04)  # depth of soles, likewise: stiff feet sink in by their tips
     flush: float = _metres(0.0005)  # depth of the other points of a sole below the planted one
 

@@ -201,17 +201,20 @@ def test_a_recording_without_faults_hardly_changes(name):
     assert np.degrees(np.arccos(np.clip(cosine, -1, 1))).max() < 4
 
 
-def test_a_foot_lands_as_recorded_where_its_stance_is_given():
-    """The ankle's angle is off by up to 13° if no frame lies just outside of the stances."""
+@pytest.mark.parametrize("is_given", [True, False])
+def test_a_foot_lands_and_lifts_as_recorded(is_given):
+    """Ankles are off by 3° (root mean square) if no frame lies just outside of the stances, or if a first search holds
+    the ends of the stances that it infers from noise."""
     take = Take.of(shipped.solved("walk_and_turn"), 100)
     figure = take.figure
     rests = cleaned(ground_of(figure, take.qpos), repaired(figure, take.time, take.qpos, "true")).rests
     bad = take.shaking(take.qpos, np.random.default_rng(9), 0.005, np.radians(0.7))
-    after = cleaned(ground_of(figure, bad), repaired(figure, take.time, bad, "bad"), rests).after
+    after = cleaned(ground_of(figure, bad), repaired(figure, take.time, bad, "bad"), rests if is_given else None).after
     feet = [figure.links[int(figure.body_link[figure.model.body(name).id])] for name in ("left_foot", "right_foot")]
     found = figure.to_qpos(after.at(take.time))
     cosine = np.array([np.abs(np.sum((take.qpos * found)[:, quaternion_columns(foot)], axis=1)) for foot in feet])
-    assert np.degrees(2 * np.arccos(np.minimum(cosine, 1))).max() < 7
+    angle = np.degrees(2 * np.arccos(np.minimum(cosine, 1)))
+    assert np.sqrt(np.mean(angle**2)) < 2.3
 
 
 @pytest.mark.parametrize(("pitch", "metres", "degrees"), [(50, 0.002, 0.4), (50, 0.004, 1.0), (36, 0.0, 0.0)])
