@@ -181,7 +181,8 @@ class Context:
     def holds(self) -> Holds:
         """The values of joints in two neighbouring keyframes, where they are equal or similar."""
         repeats = self.keys.ends == "periodic" or self.schedule.gait_cycle is not None
-        return Holds.of(self.figure, self.keys, repeats=repeats, aloft=self.schedule.flights)
+        schedule = self.schedule
+        return Holds.of(self.figure, self.keys, repeats=repeats, aloft=schedule.flights, grasped=schedule.grasped)
 
     @property
     def leans(self) -> tuple[Lean, ...]:

@@ -507,7 +507,7 @@ KINDS = {
             (
                 Part(1.0, "tilt of the trunk in keyframes that leave the rotation of the root free", _trunk, "trunk"),
                 Part(
-                    0.1, "rotation of the root beyond its rotations in two keyframes that differ by at most 20°",
+                    0.1, "movement of a free root away from its positions and rotations in the two keyframes around",
                     _root, "root",
                 ),
                 Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),

@@ -43,7 +43,7 @@ BOUNDS = {
         Bound("hard range", 0.05, "degrees", "a joint beyond a range that the clip makes hard"),
         Bound("hard travel", 0.00005, "m", "a slide beyond a range that the clip makes hard"),
         Bound("overshoot", 10.0, "degrees", "a joint off a value that two neighbouring keyframes hold"),
-        Bound("overshoot travel", 0.1, "m", "a slide, or the root, off such a value"),
+        Bound("overshoot travel", 0.1, "m", "a slide, or the root, off its values in two neighbouring keyframes"),
         Bound("coupled", 1.0, "degrees", "a hinge off what it follows"),
         Bound("coupled travel", 0.002, "m", "a slide off what it follows"),
         Bound("torn", 0.005, "m", "points of a closed loop apart"),

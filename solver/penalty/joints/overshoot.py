@@ -6,12 +6,13 @@ sake. In an oscillation, two keyframes on both sides of a peak may have the same
 holds. A clip oscillates if it repeats itself with segments of similar length.
 
 The rotation of a root has wider bounds in all segments in which it changes little: a person who stands up may sway, but
-must not lean far to one side.
+must not lean far to one side. Its horizontal position has such bounds in all segments but flights: a person who takes a
+step must not lurch backward first.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -32,6 +33,9 @@ ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] distance that a held
 SWAY = np.radians(5)  # [rad] angle by which a root may turn beyond its rotations in the keyframes
 LITTLE = np.radians(20)  # [rad] change of its rotation up to which it is bounded
 SHARE = 0.15  # [1] further angle, relative to this change
+ASIDE = 0.03  # [m] distance by which a root may move beyond its positions in two keyframes up to BRIEFLY [s] apart
+BRIEFLY = 0.5  # [s] in longer segments, this distance is proportional to their duration
+ASTRAY = 0.1  # [1] further distance, relative to that between the two positions
 LONG = 1.5  # [1] length, relative to the shorter adjacent segment, from which a segment is always a hold
 BRIEF = 0.3  # [s] length below which other segments are no holds
 LOOKS = 12  # samples per segment
@@ -95,8 +99,14 @@ class OvershootPenalty(JointRange, Guide):
 
 
 def root_limits(holds: Holds) -> JointRange | None:
-    """Return the penalty that keeps roots upright between keyframes of similar rotation; None if there are none."""
-    ranges = tuple(_widened(joint, SWAY + 2 * SHARE * joint.high) for joint in holds.roots)
+    """Return the penalty that keeps roots upright and near the way between two keyframes; None without free roots."""
+
+    def room(joint: Range) -> float:
+        if joint.home is not None:
+            return float(SWAY + 2 * SHARE * joint.high)
+        return ASIDE * max(1.0, (joint.last - joint.first) / BRIEFLY)
+
+    ranges = tuple(_widened(joint, room(joint)) for joint in holds.roots)
     return JointRange(ranges, term_name="upright.root") if ranges else None
 
 
@@ -157,7 +167,7 @@ class Holds(NamedTuple):
     Attributes:
         swinging: Equal values, in segments in which the raw spline of a joint leaves its value.
         roots: Rotations of roots that change by at most 20 degrees, in other segments; a range is around the middle of
-            both rotations.
+            both rotations. And horizontal positions of roots, with a share of the distance between both.
     """
 
     swinging: tuple[Range, ...]
@@ -165,19 +175,26 @@ class Holds(NamedTuple):
 
     @classmethod
     def of(
-        cls, figure: Figure, raw: Timeline, *, repeats: bool = False, aloft: Sequence[tuple[float, float]] = ()
+        cls,
+        figure: Figure,
+        raw: Timeline,
+        *,
+        repeats: bool = False,
+        aloft: Sequence[tuple[float, float]] = (),
+        grasped: Collection[int] = (),
     ) -> Holds:
         """Find the holds of a clip with this raw spline.
 
         Args:
             repeats: Whether the clip is a loop or a gait cycle.
             aloft: Flights (first, last) [s], in which a root rises and falls between two keyframes of one height.
+            grasped: Links of held objects, which move with hands.
         """
         qpos, times = figure.to_qpos(raw.states), raw.times.tolist()
         equal, similar = list[Range](), list[Range]()
         for track in tracks(figure):
             for k in _held_segments(track, raw, qpos, repeats=repeats):
-                if not _flies(figure, track, raw.times[k : k + 2], aloft):
+                if not (_is_height(figure, track) and _flies(raw.times[k : k + 2], aloft)):
                     equal.append(track.range_around(qpos[k, track.columns], 0.0, times[k], times[k + 1]))
             if track.is_rotation and figure.links[track.link].kind is JointKind.FREE:
                 both, change = _changes(track, raw, qpos)
@@ -186,10 +203,15 @@ class Holds(NamedTuple):
                     if angle <= LITTLE:
                         middle = quat.product(qpos[k, track.columns], quat.from_rotation_vector(turn / 2))
                         similar.append(track.range_around(middle, angle / 2, times[k], times[k + 1]))
+            if _is_root_position(figure, track) and track.axis != 2 and track.link not in grasped:
+                similar += [
+                    joint for joint in _ways(figure, track, raw, qpos) if not _flies((joint.first, joint.last), aloft)
+                ]
         segments = _swinging(figure, equal, raw)
         swinging = tuple(joint for joint in equal if joint.first in segments)
-        tight = {(joint.first, joint.link) for joint in swinging if joint.home is not None}
-        return cls(swinging, tuple(joint for joint in similar if (joint.first, joint.link) not in tight))
+        tight = {(joint.first, joint.link, joint.kind, joint.column) for joint in swinging}
+        roots = (joint for joint in similar if (joint.first, joint.link, joint.kind, joint.column) not in tight)
+        return cls(swinging, tuple(roots))
 
 
 def _unit(joint: Range) -> str:
@@ -264,6 +286,26 @@ def _neighbours(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float
     return one, other
 
 
-def _flies(figure: Figure, track: Track, span: Array, aloft: Sequence[tuple[float, float]]) -> bool:
-    is_height = figure.links[track.link].kind is JointKind.FREE and track.unit == "length" and track.axis == 2
-    return is_height and any(first < span[1] and span[0] < last for first, last in aloft)
+def _ways(figure: Figure, track: Track, keys: Timeline, qpos: Array) -> Iterator[Range]:
+    """Yield the range of a root's coordinate in every segment: its two values, and a share of the distance."""
+    first = figure.links[track.link].qpos
+    places, values = qpos[:, first : first + 2], qpos[:, track.columns[0]]
+    far = ASTRAY * np.linalg.norm(np.diff(places, axis=0), axis=1)
+    for k, room in enumerate(far.tolist()):
+        low, high = sorted(values[k : k + 2].tolist())
+        since, until = keys.times[k : k + 2].tolist()
+        yield Range(
+            track.name, track.link, JointKind.SLIDE, low - room, high + room, track.axis, first=since, last=until
+        )
+
+
+def _is_root_position(figure: Figure, track: Track) -> bool:
+    return figure.links[track.link].kind is JointKind.FREE and track.unit == "length"
+
+
+def _is_height(figure: Figure, track: Track) -> bool:
+    return _is_root_position(figure, track) and track.axis == 2
+
+
+def _flies(span: Sequence[float] | Array, aloft: Sequence[tuple[float, float]]) -> bool:
+    return any(first < span[1] and span[0] < last for first, last in aloft)

@@ -49,6 +49,39 @@ def test_an_arm_and_the_body_are_held_before_and_after_a_fast_motion_of_the_arm(
     assert motion.violations == []
 
 
+LURCH = """
+figure = "human"
+[solve]
+ends = "clamped start"
+[[keyframe]]
+time = 0.0
+others = "rest"
+joints = {left_shoulder = {rotvec = [20, 0, 0]}, right_shoulder = {rotvec = [-20, 0, 0]}}
+[[keyframe]]
+time = 0.7
+root.position = "free"
+sites = {left_heel = [0.42, 0.09, 0], right_toe = [0.17, -0.09, 0], right_heel = ["free", "free", 0.05]}
+bodies.left_foot = {flat = true}
+others = "previous"
+[[contact]]
+point = "right_toe"
+from = 0
+to = 0.7
+[[contact]]
+point = "right_heel"
+from = 0
+to = 0.5
+"""
+
+
+@pytest.mark.slow
+def test_a_person_does_not_lurch_back_before_a_step() -> None:
+    """By 18 cm if nothing keeps the root near its way."""
+    motion = inbetween(recordings.from_text(LURCH, name="c"))
+    assert motion.sampled(100).qpos[:, 0].min() > -0.1
+    assert motion.violations == []
+
+
 @pytest.mark.slow
 def test_holds_among_a_thousand_keyframes_take_seconds() -> None:
     problem = read(tuple((0.5 * i, 90 * (i // 50 % 2)) for i in range(1000)))
