@@ -4,7 +4,8 @@ Every sample has a likelihood under two models. A resting point is scattered abo
 rolling of the foot; a moving point moves like a limb. The result is the likeliest segmentation of the recording into
 stances and other intervals (B. Jackson et al. 2005). The height of a stance counts once, because an offset from the
 ground lasts for the whole stance. A long rest thus outweighs any height, so that a point must also be near a surface
-throughout its stance: the heel of a kneeling person hardly moves, but only the toe is planted.
+throughout its stance, and near the height of the lowest point of its foot: the heel of a kneeling or crouching person
+hardly moves, but only the toe is planted.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ DEAR = 6.0  # minus the log prior of a stance: one sample in e³ begins or ends 
 SURE = 3.0  # largest difference between the means of two parts of one stance, in standard errors of the noise
 LOOSE = 2.0  # largest speed at the ends of stances, in medians of the speeds during all stances of the recording
 REMAINS = 0.2  # share of the noise of speeds that remains in a smoothed recording
+FLATTEST = 0.1  # quantile of the heights in its stances at which a point of a sole is planted: soles may not be level
 UP = np.array([0.0, 0, 1])  # normal of the ground on which points roll
 
 
@@ -93,13 +95,17 @@ def _segments(
     speeds, smooth_height = _smooth(recorded, points, surfaces, times)
     lowest = smooth_height.min(axis=0)  # of the soles at each time, which a recording that drifts raises or lowers
     above = smooth_height - (np.clip(lowest, 0, limits.floor_off) if aligned else lowest)
+    links = np.array([point.link for point in points])
+    tilt = smooth_height - np.array([smooth_height[links == link].min(axis=0) for link in links])
     near: list[list[tuple[int, int]]] = []
     raised: list[list[tuple[int, int]]] = []
     for i, point_noise in enumerate(noise.tolist()):
         cuts = _cut(times, centres[:, i], height[i], moving[i], is_known, point_noise, limits)
         runs = _joined(times, cuts, centres[:, i], point_noise, limits)
         planted_height = 0.0 if aligned else min((float(above[i, a:b].mean()) for a, b in runs), default=0.0)
-        is_near = above[i] <= planted_height + limits.raised + SURE * REMAINS * point_noise
+        flat = np.quantile(np.concatenate([tilt[i, a:b] for a, b in runs]), FLATTEST) if runs else 0.0
+        unsure = SURE * REMAINS * point_noise
+        is_near = (above[i] <= planted_height + limits.raised + unsure) & (tilt[i] <= flat + limits.tilted + unsure)
         near.append([part for run in runs for part in _parts(is_near, *run)])
         raised.append([part for run in runs for part in _parts(~is_near, *run)])
     return _Segments(tracks, speeds, near, raised, limits)

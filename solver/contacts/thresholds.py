@@ -72,6 +72,7 @@ class Thresholds:
     rolls: float = _metres(0.015)  # standard deviation of a planted point about its mean: feet roll
     hovers: float = _metres(0.04)  # standard deviation of a stance's height: calibration, thickness of soles
     raised: float = _metres(0.05)  # height from which a resting point is in the air: stances drift by up to 5 cm
+    tilted: float = _metres(0.02)  # height above the lowest point of its foot, from which a point is in the air
     highest: float = _metres(0.3)  # range of heights of points in the air; no stance is half as high
     edge: float = _metres(0.1)  # distance of a planted point beyond the edge of a surface: recordings drift
     longest: float = _seconds(1.0)  # longest stance that is examined at once
