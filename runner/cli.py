@@ -275,7 +275,8 @@ def mirror(
     allow_outside: option.Outside = False,
 ) -> None:
     """Swap left and right in a motion or a clip.
-    The result of a clip (.toml) is a clip, unless -o is a motion (.npz)."""
+    If the input is a clip (.toml), the output is a clip too, unless -o names a
+    motion (.npz)."""
     _edit(files.mirrored(), output, overwrite, no_cache, source)
 
 
@@ -290,7 +291,8 @@ def retime(
     allow_outside: option.Outside = False,
 ) -> None:
     """Change the speed of a motion or a clip.
-    Specify either --speed or --duration. The result of a clip (.toml) is a clip, unless -o is a motion (.npz)."""
+    Specify either --speed or --duration. If the input is a clip (.toml), the output is a clip too, unless -o names a
+    motion (.npz)."""
     _edit(files.retimed(speed, duration), output, overwrite, no_cache, source)
 
 
@@ -359,7 +361,7 @@ def report(
     allow_outside: option.Outside = False,
 ) -> None:
     """Measure a motion and the spline through its keyframes.
-    It lists penetration, joint-limit violations, foot skate and torques.
+    The report lists penetration, joint-limit violations, foot skate and torques.
     It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
 

@@ -204,7 +204,7 @@ Contacts = Annotated[
     Path | None,
     value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
 ]
-WriteMap = Annotated[bool, flag("--write-map", "Infer the names and write them to the --map file, which is not read")]
+WriteMap = Annotated[bool, flag("--write-map", "Infer the names, and write the --map file instead of reading it")]
 Model = Annotated[
     str | None,
     value("MODEL", "The figure of the keyframes in --keys: a shipped figure's name or an MJCF file", "none"),

@@ -151,7 +151,7 @@ def _facts(figure: Figure) -> tuple[Index, Index]:
 
 
 def of_point(at: Index, link: Index, offset: Array, direction: Array) -> Wrenches:
-    """Return the derivatives of direction · p, for points p fixed to links.
+    """Return the derivatives of direction · p by the motion of links, for points p fixed to them.
 
     Args:
         at: Samples (P,).
