@@ -240,13 +240,21 @@ def _without_ends(ground: Ground, recorded: RecordedMotion, rest: Rest) -> Rest:
 
 
 def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Problem) -> tuple[Rest, ...]:
-    """Return the stances of a noisy recording after a search with the sure parts of its first ones."""
+    """Return the stances of a noisy recording after a search with the sure parts of its first ones.
+
+    Brief stances are left out, at both ends of a recording also somewhat longer ones: noise hides that a foot moves."""
     calm = ground.figure.to_qpos(_curve(soft_problem).at(recorded.times))
     smoothed = RecordedMotion.of(ground.figure, recorded.times, calm)
     averaged = max(1.0, recorded.rate * Thresholds.of(ground.figure).blurred)  # samples
     noise = largest_noise(recorded, ground.points) / np.sqrt(averaged)
     stances = infer_stances(smoothed, ground.points, ground.surfaces, noise)
-    return tuple(Rest(*stance, rolls=True) for stance in stances)
+    unsure, (first, last) = Thresholds.of(ground.figure).unsure, recorded.path.span
+
+    def is_sure(stance: RecordedStance) -> bool:
+        is_cut_off = stance.first < first + unsure or stance.last > last - unsure
+        return stance.last - stance.first >= (2 * unsure if is_cut_off else unsure)
+
+    return tuple(Rest(*stance, rolls=True) for stance in stances if is_sure(stance))
 
 
 def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:
