@@ -32,7 +32,7 @@ SWINGS = {"angle": np.radians(3), "length": 0.03}  # [rad, m] overshoot of the r
 ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] distance that a held joint may move there
 SWAY = np.radians(5)  # [rad] angle by which a root may turn beyond its rotations in the keyframes
 LITTLE = np.radians(20)  # [rad] change of its rotation up to which it is bounded
-SHARE = 0.15  # [1] further angle, relative to this change
+SHARE = 0.3  # [1] further angle, relative to this change
 ASIDE = 0.03  # [m] distance by which a root may move beyond its positions in two keyframes up to BRIEFLY [s] apart
 BRIEFLY = 0.5  # [s] in longer segments, this distance is proportional to their duration
 ASTRAY = 0.1  # [1] further distance, relative to that between the two positions
@@ -103,7 +103,7 @@ def root_limits(holds: Holds) -> JointRange | None:
 
     def room(joint: Range) -> float:
         if joint.home is not None:
-            return float(SWAY + 2 * SHARE * joint.high)
+            return float(SWAY + SHARE * np.linalg.norm(joint.arc))
         return ASIDE * max(1.0, (joint.last - joint.first) / BRIEFLY)
 
     ranges = tuple(_widened(joint, room(joint)) for joint in holds.roots)
@@ -135,15 +135,14 @@ class Track:
         values = qpos[..., self.columns]
         return quat.rotation_vector(quat.product(quat.inverse(home), values)) if self.is_rotation else values - home
 
-    def range_around(self, home: Array, radius: float, first: float, last: float) -> Range:
-        """Return the bounds of the coordinate around a value (1 or 4) from one time to another [s]."""
+    def range_at(self, home: Array, first: float, last: float) -> Range:
+        """Return a range that contains only one value (1 or 4) from one time to another [s]."""
         if self.is_rotation:
             return Range(
-                self.name, self.link, JointKind.BALL, 0.0, radius, home=tuple(home.tolist()), first=first, last=last
+                self.name, self.link, JointKind.BALL, 0.0, 0.0, home=tuple(home.tolist()), first=first, last=last
             )
-        kind = JointKind.HINGE if self.unit == "angle" else JointKind.SLIDE
-        low, high = float(home[0]) - radius, float(home[0]) + radius
-        return Range(self.name, self.link, kind, low, high, self.axis, first=first, last=last)
+        kind, value = JointKind.HINGE if self.unit == "angle" else JointKind.SLIDE, float(home[0])
+        return Range(self.name, self.link, kind, value, value, self.axis, first=first, last=last)
 
 
 def tracks(figure: Figure) -> list[Track]:
@@ -166,8 +165,8 @@ class Holds(NamedTuple):
 
     Attributes:
         swinging: Equal values, in segments in which the raw spline of a joint leaves its value.
-        roots: Rotations of roots that change by at most 20 degrees, in other segments; a range is around the middle of
-            both rotations. And horizontal positions of roots, with a share of the distance between both.
+        roots: Rotations of roots that change by at most 20 degrees, in other segments; a range is the arc between both.
+            And horizontal positions of roots, with a share of the distance between both.
     """
 
     swinging: tuple[Range, ...]
@@ -195,14 +194,15 @@ class Holds(NamedTuple):
         for track in tracks(figure):
             for k in _held_segments(track, raw, qpos, repeats=repeats):
                 if not (_is_height(figure, track) and _flies(raw.times[k : k + 2], aloft)):
-                    equal.append(track.range_around(qpos[k, track.columns], 0.0, times[k], times[k + 1]))
+                    equal.append(track.range_at(qpos[k, track.columns], times[k], times[k + 1]))
             if track.is_rotation and figure.links[track.link].kind is JointKind.FREE:
                 both, change = _changes(track, raw, qpos)
                 for k, turn in zip(both.tolist(), change, strict=True):
                     angle = float(np.linalg.norm(turn))
                     if angle <= LITTLE:
                         middle = quat.product(qpos[k, track.columns], quat.from_rotation_vector(turn / 2))
-                        similar.append(track.range_around(middle, angle / 2, times[k], times[k + 1]))
+                        joint = track.range_at(middle, times[k], times[k + 1])
+                        similar.append(replace(joint, arc=tuple(turn.tolist())))
             if _is_root_position(figure, track) and track.axis != 2 and track.link not in grasped:
                 similar += [
                     joint for joint in _ways(figure, track, raw, qpos) if not _flies((joint.first, joint.last), aloft)

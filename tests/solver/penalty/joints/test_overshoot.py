@@ -16,10 +16,12 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Holds,
+    JointRange,
     OvershootPenalty,
     Range,
     RootAcceleration,
@@ -93,11 +95,16 @@ def test_a_root_may_turn_a_little_beyond_its_two_rotations_if_they_are_similar(d
         assert not turns
         return
     (joint,) = turns
-    assert joint.home is not None
-    home = Rotation.from_quat(joint.home, scalar_first=True)
-    room = [np.degrees(joint.high - (home.inv() * end).magnitude()) for end in ends]
-    expected = 5 + 0.15 * degrees if degrees > 0.25 else 5
-    np.testing.assert_allclose(room, expected, atol=0.21 if degrees <= 0.25 else 1e-6)
+    penalty = JointRange(tuple(turns))
+    assert np.degrees(joint.high) == pytest.approx(5 + 0.3 * degrees)
+    across = Rotation.from_rotvec([-8, 0, 6], degrees=True)  # perpendicular to the axis
+    halfway = Rotation.from_rotvec((30 + degrees / 2) * axis, degrees=True)
+    turned = [Rotation.from_rotvec((30 + share * degrees) * axis, degrees=True) for share in (-0.5, 0, 0.3, 1, 2)]
+    off = [0.5 * degrees, 0, 0, 0, degrees, 10]
+    states = [[0, 0, 1, *sign * r.as_quat(scalar_first=True)] for r in (*turned, halfway * across) for sign in (-1, 1)]
+    samples = Samples.still(figure, figure.to_state(np.array(states)), t=np.full(len(states), 0.5))
+    seen = np.degrees(penalty.beyond(samples)[0] + joint.high)
+    np.testing.assert_allclose(seen, np.repeat(off, 2), atol=1e-6)
 
 
 def test_a_root_may_move_a_little_beyond_its_two_positions_except_in_flights() -> None:
@@ -129,7 +136,8 @@ def bounded(figure: Figure, rng: np.random.Generator) -> tuple[Range, ...]:
     for i, link in enumerate(figure.links[1:], start=1):
         if link.kind in (JointKind.FREE, JointKind.BALL):
             home = tuple(Rotation.random(random_state=rng).as_quat(scalar_first=True).tolist())
-            out.append(Range(link.name, i, JointKind.BALL, 0.0, 0.3, home=home, first=0.2, last=0.7))
+            arc = tuple(rng.uniform(-1, 1, 3).tolist())
+            out.append(Range(link.name, i, JointKind.BALL, 0.0, 0.3, home=home, arc=arc, first=0.2, last=0.7))
         if link.kind is JointKind.FREE:
             out += [Range(link.name, i, JointKind.SLIDE, -0.1, 0.2, axis, first=0.1, last=0.8) for axis in range(3)]
         elif link.kind is not JointKind.BALL:
@@ -153,8 +161,10 @@ def test_how_far_joints_are_off_is_what_scipy_computes(figure: Figure, rng: np.r
         else:
             at += 3 * (figure.links[joint.link].kind is JointKind.FREE)
             own = Rotation.from_quat(qpos[:, at : at + 4], scalar_first=True)
-            expected = (Rotation.from_quat(joint.home, scalar_first=True).inv() * own).magnitude() - joint.high
-        np.testing.assert_allclose(beyond[during], expected[during], atol=1e-9)
+            arc = [Rotation.from_rotvec(share * np.array(joint.arc)) for share in np.linspace(-0.5, 0.5, 4001)]
+            home = Rotation.from_quat(joint.home, scalar_first=True)
+            expected = np.min([((home * part).inv() * own).magnitude() for part in arc], axis=0) - joint.high
+        np.testing.assert_allclose(beyond[during], expected[during], atol=1e-6)
         assert np.all(beyond[~during] == -np.inf)
 
 
