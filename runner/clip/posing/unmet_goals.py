@@ -34,7 +34,7 @@ def describe(figure: Figure, key: Frame, row: KeyframeTable, goals: Sequence[Goa
     errors = sorted(zip(nearest.missed.tolist(), goals, strict=True), key=lambda pair: -pair[0])
     worst = [(goal, error) for error, goal in errors if error > least][:MOST]
     stopped = _at_limits(figure, nearest.qpos)
-    notes = [_note(figure, key, goal, error, stopped) for goal, error in worst]
+    notes = [_note(figure, key, goal, error, stopped, goals) for goal, error in worst]
     if not all(can_move(figure, key, goal.bodies(figure.model)[0]) for goal, _ in worst):
         return "; ".join(notes)
     move = "move the target" if len(worst) == 1 else "move one of the targets"
@@ -60,7 +60,7 @@ def _at_limits(figure: Figure, qpos: Array) -> set[int]:
     return {joint.link for joint, over in zip(limits.joints, excess, strict=True) if over > -AT_LIMIT[joint.kind]}
 
 
-def _note(figure: Figure, key: Frame, goal: Goal, error: float, stopped: Container[int]) -> str:
+def _note(figure: Figure, key: Frame, goal: Goal, error: float, stopped: Container[int], goals: Sequence[Goal]) -> str:
     body = goal.bodies(figure.model)[0]
     kind = _kind(figure, goal)
     if not can_move(figure, key, body):
@@ -71,8 +71,12 @@ def _note(figure: Figure, key: Frame, goal: Goal, error: float, stopped: Contain
     )
     if isinstance(goal, PointGoal):
         where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
-        return f"no pose found that puts {kind} '{goal.name}' at ({where}): {_metres(error)} short with {joints} free"
-    return f"no pose found that turns body '{goal.name}' so: {np.degrees(error):.3g} degrees short with {joints} free"
+        turned = next((o.name for o in goals if isinstance(o, BodyGoal) and o.bodies(figure.model)[0] == body), None)
+        also = "" if turned is None else f" and body '{turned}' turned as specified"
+        nearest = f"{_metres(error)} off in the nearest pose, with {joints} free{also}"
+        return f"no pose found that puts {kind} '{goal.name}' at ({where}): {nearest}"
+    nearest = f"{np.degrees(error):.3g} degrees off in the nearest pose, with {joints} free"
+    return f"no pose found that turns body '{goal.name}' so: {nearest}"
 
 
 def _remedy(figure: Figure, key: Frame, row: KeyframeTable, goal: Goal) -> str:

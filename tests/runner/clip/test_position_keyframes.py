@@ -208,12 +208,16 @@ MISTAKES = {
         'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]',
         [
             "no pose found that puts site 'left_heel' at (0, 0.09, -0.23): 0.2",
-            "m short with left_hip, left_knee, left_ankle free; ",
+            "m off in the nearest pose, with left_hip, left_knee, left_ankle free; ",
             'others = "rest" fixes root: write root.position = "free", or move the target',
             "; `dynsplines render CLIP --only keys` shows the nearest pose",
         ],
     ),
-    "a little out of reach": ('others = "rest"\nsites.left_hand = ["free", "free", 0.836]', [" mm short"]),
+    "out of reach of a flat foot": (
+        'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]\nbodies.left_foot = {flat = true}',
+        ["left_ankle free and body 'left_foot' turned as specified; "],
+    ),
+    "a little out of reach": ('others = "rest"\nsites.left_hand = ["free", "free", 0.836]', [" mm off in the"]),
     "nothing free": (
         f'others = "rest"\njoints.{HELD}\nsites.left_heel = [0, 0, 0.2]',
         ["site 'left_heel' cannot move", "every joint on the way to it", "(root, left_hip, left_knee, left_ankle)"],
@@ -225,7 +229,7 @@ MISTAKES = {
     "a body that cannot turn": (
         'others = "rest"\nroot.position = [0, 0, 0.93]\nbodies.chest = {rotvec = [0, 0, 170]}',
         [
-            "no pose found that turns body 'chest' so: 110 degrees short with spine (at the end of its range) free; ",
+            "so: 110 degrees off in the nearest pose, with spine (at the end of its range) free; ",
             'others = "rest" fixes root: write root.rotation = "free"',
         ],
     ),
@@ -241,7 +245,7 @@ MISTAKES = {
     "out of reach of a free root": (
         'root.position = "free"\nroot.rotation = "free"\nsites.left_heel = [0, 0.09, 0]\n'
         'sites.right_heel = [3, -0.09, 0]',
-        ["m short with root, right_hip, right_knee, right_ankle free; move one of the targets; `dynsplines render"],
+        ["m off in the nearest pose, with root, right_hip, right_knee, right_ankle free; move one of the targets; "],
     ),
     "every axis free": ('sites.left_heel = ["free", "free", "free"]', ["sites.left_heel: every axis is free"]),
     "a word": ('sites.left_heel = "free"', ["sites.left_heel must be [x, y, z] in metres", "not 'free'"]),
