@@ -87,9 +87,9 @@ class SampledTrajectory:
 
     @property
     def is_wrapped(self) -> bool:
-        """Whether the motion is a loop, for writers of formats that mark loops.
+        """The same as `is_loop`, for writers of formats that mark loops.
 
-        If the loop ends rotated, which no format can mark, reading this property adds a note to `notes`.
+        It is False for a loop that ends rotated, which no format can mark. Reading it then adds a note to `notes`.
         """
         if self.turns:
             self.notes.append("the format has no loops that rotate: one period is written, without a loop")
@@ -179,7 +179,7 @@ class Recording:
         time: Times (T,) [s], rising.
         qpos: Configurations (T, nq) of the figure.
         mjcf: The figure that the file contains, such as the hierarchy of a BVH file; None for the caller's figure.
-        fps: Samples per second [1/s], if the file contains them more exactly than its times.
+        fps: The sampling rate [1/s], if the file states it more exactly than its times.
         notes: Lines for the user on how the file was read.
         loops: Whether the file is marked as a loop: its last sample is the first again, translated.
         assets: The files that `mjcf` refers to, by name.

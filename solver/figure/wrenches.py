@@ -187,7 +187,7 @@ def of_velocity(
 
 
 def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
-    """Return the derivatives of the angles by which links turn about axes, as wrenches.
+    """Return the derivatives of the angles by which links turn about axes, by the motion of the links.
 
     Args:
         at: Samples (P,).
@@ -208,7 +208,7 @@ def along_axes(at: Index, link: Index) -> tuple[Index, Index, Array]:
 def every_axis(links: Index, count: int) -> tuple[Index, Index, Array]:
     """Return the sample, the link and the world axis to which each component of an array (3, n, S) belongs.
 
-    The array is one of vectors, for n links and S samples.
+    The array contains a vector for each of n links at each of S samples.
 
     Args:
         links: Links (n,).

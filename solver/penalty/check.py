@@ -29,8 +29,8 @@ def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
         seed: Seed of the random samples.
 
     Raises:
-        ValueError: A value is negative, infinite or NaN; the shape of the values or the gradient is wrong; or all
-            values are 0, so that no one-sided residual was checked.
+        ValueError: A value is negative, infinite or NaN; the values have the wrong shape; the gradient is not that of
+            the values; or all values are 0, so that nothing was checked.
     """
     rng, name = np.random.default_rng(seed), penalty.name
     samples = _random(figure, rng)
