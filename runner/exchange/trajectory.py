@@ -89,7 +89,7 @@ class SampledTrajectory:
     def is_wrapped(self) -> bool:
         """The same as `is_loop`, for writers of formats that mark loops.
 
-        It is False for a loop that ends rotated, which no format can mark. Reading it then adds a note to `notes`.
+        It is False for a loop that ends rotated, which no format can mark. Then it also adds a note to `notes`.
         """
         if self.turns:
             self.notes.append("the format has no loops that rotate: one period is written, without a loop")
