@@ -31,7 +31,7 @@ class Minimum:
 
     Attributes:
         x: The best point evaluated, (n,).
-        value: E at x.
+        value: The objective E at x.
         evaluations: The number of evaluations.
         stop: Why the minimisation ended.
     """
@@ -47,7 +47,7 @@ class StopSearch(Exception):
 
 
 class Optimiser(Protocol):
-    """A function that minimises E over the unknowns of a timeline.
+    """A function that minimises the objective E over the unknowns of a timeline.
 
     A timeline contains keyframes and variable frames at fixed times. The unknowns are the variable frames and the free
     entries of partial keyframes.
