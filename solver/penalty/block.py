@@ -79,9 +79,9 @@ class Block:
     Attributes:
         at: Indices of the residuals' samples, (P,).
         value: Residuals, (P,).
-        changes: The derivatives of the residuals: the sum of the parts in this tuple. `Wrenches` contains derivatives with
-            respect to the motion of links, `Entries` with respect to entries of the state. Each part has one item per
-            residual, in the same order, unless `of` is given.
+        changes: The derivatives of the residuals: the sum of the parts in this tuple. `Wrenches` contains derivatives
+            with respect to the motion of links, `Entries` with respect to entries of the state. Each part has one item
+            per residual, in the same order, unless `of` is given.
         weight: Weights of the squared residuals, (P,).
         one_sided: Whether only positive residuals count.
         of: If residuals have several wrenches each: for each of the Q wrenches, the index of its residual, (Q,).
