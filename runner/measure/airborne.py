@@ -22,7 +22,7 @@ from .checks import Row, row_of
 from .measurement import Measurement, feet_of
 
 RATE = 60.0  # [1/s] of the samples
-# [1] smallest mean share of the weight that an unknown support would have to carry; in free fall this share is zero
+# [1] smallest median force of an unknown support relative to the weight, up or down; in free fall this force is zero
 CARRIED = 0.5
 
 Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
@@ -45,7 +45,8 @@ def airborne(motion: Measurement) -> Iterator[Excess]:
 
 
 def _floating(motion: Measurement, samples: Samples, at: Index, root: int, height: Array) -> Iterator[Excess]:
-    """Yield intervals in which a tree is above the ground, but does not fall as a body without support would.
+    """Yield intervals in which a tree is above the ground, but does not fall as a body without support would: it stays
+    there, or it is pushed down.
 
     samples  S samples of the motion;  at  (S,) their indices among its times
     root     index of the tree's root link;  height  (S,) [m] of its lowest point
@@ -67,19 +68,16 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         run = np.arange(start, end)
         t = samples.t[run]
         explained = any(first < t[-1] and t[0] < last for first, last in (*schedule.flights, *contacts))
-        if (
-            explained
-            or np.ptp(t) < limits.brief_flight
-            or np.diff(t) @ (carried[run][1:] + carried[run][:-1]) / 2 < CARRIED * np.ptp(t)
-        ):
+        if explained or np.ptp(t) < limits.brief_flight or np.median(np.abs(carried[run])) < CARRIED:
             continue
-        keys = np.flatnonzero(np.isin(motion.key_at, at[run]))
+        hanging = run[carried[run] >= CARRIED]
+        keys = np.flatnonzero(np.isin(motion.key_at, at[hanging]))
         top = run[height[run].argmax()]
         key = None
         if keys.size:
             key = int(keys[height[np.searchsorted(at, motion.key_at[keys])].argmax()])
             top = int(np.searchsorted(at, motion.key_at[key]))
-        text = f"the figure floats {{}} above the ground, for {np.ptp(t):.2f} s, and does not fall"
+        text = f"the figure floats {{}} above the ground, for {np.ptp(t):.2f} s, and is not in free fall"
         yield row_of("float", name, text), float(height[top]), float(samples.t[top]), key
 
 

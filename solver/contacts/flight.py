@@ -57,8 +57,10 @@ def flights(
     if with_height.size < 2:
         return ()
     keys = Timeline(tuple(keys.frames[i] for i in with_height), keys.end_slope, keys.ends)
-    contact = _Keys.of(figure, keys, points, surfaces, stances, body)
     times, rising = np.asarray(keys.times), _centre(figure, root, keys.states)
+    highest, tall = _ground(figure, keys, points, surfaces).max(axis=0), _tall(figure, root, points)
+    is_high = keys.fixed[:, figure.links[root].qpos + 2] & (rising - highest > STRETCHED * tall)
+    contact = _Keys.of(figure, keys, points, surfaces, stances, body, is_high)
     arcs = _Arcs.of(figure, root, keys, points, surfaces, contact, rising)
     intervals, first = arcs.single(), 0
     for k in range(times.size - 1):
@@ -101,11 +103,14 @@ class _Keys:
         surfaces: Sequence[Surface],
         stances: Sequence[Stance | Rest],
         body: Sequence[Point],
+        high: Mask | bool = False,
     ) -> _Keys:
+        """Return the contacts in keyframes; `high` (K,) is True where no foot reaches the ground, whatever its pose."""
         height, limits = heights_of(figure, keys, points, surfaces)[0], Thresholds.of(figure)
         low = height < limits.near_surface
         known = np.logical_and.reduce(placed(figure, keys.known, points))
         known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > limits.aloft)  # otherwise contact is unknown
+        known |= high
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
         flat = np.zeros_like(known)
         for foot in feet:
@@ -119,7 +124,7 @@ class _Keys:
         carried = np.zeros(begin.size, bool)
         for stance in stances:
             carried |= (stance.first < end) & (begin < stance.last)
-        touched = np.logical_or.reduce(low)
+        touched = np.logical_or.reduce(low) & ~high
         return cls(~carried & known[:-1] & known[1:], touched, flat, known & ~touched, step)
 
     def leaves(self, k: int) -> bool:
@@ -175,12 +180,8 @@ class _Arcs:
         contact: _Keys,
         rising: Array,
     ) -> _Arcs:
-        g = float(np.linalg.norm(figure.gravity))
-        soles = _sole_heights(figure, keys.states, points)
-        ground = (soles - heights_of(figure, keys, points, surfaces)[0]).min(axis=0)
-        rest = figure.to_state(figure.model.qpos0)[None]
-        tall = float(_centre(figure, root, rest)[0] - _sole_heights(figure, rest, points).min())
-        tall = max(tall, float((rising - ground)[contact.touched].max(initial=0.0)))
+        g, ground = float(np.linalg.norm(figure.gravity)), _ground(figure, keys, points, surfaces).min(axis=0)
+        tall = max(_tall(figure, root, points), float((rising - ground)[contact.touched].max(initial=0.0)))
         return cls(np.asarray(keys.times), rising, ground + STRETCHED * tall, contact, Thresholds.of(figure), g)
 
     def single(self) -> list[Interval]:
@@ -244,6 +245,17 @@ class _Arcs:
     def _rise(self, k: int, speed: float) -> float:
         """Return the height [m] of the top of a free fall above the lower one of take-off and landing."""
         return float(self.rising[k] + speed**2 / (2 * self.gravity) - self.reach[[k - 1, k + 1]].min())
+
+
+def _ground(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
+    """Return the heights (n, K) [m] of the ground below points in every keyframe."""
+    return _sole_heights(figure, keys.states, points) - heights_of(figure, keys, points, surfaces)[0]
+
+
+def _tall(figure: Figure, root: int, points: Sequence[Point]) -> float:
+    """Return the height [m] of the centre of mass above the soles in the rest pose."""
+    rest = figure.to_state(figure.model.qpos0)[None]
+    return float(_centre(figure, root, rest)[0] - _sole_heights(figure, rest, points).min())
 
 
 def _sole_heights(figure: Figure, states: Array, points: Sequence[Point]) -> Array:
