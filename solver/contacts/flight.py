@@ -39,8 +39,9 @@ def flights(
     A flight begins at the keyframe in which the last foot leaves the ground, or at the start of the clip in the air. It
     ends at the keyframe in which the first foot lands, or at the end of the clip. Around keyframes in the air, between
     others on the ground, it begins and ends between keyframes, see `_Arcs`. No foot stands on one spot in two
-    neighbouring keyframes of it, all keyframes fix the feet, and no other point of the `body` touches a surface. A foot
-    that leaves has stood before and is no longer flat on the ground; a foot that lands stands afterwards.
+    neighbouring keyframes of it. All keyframes fix the feet, or a height at which no foot reaches the ground. No other
+    point of the `body` touches a surface. A foot that leaves has stood before and is no longer flat on the ground; a
+    foot that lands stands afterwards.
 
     The free fall through both ends rises by at most 0.6 m and passes within 15 cm of the keyframes in between (for an
     adult, see `Thresholds`). In the segments before and after, the centre of mass rises and sinks with at least a fifth
