@@ -51,7 +51,7 @@ def clip_in(folder):
     """A clip that ships, searched for a moment."""
     file = folder / "run.toml"
     text = models.clip_text("run_and_step").replace(
-        "[[keyframe]]", "[solve]\nevaluations = 6\nframes = 6\ntolerance = 0.02\n\n[[keyframe]]", 1
+        "[[keyframe]]", "[solve]\nevaluations = 12\nframes = 6\ntolerance = 0.02\n\n[[keyframe]]", 1
     )
     file.write_text(text, encoding="utf-8")
     return file
