@@ -59,10 +59,10 @@ def flights(
         return ()
     keys = Timeline(tuple(keys.frames[i] for i in with_height), keys.end_slope, keys.ends)
     times, rising = np.asarray(keys.times), _centre(figure, root, keys.states)
-    highest, tall = _ground(figure, keys, points, surfaces).max(axis=0), _tall(figure, root, points)
-    is_high = keys.fixed[:, figure.links[root].qpos + 2] & (rising - highest > STRETCHED * tall)
+    ground, tall = _ground(figure, keys, points, surfaces), _tall(figure, root, points)
+    is_high = keys.fixed[:, figure.links[root].qpos + 2] & (rising - ground.max(axis=0) > STRETCHED * tall)
     contact = _Keys.of(figure, keys, points, surfaces, stances, body, is_high)
-    arcs = _Arcs.of(figure, root, keys, points, surfaces, contact, rising)
+    arcs = _Arcs.of(figure, times, contact, rising, ground.min(axis=0), tall)
     intervals, first = arcs.single(), 0
     for k in range(times.size - 1):
         if not contact.free[k]:
@@ -171,19 +171,11 @@ class _Arcs:
     gravity: float
 
     @classmethod
-    def of(
-        cls,
-        figure: Figure,
-        root: int,
-        keys: Timeline,
-        points: Sequence[Point],
-        surfaces: Sequence[Surface],
-        contact: _Keys,
-        rising: Array,
-    ) -> _Arcs:
-        g, ground = float(np.linalg.norm(figure.gravity)), _ground(figure, keys, points, surfaces).min(axis=0)
-        tall = max(_tall(figure, root, points), float((rising - ground)[contact.touched].max(initial=0.0)))
-        return cls(np.asarray(keys.times), rising, ground + STRETCHED * tall, contact, Thresholds.of(figure), g)
+    def of(cls, figure: Figure, times: Array, contact: _Keys, rising: Array, ground: Array, tall: float) -> _Arcs:
+        """Return the falls over the ground (K,) [m] below each keyframe, for a figure as tall as `tall` [m] or more."""
+        tall = max(tall, float((rising - ground)[contact.touched].max(initial=0.0)))
+        gravity = float(np.linalg.norm(figure.gravity))
+        return cls(times, rising, ground + STRETCHED * tall, contact, Thresholds.of(figure), gravity)
 
     def single(self) -> list[Interval]:
         """Return the flights around single keyframes in the air between two on the ground.

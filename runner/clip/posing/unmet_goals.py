@@ -69,14 +69,13 @@ def _note(figure: Figure, key: Frame, goal: Goal, error: float, stopped: Contain
         figure.links[link].name + (" (at the end of its range)" if link in stopped else "")
         for link in _joints(figure, key, body, is_fixed=False)
     )
-    if isinstance(goal, PointGoal):
-        where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
-        turned = next((o.name for o in goals if isinstance(o, BodyGoal) and o.bodies(figure.model)[0] == body), None)
-        also = "" if turned is None else f" and body '{turned}' turned as specified"
-        nearest = f"{_metres(error)} off in the nearest pose, with {joints} free{also}"
-        return f"no pose found that puts {kind} '{goal.name}' at ({where}): {nearest}"
-    nearest = f"{np.degrees(error):.3g} degrees off in the nearest pose, with {joints} free"
-    return f"no pose found that turns body '{goal.name}' so: {nearest}"
+    nearest = f"off in the nearest pose, with {joints} free"
+    if not isinstance(goal, PointGoal):
+        return f"no pose found that turns body '{goal.name}' so: {np.degrees(error):.3g} degrees {nearest}"
+    where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
+    is_turned = any(isinstance(other, BodyGoal) and other.bodies(figure.model)[0] == body for other in goals)
+    turned = f" and body '{figure.model.body(body).name}' turned as specified" if is_turned else ""
+    return f"no pose found that puts {kind} '{goal.name}' at ({where}): {_metres(error)} {nearest}{turned}"
 
 
 def _remedy(figure: Figure, key: Frame, row: KeyframeTable, goal: Goal) -> str:

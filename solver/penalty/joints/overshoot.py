@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -101,12 +102,12 @@ class OvershootPenalty(JointRange, Guide):
 def root_limits(holds: Holds) -> JointRange | None:
     """Return the penalty that keeps roots upright and near the way between two keyframes; None without free roots."""
 
-    def room(joint: Range) -> float:
+    def margin(joint: Range) -> float:
         if joint.home is not None:
             return float(SWAY + SHARE * np.linalg.norm(joint.arc))
         return ASIDE * max(1.0, (joint.last - joint.first) / BRIEFLY)
 
-    ranges = tuple(_widened(joint, room(joint)) for joint in holds.roots)
+    ranges = tuple(_widened(joint, margin(joint)) for joint in holds.roots)
     return JointRange(ranges, term_name="upright.root") if ranges else None
 
 
@@ -192,10 +193,12 @@ class Holds(NamedTuple):
         qpos, times = figure.to_qpos(raw.states), raw.times.tolist()
         equal, similar = list[Range](), list[Range]()
         for track in tracks(figure):
+            is_root = figure.links[track.link].kind is JointKind.FREE
+            is_height = is_root and track.unit == "length" and track.axis == 2
             for k in _held_segments(track, raw, qpos, repeats=repeats):
-                if not (_is_height(figure, track) and _flies(raw.times[k : k + 2], aloft)):
+                if not (is_height and _flies(times[k], times[k + 1], aloft)):
                     equal.append(track.range_at(qpos[k, track.columns], times[k], times[k + 1]))
-            if track.is_rotation and figure.links[track.link].kind is JointKind.FREE:
+            if is_root and track.is_rotation:
                 both, change = _changes(track, raw, qpos)
                 for k, turn in zip(both.tolist(), change, strict=True):
                     angle = float(np.linalg.norm(turn))
@@ -203,10 +206,9 @@ class Holds(NamedTuple):
                         middle = quat.product(qpos[k, track.columns], quat.from_rotation_vector(turn / 2))
                         joint = track.range_at(middle, times[k], times[k + 1])
                         similar.append(replace(joint, arc=tuple(turn.tolist())))
-            if _is_root_position(figure, track) and track.axis != 2 and track.link not in grasped:
-                similar += [
-                    joint for joint in _ways(figure, track, raw, qpos) if not _flies((joint.first, joint.last), aloft)
-                ]
+            elif is_root and not is_height and track.link not in grasped:
+                ranges = _path_ranges(figure, track, times, qpos)
+                similar += [joint for joint in ranges if not _flies(joint.first, joint.last, aloft)]
         segments = _swinging(figure, equal, raw)
         swinging = tuple(joint for joint in equal if joint.first in segments)
         tight = {(joint.first, joint.link, joint.kind, joint.column) for joint in swinging}
@@ -286,26 +288,14 @@ def _neighbours(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float
     return one, other
 
 
-def _ways(figure: Figure, track: Track, keys: Timeline, qpos: Array) -> Iterator[Range]:
+def _path_ranges(figure: Figure, track: Track, times: Sequence[float], qpos: Array) -> Iterator[Range]:
     """Yield the range of a root's coordinate in every segment: its two values, and a share of the distance."""
     first = figure.links[track.link].qpos
-    places, values = qpos[:, first : first + 2], qpos[:, track.columns[0]]
-    far = ASTRAY * np.linalg.norm(np.diff(places, axis=0), axis=1)
-    for k, room in enumerate(far.tolist()):
-        low, high = sorted(values[k : k + 2].tolist())
-        since, until = keys.times[k : k + 2].tolist()
-        yield Range(
-            track.name, track.link, JointKind.SLIDE, low - room, high + room, track.axis, first=since, last=until
-        )
+    far = np.linalg.norm(np.diff(qpos[:, first : first + 2], axis=0), axis=1)
+    for k, (begin, end) in enumerate(pairwise(qpos[:, track.columns])):
+        joint, margin = track.range_at(begin, times[k], times[k + 1]), ASTRAY * float(far[k])
+        yield replace(joint, low=min(joint.low, end.item()) - margin, high=max(joint.high, end.item()) + margin)
 
 
-def _is_root_position(figure: Figure, track: Track) -> bool:
-    return figure.links[track.link].kind is JointKind.FREE and track.unit == "length"
-
-
-def _is_height(figure: Figure, track: Track) -> bool:
-    return _is_root_position(figure, track) and track.axis == 2
-
-
-def _flies(span: Sequence[float] | Array, aloft: Sequence[tuple[float, float]]) -> bool:
-    return any(first < span[1] and span[0] < last for first, last in aloft)
+def _flies(since: float, until: float, aloft: Sequence[tuple[float, float]]) -> bool:
+    return any(first < until and since < last for first, last in aloft)

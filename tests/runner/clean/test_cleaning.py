@@ -219,8 +219,8 @@ def test_a_foot_lands_and_lifts_as_recorded(is_given):
     figure = take.figure
     rests = cleaned(ground_of(figure, take.qpos), repaired(figure, take.time, take.qpos, "true")).rests
     bad = take.shaking(take.qpos, np.random.default_rng(9), 0.005, np.radians(0.7))
-    found = cleaned(ground_of(figure, bad), repaired(figure, take.time, bad, "bad"), rests if is_given else None)
-    assert np.sqrt(np.mean(ankle_error(take, found) ** 2)) < 2.3
+    result = cleaned(ground_of(figure, bad), repaired(figure, take.time, bad, "bad"), rests if is_given else None)
+    assert np.sqrt(np.mean(ankle_error(take, result) ** 2)) < 2.3
 
 
 SIDE_STEP = """
@@ -250,8 +250,8 @@ def test_a_foot_that_lifts_at_once_has_no_stance(seed):
     """A stance of 0.1 s, inferred from noise, turns its ankle by 7 to 16° off the truth."""
     take = Take.of(solving.solve(recordings.from_text(SIDE_STEP, name="c"), quiet()), 100)
     bad = take.shaking(take.qpos, np.random.default_rng(seed), 0.004, np.radians(0.6))
-    found = cleaned(ground_of(take.figure, bad), repaired(take.figure, take.time, bad, "bad"))
-    assert ankle_error(take, found).max() < 6
+    result = cleaned(ground_of(take.figure, bad), repaired(take.figure, take.time, bad, "bad"))
+    assert ankle_error(take, result).max() < 6
 
 
 @pytest.mark.parametrize(

@@ -108,7 +108,7 @@ def test_a_jump_with_one_keyframe_in_the_air_falls_freely_or_is_reported(seconds
         return
     assert motion.violations == []
     t = np.linspace(-0.1, 0.1, 9)
-    height = [centre_of_mass(motion, 0.5 + seconds + each)[2] for each in t]
+    height = [centre_of_mass(motion, 0.5 + seconds + after)[2] for after in t]
     assert 2 * np.polyfit(t, height, 2)[0] == pytest.approx(-9.81, abs=1)
 
 

@@ -103,8 +103,8 @@ def test_a_root_may_turn_a_little_beyond_its_two_rotations_if_they_are_similar(d
     off = [0.5 * degrees, 0, 0, 0, degrees, 10]
     states = [[0, 0, 1, *sign * r.as_quat(scalar_first=True)] for r in (*turned, halfway * across) for sign in (-1, 1)]
     samples = Samples.still(figure, figure.to_state(np.array(states)), t=np.full(len(states), 0.5))
-    seen = np.degrees(penalty.beyond(samples)[0] + joint.high)
-    np.testing.assert_allclose(seen, np.repeat(off, 2), atol=1e-6)
+    excess = np.degrees(penalty.beyond(samples)[0] + joint.high)
+    np.testing.assert_allclose(excess, np.repeat(off, 2), atol=1e-6)
 
 
 def test_a_root_may_move_a_little_beyond_its_two_positions_except_in_flights() -> None:
@@ -113,10 +113,10 @@ def test_a_root_may_move_a_little_beyond_its_two_positions_except_in_flights() -
     keys = raw_timeline(figure, [Frame.key(t, state) for t, state in zip((0.0, 0.25, 1.25), states, strict=True)])
     penalty = root_limits(Holds.of(figure, keys, aloft=[(0.3, 0.5)]))
     assert penalty is not None
-    ways = {(joint.first, joint.column): (joint.low, joint.high) for joint in penalty.joints if joint.home is None}
-    assert ways.keys() == {(0.0, 0), (0.0, 1)}
-    np.testing.assert_allclose(ways[0.0, 0], (-0.08, 0.38), atol=1e-9)
-    np.testing.assert_allclose(ways[0.0, 1], (-0.48, 0.08), atol=1e-9)
+    bounds_of = {(joint.first, joint.column): (joint.low, joint.high) for joint in penalty.joints if joint.home is None}
+    assert bounds_of.keys() == {(0.0, 0), (0.0, 1)}
+    np.testing.assert_allclose(bounds_of[0.0, 0], (-0.08, 0.38), atol=1e-9)
+    np.testing.assert_allclose(bounds_of[0.0, 1], (-0.48, 0.08), atol=1e-9)
     penalty = root_limits(Holds.of(figure, keys))
     assert penalty is not None
     (low, high), *_ = [(j.low, j.high) for j in penalty.joints if j.first == 0.25 and j.column == 1 and not j.home]
