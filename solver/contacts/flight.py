@@ -109,9 +109,8 @@ class _Keys:
         """Return the contacts in keyframes; `high` (K,) is True where no foot reaches the ground, whatever its pose."""
         height, limits = heights_of(figure, keys, points, surfaces)[0], Thresholds.of(figure)
         low = height < limits.near_surface
-        known = np.logical_and.reduce(placed(figure, keys.known, points))
-        known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > limits.aloft)  # otherwise contact is unknown
-        known |= high
+        is_clear = np.logical_or.reduce(low) | (np.min(height, axis=0) > limits.aloft)  # otherwise contact is unknown
+        known = (np.logical_and.reduce(placed(figure, keys.known, points)) & is_clear) | high
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
         flat = np.zeros_like(known)
         for foot in feet:
