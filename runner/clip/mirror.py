@@ -14,6 +14,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import AXIAL, POLAR, TURN, Mirror
 from dynsplines.solver.curve.symmetry import WORLD, other_side
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.posing import rest_rotation
 from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError
@@ -43,6 +44,7 @@ Placed = TypeVar("Placed", bound=Table)
 Obstacle = TypeVar("Obstacle", BoxTable, SphereTable, BarTable)
 Turned = TypeVar("Turned", bound=RotationTable)
 
+REST = 1e-6  # [1] tolerance of a rest pose that is its own mirror image
 NEAR = 0.02  # [1] maximum distance of a point from the image of its partner, relative to the figure's size
 
 
@@ -103,6 +105,10 @@ class _Sides:
         """Return the reflection (3, 3) from the frame of a body to that of the body on the other side."""
         body, other = self.places.body(name), self.places.body(self.other(name))
         return WORLD if body is None or other is None else self.mirror.of_bodies(body, other)
+
+    def rest(self, body: int, other: int) -> Array:
+        """Return the orientations (2, 4) of a body and of the body on the other side in the rest pose."""
+        return np.stack([rest_rotation(self.figure.model, body), rest_rotation(self.figure.model, other)])
 
 
 def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTable:
@@ -199,29 +205,32 @@ def _keyframe(row: KeyframeTable, sides: _Sides) -> KeyframeTable:
     links = sides.figure.links
     first = next((link.name for link in links[1:] if link.kind is JointKind.FREE), None)
     reflection = WORLD if first is None else sides.mirror.reflection[sides.link(first)]
+    root = 0 if sides.figure.root is None else sides.figure.root.body
     return row.changed(
-        root=_root(row.root, reflection),
+        root=_root(row.root, reflection, sides.rest(root, root)),
         roots=dict(_further_root(name, table, sides) for name, table in row.roots.items()),
         joints=dict(_joint(name, value, sides) for name, value in row.joints.items()),
         sites={sides.other(name): _site(value) for name, value in row.sites.items()},
-        bodies={sides.other(name): _body(value, sides.reflection(name)) for name, value in row.bodies.items()},
+        bodies={sides.other(name): _body(name, value, sides) for name, value in row.bodies.items()},
     )
 
 
 def _further_root(name: str, table: RootTable, sides: _Sides) -> tuple[str, RootTable]:
     link, mirror = sides.link(name), sides.mirror
-    return sides.figure.links[mirror.partner[link]].name, _root(table, mirror.reflection[link])
+    partner = sides.figure.links[mirror.partner[link]]
+    return partner.name, _root(table, mirror.reflection[link], sides.rest(sides.figure.links[link].body, partner.body))
 
 
-def _root(table: RootTable, reflection: Array) -> RootTable:
+def _root(table: RootTable, reflection: Array, rest: Array) -> RootTable:
     position = table.position if table.position == "free" else _signed(table.position, POLAR)
-    rotation_ = table.rotation if table.rotation == "free" else _in_world(table.rotation, reflection)
+    rotation_ = table.rotation if table.rotation == "free" else _in_world(table.rotation, reflection, rest)
     return table.changed(position=position, rotation=rotation_)
 
 
-def _body(table: BodyTable, reflection: Array) -> BodyTable:
+def _body(name: str, table: BodyTable, sides: _Sides) -> BodyTable:
+    reflection, body, other = sides.reflection(name), sides.places.body(name), sides.places.body(sides.other(name))
     at = None if table.at is None else tuple((reflection @ np.array(table.at)).tolist())
-    return _placed(_in_world(table, reflection), "position").changed(at=at)
+    return _placed(_in_world(table, reflection, sides.rest(body or 0, other or 0)), "position").changed(at=at)
 
 
 def _site(value: SiteTable | Axes) -> SiteTable | tuple[float | str, ...]:
@@ -240,11 +249,19 @@ def _joint(name: str, value: RotationTable | float | str, sides: _Sides) -> tupl
     return partner.name, float(mirror.sense(mirror.partner[number]) * value + shift)
 
 
-def _in_world(table: Turned, reflection: Array) -> Turned:
-    """Return a rotation R in the world as S R Mᵀ, for the reflection M of its frame."""
-    if np.array_equal(reflection, WORLD) or not table.is_rotation:
+def _in_world(table: Turned, reflection: Array, rest: Array) -> Turned:
+    """Return a rotation R in the world as S R Mᵀ, for the reflection M of its frame.
+
+    rest  (2, 4) orientations in the rest pose: of the body, and of that on the other side
+    """
+    if table.is_heading:
+        first, last = quat.matrices(rest)
+        is_plain = np.allclose(WORLD @ first @ reflection.T, last, atol=REST)
+    else:
+        is_plain = np.array_equal(reflection, WORLD)
+    if is_plain or not table.is_rotation:
         return _rotation(table)
-    matrix = WORLD @ quat.matrices(quaternion_of(table)) @ reflection.T
+    matrix = WORLD @ quat.matrices(quaternion_of(table, rest[0])) @ reflection.T
     return _with_rotation(table, quat.from_matrix(matrix))
 
 
@@ -257,7 +274,8 @@ def _in_parent(table: RotationTable, reflection: Array) -> RotationTable:
 
 
 def _with_rotation(table: Turned, quaternion: Array) -> Turned:
-    return table.without(*RotationTable.model_fields).changed(rotvec=rotation(quaternion).rotvec)
+    names = {*RotationTable.model_fields, *({"flat"} & table.model_fields_set)}
+    return table.without(*names).changed(rotvec=rotation(quaternion).rotvec)
 
 
 def _rotation(table: Turned) -> Turned:

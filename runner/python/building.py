@@ -33,8 +33,9 @@ class Keyframe:
     """A keyframe, complete or partial. The arguments have the names of the clip file's keys.
 
     A rotation is {"rotvec": [x, y, z]} in degrees, {"euler": [...], "order": "xyz"} in degrees, {"quat": [w, x, y, z]},
-    or a scipy Rotation. Euler angles are intrinsic, as in MuJoCo: "xyz" is SciPy's "XYZ". The solver chooses values
-    that are "free".
+    or a scipy Rotation. Euler angles are intrinsic, as in MuJoCo: "xyz" is SciPy's "XYZ". In the world, {"heading": 90}
+    rotates the rest pose about the vertical axis, in degrees; with another key, it is applied last. The solver chooses
+    values that are "free".
 
     Args:
         time: Time [s].

@@ -20,6 +20,7 @@ from .goals import PointGoal as PointGoal
 from .goals import chain as chain
 from .goals import limb as limb
 from .goals import reached as reached
+from .goals import rest_rotation as rest_rotation
 from .goals import same_heading as same_heading
 from .inverse_kinematics import STARTS as STARTS
 from .inverse_kinematics import in_winding as in_winding

@@ -141,7 +141,7 @@ class BodyGoal:
         here = data.xquat[self._body(model)]
         if self.rotation is not None:
             return quat.rotation_vector(quat.product(here, quat.inverse(self.rotation)))
-        up = quat.rotated(quat.product(here, quat.inverse(_at_rest(model, self._body(model)))), [0.0, 0, 1])
+        up = quat.rotated(quat.product(here, quat.inverse(rest_rotation(model, self._body(model)))), [0.0, 0, 1])
         tilt = np.cross([0.0, 0, 1], up)
         length = float(np.linalg.norm(tilt))
         if length < UPRIGHT:
@@ -157,7 +157,7 @@ class BodyGoal:
 def same_heading(figure: Figure, qpos: Array, body: int) -> BodyGoal:
     """Return the goal that a body is upright as in the rest pose, with the heading that it has in a pose (nq,)."""
     model, data = figure.model, kinematics(figure.model, qpos)
-    at_rest = _at_rest(model, body)
+    at_rest = rest_rotation(model, body)
     turn = quat.product(data.xquat[body], quat.inverse(at_rest)) * [1.0, 0, 0, 1]
     heading = turn / np.linalg.norm(turn) if np.linalg.norm(turn) > UPRIGHT else np.array([1.0, 0, 0, 0])
     return BodyGoal(str(model.body(body).name), quat.product(heading, at_rest), body)
@@ -235,7 +235,7 @@ def limb(figure: Figure, body: int) -> list[int]:
     return links[: forks[0]] if forks else links
 
 
-def _at_rest(model: mujoco.MjModel, body: int) -> Array:
+def rest_rotation(model: mujoco.MjModel, body: int) -> Array:
     """Return the orientation of a body in the world in the rest pose, a wxyz quaternion (4,)."""
     turn = np.array([1.0, 0, 0, 0])
     while body:

@@ -31,6 +31,7 @@ from dynsplines.solver.posing import (
     limb,
     posed,
     reached,
+    rest_rotation,
     same_heading,
 )
 from dynsplines.solver.surface import Surface
@@ -88,7 +89,7 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
         body = places.body(name)
         if body is None:
             raise UserError(f"{where}: {unknown('body', name, places.bodies_listed)}")
-        body_goals = _body_goals(name, body, table, f"{where}: bodies.{name}")
+        body_goals = _body_goals(figure, name, body, table, f"{where}: bodies.{name}")
         _check_moves(figure, body_goals[0], f"{where}: body '{name}'")
         goals += body_goals
     for root, position in posed_roots(figure, row):
@@ -234,14 +235,14 @@ def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: st
             raise UserError(f"{where}: site '{point.point.name}' {immovable(figure, body)}")
 
 
-def _body_goals(name: str, body: int, table: BodyTable, where: str) -> list[Goal]:
+def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, where: str) -> list[Goal]:
     """Return goals for the position of a body's origin or of a point in its axes, and for its orientation."""
     goals: list[Goal] = []
     if table.position is not None:
         target = _target(table.position, where, "the position")
         goals.append(PointGoal(name, body, np.array(table.at or (0.0, 0, 0)), target))
     if table.is_rotation:
-        goals.append(BodyGoal(name, quaternion_of(table), body))
+        goals.append(BodyGoal(name, quaternion_of(table, rest_rotation(figure.model, body)), body))
     elif table.flat:
         goals.append(BodyGoal(name, index=body))
     return goals

@@ -16,7 +16,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.forward import set_qpos
 from dynsplines.solver.figure.root import Root, roots_of
-from dynsplines.solver.posing import WHOLE_TURNS, BodyGoal, in_winding, posed
+from dynsplines.solver.posing import WHOLE_TURNS, BodyGoal, in_winding, posed, rest_rotation
 
 from ...errors import UserError, unknown
 from ..table import KeyframeTable, RootTable, RotationTable
@@ -135,7 +135,7 @@ def _set(
     before: Array | None,
 ) -> None:
     if root.is_free:
-        _set_free(qpos, fixed, figure.links[root.link].qpos, table, where)
+        _set_free(figure, root, qpos, fixed, table)
         return
     chain, is_posed = _Chain(figure, root, qpos, row.joints, where), root in dict(posed_roots(figure, row))
     if "rotation" in table.model_fields_set:
@@ -156,8 +156,9 @@ def _set(
         chain.fix(fixed, moving, True)
 
 
-def _set_free(qpos: Array, fixed: Mask, start: int, table: RootTable, where: str) -> None:
+def _set_free(figure: Figure, root: Root, qpos: Array, fixed: Mask, table: RootTable) -> None:
     """Set a free joint's position, axis by axis, and its rotation from a table."""
+    start = figure.links[root.link].qpos
     if "position" in table.model_fields_set:
         axes = ("free",) * 3 if table.position == "free" else table.position
         for i, value in enumerate(axes):
@@ -167,7 +168,7 @@ def _set_free(qpos: Array, fixed: Mask, start: int, table: RootTable, where: str
     if "rotation" in table.model_fields_set:
         fixed[start + 3 : start + 7] = table.rotation != "free"
         if table.rotation != "free":
-            qpos[start + 3 : start + 7] = quaternion_of(table.rotation)
+            qpos[start + 3 : start + 7] = quaternion_of(table.rotation, rest_rotation(figure.model, root.body))
 
 
 class _Chain:
@@ -192,7 +193,8 @@ class _Chain:
         set_qpos(self.figure.model, self.data, self.qpos)
         before = np.array(self.data.xpos[self.root.body])
         where = f"{self.where}.rotation"
-        target, hint = quaternion_of(table), angles_about(table)
+        target = quaternion_of(table, rest_rotation(self.figure.model, self.root.body))
+        hint = angles_about(table)
         hinges = [i for i in self.turning if self.figure.links[i].kind is JointKind.HINGE]
         columns = [self.figure.links[i].qpos for i in hinges]
         rest = np.array(self.figure.model.qpos0)

@@ -10,14 +10,16 @@ from dynsplines.solver.array import Array
 from ..table import RotationTable
 
 UP = np.array([0.0, 0.0, 1.0])
+IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 
-def quaternion_of(table: RotationTable) -> Array:
-    """Return the quaternion (4,) wxyz of a rotation in the world; a heading rotates the rest about the vertical."""
+def quaternion_of(table: RotationTable, rest: Array = IDENTITY) -> Array:
+    """Return the quaternion (4,) wxyz of a rotation. A heading rotates the other notation of the table about the
+    vertical; without one, it rotates the orientation in the rest pose, `rest` (4,) wxyz."""
+    other = rest if table.is_heading else _without_heading(table)
     if table.heading is None:
-        return _without_heading(table)
-    heading = quat.from_rotation_vector(np.radians(table.heading) * UP)
-    return heading if table.is_heading else quat.product(heading, _without_heading(table))
+        return other
+    return quat.product(quat.from_rotation_vector(np.radians(table.heading) * UP), other)
 
 
 def _without_heading(table: RotationTable) -> Array:

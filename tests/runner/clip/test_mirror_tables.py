@@ -92,3 +92,23 @@ def test_a_site_that_has_nothing_on_the_other_side_is_refused():
     table = table_of(CLIP + "sites.toe_1 = [0.3, 0.1, 0.4]\n", "one")
     with pytest.raises(UserError, match="'toe_1': it has no counterpart on the other side"):
         mirrored_tables(table, clip.figure, Mirror.of(clip.figure))
+
+
+def sided(text: str) -> str:
+    return text.replace("_1", "_left").replace("_2", "_right")
+
+
+@pytest.mark.parametrize("turn", [".5 .5 .5 .5", ".1 .1 .7 .7"])
+def test_a_heading_alone_is_that_of_the_mirrored_motion(turn):
+    text = CLIP + "[[keyframe]]\ntime = 2\nothers = 'previous'\nroot.rotation = {heading = 50}\n"
+    text += "[[keyframe]]\ntime = 3\nothers = 'previous'\nbodies.foot_1 = {heading = 10}\njoints.swing_1 = 'free'\n"
+    text += "[[keyframe]]\ntime = 4\nothers = 'previous'\nbodies.waist = {flat = true, heading = 20}\n"
+    spec, text = figure(sided(TURNED.replace(".5 .5 .5 .5", turn, 1))), sided(text)
+    one = recordings.from_text(text, name="one", spec=spec.copy())
+    mirror = Mirror.of(one.figure)
+    table = mirrored_tables(table_of(text, "one"), one.figure, mirror)
+    two = recordings.from_text(written(table), name="two", spec=spec.copy())
+    model = one.figure.model
+    for before, after in zip(one.keys, two.keys, strict=True):
+        image = kinematics(model, mirror.configurations(before.state)).xmat
+        np.testing.assert_allclose(kinematics(model, after.state).xmat, image, atol=2e-4)

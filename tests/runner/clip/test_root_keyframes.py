@@ -159,3 +159,20 @@ def test_the_trunk_stays_upright_in_a_squat_on_slides(tmp_path: Path) -> None:
     data = kinematics(motion.model, motion.at(0.5))
     assert data.body("pelvis").xpos == pytest.approx([0, 0, 0.7], abs=1e-6)
     assert data.body("pelvis").xmat[8] > np.cos(np.radians(10))
+
+
+TILTED = """<mujoco><compiler angle="degree"/><worldbody><geom type="plane" size="5 5 .1"/>
+  <body name="trunk" pos="0 0 1" euler="{trunk}">{root}<geom type="box" size=".2 .1 .1"/>
+    <body name="head" pos=".3 0 0" euler="-10 25 40"><joint name="neck" type="ball"/><geom size=".1"/></body>
+  </body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize("root", ['<freejoint name="root"/>', joints(("tx", "ty", "tz", "rx", "ry", "rz"))])
+@pytest.mark.parametrize("trunk", ["90 0 0", "20 0 30", "0 0 -50"])
+def test_a_heading_alone_rotates_the_rest_pose(tmp_path: Path, root: str, trunk: str) -> None:
+    model, rest = TILTED.format(trunk=trunk, root=root), 'others = "rest"'
+    rows = f"{rest}\nroot.rotation = {{heading = 60}}", f"{rest}\nbodies.head = {{heading = 70}}"
+    problem = read(model, tmp_path, rest, *rows, f"{rest}\nbodies.head = {{flat = true, heading = -20}}")
+    for k, body, heading in ((1, "trunk", 60), (2, "head", 70), (3, "head", -20)):
+        wanted = Rotation.from_euler("z", heading, degrees=True).as_matrix() @ placed(problem, 0, body)[1]
+        assert placed(problem, k, body)[1] == pytest.approx(wanted, abs=1e-6)
