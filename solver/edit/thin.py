@@ -1,14 +1,13 @@
 """Thinning: few keyframes whose in-between stays within a bound of a recorded motion.
 
-Keyframes are at instants of the recording, so a choice of keyframes is a set of instants. First, greedy insertion where
-the in-between deviates most satisfies the bound. Then keyframes are removed that are not needed, or whose neighbours
-can compensate after a move, until no more can be removed. The minimum would require a search of every set; on short
-motions the result has at most one keyframe more. Sliding is more visible than a small offset in motion. The bound is
-therefore stricter for hands and feet while they are still, which leads to keyframes where contacts begin and end.
+Keyframes are at instants of the recording, so a choice of keyframes is a set of instants. Keyframes are inserted where
+the in-between deviates most, and then removed where they are not needed. The minimum would require a search of every
+set. Sliding is more visible than a small offset in motion. The bound is therefore stricter for hands and feet while
+they are still, which leads to keyframes where contacts begin and end.
 
 Insertion at the largest deviation is the method of U. Ramer (1972) and D. Douglas & T. Peucker (1973), here for a
-spline instead of a polygon. A spline changes on both sides of a keyframe, so each trial checks the neighbourhood of its
-change.
+spline instead of a polygon. A spline changes on both sides of a keyframe, so a removal is tried on its neighbourhood,
+which makes the time proportional to the length of a recording. The bound is then checked on the whole spline.
 """
 
 from __future__ import annotations
@@ -23,7 +22,6 @@ from numpy.typing import ArrayLike
 
 from ..array import Array, Index, Mask, runs
 from ..curve.frame import Frame, Timeline
-from ..curve.seam import Seam
 from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, on_links
@@ -32,12 +30,9 @@ from ..surface.points import body_points
 
 InBetween = Callable[[Sequence[Frame]], Timeline]
 
-REACH = 4  # keyframes on either side of a change that a trial checks; beyond, a spline moves by less than 1 %
+REACH = 4  # keyframes on either side of a removed one that a trial checks; beyond, a spline moves by less than 1 %
 MARGIN = 3  # further keyframes on either side that the spline of a trial interpolates
 SHARE = 0.5  # [1] deviation relative to the worst, from which segments get a keyframe in the same round
-NEAR = 3  # keyframes on either side of a removed one that may move
-FIRST_STEP, LEAST_STEP = 0.5, 0.04  # [1] first and smallest moves, relative to the distance to the next keyframe
-GAIN = 0.98  # [1] maximum excess after a useful move, relative to that before
 FINE = 1e-9  # [1] rounding tolerance of the bound
 STILL = 0.1  # [m/s] speed below which the end of a limb is still, above that of captured feet in stance
 STANDS = 0.1  # [s] minimum duration of stillness; a shorter one is a reversal
@@ -131,10 +126,6 @@ class Recorded:
         """The permitted errors of the points, (n, S) [m]."""
         return self.bound.distance * np.where(self.is_still, CLOSELY, 1.0)
 
-    @cached_property
-    def _states(self) -> Array:
-        return raw_timeline(self.figure, self.frames(range(len(self.times)))).states
-
     def misses(self, timeline: Timeline) -> tuple[Array, Array]:
         """Return distances (n, S) [m] of the points and angles (L, S) [rad] of the links at the instants."""
         return self._misses(path_of(timeline).at(self.times), np.arange(len(self.times)))
@@ -157,57 +148,18 @@ class Recorded:
         lengths = self._lengths.take(instants, axis=1)
         return np.maximum((distance / lengths).max(axis=0), angle.max(axis=0) / self.bound.angle)
 
-    def breaches(self, sets: Sequence[Sequence[int]], at: int) -> Array:
-        """Return by how much raw splines through sets of instants exceed the bound near one instant of each set.
+    def excess_without(self, instants: Sequence[int], n: int) -> float:
+        """Return the largest deviation of the raw spline without keyframe n, as a multiple of the bound.
 
-        The value is Σ max(0, excess − 1)², see `excess`, for splines through REACH + MARGIN keyframes on either side,
-        with the signs of the recording.
-
-        Args:
-            sets: Sets of instants, all of the same size.
-            at: The index of the instant in the sets.
-
-        Returns:
-            The values, (len(sets),).
+        If n is far from both ends, only its neighbourhood is examined.
         """
-        if self.ends.startswith("clamped"):
-            over = [self.excess(self.spline(self.frames(selection))) - 1 - FINE for selection in sets]
-            return np.sum(np.maximum(over, 0) ** 2, axis=1)
-        chosen, last = np.array(sets), len(self.times) - 1
-        numbers, first, end = self._near(chosen.shape[1], at)
-        turns, numbers = np.divmod(numbers, chosen.shape[1] - 1) if self.ends == "periodic" else (0 * numbers, numbers)
-        neighbours = chosen[:, numbers] + turns * last  # instants, continued through the periods of a loop
-        spans = [np.arange(row[first], row[end] + 1) for row in neighbours]
-        owner = np.repeat(np.arange(len(sets)), [span.size for span in spans])
-        instants = np.concatenate(spans)
-        times, values = self._unrolled(neighbours)
-        states = natural_splines(times, values, owner, self._unrolled(instants)[0])
-        if self.ends == "periodic":
-            turns, instants = np.divmod(instants, last)
-            states = self._seam.moved(states, -turns)
-        over = np.maximum(self._excess(*self._misses(states, instants), instants) - 1 - FINE, 0)
-        return np.bincount(owner, over**2, len(sets)).astype(float)
-
-    def _near(self, count: int, at: int) -> tuple[Index, int, int]:
-        """Return indices of keyframes, of `count`, around `at`, and the two that bound the examined span."""
-        if self.ends == "periodic":
-            before = min(REACH, (count - 1) // 2)
-            after = min(REACH, count - 1 - before)
-            return np.arange(at - before - MARGIN, at + after + MARGIN + 1), MARGIN, MARGIN + before + after
-        low, high = max(0, at - REACH - MARGIN), min(count, at + REACH + MARGIN + 1)
-        return np.arange(low, high), max(0, at - REACH) - low, min(count - 1, at + REACH) - low
-
-    @cached_property
-    def _seam(self) -> Seam:
-        return Seam.between(self.figure, self._states[0], self._states[-1])
-
-    def _unrolled(self, instants: Index) -> tuple[Array, Array]:
-        """Return times (...) and states (..., N) at instants (...), which may lie outside the period of a loop."""
-        if self.ends != "periodic":
-            return self.times[instants], self._states[instants]
-        turns, within = np.divmod(instants, len(self.times) - 1)
-        states = self._seam.moved(self._states[within], turns)
-        return self.times[within] + turns * (self.times[-1] - self.times[0]), states
+        first, end = n - REACH - MARGIN, n + REACH + MARGIN + 1
+        if first < 0 or end > len(instants):
+            return float(self.excess(self.spline(self.frames([*instants[:n], *instants[n + 1 :]]))).max())
+        near = raw_timeline(self.figure, self.frames([*instants[first:n], *instants[n + 1 : end]]))
+        examined = np.arange(instants[n - REACH], instants[n + REACH] + 1)
+        states = path_of(near).at(self.times[examined])
+        return float(self._excess(*self._misses(states, examined), examined).max())
 
     def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
         names = self.points[0], [link.name for link in self.figure.links]
@@ -242,11 +194,7 @@ class Thinned:
 def thin(recorded: Recorded, report: Callable[[str], None] = lambda note: None) -> Thinned:
     """Return a small set of instants whose raw spline stays within the bound at every sample of the recording."""
     selection = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, report).instants
-    while True:
-        fewer = _repaired(recorded, _without_redundant(recorded, list(selection), report), report)
-        if len(fewer) == len(selection):
-            return Thinned(tuple(fewer), recorded.spline(recorded.frames(fewer)))
-        selection = tuple(fewer)
+    return refined(recorded, _without_redundant(recorded, selection, report), recorded.spline, report)
 
 
 def refined(
@@ -294,94 +242,15 @@ def _long_runs(mask: Mask, times: Array, least: float) -> Mask:
     return out
 
 
-def natural_splines(times: Array, values: Array, owner: Index, t: Array) -> Array:
-    """Return natural cubic splines, many at once, at t (S,) [s].
-
-    The second derivatives solve the usual tridiagonal system, here as a dense matrix because the splines are short.
-
-    Args:
-        times: Knots, (C, K) [s].
-        values: Values at the knots, (C, K, N).
-        owner: The spline of each time, (S,).
-    """
-    h = np.diff(times)
-    count = times.shape[1]
-    inner = np.arange(1, count - 1)
-    matrix = np.tile(np.eye(count), (len(times), 1, 1))
-    matrix[:, inner, inner - 1], matrix[:, inner, inner + 1] = h[:, :-1], h[:, 1:]
-    matrix[:, inner, inner] = 2 * (h[:, :-1] + h[:, 1:])
-    bends = np.zeros(values.shape)
-    bends[:, 1:-1] = 6 * np.diff(np.diff(values, axis=1) / h[:, :, None], axis=1)
-    bends = np.linalg.solve(matrix, bends)
-    segment = np.clip((times[owner] <= t[:, None]).sum(axis=1) - 1, 0, count - 2)
-    step = h[owner, segment, None]
-    ahead = (t - times[owner, segment])[:, None] / step
-    behind = 1 - ahead
-    straight = behind * values[owner, segment] + ahead * values[owner, segment + 1]
-    bent = (behind**3 - behind) * bends[owner, segment] + (ahead**3 - ahead) * bends[owner, segment + 1]
-    return straight + bent * step**2 / 6
-
-
-def _is_within_bound(recorded: Recorded, instants: Sequence[int]) -> bool:
-    return float(recorded.excess(recorded.spline(recorded.frames(instants))).max()) <= 1 + FINE
-
-
-def _without_redundant(recorded: Recorded, instants: list[int], report: Callable[[str], None]) -> list[int]:
+def _without_redundant(recorded: Recorded, instants: Sequence[int], report: Callable[[str], None]) -> list[int]:
     """Return the keyframes without those that are not needed; those with the nearest neighbours are removed first."""
-    needed = {instants[0], instants[-1]}
-    while True:
-        loss = {i: recorded.breaches([_dropped(instants, i)], n)[0] for n, i in enumerate(instants) if i not in needed}
-        gone = 0
-        for i in sorted(
-            (i for i in loss if loss[i] == 0),
-            key=lambda i: instants[instants.index(i) + 1] - instants[instants.index(i) - 1],
-        ):
-            fewer = _dropped(instants, i)
-            if recorded.breaches([fewer], instants.index(i))[0] == 0 and _is_within_bound(recorded, fewer):
-                instants, gone = fewer, gone + 1
-        if not gone:
-            return instants
-        report(f"{len(instants)} keyframes")
-
-
-def _repaired(recorded: Recorded, instants: list[int], report: Callable[[str], None]) -> list[int]:
-    """Return the keyframes without those that their neighbours can replace after a move."""
-    needed = {instants[0], instants[-1]}
-    for i in list(instants):
-        if i in instants and i not in needed:
-            at = instants.index(i)
-            moved = _moved(recorded, _dropped(instants, i), at)
-            if moved is not None and _is_within_bound(recorded, moved):
-                instants = moved
-                report(f"{len(instants)} keyframes")
-    return instants
-
-
-def _moved(recorded: Recorded, instants: list[int], at: int) -> list[int] | None:
-    """Return instants with those near index `at` moved one at a time until the bound holds there, or None. The first
-    steps are half the distance to the neighbour. They become shorter if none helps, down to one instant."""
-    needed = {instants[0], instants[-1]}
-    near = [n for n in range(max(0, at - NEAR), min(len(instants), at + NEAR)) if instants[n] not in needed]
-    breach, share = float(recorded.breaches([instants], at)[0]), FIRST_STEP
-    while breach > 0:
-        trials = []
-        for n in near:
-            for neighbour in (instants[n - 1], instants[n + 1]):
-                place = instants[n] + (
-                    round(share * (neighbour - instants[n])) or int(np.sign(neighbour - instants[n]))
-                )
-                if place != neighbour:
-                    trials.append([*instants[:n], place, *instants[n + 1 :]])
-        remaining = recorded.breaches(trials, at) if trials else np.array([np.inf])
-        best = int(remaining.argmin())
-        if remaining[best] < GAIN * breach:
-            instants, breach = trials[best], float(remaining[best])
-        elif share > LEAST_STEP:
-            share /= 2
-        else:
-            return None
-    return instants
-
-
-def _dropped(instants: Sequence[int], removed: int) -> list[int]:
-    return [i for i in instants if i != removed]
+    remaining, before = list(instants), 0
+    while len(remaining) != before:
+        before = len(remaining)
+        spans = {i: remaining[n + 1] - remaining[n - 1] for n, i in enumerate(remaining[1:-1], 1)}
+        for i in sorted(spans, key=spans.__getitem__):
+            n = remaining.index(i)
+            if recorded.excess_without(remaining, n) <= 1 + FINE:
+                del remaining[n]
+        report(f"{len(remaining)} keyframes")
+    return remaining
