@@ -25,7 +25,7 @@ from ..motion import Saved, read_arrays
 from ..motion import load as read_motion
 from ..scene.assets import Scene, taken_along
 from ..scene.compose import compose, figure_spec, quietly, spec_joint_names
-from ..scene.configuration import first_wrong
+from ..scene.configuration import first_wrong, unlike_joints
 from .build import Clip, build, build_following, edits_of, solve_of
 from .kinds import RENAMED
 from .obstacles import obstacles
@@ -268,7 +268,11 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
         scene = compose(figure_spec(model))
     except UserError as error:
         raise UserError(_placed(error, model)) from None
-    return from_qpos(keys.stem, scene, time, qpos, fps, keys.name)
+    clip = from_qpos(keys.stem, scene, time, qpos, fps, keys.name)
+    joints = arrays.get("joint_names")
+    if joints is not None and (differ := unlike_joints(clip.figure.model, [str(name) for name in joints.ravel()])):
+        raise UserError(f"{keys.name}: {differ}; give qpos in the order of the figure, and its names")
+    return clip
 
 
 def _placed(error: UserError, where: str) -> str:

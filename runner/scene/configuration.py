@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import mujoco
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.forward import set_qpos
+from dynsplines.solver.figure.naming import joint_names
 
 from ..system.quantity import LARGEST
 
@@ -44,3 +45,11 @@ def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, s
         checks.append((is_unit, f"the quaternion of '{model.joint(joint).name or f'joint {joint}'}' is zero"))
     wrong = [(int(np.argmin(well)), problem) for well, problem in checks if not well.all()]
     return min(wrong, key=lambda each: each[0], default=None)
+
+
+def unlike_joints(model: mujoco.MjModel, names: Sequence[str]) -> str | None:
+    """Return how the joints of a file's qpos differ from the model's, in their order; None if they are the same."""
+    in_model, in_clips = [str(model.joint(i).name) for i in range(model.njnt)], joint_names(model)
+    if list(names) in (in_model, in_clips):
+        return None
+    return f"its joints are {', '.join(names)}; the figure's {', '.join(in_clips)}"

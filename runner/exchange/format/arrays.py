@@ -21,6 +21,7 @@ from ...errors import UserError
 from ...motion import asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
 from ...scene.compose import compiled
+from ...scene.configuration import unlike_joints
 from .. import layouts, missing_input
 from ..array_reader import body_poses, names_in, read_npz, times
 from ..robot import needs_figure
@@ -63,12 +64,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     except (ValueError, KeyError) as error:
         raise UserError(f"{path}: the files of its figure: {error}") from None
     figure = compiled(scene, path) if scene is not None else needs_figure(model, path)
-    names = [figure.joint(i).name for i in range(figure.njnt)]
-    if "joint_names" in arrays and arrays.texts("joint_names") != names:
-        raise UserError(
-            f"{path}: its joints are {', '.join(arrays.texts('joint_names'))}; the figure's {', '.join(names)}; "
-            f"{missing_input.SKELETON}"
-        )
+    if "joint_names" in arrays and (differ := unlike_joints(figure, arrays.texts("joint_names"))):
+        raise UserError(f"{path}: {differ}; {missing_input.SKELETON}")
     qpos = arrays.numbers("qpos", "samples", figure.nq)
     rate = arrays.rate("fps") if "fps" in arrays else fps
     if rate is None and "time" not in arrays:

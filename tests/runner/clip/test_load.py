@@ -271,6 +271,16 @@ def test_keyframes_of_a_motion_file_win_over_its_samples(tmp_path):
     np.testing.assert_array_equal(problem.keys[1].state, qpos[1])
 
 
+def test_arrays_with_the_joints_of_another_order_are_refused(tmp_path):
+    content = {"time": np.arange(2.0), "qpos": np.array([[0, 0], [0.1, 1]])}
+    names = ["slide", "swing"]
+    assert arrays(tmp_path, **content, joint_names=names).keys[1].state.tolist() == [0.1, 1]
+    words = "keys.npz: its joints are swing, slide; the figure's slide, swing; give qpos in the order of the figure"
+    for other in (content, {"key_time": content["time"], "key_qpos": content["qpos"]}):
+        with pytest.raises(UserError, match=words):
+            arrays(tmp_path, **other, joint_names=names[::-1])
+
+
 @pytest.mark.parametrize(
     ("content", "words"),
     [
