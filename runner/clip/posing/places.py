@@ -1,4 +1,4 @@
-"""Names of a figure in a clip: sites, inferred feet, geoms, bodies and joints, as points or bodies."""
+"""Names of a figure in a clip: sites, inferred feet, bodies, geoms and joints, as points or bodies."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Places:
         self.figure, self.soles = figure, {point.name: point for point in soles}
 
     def point(self, name: str) -> Point | None:
-        """Return a site, an inferred foot, the centre of a geom, or the origin of a body, in this order; None without.
+        """Return a site, an inferred foot, the origin of a body, or the centre of a geom, in this order; None without.
 
         The radius of a geom is that of a ball that fits into it; that of a body, its height above its lowest point at
         rest.
@@ -47,7 +47,7 @@ class Places:
             return site_points(self.figure, [name])[0]
         if name in self.soles:
             return self.soles[name]
-        if name in self._geoms:
+        if name in self._geoms and name not in self._bodies:
             return self._geom_point(name)
         body = self.body(name)
         return None if body is None else self._body_point(name, body)
@@ -67,8 +67,8 @@ class Places:
         return self.figure.links[self.soles[name].link].body if name in self.soles else None
 
     def alike(self, name: str) -> list[str]:
-        """Return all names of the first kind to which a name belongs: sites, feet, geoms or bodies."""
-        kinds = (self._sites, self.soles, self._geoms, self._bodies)
+        """Return all names of the first kind to which a name belongs: sites, feet, bodies or geoms."""
+        kinds = (self._sites, self.soles, self._bodies, self._geoms)
         return next((list(names) for names in kinds if name in names), [])
 
     @property

@@ -62,6 +62,24 @@ def test_a_point_is_where_mujoco_has_the_geom_or_the_body(name, rng):
     np.testing.assert_allclose(here, there, atol=1e-9)
 
 
+@pytest.mark.parametrize("geom", ["", ' name="hook"', ' name="hand"'])
+@pytest.mark.parametrize("count", [1, 2])
+def test_a_body_is_its_origin_whatever_geoms_it_has(geom, count):
+    text = f"""<mujoco><worldbody><body name="arm" pos="0 0 1"><joint axis="0 1 0"/><joint axis="0 0 1"/>
+      <geom size=".02"/><geom size=".03" pos=".1 0 0"/><body name="hand" pos=".4 0 0"><joint axis="0 1 0"/>
+        <geom{geom} size=".05" pos=".1 0 0"/>{'<geom size=".05" pos=".2 0 0"/>' * (count - 1)}</body></body>
+      <body name="cup" pos=".5 .1 1"><freejoint/><geom size=".05"/></body></worldbody></mujoco>"""
+    rows = "[[keyframe]]\ntime = 0\nothers = 'rest'\n[[keyframe]]\ntime = 1\nothers = 'previous'\n"
+    more = "sites.hand = [0, 0.4, 1]\nroots.cup.position = 'free'\nroots.cup.rotation = 'free'\n"
+    grasp = "[[grasp]]\nhand = 'hand'\nbody = 'cup'\nfrom = 0\nto = 1\n"
+    problem = recordings.from_text(
+        f"figure = 'arm.xml'\n{rows}{more}{grasp}", name="it", spec=mujoco.MjSpec.from_string(text)
+    )
+    np.testing.assert_allclose(seen(problem).body("hand").xpos, [0, 0.4, 1], atol=1e-6)
+    (held,) = problem.context.schedule.grasps
+    np.testing.assert_allclose(held.point.position, 0)
+
+
 def test_points_are_as_thick_as_what_they_name():
     known = places()
     thick = {name: known.point(name) for name in ("left_ball", "left_calf 2", "left_calf")}
