@@ -8,7 +8,6 @@ without contacts, limits and passive forces. `inverse_dynamics` calls `mj_invers
 from __future__ import annotations
 
 import copy
-from dataclasses import dataclass
 
 import mujoco
 import numpy as np
@@ -17,21 +16,6 @@ from ..array import Array
 from .adjoint import Cotangent, attached_pulled_back
 from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
 from .kinematics import LinkMotion, Samples
-
-
-@dataclass(frozen=True)
-class BodyForces:
-    """Force [N] and torque [N m] about the centre of mass that produce each link's motion (appendix A), in world axes.
-
-    Attributes:
-        force: m (a − g), without the link's weight, (3, L, S).
-        torque: L' = ω × Iω + I ω', (3, L, S).
-        centre: The centre of mass, where both apply, (3, L, S) [m].
-    """
-
-    force: Array
-    torque: Array
-    centre: Array
 
 
 class InverseDynamics:
@@ -105,12 +89,6 @@ class InverseDynamics:
         anchor_bar += centre_bar
         into.accumulate("x", anchor_bar, donate=True)
         into.accumulate("x_dd", f_bar, donate=True)
-
-
-def body_forces(samples: Samples) -> BodyForces:
-    """Return force and torque on each link. Summed, with the moments of the forces, they are the root's wrench."""
-    inverse = samples.cached(InverseDynamics)
-    return BodyForces(inverse.net_force, inverse.net_torque, inverse.centre)
 
 
 def generalised_forces(samples: Samples) -> Array:
