@@ -197,12 +197,6 @@ class Figure:
             return link.turn
         return quat.product(state[..., columns], link.turn)
 
-    def link_named(self, name: str) -> int | None:
-        """Return the index of the link that a joint or a body of this name moves, or None."""
-        by_joint = next((i for i, link in enumerate(self.links) if i and link.name == name), None)
-        body = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name)
-        return int(self.body_link[body]) if by_joint is None and body > 0 else by_joint
-
     def body_name(self, link: int) -> str:
         """Return the name of a link's body, or that of its joint if the body has none."""
         return str(self.model.body(self.links[link].body).name) or self.links[link].name

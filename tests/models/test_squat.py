@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import walkers
+from links import link_named
 from oracles import kinematics
 from squats import Measured, measured, solved, squat
 
@@ -37,7 +38,7 @@ def between(*bodies: str) -> Clip:
 
 def told(problem: Clip, frame: Frame, joint: str) -> bool:
     """Whether a keyframe was posed at a joint."""
-    link = problem.figure.link_named(joint)
+    link = link_named(problem.figure, joint)
     assert link is not None
     return frame.posed is not None and bool(frame.posed[problem.figure.links[link].columns].all())
 
@@ -97,7 +98,7 @@ def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_be
     assert key.posed is not None
     there = problem.figure.to_qpos(raw.states[1])
     for joint in KNEES:
-        link = problem.figure.link_named(joint)
+        link = link_named(problem.figure, joint)
         assert link is not None
         columns = problem.figure.links[link].columns
         assert quat.angle_between(there[columns], key.state[columns]) < 1e-9

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from links import link_named
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
@@ -25,7 +26,7 @@ def mask_without(figure: Figure, *names: str) -> np.ndarray:
         if name.startswith("root "):
             mask[slice(3, 7) if name == "root turn" else "xyz".index(name[-1])] = False
             continue
-        link = figure.links[figure.link_named(name) or 0]
+        link = figure.links[link_named(figure, name) or 0]
         mask[quaternion_columns(link) or link.qpos] = False
     return mask
 

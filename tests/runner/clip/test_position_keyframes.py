@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 from command import commanded
+from links import link_named
 from oracles import kinematics
 from quiet import quiet
 from tiny import HINGE
@@ -82,7 +83,7 @@ def test_a_site_is_where_the_keyframe_specifies_and_stays_so_in_the_motion(coord
 
 
 def _own(problem: Clip, qpos: np.ndarray, name: str) -> np.ndarray:
-    link = problem.figure.links[problem.figure.link_named(name) or 0]
+    link = problem.figure.links[link_named(problem.figure, name) or 0]
     return qpos[link.qpos : link.qpos + (7 if name == "root" else 4)]
 
 
@@ -173,7 +174,7 @@ def placements(problem: Clip) -> list[float]:
 
 
 def _columns(problem: Clip, name: str) -> slice:
-    link = problem.figure.links[problem.figure.link_named(name) or 0]
+    link = problem.figure.links[link_named(problem.figure, name) or 0]
     return slice(link.qpos, link.qpos + 4)
 
 

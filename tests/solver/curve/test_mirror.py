@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import BALL_TREE, figure_of
+from links import link_named
 from oracles import kinematics
 from random_keys import random_qpos
 
@@ -47,7 +48,7 @@ def test_the_mirrored_spline_is_the_spline_of_the_mirrored_frames_and_comes_back
     states = [first + 0.2 * rng.normal(size=first.size) for _ in range(3)]
     keys = [Frame.key(0.4 * i, state) for i, state in enumerate([first, *states, first])]
     mask = np.ones(figure.width, bool)
-    mask[figure.links[figure.link_named("left_knee") or 0].qpos + np.arange(4)] = False
+    mask[figure.links[link_named(figure, "left_knee") or 0].qpos + np.arange(4)] = False
     keys[2] = Frame.key(0.8, states[1], mask)
     slope = rng.normal(size=(2, figure.width)) if ends == "clamped" else None
     timeline = evenly(raw_timeline(figure, keys, ends, slope), 1)
@@ -59,7 +60,7 @@ def test_the_mirrored_spline_is_the_spline_of_the_mirrored_frames_and_comes_back
     twice = mirror.timeline(mirrored)
     np.testing.assert_array_equal(twice.rows, timeline.rows)
     np.testing.assert_array_equal(twice.fixed, timeline.fixed)
-    left, right = (figure.links[figure.link_named(f"{side}_knee") or 0].qpos for side in ("left", "right"))
+    left, right = (figure.links[link_named(figure, f"{side}_knee") or 0].qpos for side in ("left", "right"))
     assert not mirrored.frames[4].fixed[right : right + 4].any()
     assert mirrored.frames[4].fixed[left : left + 4].all()
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of
+from links import link_named
 from oracles import kinematics
 from random_keys import random_qpos
 
@@ -65,11 +66,11 @@ def test_a_link_is_called_by_its_joint_or_by_the_body_that_it_moves():
     figure = figure_of(EVERY_JOINT)
     names = [link.name for link in figure.links]
     for name in ("root", "yaw", "pitch", "reach", "wrist", "swing", "turn"):
-        assert figure.link_named(name) == names.index(name)
-    assert figure.link_named("arm") == names.index("pitch")  # the last of its joints
-    assert figure.link_named("trunk") == 1
-    assert figure.link_named("world") is None
-    assert figure.link_named("nobody") is None
+        assert link_named(figure, name) == names.index(name)
+    assert link_named(figure, "arm") == names.index("pitch")  # the last of its joints
+    assert link_named(figure, "trunk") == 1
+    assert link_named(figure, "world") is None
+    assert link_named(figure, "nobody") is None
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import EVERY_JOINT, LEG, MIXED, figure_of
+from links import link_named
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
 from site_goal import SiteGoal
@@ -179,7 +180,7 @@ def test_as_many_poses_to_begin_with_as_asked_for_all_inside_the_ranges_and_the_
         np.testing.assert_array_equal(start[:3], home[:3])
         assert search.ranges.linearised(start)[0][1:].max() <= 1e-9
     if count > 0:
-        ball = figure.links[figure.link_named("knee") or 0].columns
+        ball = figure.links[link_named(figure, "knee") or 0].columns
         np.testing.assert_array_equal(starts[0][ball], figure.model.qpos0[ball])
         np.testing.assert_array_equal(starts[0][3:7], home[3:7])
     if count > 1:

@@ -11,6 +11,7 @@ import walkers
 from figures import figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from links import link_named
 from oracles import kinematics
 from scipy.optimize import minimize
 from site_goal import SiteGoal
@@ -108,7 +109,7 @@ def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
     home = human_pose(rng)
     free = np.zeros(figure.width, bool)
     for joint in ("knee", "hip", "ankle") if limb == "heel" else ("shoulder", "elbow"):
-        link = figure.link_named(f"{side}_{joint}")
+        link = link_named(figure, f"{side}_{joint}")
         assert link is not None
         free[figure.links[link].columns] = True
     name = f"{side}_{limb}"
@@ -148,7 +149,7 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
     free[:7] = False
     found = posed(figure, figure.model.qpos0, free, [SiteGoal("right_heel", target), BodyGoal("right_foot")], BENDS)
     assert found.is_met
-    knee = figure.link_named("right_knee")
+    knee = link_named(figure, "right_knee")
     assert knee is not None
     turn = np.degrees(quat.rotation_vector(found.qpos[figure.links[knee].columns]))
     assert turn[1] > 20
@@ -188,7 +189,7 @@ def test_legs_that_home_has_turned_far_round_stand_all_the_same():
         home[:7] = [0, 0, 0.915, *quat.from_rotation_vector([0, 0, np.radians(-20)])]
         for side, own in turns.items():
             for name, turn in zip(("hip", "knee", "ankle"), own, strict=True):
-                columns = figure.links[figure.link_named(f"{side}_{name}") or 0].columns
+                columns = figure.links[link_named(figure, f"{side}_{name}") or 0].columns
                 home[columns] = quat.normalised(turn + 0.01 * rng.normal(size=4))
                 free[columns] = True
         found = posed(figure, home, free, goals, posing_bends(figure, {"limits": LimitOptions(least_bend=4.0)}))
