@@ -101,12 +101,6 @@ class SelfContact(Penalty):
         bars = _outer([bar for geom in movers(figure.model) for bar in _bars(figure, geom)])
         return cls(bars, _pairs(figure, bars), margin)
 
-    @property
-    def geom_pairs(self) -> Index:
-        """The pairs of geoms, each once, (2, g)."""
-        geoms = np.array([bar.geom for bar in self.bars], np.intp)
-        return np.unique(geoms[self.pairs], axis=1) if self.pairs.size else np.zeros((2, 0), np.intp)
-
     def residuals(self, samples: Samples) -> Iterator[Block]:
         return self._met_by(samples, 0.0)
 

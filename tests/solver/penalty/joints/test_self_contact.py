@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from curvature_of import sides_of
 from figures import EVERY_JOINT, figure_of
+from geom_pairs import geom_pairs
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from oracles import kinematics
@@ -55,14 +56,14 @@ def tangled(figure: Figure, rng: np.random.Generator, count: int = 60) -> Sample
 def test_the_penalty_is_the_sum_of_squared_depths_by_mujoco(coordinates, rng):
     figure = spider(coordinates)
     penalty, samples, model = SelfContact.of(figure), tangled(figure, rng), figure.model
-    pairs = {tuple(sorted(model.geom(g).name for g in pair)) for pair in penalty.geom_pairs.T}
+    pairs = {tuple(sorted(model.geom(g).name for g in pair)) for pair in geom_pairs(penalty).T}
     assert pairs == {
         ("hand", "trunk"), ("arm", "other"), ("arm", "pad"), ("hand", "other"), ("hand", "pad"),
     }  # fmt: skip
     expected = []
     for qpos in figure.to_qpos(samples.y):
         data = kinematics(model, qpos)
-        depths = [-mujoco.mj_geomDistance(model, data, a, b, 1, None) for a, b in penalty.geom_pairs.T]
+        depths = [-mujoco.mj_geomDistance(model, data, a, b, 1, None) for a, b in geom_pairs(penalty).T]
         expected.append(np.sum(np.maximum(depths, 0) ** 2))
     np.testing.assert_allclose(penalty.evaluate(samples), expected, atol=1e-6)
     assert np.count_nonzero(np.array(expected) > 1e-4) > 5
@@ -113,7 +114,7 @@ GIANT = """<mujoco><worldbody>
 def test_shapes_that_overlap_at_rest_are_left_out_though_they_lie_far_from_their_links_origins():
     figure = figure_of(GIANT)
     penalty, rest = SelfContact.of(figure), figure.model.qpos0
-    pairs = {tuple(sorted(figure.model.geom(g).name for g in pair)) for pair in penalty.geom_pairs.T}
+    pairs = {tuple(sorted(figure.model.geom(g).name for g in pair)) for pair in geom_pairs(penalty).T}
     assert pairs == {("elbow", "heel"), ("knee", "toe"), ("heel", "toe")}
     shifted = np.array(rest)
     shifted[0] = 0.5  # the toe comes within 0.5 m of the heel, and elbow and knee go on overlapping
@@ -169,7 +170,7 @@ def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure,
     none = SelfContact((), np.zeros((2, 0), np.intp))
     assert none.one_sided_residuals(samples) is None
     assert not none.evaluate(samples, Cotangent(samples)).any()
-    assert none.geom_pairs.shape == (2, 0)
+    assert geom_pairs(none).shape == (2, 0)
 
 
 def test_joined_links_are_left_out_even_across_links_without_shapes():
@@ -218,7 +219,7 @@ def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_milli
         Console(file=out, width=160).print(tables(data))
         assert "self-penetration" in out.getvalue()
         figure, time = solved.clip.figure, np.linspace(0, 1, 1001)
-        pairs = SelfContact.of(figure).geom_pairs
+        pairs = geom_pairs(SelfContact.of(figure))
         for side, timeline in (("before", solved.motion.raw), ("after", solved.motion.timeline)):
             found, qpos = data[side]["self-penetration, m"], figure.to_qpos(path_of(timeline).at(time))
             depth, _ = self_penetration(figure.model, pairs, time, qpos)
