@@ -17,8 +17,7 @@ from ..figure.figure import Figure
 from ..figure.forward import kinematics
 from ..surface.points import Point
 
-# [1] smallest sine of a tilt with a defined direction; smallest squared norm of a Jacobian column in damping
-UPRIGHT, UNSEEN = 1e-12, 1e-12
+UPRIGHT = 1e-12  # [1] smallest sine of a tilt with a defined direction
 
 
 class Goal(Protocol):
