@@ -23,9 +23,11 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
+from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.system import signals
+
+from .equations import PaperAcceleration, covariant_residual, tangential
 
 KEYFRAMES = 7  # as many orientations as in the paper's figure 7
 TENTHS = 10  # equal parts of a path, as in figure 10
@@ -34,7 +36,7 @@ NODES = 8  # of Gauss in every part of a span
 FEW_FRAMES = 2  # that the paper adds where the deviation is large
 
 Weights = tuple[tuple[Penalty, float], ...]
-PAPER: Weights = ((CovariantAcceleration(form="paper"), 5.0), (UnitMagnitude(), 2.0))
+PAPER: Weights = ((PaperAcceleration(), 5.0), (UnitMagnitude(), 2.0))
 INTRINSIC: Weights = ((CovariantAcceleration(), 5.0), (UnitMagnitude(), 2.0))
 
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.solution import Improvement
@@ -26,6 +26,7 @@ from dynsplines.system.progress import Progress
 
 from .barr import Discrete
 from .claim import Claim
+from .equations import PaperAcceleration
 from .orientations import (
     INTRINSIC,
     KEYFRAMES,
@@ -61,7 +62,7 @@ EXACT = f"the intrinsic form with {REFERENCE_FRAMES} variable frames a segment s
 Row = dict[str, float]
 Truth = NDArray[np.bool_]
 Result = TypeVar("Result")
-FOUND: Weights = ((CovariantAcceleration(form="paper"), 1.0), (UnitMagnitude(), FOUND_WEIGHT))
+FOUND: Weights = ((PaperAcceleration(), 1.0), (UnitMagnitude(), FOUND_WEIGHT))
 
 
 @dataclass(frozen=True)

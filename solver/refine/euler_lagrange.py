@@ -1,8 +1,7 @@
 """The Euler-Lagrange residual of a path (eqs. 8, 10, 11, 24), its deviation per segment, and the weak form.
 
-Strong form: R(t) = g₀ − dg₁/dt + d²g₂/dt², from the sample gradients of any penalty. For the paper's quaternion
-objective it is also available in closed form, which is *half* of R. Inside a cubic span q'''' = 0. At a knot q'''
-jumps, so derivatives are taken inside spans only.
+Strong form: R(t) = g₀ − dg₁/dt + d²g₂/dt², from the sample gradients of any penalty. Inside a cubic span q'''' = 0.
+At a knot q''' jumps, so derivatives are taken inside spans only.
 
 Weak form (not in the paper): a variable frame inserted on the curve at τ has the gradient g = ∫ (g₀φ + g₁φ' + g₂φ'')
 dt, where φ is the frame's cardinal function. It needs no derivatives of g, includes the jumps at the knots, and
@@ -27,37 +26,6 @@ WINDOW, ENTRIES = 60, 200_000  # maximum number of spans whose curvature is in m
 REACH = 4  # spans on either side of a frame in which its cardinal function is used
 FAINT = 1e-9  # [1] regularisation of a Hessian, relative to its mean diagonal
 TINY = 1e-300  # smallest size of a Hessian, against division by zero
-
-
-def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
-    """Return X + Y'' + Z of eq. 10 for f = f₂ + λ f₁ on one quaternion, (S, 4): half of the left side of eq. 24.
-
-    Args:
-        t: Times, (S,) [s].
-        unit_weight: The weight λ of f₁.
-    """
-    q, q_d, q_dd, q_ddd = (path.at(t, order) for order in range(4))
-
-    def inner(a: Array, b: Array) -> Array:
-        return np.sum(a * b, axis=1, keepdims=True)
-
-    b = inner(q, q)
-    b_d, b_dd = 2 * inner(q, q_d), 2 * (inner(q_d, q_d) + inner(q, q_dd))
-    a = inner(q, q_dd)
-    a_d = inner(q_d, q_dd) + inner(q, q_ddd)
-    a_dd = inner(q_dd, q_dd) + 2 * inner(q_d, q_ddd)
-    big_t = a / b
-    t_d = (a_d - big_t * b_d) / b
-    t_dd = (a_dd - 2 * t_d * b_d - big_t * b_dd) / b
-    x = q * big_t**2 - q_dd * big_t
-    y_dd = -(q_dd * big_t + 2 * q_d * t_d + q * t_dd)
-    return x + y_dd + 2 * unit_weight * (b - 1) * q
-
-
-def tangential(residual: Array, q: Array) -> Array:
-    """Return the part of a residual (S, 4) orthogonal to q (S, 4), which alone changes the rotation."""
-    along = np.sum(residual * q, axis=1, keepdims=True) / np.sum(q * q, axis=1, keepdims=True)
-    return residual - along * q
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import cast
 
 import numpy as np
 import pytest
@@ -17,19 +16,16 @@ from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.displacement import displacement
-from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, residual, tangential
+from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import midpoints
 from dynsplines.solver.solution import Solution
 
 ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
 EVEN = np.arange(7.0)
 UNEVEN = np.cumsum([0, 1.0, 0.6, 1.5, 0.8, 1.2, 0.7])
-PAPER = ((CovariantAcceleration(form="paper"), 5 / 7), (UnitMagnitude(), 2 / 7))
 INTRINSIC = ((CovariantAcceleration(), 5 / 7), (UnitMagnitude(), 2 / 7))
 
 
@@ -55,11 +51,11 @@ def exact(seed: int, even: bool = True) -> ExactPath:
 
 
 @cache
-def motion(seed: int, variable: int, paper: bool = False, even: bool = True) -> Solution:
+def motion(seed: int, variable: int, even: bool = True) -> Solution:
     times = EVEN if even else UNEVEN
     keys = [Frame.key(float(t), q) for t, q in zip(times, orientations(seed), strict=True)]
     settings = Settings(variable=variable, frames=0, tolerance=1e-10, max_evaluations=600)
-    return inbetween(Problem(one_ball(), keys, PAPER if paper else INTRINSIC, settings))
+    return inbetween(Problem(one_ball(), keys, INTRINSIC, settings))
 
 
 def energy(path: Path) -> float:
@@ -113,33 +109,6 @@ def test_the_path_itself_comes_close_to_the_exact_one() -> None:
     found = motion(0, 15).path.at(t)
     found /= np.linalg.norm(found, axis=1, keepdims=True)
     np.testing.assert_allclose(found, exact(0).at(t), atol=1e-4)
-
-
-def paper_objective(unit_weight: float) -> Objective:
-    return Objective.of(one_ball(), [(CovariantAcceleration(form="paper"), 1.0), (UnitMagnitude(), unit_weight)])
-
-
-@pytest.mark.parametrize(("nodes", "close"), [(8, 1e-3), (16, 1e-7)])
-def test_the_closed_form_is_half_the_residual_of_the_sample_gradients(
-    nodes: int, close: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(euler_lagrange, "NODES", nodes)
-    path = motion(1, 1, paper=True).path
-    generic = residual(paper_objective(3.0), path)
-    closed = covariant_residual(path, generic.t.ravel(), 3.0).reshape(generic.value.shape)
-    np.testing.assert_allclose(closed, generic.value / 2, atol=close * abs(generic.value).max())
-
-
-@pytest.mark.slow
-def test_on_the_exact_path_the_tangential_residual_vanishes_and_the_radial_one_does_not() -> None:
-    path = exact(1)
-    t = np.linspace(0.05, 5.95, 40)
-    without = covariant_residual(cast(Path, path), t, 3.0)
-    whole = without + path.at(t, 4)
-    off_sphere = tangential(whole, path.at(t))
-    assert abs(off_sphere).max() < 1e-8
-    assert np.linalg.norm(whole, axis=1).mean() > 0.1
-    assert np.linalg.norm(tangential(without, path.at(t)), axis=1).mean() > 1e-3
 
 
 def through_exact(seed: int, variable: int) -> Timeline:

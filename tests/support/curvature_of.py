@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 from ground import stance_of
-from random_samples import random_samples
+from random_samples import at_times, random_samples
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.dynamics import generalised_forces
@@ -47,13 +47,6 @@ def _intrinsic(samples: Samples) -> Array:
     return np.hstack([felt.reshape(samples.count, -1), samples.y_dd[:, samples.figure.tables.hinge_columns] / 2])
 
 
-def _paper(samples: Samples) -> Array:
-    """q'' off q for quaternions, θ''/2 for hinges."""
-    q, _, q_dd = _blocks(samples)
-    felt = q_dd - _along(q_dd, q) / _along(q, q) * q
-    return np.hstack([felt.reshape(samples.count, -1), samples.y_dd[:, samples.figure.tables.hinge_columns] / 2])
-
-
 def _unit(samples: Samples) -> Array:
     q, _, _ = _blocks(samples)
     return 1 - np.sum(q * q, axis=-1)
@@ -89,7 +82,6 @@ def _displacement(samples: Samples) -> Array:
 
 RESIDUALS: dict[str, tuple[Penalty, Callable[[Samples], Array]]] = {
     "covariant": (CovariantAcceleration(), _intrinsic),
-    "covariant, the paper's": (CovariantAcceleration("paper"), _paper),
     "unit": (UnitMagnitude(), _unit),
     "root": (RootAcceleration(), _root),
     "torque": (Torque(), _efforts),
@@ -138,6 +130,21 @@ def assembled(curvature: Curvature, phi: Array) -> Array:
 
 def assert_near(actual: Array, expected: Array, rtol: float = 1e-5) -> None:
     np.testing.assert_allclose(actual, expected, rtol=0, atol=rtol * max(np.abs(expected).max(), 1e-12))
+
+
+def some_samples(figure: Figure, rng: np.random.Generator, count: int = 4) -> Samples:
+    return at_times(random_samples(figure, rng, count), np.linspace(0.1, 1.3, count))
+
+
+def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], figure: Figure, rng: np.random.Generator):
+    """That a penalty's matrices are 2 JᵀJ, J by differences."""
+    samples = some_samples(figure, rng)
+    np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), penalty.evaluate(samples), rtol=1e-9)
+    scale, phi = rng.uniform(0.5, 2, samples.count), rng.normal(size=(samples.count, 3, 2))
+    moved = np.einsum("sron,soa->sran", jacobians(residuals, samples), phi)
+    flat = moved.reshape(*moved.shape[:2], -1)
+    expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", flat, flat)
+    assert_near(assembled(curvature_of(penalty, samples, scale), phi), expected)
 
 
 def low_samples(figure: Figure, rng: np.random.Generator, count: int = 40) -> Samples:

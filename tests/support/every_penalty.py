@@ -33,7 +33,7 @@ def every_penalty(figure: Figure) -> list[tuple[Penalty, float]]:
     points = tuple(Point(f"{i}", i, np.array([0.05, 0.1, -0.2]), 0.1) for i in range(1, len(figure.links)))
     return [
         (CovariantAcceleration(), 2.0),
-        (CovariantAcceleration("paper"), 0.5),
+        (CovariantAcceleration(), 0.5),
         (UnitMagnitude(), 5.0),
         (UnitMagnitude("absolute", 0.1), 1.0),
         (RootAcceleration(), 1.5),

@@ -1,8 +1,8 @@
 """Covariant acceleration: the part of q'' that accelerates the rotation itself.
 
-The paper's form (eq. 9) is f₂ = |q'' − T q|² with T = (q''·q)/(q·q), which is correct only while |q| = 1. The intrinsic
-form is exact for q = ρu with any ρ(t) > 0. With s = (q·q')/b and the projection P orthogonal to q, it is
-w = P(q'' − 2 s q') and f₂* = |w|²/b = |ω'|²/4.
+For q = ρu with any ρ(t) > 0, with b = q·q, s = (q·q')/b and the projection P orthogonal to q, it is
+w = P(q'' − 2 s q'), and f₂* = |w|²/b = |ω'|²/4. The paper's f₂ = |q'' − T q|² with T = (q''·q)/b (eq. 9) equals it only
+while |q| = 1.
 """
 
 from __future__ import annotations
@@ -22,48 +22,19 @@ from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 
 
-def covariant_acceleration(q: Array, q_dd: Array) -> Array:
-    """Return q'' without its component along q, the acceleration on the unit sphere (eq. 9), (..., 4).
-
-    Args:
-        q: Quaternions wxyz of any length > 0, (..., 4).
-        q_dd: Their second time derivatives, (..., 4) [1/s²].
-    """
-    along = np.sum(q_dd * q, axis=-1, keepdims=True) / np.sum(q * q, axis=-1, keepdims=True)
-    return q_dd - along * q
-
-
 @dataclass(frozen=True)
 class CovariantAcceleration(Penalty):
-    """Σ of f₂* ("intrinsic") or f₂ ("paper") over quaternion blocks [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
-
-    form: str = "intrinsic"
+    """Σ of f₂* over quaternion blocks [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
 
     name = "acceleration.angular"
     role = Role.SMOOTHNESS
     normalization = Normalization(16.0, time_power=4, by_tension=-1.0)
 
-    def __post_init__(self) -> None:
-        if self.form not in ("intrinsic", "paper"):
-            raise ValueError(f"covariant acceleration: form = {self.form!r} is not one of 'intrinsic', 'paper'")
-
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
-        yield self._intrinsic(samples) if self.form == "intrinsic" else self._paper(samples)
+        yield self._of_quaternions(samples)
         yield every(samples, samples.figure.tables.hinge_columns, 2, weight=0.25)
 
-    def _paper(self, samples: Samples) -> Dense:
-        q, q_dd = samples.q, samples.q_dd
-        along = dot(q_dd, q) / dot(q, q)
-
-        def pulled_back(into: Cotangent, bar: Array) -> None:
-            bar = bar.reshape(q.shape)
-            across = dot(bar, q) / dot(q, q)
-            into.accumulate("q", across * (2 * along * q - q_dd) - along * bar, donate=True)
-            into.accumulate("q_dd", bar - across * q, donate=True)
-
-        return Dense((q_dd - along * q).reshape(-1, samples.count), pulled_back, partial(self._curved, samples))
-
-    def _intrinsic(self, samples: Samples) -> Dense:
+    def _of_quaternions(self, samples: Samples) -> Dense:
         q, q_d = samples.q, samples.q_d
         inverse = 1 / samples.q_dots[0]
         s, along = samples.q_dots[1:] * inverse
@@ -93,12 +64,12 @@ class CovariantAcceleration(Penalty):
 
     def _curved(self, samples: Samples, into: Curvature, scale: Array) -> None:
         q, q_d, q_dd = (part.transpose(2, 1, 0) for part in (samples.q, samples.q_d, samples.q_dd))
-        rows = _residual_jacobians(q, q_d, q_dd, samples.q_dots.transpose(0, 2, 1), intrinsic=self.form == "intrinsic")
+        rows = _residual_jacobians(q, q_d, q_dd, samples.q_dots.transpose(0, 2, 1))
         into.add_blocks(samples.figure.tables.quaternion_columns.T, rows, scale)
 
 
-def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intrinsic: bool) -> Array:
-    """Return the derivatives of w/√b ("paper": of q'' − T q) with respect to q, q', q'', (..., 4, 3, 4).
+def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array) -> Array:
+    """Return the derivatives of w/√b with respect to q, q', q'', (..., 4, 3, 4).
 
     Every Jacobian is a sum of a multiple of the identity, and of products of q, 4 s q − 2 q' and w with row vectors.
 
@@ -108,7 +79,7 @@ def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intri
     """
     inverse = 1 / dots[0][..., None]
     along = dots[2][..., None] * inverse
-    s = dots[1][..., None] * inverse if intrinsic else np.zeros_like(inverse)
+    s = dots[1][..., None] * inverse
     by_s = 4 * s * q - 2 * q_d
     q_inverse = q * inverse
     factor, right = np.empty((*q.shape, 3)), np.zeros((*q.shape[:-1], 3, 3, 4))
@@ -116,15 +87,13 @@ def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intri
     factor[..., 2] = q_dd - (along - 2 * s * s) * q - 2 * s * q_d
     right[..., 0, 0, :] = 2 * along * q_inverse - q_dd * inverse
     right[..., 0, 2, :] = -q_inverse
-    if intrinsic:
-        right[..., 1, 0, :] = q_d * inverse - 2 * s * q_inverse
-        right[..., 1, 1, :] = q_inverse
-        right[..., 2, 0, :] = -q_inverse
+    right[..., 1, 0, :] = q_d * inverse - 2 * s * q_inverse
+    right[..., 1, 1, :] = q_inverse
+    right[..., 2, 0, :] = -q_inverse
     out = np.matmul(factor, right.reshape(*q.shape[:-1], 3, 12)).reshape(*q.shape, 3, 4)
     diagonal = np.einsum("...aka->...ak", out)
     diagonal[..., 0] += 2 * s * s - along
     diagonal[..., 1] -= 2 * s
     diagonal[..., 2] += 1
-    if intrinsic:
-        out *= np.sqrt(inverse)[..., None, None]
+    out *= np.sqrt(inverse)[..., None, None]
     return out

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import shipped
 from oracles import kinematics
+from paper.equations import covariant_residual
 from paper.figures import charts, drawing, scenes
 from paper.figures.captioned import captioned
 from paper.figures.charts import Deviations, Lengths
@@ -23,7 +24,6 @@ from tiny import names
 from dynsplines import recordings, solving
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
-from dynsplines.solver.refine.euler_lagrange import covariant_residual
 
 SOFTWARE = Graphics("software", "renderer: software")
 STEP_UP = """

@@ -13,16 +13,17 @@ from curvature_of import (
     assembled,
     assert_gradients,
     assert_near,
+    assert_squares,
     curvature_of,
-    jacobians,
     low_samples,
     shifted,
     sides_of,
+    some_samples,
 )
 from every_penalty import clip, every_penalty
 from figures import BALL, figure_of, with_armature
 from ground import FLOOR, SLOPE, random_points
-from random_samples import at_times, random_samples
+from random_samples import random_samples
 from small_problems import slider, turning
 
 from dynsplines.solver.array import Array
@@ -54,21 +55,6 @@ from dynsplines.solver.surface.points import Point
 def known(request: pytest.FixtureRequest) -> tuple[Penalty, Callable[[Samples], Array]]:
     """A penalty, and its residuals (S, r) at samples."""
     return RESIDUALS[request.param]
-
-
-def some_samples(figure: Figure, rng: np.random.Generator, count: int = 4) -> Samples:
-    return at_times(random_samples(figure, rng, count), np.linspace(0.1, 1.3, count))
-
-
-def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], figure: Figure, rng: np.random.Generator):
-    """That a penalty's matrices are 2 JᵀJ, J by differences."""
-    samples = some_samples(figure, rng)
-    np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), penalty.evaluate(samples), rtol=1e-9)
-    scale, phi = rng.uniform(0.5, 2, samples.count), rng.normal(size=(samples.count, 3, 2))
-    moved = np.einsum("sron,soa->sran", jacobians(residuals, samples), phi)
-    flat = moved.reshape(*moved.shape[:2], -1)
-    expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", flat, flat)
-    assert_near(assembled(curvature_of(penalty, samples, scale), phi), expected)
 
 
 def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng, known):

@@ -6,19 +6,7 @@ import numpy as np
 import pytest
 
 from dynsplines.solver.curve.quadrature import gauss_nodes
-from dynsplines.solver.refine.euler_lagrange import Residual, tangential
-
-
-def test_a_rotation_feels_what_is_across_its_quaternion_whatever_its_length(rng):
-    residual, q = rng.normal(size=(20, 4)), rng.normal(size=(20, 4))
-    found = tangential(residual, q)
-    np.testing.assert_allclose(np.sum(found * q, axis=1), 0, atol=1e-12)
-    gone = residual - found
-    np.testing.assert_allclose(
-        np.abs(np.sum(gone * q, axis=1)), np.linalg.norm(gone, axis=1) * np.linalg.norm(q, axis=1)
-    )
-    np.testing.assert_allclose(tangential(residual, 3.0 * q), found, atol=1e-12)
-    np.testing.assert_allclose(tangential(found, q), found, atol=1e-12)
+from dynsplines.solver.refine.euler_lagrange import Residual
 
 
 def test_the_shares_of_equal_parts_add_up_and_are_those_of_the_density_where_it_is_even(rng):

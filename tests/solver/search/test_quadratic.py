@@ -100,11 +100,11 @@ def test_so_it_is_between_two_keyframes(rng, ends, variable):
     assert_dense(problem, ("covariant", "unit"), x)
 
 
-def test_stances_and_the_papers_form_enter_the_model_like_the_others(rng, monkeypatch):
+def test_stances_enter_the_model_like_the_others(rng, monkeypatch):
     planted = StancePenalty((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 1.2)))
     monkeypatch.setattr("curvature_of.PLANTED", planted)
     figure = figure_of(TINY)
-    names = ("covariant, the paper's", "unit", "root", "planted")
+    names = ("covariant", "unit", "root", "planted")
     penalties = [planted if name == "planted" else RESIDUALS[name][0] for name in names]
     problem = discretised(tiny_clip(rng, "free", "world"), figure, penalties)
     assert_dense(problem, names, problem.unknowns.start + 0.05 * rng.normal(size=problem.unknowns.size))
