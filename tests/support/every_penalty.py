@@ -35,7 +35,7 @@ def every_penalty(figure: Figure) -> list[tuple[Penalty, float]]:
         (CovariantAcceleration(), 2.0),
         (CovariantAcceleration(), 0.5),
         (UnitMagnitude(), 5.0),
-        (UnitMagnitude("absolute", 0.1), 1.0),
+        (UnitMagnitude(most=0.1), 1.0),
         (RootAcceleration(), 1.5),
         (Torque(), 0.3),
         (BendLimits(joints), 2.5),

@@ -16,7 +16,6 @@ from curvature_of import (
     assert_squares,
     curvature_of,
     low_samples,
-    shifted,
     sides_of,
     some_samples,
 )
@@ -42,7 +41,6 @@ from dynsplines.solver.penalty import (
     Role,
     RootAcceleration,
     Torque,
-    UnitMagnitude,
 )
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.refine import euler_lagrange
@@ -76,19 +74,6 @@ def test_the_quadratic_form_and_the_diagonal_are_those_of_the_same_matrices(figu
         assert_near(curvature.quadratic(phi, first, last), each[first:last].sum(axis=0), 1e-12)
     by_acceleration = assembled(curvature, np.tile([[[0.0], [0], [1]]], (samples.count, 1, 1)))
     assert_near(curvature.acceleration(), np.einsum("snn->sn", by_acceleration), 1e-12)
-
-
-@pytest.mark.parametrize("epsilon", [1e-3, 0.1])
-def test_at_unit_length_the_absolute_forms_curvature_is_its_second_derivative(figure, rng, epsilon):
-    y = figure.to_state(rng.normal(size=(3, figure.width)))
-    samples, penalty = Samples(figure, y, 0 * y, 0 * y), UnitMagnitude("absolute", epsilon)
-    by = np.zeros((3, *y.shape))
-    by[0] = 1e-2 * epsilon * y
-    bent = penalty.evaluate(shifted(samples, by)) + penalty.evaluate(shifted(samples, -by))
-    curvature = curvature_of(penalty, samples, np.ones(3))
-    for s in range(3):
-        found = by[0, s] @ curvature.quadratic(np.array([[1.0, 0, 0]] * 3), s, s + 1) @ by[0, s]
-        np.testing.assert_allclose(found, bent[s], rtol=1e-2)
 
 
 class Plain(Penalty):
