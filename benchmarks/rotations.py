@@ -163,7 +163,9 @@ def _rates(path: Path, a: float, b: float) -> Array:
 def _world_rates(path: Path, t: Array) -> tuple[Array, Array]:
     """Ω and Ω' (S, 3) at times t (S,)."""
     q, q_d, q_dd = (path.at(t, order) for order in range(3))
-    return quat.angular_velocity(q, q_d), quat.angular_acceleration(q, q_d, q_dd)
+    inverse = quat.inverse(q)
+    rate = quat.product(q_d, inverse)
+    return 2 * rate[..., 1:], 2 * (quat.product(q_dd, inverse) - quat.product(rate, rate))[..., 1:]
 
 
 def in_other_class(ratio: float) -> bool:

@@ -1,7 +1,6 @@
 """Quaternion algebra on arrays (..., 4): wxyz, of any length > 0, without implicit normalisation.
 
 The logarithm and exponential are as in J. Solà, "Quaternion kinematics for the error-state Kalman filter" (2017), §2.
-The derivatives of the inverse are eqs. 14-17 of the paper.
 """
 
 from __future__ import annotations
@@ -100,28 +99,6 @@ def aligned(track: ArrayLike) -> Array:
     dots = np.sum(q[1:] * q[:-1], axis=-1, keepdims=True)
     q[1:] *= np.cumprod(np.where(dots < 0, -1.0, 1.0), axis=0)
     return q
-
-
-def angular_velocity(q: ArrayLike, q_d: ArrayLike) -> Array:
-    """Return ω = 2 vec(q' q⁻¹) [rad/s], world axes, (..., 3); exact for any |q| (eq. 19)."""
-    return 2 * product(q_d, inverse(q))[..., 1:]
-
-
-def inverse_derivatives(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> tuple[Array, Array]:
-    """Return (q⁻¹)' and (q⁻¹)'', each (..., 4) (eqs. 15-17)."""
-    q, q_d, q_dd = (np.asarray(a, float) for a in (q, q_d, q_dd))
-    b = np.sum(q * q, axis=-1, keepdims=True)
-    b_d = 2 * np.sum(q * q_d, axis=-1, keepdims=True)
-    b_dd = 2 * np.sum(q * q_dd + q_d * q_d, axis=-1, keepdims=True)
-    first = conjugate(q_d) / b - conjugate(q) * b_d / b**2
-    second = conjugate(q_dd) / b - 2 * conjugate(q_d) * b_d / b**2 + conjugate(q) * (2 * b_d**2 / b**3 - b_dd / b**2)
-    return first, second
-
-
-def angular_acceleration(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> Array:
-    """Return ω' = 2 vec(q'' q⁻¹ + q' (q⁻¹)') [rad/s²], world axes, (..., 3); exact for any |q| (eq. 20)."""
-    inverse_d, _ = inverse_derivatives(q, q_d, q_dd)
-    return 2 * (product(q_dd, inverse(q)) + product(q_d, inverse_d))[..., 1:]
 
 
 def matrices(q: ArrayLike) -> Array:

@@ -86,47 +86,6 @@ def test_an_aligned_track_has_neighbours_on_one_hemisphere_and_the_same_rotation
     assert (signs < 0).any()
 
 
-def curve(rng: np.random.Generator):
-    """A quaternion curve of polynomials and its first two derivatives at t."""
-    c = rng.normal(size=(4, 5)) + np.array([[2.0, 0, 0, 0, 0]] * 4)
-    parts = [np.polynomial.Polynomial(row) for row in c]
-
-    def at(t: float, order: int = 0) -> np.ndarray:
-        return np.array([(p.deriv(order) if order else p)(t) for p in parts])
-
-    return at
-
-
-def test_the_derivatives_of_the_inverse_are_those_of_finite_differences(rng):
-    at, h = curve(rng), 1e-4
-    first, second = quat.inverse_derivatives(at(0.1), at(0.1, 1), at(0.1, 2))
-    before, here, after = (quat.inverse(at(0.1 + k * h)) for k in (-1, 0, 1))
-    np.testing.assert_allclose(first, (after - before) / (2 * h), atol=1e-6)
-    np.testing.assert_allclose(second, (after - 2 * here + before) / h**2, atol=1e-5)
-
-
-def test_angular_velocity_and_acceleration_are_those_of_the_rotation_matrices(rng):
-    at, h = curve(rng), 1e-4
-    omega = quat.angular_velocity(at(0.1), at(0.1, 1))
-    alpha = quat.angular_acceleration(at(0.1), at(0.1, 1), at(0.1, 2))
-    before, here, after = (scipy_rotation(at(0.1 + k * h)) for k in (-1, 0, 1))
-    forth, back = (after * here.inv()).as_rotvec(), (before * here.inv()).as_rotvec()
-    np.testing.assert_allclose(omega, (forth - back) / (2 * h), rtol=1e-5, atol=1e-5)
-    np.testing.assert_allclose(alpha, (forth + back) / h**2, rtol=1e-4, atol=1e-4)
-
-
-@few
-@given(st.integers(0, 1000), st.floats(0.3, 3), st.floats(-3, 3), st.floats(-3, 3))
-def test_angular_velocity_and_acceleration_do_not_feel_the_quaternions_length(seed, rho, rho_d, rho_dd):
-    q, q_d, q_dd = np.random.default_rng(seed).normal(size=(3, 4)) + np.array([1.0, 0, 0, 0])
-    if np.linalg.norm(q) < 0.2:
-        return
-    scaled = rho * q, rho_d * q + rho * q_d, rho_dd * q + 2 * rho_d * q_d + rho * q_dd
-    omega, alpha = quat.angular_velocity(q, q_d), quat.angular_acceleration(q, q_d, q_dd)
-    np.testing.assert_allclose(quat.angular_velocity(*scaled[:2]), omega, atol=1e-10, rtol=1e-10)
-    np.testing.assert_allclose(quat.angular_acceleration(*scaled), alpha, atol=1e-8, rtol=1e-9)
-
-
 @pytest.mark.parametrize("size", [1e-3, 1.0, 30.0])
 @pytest.mark.parametrize("vector", [0.0, 1e-13, 1e-9, 1e-3, 1.0])
 def test_the_rotation_vector_of_one_is_that_of_many_and_scipys(vector, size):

@@ -13,7 +13,9 @@ def angular_accelerations(samples: Samples) -> np.ndarray:
     """Σ |ω'|²/4 of the state's quaternion blocks, and θ''²/4 of hinges."""
     total = 0.25 * np.sum(samples.y_dd[:, samples.figure.tables.hinge_columns] ** 2, axis=1)
     for columns in samples.figure.tables.quaternion_columns.T:
-        alpha = quat.angular_acceleration(*(a[:, columns] for a in (samples.y, samples.y_d, samples.y_dd)))
+        q, q_d, q_dd = (a[:, columns] for a in (samples.y, samples.y_d, samples.y_dd))
+        rate = quat.product(q_d, quat.inverse(q))
+        alpha = 2 * (quat.product(q_dd, quat.inverse(q)) - quat.product(rate, rate))[:, 1:]
         total = total + np.sum(alpha**2, axis=1) / 4
     return total
 
