@@ -41,7 +41,7 @@ from dynsplines.solver.curve.spline import Spline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
-from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.search.descent import optimised
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import site_points
@@ -112,7 +112,7 @@ class Runner:
     @cached_property
     def timeline(self) -> Timeline:
         """Three variable frames a segment on the raw spline: where every method starts."""
-        return evenly(raw_timeline(self.figure, list(self.keys)), VARIABLE)
+        return _split_evenly(raw_timeline(self.figure, list(self.keys)), VARIABLE)
 
 
 class Unknowns:
@@ -400,9 +400,13 @@ def finest(runner: Runner, ends: list[Path]) -> tuple[float, Path]:
     return min(values), paths[int(np.argmin(values))]
 
 
+def _split_evenly(timeline: Timeline, variable: int) -> Timeline:
+    return split(timeline, Settings(variable=variable).beginning(timeline.times, in_windows=False))
+
+
 def _refined(runner: Runner, end: Path, settings: Settings) -> Path:
     """15 frames a segment on a curve that is there, optimised on."""
-    timeline = evenly(runner.timeline.with_rows(end.rows), REFINED)
+    timeline = _split_evenly(runner.timeline.with_rows(end.rows), REFINED)
     objective = Objective.of(runner.figure, runner.penalties, quadrature=settings.quadrature)
     better = optimised(objective, timeline, max_evaluations=settings.max_evaluations, tolerance=1e-9)
     return Path(Spline(better.times), np.asarray(better.rows))

@@ -63,10 +63,3 @@ def split(timeline: Timeline, times: Array) -> Timeline:
     """Return the timeline with variable frames at `times` [s], on its curve, which does not change."""
     states = path_of(timeline).at(times)
     return timeline.inserted(Frame.many(times, states, np.zeros(states.shape, bool)))
-
-
-def evenly(timeline: Timeline, count: int) -> Timeline:
-    """Return the timeline with `count` variable frames at equal distances inside every segment."""
-    times = timeline.times
-    inner = times[:-1, None] + np.arange(1, count + 1) * (np.diff(times)[:, None] / (count + 1))
-    return split(timeline, inner.ravel()) if count else timeline

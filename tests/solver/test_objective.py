@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from every_penalty import clip, every_penalty
 from figures import figure_of
 from random_keys import TIMES
@@ -38,7 +39,6 @@ from dynsplines.solver.penalty import (
     RootAcceleration,
 )
 from dynsplines.solver.penalty.penalty import Momentary
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 

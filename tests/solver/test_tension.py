@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from figures import CHAIN, figure_of
 from hinged import hinge_keys, hinged
 from taylor import taylor_slope
@@ -20,7 +21,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
 from dynsplines.solver.penalty import CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import CRITERIA, evenly
+from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.quadratic import Layout, Model
 
 PENALTIES = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 0.5), (UnitMagnitude(), 2.0), (Posture(), 0.7)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from curvature_of import RESIDUALS
+from even_frames import evenly
 from figures import TINY, figure_of
 from random_keys import TIMES, mask_without, random_keys
 
@@ -15,7 +16,6 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import Penalty
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.quadratic import POINTS, Layout, Model
 
 SMOOTH = ("covariant", "unit", "root", "torque")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from even_frames import evenly
 from every_penalty import every_penalty
 from random_keys import mask_without
 from taylor import taylor_slope
@@ -15,7 +16,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, Torque, UnitMagnitude
-from dynsplines.solver.refine.subdivision import evenly, split
+from dynsplines.solver.refine.subdivision import split
 
 PERIOD, STRIDE = 0.8, 0.6
 TIMES = [0.0, 0.3, 0.5, PERIOD]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from dense_hessian import tiny_clip
+from even_frames import evenly
 from every_penalty import clip
 from figures import ONE_BALL, TINY, figure_of
 
@@ -20,7 +21,6 @@ from dynsplines.solver.penalty import (
     Torque,
     UnitMagnitude,
 )
-from dynsplines.solver.refine.subdivision import evenly
 
 
 def turning(turns: list[float], variable: int) -> tuple[Objective, Timeline]:

@@ -10,6 +10,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
+from even_frames import evenly
 from quiet import quiet
 from rich.console import Console
 from tiny import FIGURE, written
@@ -20,7 +21,6 @@ from dynsplines.measure.curves import curves
 from dynsplines.measure.report import report, tables
 from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import optimised
 from dynsplines.solving import Solved
 

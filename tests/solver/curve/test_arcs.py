@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from figures import BALL, figure_of
 from oracles import by_scipy
 from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
@@ -13,7 +14,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.refine.subdivision import evenly, split
+from dynsplines.solver.refine.subdivision import split
 
 GRID = np.linspace(TIMES[0], TIMES[-1], 53)
 

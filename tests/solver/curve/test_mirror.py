@@ -5,6 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from even_frames import evenly
 from figures import BALL_TREE, figure_of
 from links import link_named
 from oracles import kinematics
@@ -18,7 +19,6 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.symmetry import MirrorError, other_side
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.refine.subdivision import evenly
 
 ROBOT = """
 <mujoco><compiler angle="radian"/><worldbody>

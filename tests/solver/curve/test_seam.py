@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from figures import TINY, figure_of
 from hopping_loop import PERIOD, STRIDE, hop, loop, pose
 from random_keys import mask_without
@@ -13,7 +14,6 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
-from dynsplines.solver.refine.subdivision import evenly
 
 
 @pytest.mark.parametrize("turns", [0, 1])

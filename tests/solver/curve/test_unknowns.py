@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from figures import BALL_TREE, figure_of
 from random_keys import TIMES, distance_from_key, mask_without, masks_by_name, random_keys
 from scipy.interpolate import CubicSpline
@@ -13,7 +14,6 @@ from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, RootAcceleration, Torque, UnitMagnitude
-from dynsplines.solver.refine.subdivision import evenly
 
 KINDS = [
     "whole",

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from curvature_of import RESIDUALS
 from dense_hessian import SMOOTH, assert_dense
+from even_frames import evenly
 from every_penalty import every_penalty
 from figures import BALL_TREE, TINY, figure_of
 from hopping_loop import TERMS, hop
@@ -27,7 +28,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import evenly, split
+from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.search.descent import optimised
 
 LENGTH = 0.4

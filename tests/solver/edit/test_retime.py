@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from figures import BALL_TREE, TINY, figure_of
 from hopping_loop import PERIOD, loop
 from hypothesis import given, settings
@@ -15,7 +16,6 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.edit.retime import repeated, retimed, trimmed
-from dynsplines.solver.refine.subdivision import evenly
 
 FIGURE_OF_A_HOP = figure_of(TINY)
 FIGURE = figure_of(BALL_TREE)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from dense_hessian import SMOOTH, assert_dense, smooth_problem
+from even_frames import evenly
 from figures import BALL, TINY, figure_of
 from hopping_loop import PERIOD, TERMS, TIMES, assert_exact_gradient, assert_splits_keep_the_curve
 from hopping_loop import pose as straight
@@ -22,7 +23,6 @@ from dynsplines.solver.edit.retime import repeated, retimed
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import evenly
 
 TURN = np.radians(50)  # a period, about a centre 0.7 m to the left
 CENTRE = np.array([0.1, 0.7, 0.0])

@@ -19,6 +19,7 @@ from curvature_of import (
     sides_of,
     some_samples,
 )
+from even_frames import evenly
 from every_penalty import clip, every_penalty
 from figures import BALL, figure_of, with_armature
 from ground import FLOOR, SLOPE, random_points
@@ -45,7 +46,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
-from dynsplines.solver.refine.subdivision import evenly, midpoints, split
+from dynsplines.solver.refine.subdivision import midpoints, split
 from dynsplines.solver.surface.points import Point
 
 

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from hinged import PENALTIES, hinge_keys, hinged
 
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -16,7 +17,6 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Torque
 from dynsplines.solver.refine.displacement import NODES, displacement
 from dynsplines.solver.refine.euler_lagrange import residual
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import optimised
 
 TERMS = [*PENALTIES, (Torque(), 0.02)]  # for which no cubic is an optimum, as it is without

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from hinged import PENALTIES, hinge_keys, hinged
 
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -11,7 +12,7 @@ from dynsplines.solver.curve.quadrature import Quadrature, gauss_nodes
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.refine.subdivision import CRITERIA, by_objective, by_resolution, evenly, midpoints, split
+from dynsplines.solver.refine.subdivision import CRITERIA, by_objective, by_resolution, midpoints, split
 from dynsplines.solver.search.descent import optimised
 
 

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from figures import TINY, figure_of
 from ground import FLOOR
 from random_keys import distance_from_key, mask_without
@@ -30,7 +31,6 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution

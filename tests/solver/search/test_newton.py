@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from bends import limits_of
+from even_frames import evenly
 from figures import TINY, figure_of
 from ground import FLOOR
 from random_keys import TIMES
@@ -17,7 +18,6 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.objective import Discretised, Evaluation, Objective
 from dynsplines.solver.penalty import Contact
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton, Search

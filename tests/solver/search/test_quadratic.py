@@ -17,6 +17,7 @@ from dense_hessian import (
     smooth_problem,
     tiny_clip,
 )
+from even_frames import evenly
 from figures import BALL, ONE_BALL, TINY, figure_of
 from ground import FLOOR, stance_of
 from random_keys import TIMES, mask_without, masks_by_name, random_keys
@@ -39,7 +40,6 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.penalty.block import Block
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.quadratic import SETTLED, Layout, Model, line_minimum, middle
 from dynsplines.solver.surface.points import Point
 

@@ -6,6 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 from bends import KNEE, limb, limits
+from even_frames import evenly
 from figures import BALL_TREE, ONE_BALL, figure_of
 from hinged import hinged
 from oracles import by_scipy, kinematics
@@ -28,7 +29,6 @@ from dynsplines.solver.penalty import (
     TrackingPenalty,
     UnitMagnitude,
 )
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.restart_criteria import (
     COST_RATIO,
     MAX_DEVIATION,

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from every_penalty import clip
 from figures import figure_of
 from oracles import kinematics
@@ -20,7 +21,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, Placed, Placement, UnitMagnitude
 from dynsplines.solver.problem import Problem
-from dynsplines.solver.refine.subdivision import by_weak_form, evenly
+from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.surface.points import Point
 
 TARGET = np.array([0.3, -0.2, 0.8])

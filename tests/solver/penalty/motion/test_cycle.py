@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from even_frames import evenly
 from figures import HUMAN_AND_CHAINS, figure_of
 from gaits import FIGURE, GROUND, SOLES, TIME, WALK, gait
 from penalty_slope import penalty_slope
@@ -23,7 +24,6 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import evenly
 
 LYING = """<mujoco><worldbody><body pos="0 0 1" quat=".7071 .7071 0 0"><freejoint/><geom size=".1"/>
   <body pos="0 -.3 0" quat=".8 0 .6 0"><joint type="ball"/><geom size=".1" pos="0 -.1 0"/></body>

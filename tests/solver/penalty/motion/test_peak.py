@@ -2,6 +2,7 @@
 
 import numpy as np
 from curvature_of import assembled, assert_near, curvature_of, jacobians
+from even_frames import evenly
 from figures import TINY, figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
@@ -12,7 +13,6 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, PeakAcceleration, UnitMagnitude
-from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import optimised
 
 
