@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 from bench import Effort, Section, Target
+from rekeyed import with_keys
 
 from dynsplines import models, recordings
 from dynsplines.clip import load as clips
@@ -50,7 +51,7 @@ def looped(count: int) -> clips.Clip:
         qpos = np.array(stride[part].state)
         qpos[0] += loop * shift
         keys.append(Frame.key(loop * PERIOD + stride[part].time, qpos))
-    return clips.with_keys(problem, keys)
+    return with_keys(problem, keys)
 
 
 def _shift(problem: clips.Clip, stride: tuple[Frame, ...]) -> float:

@@ -14,6 +14,7 @@ from dataclasses import asdict, dataclass, replace
 import numpy as np
 import report
 from bench import Effort, Section, Target, median, people, seconds, worst
+from rekeyed import with_keys
 
 from dynsplines.clip import load as clips
 from dynsplines.clip.contacts import contacts
@@ -107,7 +108,7 @@ def perturbed(clip: clips.Clip, seed: int) -> clips.Clip:
     keys = [_moved(clip.figure, key, rng) for key in clip.keys]
     if clip.ends == "periodic":
         keys[-1] = _moved(clip.figure, clip.keys[-1], np.random.default_rng(seed))
-    return clips.with_keys(_without_contradictions(clip, keys), keys)
+    return with_keys(_without_contradictions(clip, keys), keys)
 
 
 def _moved(figure: Figure, key: Frame, rng: np.random.Generator) -> Frame:

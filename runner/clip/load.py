@@ -30,7 +30,7 @@ from .build import Clip, build, build_following, edits_of, solve_of
 from .kinds import RENAMED
 from .obstacles import obstacles
 from .parse import Parsed, check_times, keyframe_label, read, table_of
-from .pose import pose, soles_of, stander_of
+from .pose import pose, soles_of
 from .posing.full_turns import lost_turns
 from .posing.placement import wanted
 from .posing.places import Places
@@ -340,17 +340,3 @@ def clip_from_motion(saved: Saved) -> Clip:
         return of_motion(saved, contacts=True)
     except UserError:
         return of_motion(saved)
-
-
-def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
-    """Return the clip with other keyframes. Contacts, gait and poses are inferred again."""
-    source = Parsed.of(clip.text, clip.name, clip.name)
-    source = source.with_solve(source.table.solve, [key.time for key in keys])
-    times = {key.time for key in keys}
-    placed = [point for point in clip.context.placed if point.time in times]
-    keys = [replace(key, posed=None) for key in keys]
-    if clip.text:
-        keys = stander_of(source, clip.figure).stood(keys, placed)
-    rebuilt = build(source, clip.scene, clip.figure, keys, placed, clip.fps)
-    with_custom = rebuilt.with_problem(penalties=(*rebuilt.penalties, *clip.custom_penalties))
-    return replace(with_custom, custom_penalties=clip.custom_penalties)

@@ -23,6 +23,7 @@ import wild
 from fuzz import grammar
 from fuzz.mangle import Rng, mangled_arrays, mangled_bytes, mangled_text, mangled_tree
 from quiet import quiet
+from rekeyed import with_keys
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
@@ -79,7 +80,7 @@ def _saved(figure: str) -> Saved:
     saved = wild.motion_of("human") if figure == "human" else wild.through(figure, *_robot_keys())
     hinged = wild.with_hinges(saved, "knee", "elbow") if figure == "human" else saved
     clip = clips.of_motion(hinged)
-    return solving.unsolved(clips.with_keys(clip, list(clip.keys)[:3])).saved(quiet(), with_report=False)
+    return solving.unsolved(with_keys(clip, list(clip.keys)[:3])).saved(quiet(), with_report=False)
 
 
 def _robot_keys() -> tuple[Any, Any]:

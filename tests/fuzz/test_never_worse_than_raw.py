@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from fuzz import grammar
 from quiet import quiet
+from rekeyed import with_keys
 
 from dynsplines import recordings, solving
 from dynsplines.clip import load as clips
@@ -52,7 +53,7 @@ def varied(seed: int) -> Clip:
             for key in (clip.keys[0], *inner, clip.keys[-1])
         ]
         try:
-            other = clips.with_keys(clip, keys)
+            other = with_keys(clip, keys)
         except UserError:  # keyframes that contradict a contact
             continue
         evaluations, method = int(rng.choice(EVALUATIONS if COUNT > SHORT else BRIEF)), str(rng.choice([*METHODS]))

@@ -8,6 +8,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 from oracles import kinematics
+from rekeyed import with_keys
 
 from dynsplines import recordings
 from dynsplines.clip import load as clips
@@ -66,4 +67,4 @@ def perturbed(text: str, seed: int, degrees: float = 5.0, heights: tuple[float, 
                 turn = quat.from_rotation_vector(np.radians(rng.uniform(-degrees, degrees, 3)))
                 qpos[columns] = quat.product(qpos[columns], turn)
         keys.append(replace(key, state=lifted(model, qpos, drop=touching)))
-    return clips.with_keys(other, keys)
+    return with_keys(other, keys)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mujoco
 import numpy as np
+from rekeyed import with_keys
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
@@ -70,7 +71,7 @@ def with_hinges(saved: Saved, *endings: str) -> Saved:
             qpos[:, [start + 1, start + 3]] = 0
             qpos[:, start : start + 4] = quat.normalised(qpos[:, start : start + 4])
     keys = [Frame.key(time, row) for time, row in zip(at.time, qpos, strict=True)]
-    return solving.unsolved(clip.with_keys(clip.of_motion(saved), keys)).saved(Progress(), with_report=False)
+    return solving.unsolved(with_keys(clip.of_motion(saved), keys)).saved(Progress(), with_report=False)
 
 
 def samples(saved: Saved, fps: float | None = None) -> Sampled:

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from rekeyed import with_keys
 
 from dynsplines import recordings
 from dynsplines.clip import load as clips
@@ -87,7 +88,7 @@ keyframe = [{time = 0, others = "rest"}, {time = 1, root.position = [0, 0, 0.7]}
     higher = recordings.from_text(squat.replace("0.7]", "0.8]"), name="squat")
     moved = np.array(clip.keys[1].state)
     moved[2] = 0.8
-    again = clips.with_keys(clip, [clip.keys[0], replace(clip.keys[1], state=moved), clip.keys[2]])
+    again = with_keys(clip, [clip.keys[0], replace(clip.keys[1], state=moved), clip.keys[2]])
     still = np.zeros((2, 1, clip.figure.width))
     feet = [Samples(clip.figure, clip.figure.to_state(k.keys[1].state[None]), *still) for k in (higher, again)]
     assert again.keys[1].posed is not None

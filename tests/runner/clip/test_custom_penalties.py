@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from rekeyed import with_keys
 from tiny import written
 
 from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion
-from dynsplines.clip import load as clips
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrenches import Wrenches, every_axis
 from dynsplines.solver.penalty import Block, Normalization, Penalty, Role
@@ -69,7 +69,7 @@ def test_it_takes_part_in_the_search(calm: Motion) -> None:
 def test_load_takes_it_too_and_other_keyframes_keep_it(tmp_path: Path) -> None:
     clip = load(written(tmp_path), custom_penalties=[(Calm(), 0.1)])
     assert [penalty.name for penalty, _ in clip.penalties][-1] == "calm"
-    again = clips.with_keys(clip, clip.keys)
+    again = with_keys(clip, clip.keys)
     assert again.custom_penalties == clip.custom_penalties and again.penalties[-1] == (Calm(), 0.1)
     assert swing(custom_penalties=[(Calm(), 0)]).custom_penalties == ()
 

@@ -11,10 +11,10 @@ import shipped
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import kinematics
+from rekeyed import with_keys
 
 from dynsplines import inbetween, load, recordings
 from dynsplines.clip.build import Clip
-from dynsplines.clip.load import with_keys
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 

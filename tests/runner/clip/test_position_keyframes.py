@@ -11,6 +11,7 @@ from command import commanded
 from links import link_named
 from oracles import kinematics
 from quiet import quiet
+from rekeyed import with_keys
 from tiny import HINGE
 
 from dynsplines import inbetween, recordings, solving
@@ -164,9 +165,9 @@ def test_a_search_ends_within_a_millimetre_and_is_reported():
     assert told["before"]["target distance, m"]["right_hand at 0.8 s"] < 1e-6  # the search begins there
     assert told["after"]["keyframe error"] < 1e-9
     assert max(abs(bend["backward"]) for bend in told["after"]["bends, degrees"].values()) < 1
-    moved = clip.with_keys(problem, [problem.keys[0], Frame.key(1.0, problem.keys[1].state)])
+    moved = with_keys(problem, [problem.keys[0], Frame.key(1.0, problem.keys[1].state)])
     assert moved.context.placed == ()
-    assert clip.with_keys(problem, problem.keys).context.placed == problem.context.placed
+    assert with_keys(problem, problem.keys).context.placed == problem.context.placed
 
 
 def placements(problem: Clip) -> list[float]:

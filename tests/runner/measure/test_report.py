@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from even_frames import evenly
 from quiet import quiet
+from rekeyed import with_keys
 from rich.console import Console
 from tiny import FIGURE, written
 
@@ -145,7 +146,7 @@ def test_keyframe_error_is_seen_where_a_keyframe_is_missed(solved: Solved):
     state[0] += 0.0125
     state[2] += 5  # which the keyframe does not fix
     keys = (solved.clip.keys[0], type(key)(key.time, state, key.fixed), solved.clip.keys[2])
-    missed = report(clip.with_keys(solved.clip, keys), solved.motion, 0.0)
+    missed = report(with_keys(solved.clip, keys), solved.motion, 0.0)
     assert missed["after"]["keyframe error"] == pytest.approx(0.0125, abs=1e-9)
 
 
