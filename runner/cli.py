@@ -101,21 +101,10 @@ def main() -> None:
     exit_status.run(lambda: app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False))
 
 
-def _print_version(value: bool) -> None:
-    if value:
-        from importlib.metadata import version  # only here: it takes a moment
-
-        from .solver import compiled
-
-        by = "the compiled kernel" if compiled.kernel is not None else "NumPy alone (no compiled kernel)"
-        print(f"dynsplines {version('dynamic-splines')}, MuJoCo {version('mujoco')}, solving with {by}")
-        raise typer.Exit
-
-
 @app.callback()
 def _options(
     debug: Annotated[bool, flag("--debug", "Print the traceback of an internal error")] = False,
-    version: Annotated[bool, flag("--version", "Print the version", is_eager=True, callback=_print_version)] = False,
+    version: option.Version = False,
 ) -> None:
     if debug:
         os.environ[exit_status.DEBUG] = "1"

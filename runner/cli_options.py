@@ -84,6 +84,28 @@ def quantity(kind: str, help: str, *names: str) -> Any:
     return value(kind.upper(), help, "none", *names, parser=parsed)
 
 
+def _print_version(is_requested: bool) -> None:
+    if is_requested:
+        from importlib.metadata import version  # only here: it takes a moment
+
+        by = "the compiled kernel" if _has_kernel() else "NumPy alone (no compiled kernel)"
+        print(f"dynsplines {version('dynamic-splines')}, MuJoCo {version('mujoco')}, solving with {by}")
+        raise typer.Exit
+
+
+def _has_kernel() -> bool:
+    """Return whether there is a compiled kernel that loads, without an import of the solver and its libraries."""
+    from importlib import machinery, util
+
+    solver = util.find_spec("dynsplines.solver")
+    assert solver is not None
+    kernel = machinery.PathFinder.find_spec("dynsplines.solver.kernel", solver.submodule_search_locations)
+    try:
+        return kernel is not None and util.module_from_spec(kernel) is not None
+    except ImportError:
+        return False
+
+
 def _prepare(context: typer.Context, allow: bool) -> bool:
     """Apply --allow-outside until the command ends, and import MuJoCo without graphics unless the command draws."""
     context.with_resource(file_access.allowed(allow))
@@ -157,6 +179,7 @@ Clip = Annotated[
 Recording = Annotated[
     Path, typer.Argument(metavar="RECORDING", help="Motion (.npz), or a file in a format that `import` reads")
 ]
+Version = Annotated[bool, flag("--version", "Print the version", is_eager=True, callback=_print_version)]
 Overwrite = Annotated[bool, flag("--overwrite", "Overwrite an existing output file")]
 Strict = Annotated[bool, flag("--strict", "Exit with code 3 if a motion has violations")]
 NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve the clip again, even if its solution is in the cache")]

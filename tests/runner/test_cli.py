@@ -230,9 +230,10 @@ def test_the_help_of_a_command_has_all_options_with_units_and_defaults(run, name
             assert option.required or f"{words}[default:" in text
 
 
-def test_help_is_quick_because_it_imports_nothing_heavy():
+@pytest.mark.parametrize("option", ["--help", "--version"])
+def test_help_is_quick_because_it_imports_nothing_heavy(option):
     script = (
-        "import sys; from dynsplines import cli; sys.argv = ['dynsplines', '--help']\n"
+        f"import sys; from dynsplines import cli; sys.argv = ['dynsplines', '{option}']\n"
         "try: cli.main()\nexcept SystemExit: pass\n"
         "print(sorted({'mujoco', 'numpy', 'scipy', 'nlopt', 'matplotlib', 'pydantic', 'av', 'PIL'} & set(sys.modules)))"
     )
