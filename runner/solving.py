@@ -27,15 +27,14 @@ NUMBER = 500_000  # [bytes] memory of a search without matrices per entry of a f
 
 
 @contextmanager
-def _unhurried() -> Iterator[threading.Event]:
-    """Make Ctrl-C only set the event in this block, so that the solution is not lost."""
-    interrupted = threading.Event()
+def _unhurried() -> Iterator[None]:
+    """Ignore Ctrl-C in this block, so that the solution is not lost."""
     if threading.current_thread() is not threading.main_thread():
-        yield interrupted
+        yield
         return
-    before = signal.signal(signal.SIGINT, lambda *_: interrupted.set())
+    before = signal.signal(signal.SIGINT, lambda *_: None)
     try:
-        yield interrupted
+        yield
     finally:
         signal.signal(signal.SIGINT, before)
 
@@ -69,25 +68,19 @@ class Solved:
         return search
 
     def saved(self, progress: Progress, with_report: bool = True) -> Saved:
-        """Return the content of a motion file. The report takes some seconds, and Ctrl-C skips it."""
+        """Return the content of a motion file. Ctrl-C during it has no effect."""
         clip, motion = self.clip, self.motion
         data = {}
-        with _unhurried() as interrupted:
+        with _unhurried():
             if motion.stop is Stop.INTERRUPTED:
                 progress.report("stopped; the best path so far is kept")
             if with_report:
                 progress.step("measuring", 0.0, force=True)
-
-                def report_progress(i: int, count: int) -> None:
-                    progress.step("measuring", i / count, f"segment {i} of {count}")
-                    if interrupted.is_set():
-                        raise KeyboardInterrupt
-
                 from .measure.curves import curves  # imported here because most commands measure nothing
                 from .measure.report import report
 
                 drawn = curves(clip, motion)
-                data = report(clip, motion, self.seconds, report_progress)
+                data = report(clip, motion, self.seconds)
                 data["curves"] = drawn
                 progress.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]

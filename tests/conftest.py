@@ -24,14 +24,12 @@ from quiet import quiet
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
-from dynsplines.measure import report
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solving import Solved
 
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
-report.LOCAL_EVALUATIONS = 2  # the local solves of a report take most of its time; test_report has all of them
 shipped.open_folder()
 shared_figures.share()
 

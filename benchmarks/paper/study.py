@@ -20,12 +20,12 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.penalty import UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.solution import Improvement
 from dynsplines.system.progress import Progress
 
 from .barr import Discrete
 from .claim import Claim
+from .displacement import displacement
 from .equations import PaperAcceleration
 from .orientations import (
     INTRINSIC,

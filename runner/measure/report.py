@@ -5,7 +5,6 @@ The data are plain dicts for JSON, the motion file and the terminal.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -14,12 +13,9 @@ from rich.table import Table
 from rich.text import Text
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import turned
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Cycle
-from dynsplines.solver.refine.displacement import displacement
-from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
 
@@ -28,24 +24,16 @@ from .formatting import rows
 from .quantities import Side
 from .violation import Violation, by_name, plain, violations_of
 
-LOCAL_EVALUATIONS: int = 25  # most evaluations of a local solve that estimates the remaining decrease of a segment
-# [1] relative to a segment's E: yields the decrease to within 10 %, in a quarter of the time that 1e-7 takes
-LOCAL_TOLERANCE = 1e-4
 DRIFT = "centre of mass displacement, m"  # distance between the centres of mass before and after solving
 
 
-def report(
-    clip: Clip, motion: Solution, seconds: float | None, report_progress: Callable[[int, int], None] | None = None
-) -> dict[str, Any]:
+def report(clip: Clip, motion: Solution, seconds: float | None) -> dict[str, Any]:
     """Return the full report of a solved clip.
 
     seconds  duration of the solve, if known
-    report_progress  receives the progress of the local solves
 
-    Ctrl-C omits only the segments, which take longest. An imported recording is measured once for both columns. It has
-    no segments and no remaining decrease, because nothing is optimised. A cleaned recording has neither, because this
-    is not the objective that was minimised. A motion that follows a recording has no segments either, since its frames
-    are not keyframes.
+    An imported recording is measured once for both columns. It has no remaining decrease, because nothing is optimised.
+    A cleaned recording has none either, because this is not the objective that was minimised.
     """
     is_compared = not motion.is_raw
     searched = is_compared and (motion.evaluations > 0 or motion.timeline.variable_count > 0)
@@ -67,7 +55,6 @@ def report(
         **({} if seconds is None else {"seconds": seconds}),
         "stopped because": motion.stop.value,
         "cycle": _cycle_report(clip),
-        "segments": _segments(clip, motion, report_progress) if searched and not clip.has_recording else [],
         **sides,
     }
 
@@ -100,43 +87,6 @@ def _remaining_decrease(motion: Solution) -> dict[str, float]:
     return {"objective": promised, "share": promised / value if value > 0 else 0.0}
 
 
-def _segments(
-    clip: Clip, motion: Solution, report_progress: Callable[[int, int], None] | None
-) -> list[dict[str, float]]:
-    """Return the rows of the table of segments between keyframes.
-
-    Each has the Euler-Lagrange deviation before and after solving, and from a local solve (appendix C of the paper) the
-    displacement δ and the decrease of E.
-    """
-    try:
-        remaining = displacement(
-            motion.objective,
-            motion.timeline,
-            max_evaluations=LOCAL_EVALUATIONS,
-            tolerance=LOCAL_TOLERANCE,
-            report_progress=report_progress,
-        )
-    except KeyboardInterrupt:
-        return []
-    after = residual(motion.objective, path_of(motion.timeline)).deviation()
-    before = residual(motion.objective, path_of(motion.raw)).deviation()
-    times = np.array([key.time for key in clip.keys])
-    segment_of = np.clip(np.searchsorted(times, motion.timeline.times[:-1] + 1e-9) - 1, 0, times.size - 2)
-    sums = {
-        "deviation after": after,
-        "delta": remaining.distance,
-        "delta · EL": remaining.gap,
-        "left": remaining.reduction,
-    }
-    rows = []
-    for i in range(times.size - 1):
-        row = {"from, s": float(times[i]), "to, s": float(times[i + 1]), "deviation before": float(before[i])}
-        row |= {name: float(values[segment_of == i].sum()) for name, values in sums.items()}
-        row["variable frames"] = float((segment_of == i).sum() - 1)
-        rows.append(row)
-    return rows
-
-
 def tables(data: dict[str, Any]) -> Group:
     """Return the report for the terminal."""
     before, after = data["before"], data["after"]
@@ -157,16 +107,9 @@ def tables(data: dict[str, Any]) -> Group:
     main = Table("measure", *sides, title_justify="left")
     for name, one, two in rows(before, after):
         main.add_row(name, *((one, two) if is_compared else (two,)))
-    segments = Table("segment, s", "EL before", "EL after", "δ", "δ · EL", "left", "variable", title="segments")
-    for row in data["segments"]:
-        segments.add_row(
-            f"{row['from, s']:.2f} - {row['to, s']:.2f}",
-            *(f"{row[key]:.3g}" for key in ("deviation before", "deviation after", "delta", "delta · EL", "left")),
-            f"{row['variable frames']:.0f}",
-        )
     listed = [Violation(**table) for table in data.get("violations", [])]
     wrong = [Text(f"violation: {violation}") for violation in (listed if searched else by_name(listed))]
-    return Group(*wrong, head, main, *([segments] if data["segments"] else []))
+    return Group(*wrong, head, main)
 
 
 def _cycle_words(data: dict[str, Any]) -> str:

@@ -226,7 +226,7 @@ class Motion(Renames):
 
         The motion is sampled more finely than in the search.
 
-        The first call takes some seconds; the result is cached.
+        The first call takes about a second; the result is cached.
 
         Returns:
             The measurements, under "before" and "after".

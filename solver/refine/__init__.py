@@ -2,7 +2,6 @@
 
 subdivision     variable frames where the path is badly approximated (step 5 of the paper's figure 5)
 euler_lagrange  the Euler-Lagrange residual, its deviation per segment, the weak form
-displacement    the distance of a path from the optimum (appendix C)
 limits          projection of a path into hard joint ranges
 warm_start      an earlier solution mapped to edited keyframes
 edit_window     the part of a clip that an edit affects, solved separately

@@ -18,7 +18,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import midpoints
 from dynsplines.solver.solution import Solution
@@ -139,15 +138,3 @@ def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(variable: i
     promised = weak.decrements(midpoints(found.timeline)).sum()
     gap = found.objective.value(found.path) - found.objective.value(motion(0, 15).path)
     assert 0.3 <= promised / gap <= 3
-
-
-@pytest.mark.slow
-def test_the_distance_to_the_local_optimum_shrinks_as_variable_frames_are_added() -> None:
-    objective = motion(0, 1).objective
-    timelines = [motion(0, 1).raw, motion(0, 1).timeline, motion(0, 3).timeline]
-    found = [displacement(objective, timeline) for timeline in timelines]
-    total = [d.distance.sum() for d in found]
-    assert total[0] > 3 * total[1] > 9 * total[2] > 0
-    for d in found:
-        assert np.all(d.reduction > -1e-9)
-        assert np.all(d.gap >= 0.9 * d.reduction)

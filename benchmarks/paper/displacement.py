@@ -6,22 +6,20 @@ segment is solved separately on a finer spline, with its position and velocity f
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..array import Array
-from ..curve.frame import Frame, Timeline
-from ..curve.quadrature import gauss_nodes
-from ..curve.spline import Path, path_of
-from ..objective import Objective
-from ..search.descent import optimised
-from .euler_lagrange import residual
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.quadrature import gauss_nodes
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.refine.euler_lagrange import residual
+from dynsplines.solver.search.descent import optimised
 
 NODES = 6  # nodes per span of Gauss's rule
-# defaults of a segment's search: variable frames, evaluation budget, tolerance relative to E
-VARIABLE, MOST_EVALUATIONS, TOLERANCE = 3, 60, 1e-7
+MOST_EVALUATIONS = 60  # of a segment's search
 
 
 @dataclass(frozen=True)
@@ -40,13 +38,7 @@ class Displacement:
 
 
 def displacement(
-    objective: Objective,
-    timeline: Timeline,
-    *,
-    variable: int = VARIABLE,
-    max_evaluations: int = MOST_EVALUATIONS,
-    tolerance: float = TOLERANCE,
-    report_progress: Callable[[int, int], None] | None = None,
+    objective: Objective, timeline: Timeline, *, variable: int = 3, tolerance: float = 1e-7
 ) -> Displacement:
     """Return the displacement of every segment, by a local solve of each.
 
@@ -54,7 +46,6 @@ def displacement(
         objective: E.
         variable: The number of variable frames inside each segment.
         tolerance: Relative progress at which a solve ends.
-        report_progress: Called with (number of solved segments, number of segments).
     """
     path = path_of(timeline)
     local_objective = replace(objective, quadrature=replace(objective.quadrature, kind="gauss", points=5))
@@ -62,13 +53,11 @@ def displacement(
     rows = []
     for i, (a, b) in enumerate(zip(timeline.times[:-1], timeline.times[1:], strict=True)):
         local = _segment(path, float(a), float(b), variable)
-        better = optimised(local_objective, local, max_evaluations=max_evaluations, tolerance=tolerance)
+        better = optimised(local_objective, local, max_evaluations=MOST_EVALUATIONS, tolerance=tolerance)
         t, w = gauss_nodes(np.array([a, b]), NODES)
         delta = np.linalg.norm(path.at(t) - path_of(better).at(t), axis=1)
         level = np.interp(t, strength.t[i], strength.size[i])
         saved = local_objective.value(path_of(local)) - local_objective.value(path_of(better))
-        if report_progress is not None:
-            report_progress(i + 1, timeline.times.size - 1)
         rows.append((w @ delta, w @ (delta * level), saved))
     distance, gap, decrease = np.array(rows).T
     return Displacement(distance, gap, decrease)
