@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Sequence
-from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, unknown
@@ -18,7 +17,6 @@ if TYPE_CHECKING:
     from .solver import Message
 
 AT = 1e-6  # [s] distance up to which a time is that of a keyframe
-PAUSE = 0.1  # [s] pause of a drag after which its edit is solved speculatively
 
 
 class Actions:
@@ -31,8 +29,6 @@ class Actions:
         self._home: Any = None
         self._turned: tuple[float, str] | None = None
         self._body = 0
-        self._time, self._is_partial = 0.0, False
-        self._timer: asyncio.TimerHandle | None = None
 
     async def poser(self) -> Poser:
         """Return the poser of the present figure, once the path belongs to the present text."""
@@ -56,13 +52,8 @@ class Actions:
         offset: Sequence[float],
         plant: bool = True,
         alone: bool = False,
-        partial: bool = False,
     ) -> str:
-        """Grab a point of a body at a time of the clip.
-
-        With `alone`, only its limb moves. `partial` is the value that `drop` will use.
-        """
-        self._mark_moved(time, partial)
+        """Grab a point of a body at a time of the clip. With `alone`, only its limb moves."""
         poser, qpos = await self.poser(), self.at(time)
         self._release()
         grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
@@ -73,25 +64,21 @@ class Actions:
         """Return the pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
         if self._grip is None:
             raise UserError("no limb is grabbed; press the mouse on one first")
-        self._mark_moved()
         poser = await self._same_poser()
         begin = time.perf_counter()
         pose = await asyncio.to_thread(poser.pulled, self._grip, position, self._last)
         self._last = pose.qpos
         bodies = _bodies(poser, pose.qpos)
-        self._restart_timer()
         return {**bodies, "missed": round(pose.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
-    async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> Message:
+    async def turn(self, *, time: float, joint: str, turn: Sequence[float]) -> Message:
         """Return the pose with one joint rotated, in the format of `drag`."""
-        self._mark_moved(time, partial)
         poser, turned = await self.poser(), (float(time), joint)
         if turned != self._turned or self._home is None:
             self._release()
             self._home, self._turned = self.at(time), turned
         self._last = (await self._same_poser()).turned(self._home, joint, turn)
         self._body = next(int(link.body) for link in poser.figure.links[1:] if link.name == joint)
-        self._restart_timer()
         return _bodies(poser, self._last)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
@@ -99,64 +86,30 @@ class Actions:
 
         With `partial`, a new keyframe specifies only what was moved; the optimiser determines the rest.
         """
-        self._time, self._is_partial = time, partial
-        self._cancel_timer()
         if self._last is None or self._home is None:
             return ""
         edit, poser = None, await self._same_poser()
         try:
-            edit = self._pending_edit(poser)
+            edit = self._edit_of_drag(poser, time, partial=partial)
         finally:
             self._release()
         return "" if edit is None else await self.session.edit(*edit)
 
-    def _pending_edit(self, poser: Poser) -> tuple[str, Message, int | None] | None:
+    def _edit_of_drag(self, poser: Poser, time: float, *, partial: bool) -> tuple[str, Message, int | None] | None:
         """Return the edit, as arguments of `Session.edit`, that ends the current drag; None if nothing has moved."""
-        home, last, index = self._home, self._last, self.key_at(self._time)
+        home, last, index = self._home, self._last, self.key_at(time)
         entries = poser.keyframe_entries(last, home)
         if not any(entries.values()):
             return None
         if index is None:
-            moved = self._limb_entries(poser, entries, last) if self._is_partial else poser.keyframe_entries(last)
-            return "add_key", {"entries": {**moved, "time": self._time}}, None
+            moved = self._limb_entries(poser, entries, last) if partial else poser.keyframe_entries(last)
+            return "add_key", {"entries": {**moved, "time": time}}, None
         if "root" in entries:  # the whole pose, because everything attached to the root moves along
             entries = self._without_free_joints(index, poser.keyframe_entries(last), home, last, poser)
             arguments = {"places": self._targets(index), **entries}
         else:
             arguments = self._released_entries(index, _named(entries, poser), last, poser, entries)
         return "set_pose", {"key": index, **arguments}, self.session.document.revision
-
-    def _mark_moved(self, time: float | None = None, partial: bool = False) -> None:
-        """Mark the pose as changed and discard pending speculation."""
-        if time is not None:
-            self._time, self._is_partial = time, partial
-        self._cancel_timer()
-        self.session.wait()
-
-    def _cancel_timer(self) -> None:
-        """Cancel a speculative solve that has not started."""
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
-
-    def _restart_timer(self) -> None:
-        """Start a timer. After a pause in the drag, the edit that it would make is solved speculatively."""
-        self._cancel_timer()
-        self._timer = asyncio.get_running_loop().call_later(PAUSE, self._speculate)
-
-    def _speculate(self) -> None:
-        prepared_poser = self.session.poser
-        if (
-            self._last is None
-            or self._home is None
-            or prepared_poser is None
-            or prepared_poser[0] != self.session.stages
-        ):
-            return
-        with suppress(UserError, LookupError):  # the keyframe no longer exists
-            edit = self._pending_edit(prepared_poser[1]) if len(self._home) == prepared_poser[1].figure.width else None
-            if edit is not None:
-                self.session.speculate(*edit)
 
     def _targets(self, index: int) -> list[str]:
         """Return the sites and bodies with a target position in a keyframe."""
@@ -195,7 +148,6 @@ class Actions:
 
     async def cancel(self) -> str:
         """End the drag without an edit."""
-        self._mark_moved()
         self._release()
         return ""
 

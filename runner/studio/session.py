@@ -6,7 +6,6 @@ import asyncio
 import json
 import pickle
 from collections.abc import Callable
-from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -65,9 +64,8 @@ class Session:
         self._load_request: Message | None = None
         self._unsaved_timer: asyncio.TimerHandle | None = None
         self._curve_pages: set[int] = set()
-        self._shows_snapshot = self._is_speculating = False
+        self._shows_snapshot = False
         self._snapshot_text: str | None = None
-        self._speculation: tuple[tuple[Any, ...], tuple[str, str]] | None = None  # an edit; its text and description
 
     @property
     def timeline(self) -> Any:
@@ -153,13 +151,7 @@ class Session:
         `revision` is that of the indices in the arguments, if it is not the present one.
         """
         async with self._lock:
-            request = self.document.revision, name, arguments, revision
-            prepared_edit, self._speculation = self._speculation, None
-            text, words = (
-                prepared_edit[1]
-                if prepared_edit is not None and prepared_edit[0] == request
-                else self._edited(name, arguments, revision)
-            )
+            text, words = self._edited(name, arguments, revision)
             if text != self.document.text:
                 verdict = await self._validate(text)
                 self.document.commit(text, words)
@@ -178,23 +170,6 @@ class Session:
         except TypeError as error:
             raise UserError(f"{name}: {one_line(error)}") from None
         return tree.as_string(), words
-
-    def speculate(self, name: str, arguments: Message, revision: int | None = None) -> None:
-        """Solve speculatively for an edit that may follow, if the solver is idle."""
-        if not self.go or self._lock.locked() or self.status["state"] != "settled":
-            return
-        with suppress(UserError):
-            text, words = self._edited(name, arguments, revision)
-            if text != self.document.text:
-                self._speculation = (self.document.revision, name, arguments, revision), (text, words)
-                self._is_speculating = True
-                self.solver.send({"do": "speculate", **self._named(text)})
-
-    def wait(self) -> None:
-        """End the speculative solve."""
-        if self._is_speculating:
-            self._is_speculating = False
-            self.solver.send({"do": "wait"})
 
     async def undo(self) -> str:
         return await self._step(self.document.back, self.document.undo, "undo")
@@ -263,7 +238,6 @@ class Session:
         return verdict
 
     def _load(self, text: str, revision: int, *, first: bool = False, initial_path: Any = None) -> None:
-        self._is_speculating = False
         self._load_request = {"do": "load", **self._named(text), "revision": revision, "go": self.go, "first": first}
         self.solver.send(
             self._load_request if initial_path is None else {**self._load_request, "initial_path": initial_path}

@@ -118,7 +118,7 @@ export class Gizmo {
     if (this.waiting) { this.again = true; return; }
     const turn = this.handle.quaternion.clone().multiply(this.begin.clone().invert());
     this.waiting = true;
-    void ask("turn", { time: this.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z], partial: model.partial }).then((answer) => {
+    void ask("turn", { time: this.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z] }).then((answer) => {
       this.waiting = false;
       if (answer.ok && this.dragging) {
         this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };

@@ -93,7 +93,7 @@ export class Hands {
     if (!held.moved) {
       held.moved = true;
       this.waiting = true;
-      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null, partial: model.partial }).then((answer) => {
+      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null }).then((answer) => {
         this.waiting = false;
         if (!answer.ok) { toast(answer.words ?? "", "wrong"); void this.cancel(); }
         else this.follow();

@@ -13,7 +13,6 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from queue import Empty, SimpleQueue
@@ -48,7 +47,6 @@ MAX_CACHED_PATHS = 40  # number of texts whose paths are cached
 IDLE = 1.0  # [s] idle time after which a suspect result is searched again from the raw spline
 SUSPECT_RATIO = 3.0  # [1] ratio of E to that of the previous result above which a result is suspect
 SEND_INTERVAL = 0.04  # [s] minimum interval between paths sent
-SPECULATION_LIMIT = 0.3  # [s] loading time above which clips are not solved speculatively, because an edit would wait
 
 
 def serve(line: Line, outside: bool) -> None:
@@ -85,22 +83,6 @@ def _read(line: Line, inbox: SimpleQueue[Message | None], loop: SolverLoop) -> N
     loop.interrupt()
 
 
-@dataclass(frozen=True, eq=False)
-class Speculation:
-    """The speculative result for a text that may follow: a clip edited from `before`, and the search of its path.
-
-    Attributes:
-        between: The edited interval [s]; None: the whole clip.
-        solution: The best path so far; None as long as none is better than `begin`.
-    """
-
-    before: Clip
-    clip: Clip
-    begin: Timeline
-    between: tuple[float, float] | None
-    solution: Solution | None = None
-
-
 class SolverLoop:
     """A clip, the best path through its keyframes, and the connection to the server."""
 
@@ -118,8 +100,6 @@ class SolverLoop:
         self._is_going, self._is_near = True, False
         self._is_cut = False  # whether a message has interrupted the last search
         self._suspicion: str | None = None
-        self._speculation: Speculation | None = None
-        self._load_seconds = 0.0  # [s] loading time of the last edit
         self._before: tuple[float, int] | None = None  # E and the number of violations of the last good result
 
     def do(self, message: Message) -> None:
@@ -156,16 +136,8 @@ class SolverLoop:
         """
         self._is_going, self._suspicion = go, None
         before, solution = self.clip, self.solution
-        speculation, self._speculation = self._speculation, None
-        if speculation is not None and (speculation.clip.text != text or speculation.before is not before):
-            speculation = None
-        if first or initial_path is not None:
-            speculation = None
-        clip = (
-            speculation.clip
-            if speculation is not None
-            else self._loaded(text, name, place, folder, None if first else before)
-        )
+        like = None if first else before
+        clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=like)
         has_ground = before is not None and clip.figure is before.figure
         self.clip, self.revision, self._is_cut = clip, revision, False
         if not has_ground:
@@ -174,9 +146,6 @@ class SolverLoop:
         content = outline(text, place)
         self._report("loaded", revision=revision, notes=list(clip.notes), outline=content, **_shape(clip))
         self._raw_is_pending = True
-        if speculation is not None:
-            self._adopt(speculation, go=go)
-            return
         path = None if initial_path is None else pickle.loads(initial_path)  # data of this program only
         begin, between = self._initial_guess(clip, before, solution, first=first, initial_path=path)
         if begin is None:
@@ -188,45 +157,6 @@ class SolverLoop:
             self._search(begin, between)
         else:
             self._judge(stop="paused")
-
-    def _loaded(self, text: str, name: str, place: str, folder: str, like: Clip | None) -> Clip:
-        """Return the clip of a text, reusing parts of the clip from which it was edited. Raises UserError."""
-        begun = time.monotonic()
-        clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=like)
-        self._load_seconds = time.monotonic() - begun if like is not None else 0.0  # the figure was reused
-        return clip
-
-    def do_speculate(self, text: str, name: str, place: str, folder: str) -> None:
-        """Solve speculatively for a text. Any message ends this. The result is used when the text arrives."""
-        before, self._speculation = self.clip, None
-        if before is None or not self._is_going or self._load_seconds > SPECULATION_LIMIT:
-            return
-        with suppress(Exception):  # reported when the text arrives
-            clip = self._loaded(text, name, place, folder, before)
-            begin, between = self._initial_guess(clip, before, self.solution, first=False, initial_path=None)
-            if clip.figure is before.figure and begin is not None:
-                speculation = self._speculation = Speculation(before, clip, begin, between)
-                solution = self._minimise(clip, begin, between, lambda improvement: None)
-                if solution is not None and solution.evaluations > 1:  # the first evaluation is the initial guess
-                    self._speculation = replace(speculation, solution=solution)
-
-    def do_wait(self) -> None:
-        """Do nothing: the message itself has ended the speculative solve."""
-
-    def _adopt(self, speculation: Speculation, *, go: bool) -> None:
-        """Continue with a speculatively solved clip and its result."""
-        clip, solution = speculation.clip, speculation.solution
-        if solution is None:
-            self.solution = Solution(clip.figure, clip.problem.objective, speculation.begin, clip.problem.raw)
-            self._send_path(speculation.begin, "initial")
-        else:
-            self._is_near = True
-            self._accept(solution)
-        stop = Stop.INTERRUPTED if solution is None else solution.stop
-        if go and stop is Stop.INTERRUPTED:
-            self._search(speculation.begin if solution is None else solution.timeline, speculation.between)
-        else:
-            self._judge(stop=stop.name if go else "paused")
 
     def _initial_guess(
         self, clip: Clip, before: Clip | None, solution: Solution | None, *, first: bool, initial_path: Timeline | None

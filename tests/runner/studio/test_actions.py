@@ -212,6 +212,29 @@ def test_further_free_bodies_are_placed_by_the_name_of_their_joint(session):
     assert row["root"]["position"] == [0.1, 0, 0.85]
 
 
+def test_a_cancelled_drag_changes_nothing(session):
+    grip = ("grip", {"time": 0.5, "body": 4, "offset": [0, 0, 0]})
+    done(session, grip, ("drag", {"position": [0.2, 0, 0.2]}), ("cancel", {}), ("drop", {"time": 0.5}))
+    assert session.document.text == CLIP
+    assert session.document.revision == 0
+
+
+def test_an_edit_of_another_page_during_a_drag_is_kept(session):
+    async def life():
+        session._load(session.document.text, 0, first=True)
+        await asyncio.sleep(0.01)
+        actions = Actions(session, 1)
+        await actions.grip(time=0.5, body=4, offset=[0, 0, 0])
+        await actions.drag(position=[0.2, 0, 0.2])
+        await session.edit("set_joint", {"key": 0, "joint": "knee", "value": 33})
+        await actions.drop(time=0.5)
+
+    asyncio.run(life())
+    rows = tomllib.loads(session.document.text)["keyframe"]
+    assert rows[0]["joints"]["knee"] == 33
+    assert rows[1]["joints"]["ankle"] != -15
+
+
 def test_a_turn_that_was_let_go_leaves_nothing_to_the_next_one(session):
     turn = [np.cos(0.2), 0, np.sin(0.2), 0]
     some = ("turn", {"time": 0, "joint": "hip", "turn": turn})
