@@ -210,13 +210,6 @@ def measure(effort: Effort) -> Section:
         browser, folder = play.chromium.launch(executable_path=chromium, args=FLAGS), Path(name)
         effort.report("first figure")
         first_figure(browser, folder)
-        with served(folder) as (_, address):  # the clip was open before: its view is cached
-            page = browser.new_page(viewport=SIZE)
-            page.goto(address)
-            until(page, READY)
-            until(page, SETTLED)
-            time.sleep(1)
-            page.close()
         starts = [first_figure(browser, folder) for _ in range(effort.repeats)]
         with served(folder) as (_, address):
             page = browser.new_page(viewport=SIZE)

@@ -14,6 +14,5 @@ footing           contact points of feet, floor and support polygon of a drag
 actions           page actions that need the figure
 solver            the solver process, as seen from the server
 solving/          the solver process itself; the figure as the page draws it, curves
-startup_snapshot  the last view of a clip, shown at once when it is opened again
 files             saving, export and rendering, in the clip's folder
 """

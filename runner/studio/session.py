@@ -6,12 +6,10 @@ import asyncio
 import json
 import pickle
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, one_line
-from . import startup_snapshot
 from .document import Document
 from .revision_map import renumbered
 from .solver import Message, Solver
@@ -25,13 +23,6 @@ PATH_TIMEOUT = 5.0  # [s] time limit for a path of the present text
 UNSAVED_DELAY = 0.4  # [s] delay after an edit before unsaved work is written
 LISTINGS = ("kinds", "formats")  # messages that do not change: a page that connects later gets them, too
 LATEST = ("raw", "initial", "best")  # kinds of paths; a page that connects later gets the last of each
-
-
-STAGE = b'{"is":"stage","stage":'  # prefix of a stage in a message to a page
-
-
-def _stage_message(stage: bytes) -> bytes:
-    return STAGE + stage + b"}"
 
 
 class Session:
@@ -64,8 +55,6 @@ class Session:
         self._load_request: Message | None = None
         self._unsaved_timer: asyncio.TimerHandle | None = None
         self._curve_pages: set[int] = set()
-        self._shows_snapshot = False
-        self._snapshot_text: str | None = None
 
     @property
     def timeline(self) -> Any:
@@ -91,11 +80,8 @@ class Session:
 
     def start(self) -> None:
         """Start the process and load the clip. Messages are queued until the session listens."""
-        view = startup_snapshot.read(startup_snapshot.file_of(self.document))
-        self.solver.start(shows_view=view is not None)
+        self.solver.start()
         self._load(self.document.text, self.document.revision, first=True)
-        if view is not None:
-            self._shows_snapshot, self._stage, self._paths["best"] = True, _stage_message(view[0]), view[1]
 
     def begin(self) -> None:
         """Listen to the process, and start it if necessary."""
@@ -224,7 +210,7 @@ class Session:
 
     async def _validate(self, text: str, *, first: bool = False) -> Message:
         """Return the solver's answer to a text, which it then searches. Raises UserError for an invalid clip."""
-        self._verdict, self._shows_snapshot = asyncio.get_running_loop().create_future(), False
+        self._verdict = asyncio.get_running_loop().create_future()
         self._load(text, self.document.revision + 1, first=first)
         try:
             verdict = await asyncio.wait_for(self._verdict, LOAD_TIMEOUT)
@@ -307,13 +293,9 @@ class Session:
     def _receive_stage(self, message: Message) -> None:
         self.stages += 1
         self.scene = message
-        stage = _stage_message(message["stage"])
-        self._shows_snapshot = self._shows_snapshot and stage == self._stage
-        if self._shows_snapshot:
-            return
+        self._stage = b'{"is":"stage","stage":' + message["stage"] + b"}"
         self._paths.clear()
-        self._stage = stage
-        self.broadcast(stage)
+        self.broadcast(self._stage)
 
     def _receive_loaded(self, message: Message) -> None:
         if not self._judge(message):
@@ -341,12 +323,8 @@ class Session:
             self._timeline, self._path_revision = message["timeline"], message["revision"]
             for waiting in [future for future in self._waiting if not future.done()]:
                 waiting.set_result(None)
-        if message["kind"] == "initial" and self._shows_snapshot:
-            self._paths["initial"] = message["data"]
-            return  # pages show the cached result
         if message["kind"] == "initial":
             self._paths.pop("best", None)
-        self._shows_snapshot = self._shows_snapshot and message["kind"] == "raw"
         self._paths[message["kind"]] = message["data"]
         self.broadcast(message["data"])
 
@@ -354,26 +332,11 @@ class Session:
         self._status("searching")
 
     def _receive_settled(self, message: Message) -> None:
-        if self._shows_snapshot:  # there was no search
-            self._paths.pop("best", None)
-            self.broadcast(self._paths["initial"])
-        self._settled, self._shows_snapshot = message, False
+        self._settled = message
         if self.settled is not None:
             self.settled()
         self.broadcast(message)
         self._status("settled", stop=message["stop"])
-        self._save_snapshot()
-
-    def _save_snapshot(self) -> None:
-        """Cache this text's view in the background, once per text, for the next time it is opened."""
-        path = self._paths.get("best", self._paths.get("initial"))
-        if self._stage is None or path is None or self.document.text == self._snapshot_text:
-            return
-        if self.document.is_dirty and self.document.revision:
-            return
-        self._snapshot_text, stage = self.document.text, self._stage[len(STAGE) : -1]
-        write = partial(startup_snapshot.write, startup_snapshot.file_of(self.document), stage, path)
-        asyncio.get_running_loop().run_in_executor(None, write)
 
     def _receive_curves(self, message: Message) -> None:
         self._curves = json.dumps(message)

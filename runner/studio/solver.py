@@ -40,11 +40,11 @@ class Solver:
     def is_started(self) -> bool:
         return self._process is not None
 
-    def start(self, *, shows_view: bool = False) -> None:
-        """Start the process. It imports in the background, with low priority if the page already shows a view."""
+    def start(self) -> None:
+        """Start the process, which imports in the background."""
         spawn = multiprocessing.get_context("spawn")
         self._line, theirs = spawn.Pipe()
-        self._process = spawn.Process(target=entry, args=(theirs, is_allowed(), shows_view), daemon=True, name="solver")
+        self._process = spawn.Process(target=entry, args=(theirs, is_allowed()), daemon=True, name="solver")
         try:
             with ctrl_c_blocked():
                 self._process.start()

@@ -123,6 +123,7 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         tab.press("o")
         tab.settled()
         if tab.evaluate("studio.model.violations.length"):
+            assert page.locator("#restart-search").is_visible()
             page.locator("#panel-problems .violations button").first.click()
             assert tab.evaluate("studio.model.time") is not None
         for _ in range(3):
