@@ -22,7 +22,6 @@ from dynsplines.solver.surface.touch import counts_all, movers
 from ..scene.configuration import posed
 
 JOINED = 2  # most joints between two bodies that are excluded if they overlap at rest
-BITS = 31  # of contype
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,8 +59,6 @@ class Overlaps:
         steps = _steps(figure)[tuple(rest.links)]
         deep = np.where(steps <= JOINED, np.inf, np.where(np.isfinite(steps), rest.depth, 0.0))
         np.maximum.at(at_rest, tuple(rest.links), deep)
-        if counts_all(figure.model):
-            _exclude(model, figure.body_link, np.isinf(at_rest))
         return cls(figure, model, at_rest)
 
     def met(self, samples: Samples) -> Overlap:
@@ -101,26 +98,6 @@ def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
     out.opt.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     out.geom_margin[:] = 0
     return out
-
-
-def _exclude(model: mujoco.MjModel, body_link: Index, excluded: Mask) -> None:
-    """Exclude pairs of links (L, L) from collisions of a model in which all flags are equal.
-
-    Every body gets its own bit in contype, and the bits of the bodies with which it collides in conaffinity. Collision
-    detection then takes a quarter of the time.
-    """
-    bodies = np.flatnonzero(model.body_contype)
-    if bodies.size > BITS or not excluded.any():
-        return
-    links = body_link[bodies]
-    meets = ~(excluded | excluded.T)[np.ix_(links, links)]
-    model.body_contype[bodies] = 1 << np.arange(bodies.size)
-    model.body_conaffinity[bodies] = meets @ (1 << np.arange(bodies.size))
-    for geom_flags, body_flags in (
-        (model.geom_contype, model.body_contype),
-        (model.geom_conaffinity, model.body_conaffinity),
-    ):
-        geom_flags[:] = np.where(geom_flags != 0, body_flags[model.geom_bodyid], 0)
 
 
 def _steps(figure: Figure) -> Array:
