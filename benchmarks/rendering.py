@@ -91,7 +91,7 @@ def software(workers: int, folder: Path, fps: float) -> tuple[float, str | None]
     """Seconds for a small video by the CPU alone with so many processes, and why not."""
     command = dynsplines("render", CLIP, "--only", "before", "--size", SOFTWARE_SIZE, "--fps", f"{fps:g}")
     command += ["-o", str(folder / f"software{workers}.mp4"), "--workers", str(workers)]
-    environment = os.environ | {"DYNSPLINES_RENDERER": "software", "TERM": "dumb"}
+    environment = os.environ | {"MUJOCO_GL": "off", "TERM": "dumb"}
     spent, done = seconds(lambda: subprocess.run(command, capture_output=True, text=True, env=environment, check=False))
     if done.returncode == 0:
         return spent, None

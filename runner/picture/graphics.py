@@ -2,8 +2,7 @@
 
 MuJoCo reads MUJOCO_GL once, during its import, and an unusable value makes the import fail. Some drivers even abort the
 process. Every candidate is therefore tried in a child process, and `choose` must run before the first `import mujoco`;
-this file never imports mujoco. A trial takes about a second. The renderer that worked is therefore cached for a day,
-until the machine restarts or a dependency changes.
+this file never imports mujoco.
 """
 
 from __future__ import annotations
@@ -11,27 +10,17 @@ from __future__ import annotations
 import ctypes
 import functools
 import os
-import platform
 import subprocess
 import sys
-import time
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
 from dataclasses import dataclass
 from importlib import import_module
-from pathlib import Path
 from typing import Literal
-
-from ..errors import UserError
-from ..system.cache_folder import hash_of, place, version_of
 
 Kind = Literal["egl", "osmesa", "display", "software"]
 
-OVERRIDE = "DYNSPLINES_RENDERER"
 PROBE_SECONDS = 60.0  # [s] time limit of a trial
-REMEMBERED = 24 * 3600.0  # [s] age up to which a trial is valid, because drivers can be updated at run time
-BOOT = Path("/proc/sys/kernel/random/boot_id")
 
 _NAMES: dict[Kind, str] = {
     "egl": "EGL",
@@ -69,12 +58,9 @@ class Graphics:
 def choose() -> Graphics:
     """Return the fastest working renderer, and set MUJOCO_GL for it.
 
-    DYNSPLINES_RENDERER=software|egl|osmesa|display forces one. Otherwise a MUJOCO_GL of the environment is tried first.
-    If its value does not work, it is removed from this process's environment, because `import mujoco` would fail.
+    A MUJOCO_GL of the environment is tried first; `off` selects the software renderer. If its value does not work, it
+    is removed from this process's environment, because `import mujoco` would fail.
     """
-    forced = os.environ.get(OVERRIDE, "").strip().lower()
-    if forced:
-        return _forced(forced)
     if _imported():
         return _after_import(_imported_backend())
     wish = os.environ.get("MUJOCO_GL", "").strip().lower()
@@ -107,28 +93,6 @@ def do_without() -> None:
         os.environ["MUJOCO_GL"] = _SWITCHED_OFF[0]
 
 
-def _forced(name: str) -> Graphics:
-    """Return the renderer of DYNSPLINES_RENDERER, or raise UserError."""
-    name = "software" if name == "rays" else name  # its name up to 0.2
-    if name not in _NAMES:
-        raise UserError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
-    setting = f"{OVERRIDE}={name}"
-    if name == "software":
-        if not _imported():
-            os.environ.pop("MUJOCO_GL", None)
-        return Graphics("software", _line("software", setting))
-    if _imported():
-        backends = [backend for backend in [_imported_backend()] if _kind_of(backend) == name]
-    else:
-        backends = [_DISPLAY if name == "display" else name]
-    for backend in backends:
-        if _works(backend):
-            return _settle(_kind_of(backend), backend, setting)
-    raise UserError(
-        f"{setting}: {name} does not work here; unset it to let a working renderer be chosen, or use software"
-    )
-
-
 def _after_import(backend: str) -> Graphics:
     """Return the renderer of an imported mujoco, which can only use the backend of its import."""
     if backend not in _SWITCHED_OFF and _works(backend):
@@ -147,10 +111,6 @@ def _settle(kind: Kind, backend: str | None, note: str = "") -> Graphics:
 
 def _line(kind: Kind, note: str = "") -> str:
     return f"renderer: {_NAMES[kind]}" + (f" ({note})" if note else "")
-
-
-# MUJOCO_GL for a window on the display, MuJoCo's default except on Linux
-_DISPLAY = "glfw" if sys.platform == "linux" else ""
 
 
 def _kind_of(backend: str) -> Kind:
@@ -198,38 +158,6 @@ def _opens(*names: str) -> bool:
 
 @functools.cache
 def _draws(backend: str) -> bool:
-    """Return whether a recent trial succeeded, or else a new one does."""
-    mark = _mark(backend)
-    if mark is not None:
-        with suppress(OSError):
-            if 0 <= time.time() - mark.stat().st_mtime < REMEMBERED:
-                return True
-    drawn = _tried(backend)
-    if drawn and mark is not None:
-        with suppress(OSError):
-            mark.parent.mkdir(parents=True, exist_ok=True)
-            for older in mark.parent.glob(f"{mark.stem}.*"):
-                older.unlink()
-            mark.touch()
-    return drawn
-
-
-def _mark(backend: str) -> Path | None:
-    """Return the cache file of a working backend, named for its dependencies; None if caching is off."""
-    folder = place()
-    try:
-        boot = BOOT.read_text()
-    except OSError:
-        return None
-    words = ("GL", "DISPLAY", "MESA", "GALLIUM", "NVIDIA", "CUDA", "LD_")
-    settings = sorted(item for item in os.environ.items() if any(word in item[0] for word in words))
-    packages = [version_of(name) for name in ("mujoco", "PyOpenGL", "glfw")]
-    whole = repr((boot, platform.node(), sys.executable, packages, settings))
-    name = hash_of([whole.encode("utf-8", "surrogateescape")])
-    return None if folder is None else folder / f"draws-{backend or 'default'}.{name}"
-
-
-def _tried(backend: str) -> bool:
     """Return whether a child process can draw; it contains exceptions, aborts and hangs."""
     if not sys.executable:
         return False

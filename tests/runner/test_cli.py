@@ -25,7 +25,7 @@ from typer.main import get_command
 
 from dynsplines import cli, models, solving
 from dynsplines.clip.kinds import KINDS
-from dynsplines.picture import show
+from dynsplines.picture import graphics, show
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
@@ -37,7 +37,7 @@ COMMANDS: dict[str, Any] = get_command(cli.app).commands  # type: ignore[attr-de
 @pytest.fixture
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
     """Runs the command in an empty folder with the tiny clip in it."""
-    monkeypatch.setenv("DYNSPLINES_RENDERER", "software")
+    monkeypatch.setattr(graphics, "_imported_backend", lambda: "off")  # software, whatever mujoco was imported with
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     monkeypatch.chdir(tmp_path)
     written(tmp_path)

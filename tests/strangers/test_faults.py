@@ -48,7 +48,7 @@ MOMENTS = list(zip(COMMANDS, cycle(CODES), cycle(SHARES), strict=False))
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tried]:
     """Runs the command in a folder with the tiny clip and its motion in it."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(TESTS), str(SUPPORT)]), "MUJOCO_GL": "disable"}
-    environment |= {"OMP_NUM_THREADS": "1", "DYNSPLINES_RENDERER": "software"}
+    environment |= {"OMP_NUM_THREADS": "1"}
     process = subprocess.Popen(
         [sys.executable, str(SUPPORT / "faulty.py")],
         env=environment,

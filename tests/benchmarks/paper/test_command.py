@@ -10,10 +10,12 @@ from command import Command, commanded
 from paper import __main__ as command
 from paper.figures import drawing
 
+from dynsplines.picture import graphics
+
 
 @pytest.fixture
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
-    monkeypatch.setenv("DYNSPLINES_RENDERER", "software")
+    monkeypatch.setattr(graphics, "_imported_backend", lambda: "off")  # software, whatever mujoco was imported with
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     monkeypatch.chdir(tmp_path)
     return commanded(monkeypatch, capsys, command.main)
