@@ -1,18 +1,10 @@
-"""UserError: an error that the user can correct, in one line with the place, the problem and the alternatives.
-
-Former names of public attributes and arguments raise errors with the present names.
-"""
+"""UserError: an error that the user can correct, in one line with the place, the problem and the alternatives."""
 
 from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Iterable, Mapping
-from functools import wraps
-from typing import TYPE_CHECKING, ClassVar, ParamSpec, TypeVar
-
-Arguments = ParamSpec("Arguments")
-Result = TypeVar("Result")
+from collections.abc import Iterable
 
 LONGEST_WORD = 300  # maximum number of letters in a word of an error; paths are rarely longer
 LONGEST = 4000  # maximum number of letters of an error; the names of a humanoid's joints have 700
@@ -75,33 +67,3 @@ def listed(names: Iterable[str], most: int = 3) -> str:
     first = list(names)
     more = f" and {len(first) - most} more" if len(first) > most else ""
     return ", ".join(first[:most]) + more
-
-
-class Renames:
-    """Base of public classes. Reading a renamed attribute raises an AttributeError with its present name."""
-
-    RENAMED: ClassVar[Mapping[str, str]] = {}
-
-    if not TYPE_CHECKING:
-
-        def __getattr__(self, name):
-            if name in self.RENAMED:
-                raise AttributeError(
-                    f"{type(self).__name__} has no attribute '{name}'; it is named '{self.RENAMED[name]}'"
-                )
-            return object.__getattribute__(self, name)  # raises the usual error
-
-
-def renamed_arguments(**successors: str) -> Callable[[Callable[Arguments, Result]], Callable[Arguments, Result]]:
-    """Return a decorator of public functions, for which a renamed argument raises a TypeError with its present name."""
-
-    def decorated(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
-        @wraps(function)
-        def checked(*args: Arguments.args, **kwargs: Arguments.kwargs) -> Result:
-            for name in successors.keys() & kwargs.keys():
-                raise TypeError(f"{function.__name__} has no argument '{name}'; it is named '{successors[name]}'")
-            return function(*args, **kwargs)
-
-        return checked
-
-    return decorated

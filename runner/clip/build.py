@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.search.refinement import DENSE, is_practical
 from dynsplines.solver.surface import static_surfaces
 
-from ..errors import Renames, UserError
+from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import Scene
 from .constraints import constraints, weight_factors
@@ -43,7 +43,7 @@ NEXT = 1e-6  # [s] maximum difference of a saved keyframe from its time in the t
 
 
 @dataclass(frozen=True, repr=False)
-class Clip(Renames):
+class Clip:
     """A problem that is ready to solve, with the data needed to report on the resulting motion.
 
     Attributes:
@@ -66,12 +66,6 @@ class Clip(Renames):
     context: Context
     notes: tuple[str, ...]
     custom_penalties: tuple[tuple[Penalty, float], ...] = ()
-    RENAMED: ClassVar[Mapping[str, str]] = {
-        "asking": "with_problem",
-        "own": "custom_penalties",
-        "said": "authored_keys",
-        "follows": "has_recording",
-    }
 
     @property
     def figure(self) -> Figure:

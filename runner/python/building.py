@@ -18,7 +18,7 @@ from dynsplines.solver.figure.figure import Figure, FigureError
 from .. import recordings
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..clip.text import TomlTable, keyframe_tables, tables, written
-from ..errors import UserError, renamed_arguments, words_of
+from ..errors import UserError, words_of
 from ..scene import file_access
 from ..scene.compose import quietly
 from ..scene.model_inputs import spec_of
@@ -67,7 +67,6 @@ class Keyframe:
 
 
 @as_python_warnings()
-@renamed_arguments(own="custom_penalties", holds="grasps")
 def build(
     figure: str | os.PathLike[str] | mujoco.MjSpec | mujoco.MjModel,
     keyframes: Sequence[Keyframe],

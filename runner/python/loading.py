@@ -10,7 +10,7 @@ from .. import motion as files
 from .. import recordings
 from ..clip import load as clips
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
-from ..errors import UserError, renamed_arguments
+from ..errors import UserError
 from ..scene import file_access
 from ..scene.model_inputs import is_text, spec_of_text
 from ..system.mujoco_warnings import as_python_warnings
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 
 @as_python_warnings()
-@renamed_arguments(own="custom_penalties")
 def load(
     source: str | os.PathLike[str],
     *,

@@ -6,11 +6,11 @@ import html
 import io
 import os
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import mujoco
 import numpy as np
@@ -26,7 +26,7 @@ from ..clip import file as clip_file
 from ..clip import load as clips
 from ..clip.build import Clip
 from ..edit import edits, thinning
-from ..errors import Renames, UserError, renamed_arguments
+from ..errors import UserError
 from ..measure import violation
 from ..measure.report import tables
 from ..measure.violation import Violation
@@ -109,7 +109,7 @@ class MotionDifference:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Motion(Renames):
+class Motion:
     """A motion of a figure over time, with its keyframes and its scene.
 
     Attributes:
@@ -118,7 +118,6 @@ class Motion(Renames):
 
     saved: Saved
     _solved: Solved | None = field(default=None)
-    RENAMED: ClassVar[Mapping[str, str]] = {"problems": "violations", "apart": "difference"}
 
     def __repr__(self) -> str:
         """ "<Motion run_and_step: 2.20 s, 12 keyframes, 33 variable frames, 39 DOF>" """
@@ -487,7 +486,6 @@ class Motion(Renames):
         return self._edited(edits.joined(self.saved, other.saved, transition, silent()))
 
     @as_python_warnings()
-    @renamed_arguments(within="max_displacement")
     def cleaned(self, max_displacement: str | float | None = None) -> Motion:
         """Return a cleaned recording: repaired, smoothed as much as its estimated noise requires, with planted feet.
 

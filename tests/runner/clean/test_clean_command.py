@@ -2,7 +2,6 @@
 
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -234,6 +233,3 @@ def test_from_python_a_motion_is_cleaned_by_a_method(squats):
     assert np.ptp(heel, axis=0).max() < 0.01
     with pytest.raises(UserError, match="max_displacement 3: the unit is missing"):
         load_motion(squats / "bobs.npz").cleaned(max_displacement="3")
-    former: Any = load_motion(squats / "bobs.npz").cleaned
-    with pytest.raises(TypeError, match="has no argument 'within'; it is named 'max_displacement'"):
-        former(within="5cm")

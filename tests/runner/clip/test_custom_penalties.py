@@ -7,7 +7,6 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -72,13 +71,6 @@ def test_load_takes_it_too_and_other_keyframes_keep_it(tmp_path: Path) -> None:
     again = with_keys(clip, clip.keys)
     assert again.custom_penalties == clip.custom_penalties and again.penalties[-1] == (Calm(), 0.1)
     assert swing(custom_penalties=[(Calm(), 0)]).custom_penalties == ()
-
-
-def test_the_former_name_of_the_argument_gives_the_present_one() -> None:
-    functions: tuple[Any, ...] = (load, build)
-    for function in functions:
-        with pytest.raises(TypeError, match="has no argument 'own'; it is named 'custom_penalties'"):
-            function("walk_loop", own=[(Calm(), 0.1)])
 
 
 def test_a_motion_of_version_0_2_is_read_with_present_names(calm: Motion, tmp_path: Path) -> None:
