@@ -68,13 +68,6 @@ class Sampled:
     qacc: Array
 
 
-FORMER = {  # names in the search of files of version 0.2, and their present ones
-    "own penalties": "custom penalties",
-    "ASKED": "INTERRUPTED",
-    "BUDGET": "MAX_EVALUATIONS",
-    "STUCK": "NO_PROGRESS",
-}
-
 # evaluations of a search, its duration [s], its stop reason by name and in words, its stances and custom penalties
 Search = TypedDict(
     "Search",
@@ -352,13 +345,6 @@ def _check_arrays(data: Arrays, shapes: Mapping[str, tuple[int, ...]]) -> None:
             raise ValueError(f"'{name}' holds an entry that is too large")
 
 
-def _present_names(search: Any) -> Any:
-    """Return the entries of a search, with names of version 0.2 replaced."""
-    if not isinstance(search, dict):
-        return search
-    return {FORMER.get(key, key): FORMER.get(value, value) if key == "stop" else value for key, value in search.items()}
-
-
 def _restored(data: Arrays) -> Saved:
     scene = Scene.received(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
@@ -381,5 +367,5 @@ def _restored(data: Arrays) -> Saved:
         raw=timelines[1],
         trace=json.loads(str(data["trace"])),
         report=json.loads(str(data["report"])),
-        search=_present_names(json.loads(str(data.get("search", "{}")))),
+        search=json.loads(str(data.get("search", "{}"))),
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -71,20 +70,6 @@ def test_load_takes_it_too_and_other_keyframes_keep_it(tmp_path: Path) -> None:
     again = with_keys(clip, clip.keys)
     assert again.custom_penalties == clip.custom_penalties and again.penalties[-1] == (Calm(), 0.1)
     assert swing(custom_penalties=[(Calm(), 0)]).custom_penalties == ()
-
-
-def test_a_motion_of_version_0_2_is_read_with_present_names(calm: Motion, tmp_path: Path) -> None:
-    with pytest.warns(UserWarning):
-        calm.save(tmp_path / "up.npz")
-    with np.load(tmp_path / "up.npz") as arrays:
-        older = dict(arrays)
-    search = json.loads(str(older["search"]))
-    search["own penalties"], search["stop"] = search.pop("custom penalties"), "STUCK"
-    older["search"] = json.dumps(search)
-    np.savez(tmp_path / "older.npz", **older)
-    present = load_motion(tmp_path / "older.npz").saved.search
-    assert (present["custom penalties"], present["stop"]) == (["calm"], "NO_PROGRESS")
-    assert "own penalties" not in present
 
 
 @pytest.mark.parametrize(
