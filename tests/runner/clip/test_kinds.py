@@ -2,6 +2,7 @@
 
 import tomllib
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -144,7 +145,7 @@ def test_a_custom_penalty_becomes_a_kind_by_one_record(monkeypatch, capsys):
 @pytest.mark.parametrize("old", ['[[penalty]]\nkind = "clearance"\nweight = 100\n', '[[hold]]\nhand = "left_hand"\n'])
 def test_a_motion_of_an_older_version_is_read_without_its_text(tmp_path, old):
     saved = inbetween(load(CLIP + "[solve]\nevaluations = 1\nframes = 0\n")).saved
-    search = {"stop": "STUCK", "own penalties": ["calm"]}
+    search: Any = {"stop": "STUCK", "own penalties": ["calm"]}  # names of version 0.2
     save(replace(saved, text=CLIP + old, search=search), tmp_path / "old.npz")
     read = load_motion(tmp_path / "old.npz")
     assert not read.saved.text
