@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, runs
+from dynsplines.solver.contacts.footing import within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import cross
@@ -22,7 +23,7 @@ from .checks import Row, row_of
 from .measurement import Measurement, feet_of
 
 RATE = 60.0  # [1/s] of the samples
-# [1] smallest median force of an unknown support relative to the weight, up or down; in free fall this force is zero
+# [1] smallest force of an unknown support relative to the weight, up or down; in free fall this force is zero
 CARRIED = 0.5
 
 Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
@@ -52,9 +53,9 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     root     index of the tree's root link;  height  (S,) [m] of its lowest point
     """
     schedule, figure = motion.clip.context.schedule, motion.clip.figure
-    contacts = [(rest.first, rest.last) for rest in (*schedule.contacts.requested, *schedule.grasps)]
+    carrying = [(rest.first, rest.last) for rest in (*schedule.contacts.requested, *schedule.grasps)]
     name, lowest = figure.links[root].name, int(height.round(3).argmin())
-    if BOUNDS["aloft"].most < height[lowest] < np.inf and not schedule.flights and not contacts:
+    if BOUNDS["aloft"].most < height[lowest] < np.inf and not schedule.flights and not carrying:
         text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"
         key = np.flatnonzero(motion.key_at == at[lowest])
         row = row_of("aloft", name, text)
@@ -64,16 +65,14 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         return
     limits = Thresholds.of(figure)
     carried = RootWrench(samples, root).force[2] / max(weight(figure, root), 1e-9)
-    for start, end in runs(height > limits.aloft):
+    is_explained = within((*carrying, *(schedule.specified_flights or ())), samples.t)
+    for start, end in runs((height > limits.aloft) & ~is_explained):
         run = np.arange(start, end)
-        t = samples.t[run]
-        explained = any(first < t[-1] and t[0] < last for first, last in (*schedule.flights, *contacts))
-        if explained or np.ptp(t) < limits.brief_flight or np.median(np.abs(carried[run])) < CARRIED:
+        t, top, key = samples.t[run], run[height[run].argmax()], None
+        seconds = np.ptp(t) * np.mean(np.abs(carried[run]) >= CARRIED)
+        if np.ptp(t) < limits.brief_flight or seconds < min(np.ptp(t) / 2, limits.push_off):
             continue
-        hanging = run[carried[run] >= CARRIED]
-        keys = np.flatnonzero(np.isin(motion.key_at, at[hanging]))
-        top = run[height[run].argmax()]
-        key = None
+        keys = np.flatnonzero(np.isin(motion.key_at, at[run[carried[run] >= CARRIED]]))
         if keys.size:
             key = int(keys[height[np.searchsorted(at, motion.key_at[keys])].argmax()])
             top = int(np.searchsorted(at, motion.key_at[key]))

@@ -120,10 +120,21 @@ def centre_of_mass(motion, t):
     return data.subtree_com[1]
 
 
-@pytest.mark.parametrize("intervals", ["[[0.1, 0.6]]", "[[0.3, 0.4]]"])
-def test_a_flight_of_the_clip_may_fall_as_it_likes(intervals, tmp_path):
+@pytest.mark.parametrize(("intervals", "kinds"), [("[[0.1, 0.6]]", []), ("[[0.3, 0.4]]", ["float", "float"])])
+def test_a_flight_of_the_clip_may_fall_as_it_likes_but_not_beside_it(intervals, kinds, tmp_path):
     text = thrown(2.0) + f'[[penalty]]\nkind = "flight"\nintervals = {intervals}\n'
-    assert violations(read(text, WALKER.format(floor=FLOOR), tmp_path), "float") == []
+    floats = violations(read(text, WALKER.format(floor=FLOOR), tmp_path), "float")
+    assert [each.kind for each in floats] == kinds
+
+
+@pytest.mark.slow
+def test_a_jump_that_hovers_beside_its_flight_is_reported():
+    """Without a crouch, the figure rises slowly, is in free fall around the top, and comes down slowly."""
+    rest, top = 'others = "rest"\n', "root.position = [0, 0, 1.2]\n"
+    rows = "".join(f"[[keyframe]]\ntime = {t}\n{pose}" for t, pose in ((0, rest), (1.0, top), (2.0, rest)))
+    clip = recordings.from_text(f'figure = "human"\n{rows}', name="jump")
+    assert clip.context.schedule.flights
+    assert [each.kind for each in inbetween(clip).violations] == ["float"]
 
 
 @pytest.mark.parametrize(("distance", "height", "slides"), [(0.5, 0.0, True), (0.2, 0.0, False), (0.5, 0.06, False)])
