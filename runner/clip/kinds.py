@@ -30,6 +30,7 @@ from dynsplines.solver.penalty import (
     JointRange,
     Level,
     LoopClosure,
+    Means,
     OvershootPenalty,
     PeakAcceleration,
     Penalty,
@@ -373,6 +374,10 @@ def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
             )
 
 
+def _posture(context: Context, options: Options) -> Penalty:
+    return Posture(means=Means.of(context.figure, context.keys))
+
+
 def _overshoot(context: Context, options: Options) -> Penalty | None:
     return OvershootPenalty.of(context.figure, context.holds, context.keys.times)
 
@@ -483,7 +488,7 @@ KINDS = {
         ),
         Kind(
             "posture",
-            (Part(0.7, "angular velocity of joints", lambda context, options: Posture()),),
+            (Part(0.7, "velocity of joints and roots", _posture),),
         ),
         Kind(
             "limits",

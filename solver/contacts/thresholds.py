@@ -47,7 +47,7 @@ class Thresholds:
 
     # Contacts, in soft constraints
     settling: float = _seconds(0.05)  # a speed costs as much as the distance covered in this time
-    slip_reach: float = _metres(0.04)  # height at which the cost of slipping has fallen to 1/e
+    slip_reach: float = _metres(0.033)  # height at which the cost of slipping has fallen to 1/e
     float_reach: float = _metres(0.05)  # height from which a body is in the air
     float_blend: float = _metres(0.01)  # difference of heights over which points share the role of the lowest
     firm_blend: float = _metres(0.002)  # likewise of a body whose height nothing else determines

@@ -25,6 +25,7 @@ from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
 NEGLIGIBLE, TINY = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
+LOWEST = -0.25  # [1] height, relative to the reach, below which the weight is constant
 WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the ground cost as much as half a radian per s²
 
 
@@ -103,7 +104,10 @@ class _Near:
 
 @dataclass(frozen=True)
 class Skate(Penalty):
-    """Σ over points of exp(−(h/reach)²) |v|² [m²/s²]: v the point's velocity, h ≥ 0 its height over the surface below.
+    """Σ over points of exp(−u (u + ½) / 1.5) |v|² [m²/s²]: v the point's velocity, u = h/reach, h its height.
+
+    The height is that over the surface below, and u is at least −¼. On the surface, the weight already falls with the
+    height, so a foot that would slide is raised.
 
     Unlike other terms, it is not divided by its own integral over the raw spline, which may skate little or much. It
     has the divisor of the squared angular accelerations, see `Normalization.normalize_by`.
@@ -153,16 +157,16 @@ class Skate(Penalty):
         motion = samples.links
         where, arms = motion.points(links, positions)
         height, origin = clearances(self.surfaces, where, radius)
-        np.maximum(height, 0, out=height)
-        root = np.sqrt(self._weight(height, samples.t))
+        relative = np.maximum(height / self.reach, LOWEST)
+        root = np.sqrt(self._weight(relative, samples.t))
         at, which = np.nonzero(least < root.T)
         link, offset, share = links[which], arms[:, which, at], root[which, at]
         velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], offset)
         up = clearance_gradients(self.surfaces, origin[which, at], where[:, which, at], radius[which])
-        fading = -share * height[which, at] / self.reach**2 * up
+        fading = share * (LOWEST - relative[which, at]) / (1.5 * self.reach) * up
         yield _Near(samples, at, link, offset, share, velocity, fading)
 
     def _weight(self, height: Array, t: Array) -> Array:
-        """Return the weights (n, S) of points at heights (n, S) [m] over the ground."""
-        near = np.exp(-((height / self.reach) ** 2))
+        """Return the weights (n, S) of points at heights (n, S) over the ground, relative to the reach."""
+        near = np.exp(-height * (height + 0.5) / 1.5)
         return near if self.bound is None else near * self.bound.at(t)

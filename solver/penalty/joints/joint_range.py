@@ -40,8 +40,6 @@ class Range:
         high: The upper bound of the coordinate, or of a ball joint's angle [rad, m].
         column: For the position of a free joint, the bounded axis, 0 to 2.
         home: The rotation from which a ball joint's angle is measured, wxyz as in qpos; None: the identity.
-        arc: A rotation vector in the axes of `home` [rad]. The angle is measured from the nearest rotation that turns
-            by at most half of it, forward or backward.
         first: The beginning of the interval in which the bounds apply [s].
         last: The end of this interval [s].
     """
@@ -53,7 +51,6 @@ class Range:
     high: float
     column: int = 0
     home: tuple[float, ...] | None = None
-    arc: tuple[float, float, float] = (0.0, 0.0, 0.0)
     first: float = -np.inf
     last: float = np.inf
 
@@ -209,8 +206,6 @@ class JointRange(Penalty):
         if tables.has_turns or self._has_homes:
             base = hamilton(base, self._rest(samples.figure)[:, :, None])
         child = links.Q[:, children]
-        if self._arcs.any():
-            base = self._nearest_on_arcs(base, child)
         along = np.einsum("jcns,cns->jns", vector_product(base), child)
         w, sine = dot(base, child), np.sqrt(dot(along, along))
         angle = 2 * np.arctan2(sine, np.abs(w))
@@ -218,22 +213,6 @@ class JointRange(Penalty):
         rounded = np.hypot(angle_, ROUNDING)
         axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, TINY)
         return angle, np.pi - rounded, angle_ / rounded, axis
-
-    @cached_property
-    def _arcs(self) -> Array:
-        """The arcs of the ball joints, (3, b) [rad]."""
-        return np.array([self.joints[i].arc for i in self._which[1]]).reshape(-1, 3).T
-
-    def _nearest_on_arcs(self, base: Array, child: Array) -> Array:
-        """Return the rotations on the arcs around `base` that are nearest to those of the child, (4, b, S) each. The
-        derivative of the angle is that for a constant rotation, because the nearest one minimises the angle."""
-        length = np.linalg.norm(self._arcs, axis=0)
-        axis = self._arcs / np.maximum(length, TINY)
-        across = hamilton(base, np.concatenate([np.zeros((1, length.size)), axis])[:, :, None])
-        along, aside = dot(base, child), dot(across, child)
-        most = length[:, None] / 4  # half of the half angle
-        half = np.clip(np.arctan2(np.where(along < 0, -aside, aside), np.abs(along)), -most, most)
-        return np.cos(half) * base + np.sin(half) * across
 
     @cached_property
     def _has_homes(self) -> bool:

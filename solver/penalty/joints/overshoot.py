@@ -5,9 +5,8 @@ joints that the keyframes hold there are bounded to their values, see `JointRang
 sake. In an oscillation, two keyframes on both sides of a peak may have the same value; such turning points are not
 holds. A clip oscillates if it repeats itself with segments of similar length.
 
-The rotation of a root has wider bounds in all segments in which it changes little: a person who stands up may sway, but
-must not lean far to one side. Its horizontal position has such bounds in all segments but flights: a person who takes a
-step must not lurch backward first.
+A root may sway, so its rotation has wider bounds, between keyframes in which it changes little. Its horizontal position
+has such bounds in all segments but flights.
 """
 
 from __future__ import annotations
@@ -31,10 +30,9 @@ from .joint_range import JointRange, Range
 SAME = {"angle": np.radians(0.25), "length": 0.002}  # [rad, m] maximum difference of keyframes of the same value
 SWINGS = {"angle": np.radians(3), "length": 0.03}  # [rad, m] overshoot of the raw spline above which a joint is held
 ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] distance that a held joint may move there
-SWAY = np.radians(5)  # [rad] angle by which a root may turn beyond its rotations in the keyframes
+SWAY = np.radians(8)  # [rad] angle by which a root may turn beyond its rotations in the keyframes
 LITTLE = np.radians(20)  # [rad] change of its rotation up to which it is bounded
-SHARE = 0.3  # [1] further angle, relative to this change
-ASIDE = 0.03  # [m] distance by which a root may move beyond its positions in two keyframes up to BRIEFLY [s] apart
+ASIDE = 0.03  # [m] distance by which it may move beyond its positions in two keyframes up to BRIEFLY [s] apart
 BRIEFLY = 0.5  # [s] in longer segments, this distance is proportional to their duration
 ASTRAY = 0.1  # [1] further distance, relative to that between the two positions
 LONG = 1.5  # [1] length, relative to the shorter adjacent segment, from which a segment is always a hold
@@ -100,12 +98,10 @@ class OvershootPenalty(JointRange, Guide):
 
 
 def root_limits(holds: Holds) -> JointRange | None:
-    """Return the penalty that keeps roots upright and near the way between two keyframes; None without free roots."""
+    """Return the penalty of roots that lean or leave their way, see `Holds.roots`; None without such roots."""
 
     def margin(joint: Range) -> float:
-        if joint.home is not None:
-            return float(SWAY + SHARE * np.linalg.norm(joint.arc))
-        return ASIDE * max(1.0, (joint.last - joint.first) / BRIEFLY)
+        return float(SWAY) if joint.home is not None else ASIDE * max(1.0, (joint.last - joint.first) / BRIEFLY)
 
     ranges = tuple(_widened(joint, margin(joint)) for joint in holds.roots)
     return JointRange(ranges, term_name="upright.root") if ranges else None
@@ -166,8 +162,8 @@ class Holds(NamedTuple):
 
     Attributes:
         swinging: Equal values, in segments in which the raw spline of a joint leaves its value.
-        roots: Rotations of roots that change by at most 20 degrees, in other segments; a range is the arc between both.
-            And horizontal positions of roots, with a share of the distance between both.
+        roots: Rotations of roots that change by at most 20 degrees, in other segments; a range is half of this angle
+            around the middle. And horizontal positions of roots, with a share of the distance between both.
     """
 
     swinging: tuple[Range, ...]
@@ -204,8 +200,7 @@ class Holds(NamedTuple):
                     angle = float(np.linalg.norm(turn))
                     if angle <= LITTLE:
                         middle = quat.product(qpos[k, track.columns], quat.from_rotation_vector(turn / 2))
-                        joint = track.range_at(middle, times[k], times[k + 1])
-                        similar.append(replace(joint, arc=tuple(turn.tolist())))
+                        similar.append(replace(track.range_at(middle, times[k], times[k + 1]), high=angle / 2))
             elif is_root and not is_height and track.link not in grasped:
                 ranges = _path_ranges(figure, track, times, qpos)
                 similar += [joint for joint in ranges if not _flies(joint.first, joint.last, aloft)]

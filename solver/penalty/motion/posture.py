@@ -1,8 +1,11 @@
-"""Posture: angular velocity of joints, against overshoot in long segments.
+"""Posture: velocity of joints and roots, against overshoot in long segments.
 
 Minimum acceleration swings a joint far out between keyframes a second apart, while people return to a posture in a
 fraction of that time. Squared velocity and squared acceleration together define a spline in tension. Velocity dominates
 over segments longer than 2π times `settling`, acceleration over shorter ones.
+
+A root carries the whole body, so its velocity costs more. Otherwise a person would lift a foot by leaning to one side,
+or lean back before a step. The mean velocity between two keyframes is subtracted, as no motion through them avoids it.
 """
 
 from __future__ import annotations
@@ -13,27 +16,68 @@ from functools import lru_cache, partial
 
 import numpy as np
 
+from ... import quaternion as quat
 from ...array import Array, Index
+from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
 from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
+from ...figure.size import Size
+from ...figure.wrenches import Wrenches, every_axis
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 
 SETTLING = 0.3  # [s] default of `settling`
+# cost of a root's squared velocities relative to a joint's: a person who takes a step leans by a few degrees
+TURN, SHIFT = 12.0, 2.0  # [1], [rad²/m²] of angular, and of horizontal velocity
+
+
+@dataclass(frozen=True, eq=False)
+class Means:
+    """The mean velocities of r roots between keyframes.
+
+    Attributes:
+        times: The times of the keyframes, (K,) [s].
+        turning: The angular velocities of rotations from one keyframe to the next, (3, r, K − 1) [rad/s].
+        across: The horizontal velocities, (2, r, K − 1) [m/s].
+    """
+
+    times: Array
+    turning: Array
+    across: Array
+
+    @classmethod
+    def of(cls, figure: Figure, keys: Timeline) -> Means:
+        """Return the mean velocities between the keyframes of a timeline."""
+        qpos, spans = figure.to_qpos(keys.states), np.diff(keys.times)
+        first = [figure.links[root].qpos for root in _roots(figure)]
+        rotations = np.array([qpos[:, k + 3 : k + 7] for k in first]).reshape(-1, len(qpos), 4)
+        turns = quat.rotation_vector(quat.product(rotations[:, 1:], quat.inverse(rotations[:, :-1])))
+        across = np.array([np.diff(qpos[:, k : k + 2], axis=0) for k in first]).reshape(-1, spans.size, 2)
+        return cls(keys.times, turns.transpose(2, 0, 1) / spans, across.transpose(2, 0, 1) / spans)
+
+    def at(self, t: Array) -> tuple[Array, Array]:
+        """Return the velocities at times t (S,) [s], (3, r, S) and (2, r, S)."""
+        span = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, self.times.size - 2)
+        return self.turning[:, :, span], self.across[:, :, span]
 
 
 @dataclass(frozen=True)
 class Posture(Penalty):
-    """Σ over ball joints of |ω − ω_parent|²/4 and over hinges of θ'²/4 [rad²/s²/4].
+    """Σ over ball joints of |ω − ω_parent|²/4, over hinges of θ'²/4, and over roots of 3 |ω|² + v²/2 [rad²/s²].
+
+    ω is a link's angular velocity, θ' a hinge's, and v a root's horizontal velocity, in m/s on a figure of an adult's
+    size. The velocities of roots are relative to `means`. Roots are links with a free joint that carry other links.
 
     Attributes:
         settling: The time over which a joint's velocity costs as much as its acceleration [s].
+        means: The mean velocities of roots between keyframes; None: zero.
     """
 
     settling: float = SETTLING
+    means: Means | None = None
 
     name = "posture"
     role = Role.SMOOTHNESS
@@ -45,6 +89,7 @@ class Posture(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure
         yield every(samples, figure.tables.hinge_columns, 1, weight=0.25)
+        yield from _of_roots(samples, self.means)
         child, parent = _joints(figure)
         if not child.size:
             return
@@ -59,6 +104,28 @@ class Posture(Penalty):
 
         curved = partial(_curved, samples) if figure.is_world else None
         yield Dense(value.reshape(-1, samples.count), pulled_back, curved)
+
+
+def _of_roots(samples: Samples, means: Means | None) -> Iterator[Block]:
+    roots = _roots(samples.figure)
+    if not roots.size:
+        return
+    position = np.array([samples.figure.links[root].qpos for root in roots])
+    columns = (position + np.arange(2)[:, None]).ravel()
+    turning, across = samples.links.omega[:, roots], samples.y_d[:, columns].T
+    if means is not None:
+        mean_turning, mean_across = means.at(samples.t)
+        turning, across = turning - mean_turning, across - mean_across.reshape(across.shape)
+    at, link, axis = every_axis(roots, samples.count)
+    yield Block(at, turning.ravel(), (Wrenches(at, link, torque_d=axis),), weight=0.25 * TURN)
+    yield every(samples, columns, 1, across.T, weight=0.25 * SHIFT / Size.of(samples.figure).length ** 2)
+
+
+@lru_cache(maxsize=8)
+def _roots(figure: Figure) -> Index:
+    """Return the links with a free joint that carry other links, (r,)."""
+    tables = figure.tables
+    return tables.free_links[tables.children[tables.free_links] > 0]
 
 
 def _curved(samples: Samples, into: Curvature, scale: Array) -> None:

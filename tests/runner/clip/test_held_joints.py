@@ -123,7 +123,9 @@ def test_a_person_who_climbs_a_step_does_not_lean_to_the_side(lean: int) -> None
 
 
 def test_a_rotation_of_the_root_that_swings_between_equal_keyframes_is_reported() -> None:
-    text = STEP.replace("LEAN", "0") + '[[penalty]]\nkind = "upright"\nweight = 0\n'
+    text = STEP.replace("LEAN", "0") + "".join(
+        f'[[penalty]]\nkind = "{k}"\nweight = 0\n' for k in ("upright", "posture")
+    )
     kinds = {violation.kind: violation for violation in inbetween(recordings.from_text(text, name="c")).violations}
     assert kinds["overshoot"].name == "root"
     assert kinds["overshoot"].amount > 15

@@ -2,17 +2,19 @@
 
 import numpy as np
 import pytest
-from figures import CHAIN, HUMAN_AND_CHAINS, figure_of
+from figures import BALL_TREE, CHAIN, HUMAN_AND_CHAINS, figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
-from scipy.spatial.transform import Rotation
+from scipy.spatial.transform import Rotation, Slerp
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.size import Size
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import CovariantAcceleration, Means, Posture, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 
@@ -24,12 +26,20 @@ def jointed(request) -> Figure:
 
 
 def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray) -> np.ndarray:
-    """Half the joints' angular velocities, (S, r)."""
+    """Half the velocities of joints and roots, those of roots times √12 and √2, (S, r)."""
     omega = Samples(figure, y, y_d, 0 * y).links.omega
     balls = [i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL]
     relative = [omega[:, i] - omega[:, figure.links[i].parent] for i in balls]
-    hinges = figure.tables.hinge_columns
-    return 0.5 * np.hstack([np.concatenate(relative).T, y_d[:, hinges]])
+    hinges, roots = figure.tables.hinge_columns, roots_of(figure)
+    turning = [np.sqrt(12) * omega[:, i] for i in roots]
+    across = [np.sqrt(2) * y_d[:, figure.links[i].qpos : figure.links[i].qpos + 2] for i in roots]
+    return 0.5 * np.hstack([*(part.T for part in (*relative, *turning)), y_d[:, hinges], *across])
+
+
+def roots_of(figure: Figure) -> list[int]:
+    """The links with a free joint that carry others."""
+    carrying = {link.parent for link in figure.links[1:]}
+    return [i for i, link in enumerate(figure.links) if i in carrying and i and link.kind is JointKind.FREE]
 
 
 def test_the_value_is_the_speed_of_the_joints_by_differences(figure, rng):
@@ -43,6 +53,11 @@ def test_the_value_is_the_speed_of_the_joints_by_differences(figure, rng):
             expected += np.sum(((a.inv() * b).as_rotvec() / (2 * h)) ** 2, axis=1) / 4
         elif link.kind is JointKind.HINGE:
             expected += ((after - before)[:, link.qpos] / (2 * h)) ** 2 / 4
+    for i in roots_of(figure):
+        qpos, size = figure.links[i].qpos, Size.of(figure).length
+        expected += np.sum(((after - before)[:, qpos : qpos + 2] / (2 * h)) ** 2, axis=1) / 2 / size**2
+        a, b = (Rotation.from_quat(q[:, qpos + 3 : qpos + 7], scalar_first=True) for q in (before, after))
+        expected += 3 * np.sum(((a.inv() * b).as_rotvec() / (2 * h)) ** 2, axis=1)
     np.testing.assert_allclose(Posture().evaluate(samples), expected, rtol=1e-5)
 
 
@@ -63,6 +78,28 @@ def test_its_curvature_is_that_of_differences(jointed, rng):
         rows.append((moved[0] - moved[1]) / (2 * h))
     expected = 2 * np.einsum("s,msr,nsr->mn", scale, np.array(rows), np.array(rows))
     np.testing.assert_allclose(curvature.quadratic(phi, 0, 3), expected, rtol=1e-5, atol=1e-6 * expected.max())
+
+
+def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothing(rng):
+    figure, times = figure_of(BALL_TREE), np.array([0.0, 0.4, 1.1])
+    (root,) = roots_of(figure)
+    first, places = figure.links[root].qpos, rng.normal(size=(3, 3))
+    slerp = Slerp(times, Rotation.random(3, random_state=rng))
+    t, h = np.array([0.1, 0.3, 0.5, 1.0]), 1e-5
+
+    def states(t: np.ndarray) -> np.ndarray:
+        qpos = np.tile(figure.model.qpos0, (t.size, 1))
+        qpos[:, first : first + 3] = np.transpose([np.interp(t, times, column) for column in places.T])
+        qpos[:, first + 3 : first + 7] = slerp(t).as_quat(scalar_first=True)
+        return np.asarray(figure.to_state(qpos))
+
+    frames = [Frame.key(k, state) for k, state in zip(times.tolist(), states(times), strict=True)]
+    y_d = (states(t + h) - states(t - h)) / (2 * h)
+    samples = Samples(figure, states(t), y_d, 0 * y_d, t=t)
+    assert Posture().evaluate(samples).min() > 1
+    np.testing.assert_allclose(
+        Posture(means=Means.of(figure, raw_timeline(figure, frames))).evaluate(samples), 0, atol=1e-6
+    )
 
 
 def swing(weight: float) -> float:
