@@ -4,6 +4,7 @@ launch            the command: a free port, a token, the browser
 server            access control: pages with the token, and their connections
 session           one open clip, shared by all pages
 document          the clip's text, with undo and redo, and a copy of unsaved work on the disk
+revision_map      indices of an older revision, after another page has changed the text
 sources           files that can be opened, as a clip's text
 edits/            edits of the text, one function each
 outline           the text's content on the timeline

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, unknown
+from .revision_map import renumbered
 from .session import Session
 
 if TYPE_CHECKING:
@@ -166,7 +167,7 @@ class Actions:
     async def rest(self, *, key: int, revision: int | None = None) -> str:
         """Set a keyframe's joints to the rest pose. The root stays at its position."""
         poser = await self.poser()
-        revision = self._checked(revision)
+        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         joints = poser.keyframe_entries(poser.figure.model.qpos0)["joints"]
         arguments = self._released_entries(key, set(joints), self._state(key), poser, {"joints": joints})
         arguments["places"] = self._targets(key)
@@ -175,7 +176,7 @@ class Actions:
     async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Fix joints of a keyframe at their values on the present path."""
         poser = await self.poser()
-        revision = self._checked(revision)
+        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         row = self._row(key)
         entries = poser.select_joints(poser.keyframe_entries(self.at(float(row["time"]))), joints)
         determined = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
@@ -187,7 +188,7 @@ class Actions:
     async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Free joints of a keyframe, and remove the targets that determine them."""
         poser = await self.poser()
-        revision = self._checked(revision)
+        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         entries: TomlTable = {"joints": {}}
         whole: TomlTable = {"position": "free", "rotation": "free"}
         for link in poser.figure.links[1:]:
@@ -215,7 +216,7 @@ class Actions:
             mirror = Mirror.of(poser.figure)
         except MirrorError as error:
             raise UserError(str(error)) from None
-        revision = self._checked(revision)
+        keys, revision = self._present_indices(revision, keys=keys)["keys"], self.session.document.revision
         rows = table_of(self.session.document.text, self.session.document.place).keyframe
         entries = {str(index): tables(mirrored_keyframe(rows[index], poser.figure, mirror)) for index in keys}
         words = "mirror a keyframe" if len(keys) == 1 else f"mirror {len(keys)} keyframes"
@@ -223,7 +224,7 @@ class Actions:
 
     async def copy(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Copy keyframes to the clipboard that all pages share."""
-        self._checked(revision)
+        keys = self._present_indices(revision, keys=keys)["keys"]
         self.session.clipboard = [self._row(index) for index in sorted(keys)]
         self.session.send_outline()
         return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
@@ -255,10 +256,10 @@ class Actions:
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
 
-    def _checked(self, revision: int | None) -> int:
-        """Return the present revision. Raises UserError if indices of keyframes may have changed since `revision`."""
-        self.session.document.check_indices(revision, "keyframe")
-        return self.session.document.revision
+    def _present_indices(self, revision: int | None, **indices: Any) -> Message:
+        """Return the present indices for those of a revision."""
+        request = {name: list(value) if name == "keys" else value for name, value in indices.items()}
+        return renumbered(self.session.document, revision, request)
 
     def _row(self, index: int) -> TomlTable:
         rows = self.session.document.tree_rows()

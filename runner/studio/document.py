@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from ..clip.text import TomlTable
     from .edits.tables import Blocks
 
+MOST_SINCE = 200  # stored revisions, for pages that refer to an older one
 FILMS = (".mp4", ".webm", ".gif", ".png")  # extensions of rendered files
 Step = tuple[str, str]  # description of an edit, and the text before or after it
 
@@ -44,7 +46,6 @@ class Document:
         file: The file to which it is saved; None before the first save.
         saved: The text on the disk.
         newline: The line ending on the disk; the text itself has line feeds.
-        first: The revision at which it was opened.
     """
 
     name: str
@@ -54,10 +55,9 @@ class Document:
     saved: str | None = None
     revision: int = 0
     newline: str = "\n"
-    first: int = 0
     _back: list[Step] = field(default_factory=list)
     _forth: list[Step] = field(default_factory=list)
-    _renumbered: dict[str, int] = field(default_factory=dict)  # revision of the last insertion or deletion, by kind
+    _revisions: deque[tuple[int, str]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
 
     @property
     def is_dirty(self) -> bool:
@@ -156,28 +156,14 @@ class Document:
             target.append((words, self.text))
             self._put(text)
 
-    def check_indices(self, revision: int | None, kind: str) -> None:
-        """Raise UserError if indices of tables of a kind may have changed since a revision; None: the present one."""
-        if revision is None:
-            return
-        if not self.first <= revision <= self.revision:
-            raise UserError("another clip is open now; reload the page")
-        if self._renumbered.get(kind, 0) > revision:
-            raise UserError(f"a {kind} was inserted or deleted meanwhile; check and try again")
+    def since(self, revision: int) -> list[str] | None:
+        """Return the texts from a revision to the present one; None for an unknown or too old one."""
+        texts = [text for number, text in self._revisions if number >= revision]
+        if not self._revisions or len(texts) != self.revision - revision:
+            return None
+        return [*texts, self.text]
 
     def _put(self, text: str) -> None:
-        before, after = _counts(self.text), _counts(text)
+        self._revisions.append((self.revision, self.text))
         self.text = text
         self.revision += 1
-        self._renumbered |= {kind: self.revision for kind in before | after if before.get(kind) != after.get(kind)}
-
-
-def _counts(text: str) -> dict[str, int]:
-    """Return the number of tables of every kind, such as keyframes, contacts and boxes; nothing for invalid TOML."""
-    try:
-        content = parsed(text)
-    except tomllib.TOMLDecodeError:
-        return {}
-    scene = content.get("scene")
-    tables = {**content, **scene} if isinstance(scene, dict) else content
-    return {kind: len(rows) for kind, rows in tables.items() if isinstance(rows, list)}

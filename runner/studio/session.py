@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, one_line
 from .document import Document
+from .revision_map import renumbered
 from .solver import Message, Solver
 
 if TYPE_CHECKING:
@@ -21,7 +22,6 @@ LOAD_TIMEOUT = 60.0  # [s] time limit for loading an edited clip
 PATH_TIMEOUT = 5.0  # [s] time limit for a path of the present text
 UNSAVED_DELAY = 0.4  # [s] delay after an edit before unsaved work is written
 LISTINGS = ("kinds", "formats")  # messages that do not change: a page that connects later gets them, too
-BARS = {"set_contact": "contact", "set_grasp": "grasp"}  # edits whose `index` refers to these tables
 LATEST = ("raw", "initial", "best")  # kinds of paths; a page that connects later gets the last of each
 
 
@@ -149,8 +149,7 @@ class Session:
 
         if name not in EDITS:
             raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
-        for kind in _indexed_kinds(name, arguments):
-            self.document.check_indices(revision, kind)
+        arguments = renumbered(self.document, revision, arguments, name)
         tree = self.document.tree()
         try:
             words = EDITS[name](tree, **arguments)
@@ -204,7 +203,7 @@ class Session:
                 self.document = before
                 raise
             self.offer = document.read_unsaved()
-            document.first = document.revision = document.revision + 1
+            document.revision += 1
             self._changed(verdict)
             self.broadcast({"is": "offer", "words": self._offer_text() if self.offer is not None else None})
             return f"opened {document.place}"
@@ -370,9 +369,3 @@ class Session:
     def _status(self, state: str, **details: Any) -> None:
         self.status = {"is": "status", "state": state, "go": self.go, **details}
         self.broadcast(self.status)
-
-
-def _indexed_kinds(name: str, arguments: Message) -> list[str]:
-    """Return the kinds of tables to which an edit refers by index."""
-    kinds = ["keyframe"] if {"key", "keys", "moves"} & arguments.keys() else []
-    return [*kinds, BARS.get(name, str(arguments.get("kind")))] if "index" in arguments else kinds

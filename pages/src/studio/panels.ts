@@ -138,16 +138,17 @@ const pose = (): void => {
 };
 
 const problems = (): void => {
-  const { violations } = model, count = violations.length;
+  const { violations, astray } = model, count = violations.length;
   $("count").textContent = count ? String(count) : "";
   $("count").hidden = !count;
   const box = $("panel-problems");
-  if (!count) {
+  if (!count && astray === null) {
     box.replaceChildren(el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "No problems." : "No problems so far." }));
     return;
   }
-  const restart = el("button", { type: "button", id: "restart-search", class: "main", text: "Restart search", title: "restart the search from the raw spline", onclick: () => void act("go", { anew: true }) });
-  box.replaceChildren(el("p", { class: "hint", text: "Worst first. Click one to go there." }), el("ol", { class: "violations" }, ...violations.map((violation) =>
+  const lost = astray === null ? [] : [el("div", { class: "astray", role: "status" }, el("p", { text: astray }),
+    el("button", { type: "button", id: "astray-anew", class: "main", text: "Restart search", onclick: () => void act("go", { anew: true }) }))];
+  box.replaceChildren(...lost, el("p", { class: "hint", text: count ? "Worst first. Click one to go there." : "" }), el("ol", { class: "violations" }, ...violations.map((violation) =>
     el("li", {}, el("button", {
       type: "button", class: violation.keyframe === null ? "" : "own", text: violation.text,
       onclick: () => {
@@ -157,7 +158,7 @@ const problems = (): void => {
         if (violation.keyframe !== null) model.select([violation.keyframe - 1]);
         if (violation.time === null) toast("it concerns the whole motion", "note");
       },
-    })))), restart);
+    })))));
 };
 
 const SCALE = 4; // decades of a slider, on either side of the default

@@ -6,6 +6,7 @@ import json
 import pickle
 import struct
 from contextlib import contextmanager
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -145,6 +146,30 @@ def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
     work.do({"do": "save", "file": str(tmp_path / "now.npz")})
     assert work.line.taken()[0]["is"] == "saved"
     assert motion.load(tmp_path / "now.npz").timeline.times.size == work.solution.timeline.times.size
+
+
+def test_a_search_that_may_have_gone_astray_says_so_and_is_begun_elsewhere_when_nothing_else_is_done(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    good, goal = work.solution, work.clip.problem.objective
+    assert not work.may_retry
+    # a bad place: a path that leads far away, in which the search finds no step down
+    rows = good.timeline.rows.copy()
+    rows[1:-1][~good.timeline.fixed.any(axis=1)] += 0.8
+    bad = good.timeline.with_rows(rows)
+    value = goal.value(path_of(bad))
+    assert value > 3 * good.trace[-1][2]
+    work.solution, work._is_near = replace(good, timeline=bad, trace=((1, 0, value, good.trace[-1][3]),)), True
+    work._judge(stop="CONVERGED")
+    (told,) = [each for each in work.line.taken() if each["is"] == "settled"]
+    assert "may have ended in a bad place" in told["astray"]
+    assert work.may_retry
+    work.do({"do": "retry"})
+    told = work.line.taken()
+    assert goal.value(path_of(work.solution.timeline)) == pytest.approx(good.trace[-1][2], rel=0.05)
+    assert {"best", "note"} <= {each.get("kind", each["is"]) for each in told}
+    assert told[-1]["is"] == "settled"
+    assert told[-1]["astray"] is None
+    assert not work.may_retry
 
 
 def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, tmp_path):
