@@ -1,4 +1,4 @@
-"""Array types of the solver, read-only copies, and runs of masks."""
+"""Array types of the solver, read-only copies, runs of masks, and segments between times."""
 
 from __future__ import annotations
 
@@ -28,3 +28,11 @@ def runs(mask: Mask) -> list[tuple[int, int]]:
     """Return the intervals (first, one past the last) in which a mask (T,) is true."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def segments_at(times: Array, t: Array) -> Index:
+    """Return for each of the times t (T,) the segment between `times` (K,) that contains it, 0 to K − 2.
+
+    A time before or after all segments belongs to the first or last one.
+    """
+    return np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)

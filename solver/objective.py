@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .array import Array
+from .array import Array, segments_at
 from .curve.frame import Timeline
 from .curve.quadrature import Quadrature, gauss_nodes
 from .curve.spline import Path, Piece, Sampling, spline_of
@@ -269,7 +269,7 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
     edges = np.union1d(knots, times)
     t, w = gauss_nodes(edges, NODES)
     out = np.zeros((times.size - 1, len(objective.terms)))
-    segment = np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
+    segment = segments_at(times, t)
     for piece in Sampling.of(path.spline, t).pieces(run_of(objective.figure)):
         samples, run = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t), piece.which
         for k, term in enumerate(objective.terms):
@@ -279,7 +279,7 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
         at = instants_of(term.penalty)
         at = at[(at >= times[0]) & ((at < times[-1]) | (at == path.spline.times[-1]))]
         if at.size:
-            segment = np.clip(np.searchsorted(times, at, side="right") - 1, 0, times.size - 2)
+            segment = segments_at(times, at)
             np.add.at(out[:, k], segment, term.factor * term.penalty.evaluate(objective.samples(path, at)))
     return out
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from .. import quaternion as quat
-from ..array import Array
+from ..array import Array, segments_at
 from ..figure.figure import Figure, quaternion_columns
 from .frame import Timeline
 from .unknowns import bases
@@ -36,7 +36,7 @@ def straightened(figure: Figure, timeline: Timeline) -> Timeline:
 
 def straight(figure: Figure, times: Array, states: Array, t: Array) -> Array:
     """Return states (T, N) at times t (T,) [s] on the straight path through states (K, N) at times (K,) [s]."""
-    span = np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
+    span = segments_at(times, t)
     share = np.clip((t - times[span]) / (times[span + 1] - times[span]), 0, 1)
     out = states[span] + share[:, None] * (states[span + 1] - states[span])
     for link in figure.links[1:]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import Array, Index, segments_at
 
 
 @dataclass(frozen=True)
@@ -34,5 +34,5 @@ class Allowance:
 
     def _place(self, t: Array) -> tuple[Index, Array]:
         """Return the keyframe before each time, and the share of the segment from it to the time."""
-        span = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, self.times.size - 2)
+        span = segments_at(self.times, t)
         return span, np.clip((t - self.times[span]) / (self.times[span + 1] - self.times[span]), 0, 1)

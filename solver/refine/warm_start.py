@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..array import Array
+from ..array import Array, segments_at
 from ..curve.frame import Frame, Timeline
 from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
@@ -123,7 +123,7 @@ def _moved(figure: Figure, start: Timeline, signs: Array, was: Array, inner: Arr
     """Return the states (V, N) of a path displaced with its keyframes. Where a quaternion turns in another direction
     than before, the states are on the spline through the keyframes."""
     times, moved = start.times, start.states - signs * was
-    span = np.clip(np.searchsorted(times, inner, side="right") - 1, 0, times.size - 2)
+    span = segments_at(times, inner)
     share = ((inner - times[span]) / (times[span + 1] - times[span]))[:, None]
     out = signs[span] * states + moved[span] + share * (moved[span + 1] - moved[span])
     is_torn = signs[span] != signs[span + 1]

@@ -17,7 +17,7 @@ import pygltflib as gl
 from scipy.interpolate import CubicHermiteSpline, make_interp_spline
 from scipy.spatial.transform import Rotation, Slerp
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, segments_at
 
 from ...errors import UserError, words_of
 from ...system import size_limit
@@ -183,7 +183,7 @@ def _hermite(keys: Array, values: Array, into: Array, out: Array, at: Array) -> 
     """Interpolate cubically between keys with separate slopes before and after each."""
     if keys.size < gaps.FEWEST:
         return np.repeat(values, at.size, axis=0)
-    span = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, keys.size - 2)
+    span = segments_at(keys, at)
     samples = np.empty((at.size, values.shape[1]))
     for i in np.unique(span):
         ends, here = slice(i, i + 2), span == i

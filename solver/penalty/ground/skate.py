@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...array import Array, Index
+from ...array import Array, Index, segments_at
 from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot
@@ -62,8 +62,7 @@ class Bound:
 
     def at(self, t: Array) -> Array:
         """Return the factors of the points at times t (S,) [s], (n, S)."""
-        span = np.searchsorted(self.times, t, side="right") - 1
-        return self.shares[:, np.clip(span, 0, self.times.size - 2)]
+        return self.shares[:, segments_at(self.times, t)]
 
 
 @dataclass(frozen=True, eq=False)

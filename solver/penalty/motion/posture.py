@@ -17,7 +17,7 @@ from functools import lru_cache, partial
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index
+from ...array import Array, Index, segments_at
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
@@ -60,7 +60,7 @@ class Means:
 
     def at(self, t: Array) -> tuple[Array, Array]:
         """Return the velocities at times t (S,) [s], (3, r, S) and (2, r, S)."""
-        span = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, self.times.size - 2)
+        span = segments_at(self.times, t)
         return self.turning[:, :, span], self.across[:, :, span]
 
 
