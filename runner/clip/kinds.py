@@ -468,7 +468,7 @@ KINDS = {
         Kind(
             "attach",
             (
-                Part(0.3, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
+                Part(20.0, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
                 Part(750.0, "movement of [[contact]] points", _contact, "contact"),
                 Part(
                     750.0, "movement of [[grasp]] sites relative to the held body",
