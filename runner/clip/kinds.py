@@ -19,6 +19,7 @@ from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
+    Between,
     Bound,
     Contact,
     CouplingPenalty,
@@ -30,7 +31,6 @@ from dynsplines.solver.penalty import (
     JointRange,
     Level,
     LoopClosure,
-    Means,
     OvershootPenalty,
     PeakAcceleration,
     Penalty,
@@ -375,7 +375,7 @@ def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
 
 
 def _posture(context: Context, options: Options) -> Penalty:
-    return Posture(means=Means.of(context.figure, context.keys))
+    return Posture(between=Between.of(context.figure, context.keys, context.schedule.stepping))
 
 
 def _overshoot(context: Context, options: Options) -> Penalty | None:

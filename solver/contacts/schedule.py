@@ -19,7 +19,7 @@ from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links
 from .grounded import grounded_intervals, open_intervals, touches
-from .stance import Rest, Stance, resting_objects, stances
+from .stance import Rest, Stance, resting_objects, stances, stepping
 from .thresholds import Thresholds
 
 ROUNDING = 1e-9  # [s] rounding tolerance of times
@@ -120,6 +120,11 @@ class ContactSchedule:
         return resting_objects(self.figure, self.keys, objects)
 
     @cached_property
+    def stepping(self) -> Mask:
+        """Which links belong to a leg that takes a step while another foot stands, for each segment, (L, K − 1)."""
+        return stepping(self.figure, self.keys, self.points, self._standing)
+
+    @cached_property
     def footings(self) -> tuple[Footing, ...]:
         """The points that can support the figure, each with the interval in which it does."""
         if self.specified_footings is not None or self.root is None:
@@ -196,7 +201,11 @@ class ContactSchedule:
         )
 
     @property
+    def _standing(self) -> tuple[Stance | Rest, ...]:
+        """The stances and specified contacts."""
+        return (*self.stances, *self.contacts.stances, *self.contacts.rests)
+
+    @property
     def _carriers(self) -> tuple[Stance | Rest, ...]:
-        """The stances and specified contacts in the kinematic tree of `root`."""
-        every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
-        return tuple(each for each in every if self.figure.tables.path[each.point.link, self.root])
+        """Those in the kinematic tree of `root`."""
+        return tuple(each for each in self._standing if self.figure.tables.path[each.point.link, self.root])

@@ -50,7 +50,7 @@ from .joints.upright import leans as leans
 from .motion.covariant import CovariantAcceleration as CovariantAcceleration
 from .motion.cycle import Cycle as Cycle
 from .motion.peak import PeakAcceleration as PeakAcceleration
-from .motion.posture import Means as Means
+from .motion.posture import Between as Between
 from .motion.posture import Posture as Posture
 from .motion.root import RootAcceleration as RootAcceleration
 from .motion.torque import Torque as Torque

@@ -6,6 +6,8 @@ over segments longer than 2π times `settling`, acceleration over shorter ones.
 
 A root carries the whole body, so its velocity costs more. Otherwise a person would lift a foot by leaning to one side,
 or lean back before a step. The mean velocity between two keyframes is subtracted, as no motion through them avoids it.
+The joints of a leg that takes a step are exempt: they have to leave their posture to lift the foot. If they were not,
+the other foot would rise on its toes and the pelvis would tilt instead.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ from functools import lru_cache, partial
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index, segments_at
+from ...array import Array, Index, Mask, segments_at
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
@@ -35,33 +37,39 @@ TURN, SHIFT = 12.0, 2.0  # [1], [rad²/m²] of angular, and of horizontal veloci
 
 
 @dataclass(frozen=True, eq=False)
-class Means:
-    """The mean velocities of r roots between keyframes.
+class Between:
+    """What keyframes imply about the velocities between them.
 
     Attributes:
         times: The times of the keyframes, (K,) [s].
-        turning: The angular velocities of rotations from one keyframe to the next, (3, r, K − 1) [rad/s].
-        across: The horizontal velocities, (2, r, K − 1) [m/s].
+        turning: The mean angular velocities of r roots from one keyframe to the next, (3, r, K − 1) [rad/s].
+        across: Their mean horizontal velocities, (2, r, K − 1) [m/s].
+        stepping: Which links belong to a leg that takes a step, (L, K − 1).
     """
 
     times: Array
     turning: Array
     across: Array
+    stepping: Mask
 
     @classmethod
-    def of(cls, figure: Figure, keys: Timeline) -> Means:
-        """Return the mean velocities between the keyframes of a timeline."""
+    def of(cls, figure: Figure, keys: Timeline, stepping: Mask) -> Between:
+        """Return the mean velocities between the keyframes of a timeline, together with `stepping`."""
         qpos, spans = figure.to_qpos(keys.states), np.diff(keys.times)
         first = [figure.links[root].qpos for root in _roots(figure)]
         rotations = np.array([qpos[:, k + 3 : k + 7] for k in first]).reshape(-1, len(qpos), 4)
         turns = quat.rotation_vector(quat.product(rotations[:, 1:], quat.inverse(rotations[:, :-1])))
         across = np.array([np.diff(qpos[:, k : k + 2], axis=0) for k in first]).reshape(-1, spans.size, 2)
-        return cls(keys.times, turns.transpose(2, 0, 1) / spans, across.transpose(2, 0, 1) / spans)
+        return cls(keys.times, turns.transpose(2, 0, 1) / spans, across.transpose(2, 0, 1) / spans, stepping)
 
     def at(self, t: Array) -> tuple[Array, Array]:
-        """Return the velocities at times t (S,) [s], (3, r, S) and (2, r, S)."""
+        """Return the mean velocities at times t (S,) [s], (3, r, S) and (2, r, S)."""
         span = segments_at(self.times, t)
         return self.turning[:, :, span], self.across[:, :, span]
+
+    def keeps_posture(self, links: Index, t: Array) -> Array:
+        """Return 0 where links (l,) belong to a leg that takes a step at times t (S,) [s], otherwise 1, (l, S)."""
+        return np.where(self.stepping[np.ix_(links, segments_at(self.times, t))], 0.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -69,15 +77,16 @@ class Posture(Penalty):
     """Σ over ball joints of |ω − ω_parent|²/4, over hinges of θ'²/4, and over roots of 3 |ω|² + v²/2 [rad²/s²].
 
     ω is a link's angular velocity, θ' a hinge's, and v a root's horizontal velocity, in m/s on a figure of an adult's
-    size. The velocities of roots are relative to `means`. Roots are links with a free joint that carry other links.
+    size. The velocities of roots are relative to their means between keyframes. Roots are links with a free joint that
+    carry other links. Joints of legs that take a step are exempt.
 
     Attributes:
         settling: The time over which a joint's velocity costs as much as its acceleration [s].
-        means: The mean velocities of roots between keyframes; None: zero.
+        between: The mean velocities of roots and the steps of legs; None: means of zero, no steps.
     """
 
     settling: float = SETTLING
-    means: Means | None = None
+    between: Between | None = None
 
     name = "posture"
     role = Role.SMOOTHNESS
@@ -88,33 +97,38 @@ class Posture(Penalty):
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure
-        yield every(samples, figure.tables.hinge_columns, 1, weight=0.25)
-        yield from _of_roots(samples, self.means)
+        hinges = figure.tables.hinge_columns
+        yield every(samples, hinges, 1, weight=0.25 * self._shares(figure.tables.hinge_links, samples.t).T)
+        yield from _of_roots(samples, self.between)
         child, parent = _joints(figure)
         if not child.size:
             return
-        omega = samples.links.omega
-        value = 0.5 * (omega[:, child] - omega[:, parent])
+        omega, share = samples.links.omega, 0.5 * self._shares(child, samples.t)
+        value = share * (omega[:, child] - omega[:, parent])
 
         def pulled_back(into: Cotangent, bar: Array) -> None:
-            by_omega = 0.5 * bar.reshape(value.shape)
+            by_omega = share * bar.reshape(value.shape)
             buffer = into.buffer("omega")
             add_at(buffer, child, by_omega)
             add_at(buffer, parent, -by_omega)
 
-        curved = partial(_curved, samples) if figure.is_world else None
+        curved = partial(_curved, samples, share) if figure.is_world else None
         yield Dense(value.reshape(-1, samples.count), pulled_back, curved)
 
+    def _shares(self, links: Index, t: Array) -> Array:
+        """Return the factors of the velocities of links (l,) at times t (S,) [s], (l, S)."""
+        return np.ones((links.size, t.size)) if self.between is None else self.between.keeps_posture(links, t)
 
-def _of_roots(samples: Samples, means: Means | None) -> Iterator[Block]:
+
+def _of_roots(samples: Samples, between: Between | None) -> Iterator[Block]:
     roots = _roots(samples.figure)
     if not roots.size:
         return
     position = np.array([samples.figure.links[root].qpos for root in roots])
     columns = (position + np.arange(2)[:, None]).ravel()
     turning, across = samples.links.omega[:, roots], samples.y_d[:, columns].T
-    if means is not None:
-        mean_turning, mean_across = means.at(samples.t)
+    if between is not None:
+        mean_turning, mean_across = between.at(samples.t)
         turning, across = turning - mean_turning, across - mean_across.reshape(across.shape)
     at, link, axis = every_axis(roots, samples.count)
     yield Block(at, turning.ravel(), (Wrenches(at, link, torque_d=axis),), weight=0.25 * TURN)
@@ -128,8 +142,12 @@ def _roots(figure: Figure) -> Index:
     return tables.free_links[tables.children[tables.free_links] > 0]
 
 
-def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
-    """Add the curvature of joints whose links' orientations are in the state: rows of eight columns each."""
+def _curved(samples: Samples, share: Array, into: Curvature, scale: Array) -> None:
+    """Add the curvature of joints whose links' orientations are in the state: rows of eight columns each.
+
+    Args:
+        share: The factors of the joints' relative angular velocities, (joints, S).
+    """
     figure, links = samples.figure, samples.links
     child, parent = _joints(figure)
     by_rate = vector_product(links.Q) * links.scale
@@ -140,8 +158,9 @@ def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
     for order, part in enumerate((by_q, by_rate)):
         rows[:, :, :, order, :4] = part[:, :, child].transpose(3, 2, 0, 1)
         rows[:, :, :, order, 4:] = -part[:, :, parent].transpose(3, 2, 0, 1)
+    rows *= share.T[:, :, None, None, None]
     for group, columns in independent_joints(figure, tuple(child.tolist())):
-        into.add_blocks(columns, rows[:, group, ..., : columns.shape[1]], 0.25 * scale)
+        into.add_blocks(columns, rows[:, group, ..., : columns.shape[1]], scale)
 
 
 @lru_cache(maxsize=8)

@@ -82,6 +82,43 @@ def test_a_person_does_not_lurch_back_before_a_step() -> None:
     assert motion.violations == []
 
 
+SIDEWAYS_AND_AHEAD = """
+figure = "human"
+[[keyframe]]
+time = 0.0
+others = "rest"
+[[keyframe]]
+time = TIME
+root.position = "free"
+sites.left_heel = LEFT
+sites.right_heel = [-0.055, -0.09, 0]
+bodies.left_foot.flat = true
+bodies.right_foot.flat = true
+others = "previous"
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("left", "time"), [([0.25, 0.09, 0], 0.7), ([0.55, 0.2, 0], 1.2), ([-0.4, 0.09, 0], 2.0)])
+def test_the_other_foot_stays_flat_in_a_step(left: list[float], time: float) -> None:
+    """It rose by up to 8 cm on its toes, while the pelvis tilted by 6 degrees, if the stepping leg kept its posture."""
+    text = SIDEWAYS_AND_AHEAD.replace("TIME", str(time)).replace("LEFT", str(left))
+    motion = inbetween(recordings.from_text(text, name="c"))
+    model, qpos = motion.model, motion.sampled(100).qpos
+    data = mujoco.MjData(model)
+    heights = {name: [] for name in ("right_heel", "right_toe", "left_heel", "left_toe")}
+    for pose in qpos:
+        data.qpos = pose
+        mujoco.mj_kinematics(model, data)
+        for name, height in heights.items():
+            height.append(data.site(name).xpos[2])
+    assert max(*heights["right_heel"], *heights["right_toe"]) < 0.005
+    assert np.minimum(heights["left_heel"], heights["left_toe"]).max() > 0.07
+    upright = Rotation.from_quat(qpos[:, 3:7], scalar_first=True).as_matrix()[:, 2, 2]
+    assert np.degrees(np.arccos(upright.min())) < 2
+    assert [violation for violation in motion.violations if violation.kind != "self"] == []
+
+
 @pytest.mark.slow
 def test_holds_among_a_thousand_keyframes_take_seconds() -> None:
     problem = read(tuple((0.5 * i, 90 * (i // 50 % 2)) for i in range(1000)))

@@ -272,3 +272,20 @@ def test_who_does_not_stand_has_no_footing():
     timeline = timeline_of(key(0, 0, LEFT), key(0.1, 0, LEFT))
     held = stances(FIGURE, timeline, SOLES, (FLOOR,))
     assert footings(FIGURE, timeline, (), (FLOOR,), held) == footings(FIGURE, timeline, SOLES, (), held) == ()
+
+
+@pytest.mark.parametrize(
+    ("feet", "moved", "legs"),
+    [
+        ((LEFT, LEFT), 0.3, []),  # the right foot slides, and the left one is in the air
+        ((STAND, STAND), 0.0, []),
+        ((STAND, LEFT), 0.0, ["right"]),
+        ((STAND, RIGHT), 0.0, ["left"]),
+    ],
+)
+def test_a_leg_takes_a_step_if_its_foot_moves_while_the_other_one_stands(feet, moved, legs):
+    timeline = raw_timeline(FIGURE, [key(0.0, 0.0, feet[0]), key(0.5, moved, feet[1]), key(1.0, moved, feet[1])])
+    stepping = ContactSchedule(FIGURE, timeline, SOLES, (FLOOR,)).stepping
+    links = [FIGURE.links[i].name for i in np.flatnonzero(stepping[:, 0])]
+    assert links == legs
+    assert not stepping[:, 1].any()

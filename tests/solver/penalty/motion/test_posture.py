@@ -14,7 +14,7 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.size import Size
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import CovariantAcceleration, Means, Posture, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import Between, CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 
@@ -25,15 +25,31 @@ def jointed(request) -> Figure:
     return figure_of(text, coordinates)
 
 
-def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray) -> np.ndarray:
+def stepping(figure: Figure, links: list[int]) -> Between:
+    """A timeline of one segment, in which these links take a step and the roots' mean velocities are zero."""
+    steps, roots = np.zeros((len(figure.links), 1), bool), len(roots_of(figure))
+    steps[links] = True
+    return Between(np.array([0.0, 1.0]), np.zeros((3, roots, 1)), np.zeros((2, roots, 1)), steps)
+
+
+def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray, exempt: list[int]) -> np.ndarray:
     """Half the velocities of joints and roots, those of roots times √12 and √2, (S, r)."""
     omega = Samples(figure, y, y_d, 0 * y).links.omega
-    balls = [i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL]
+    balls = [i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL and i not in exempt]
     relative = [omega[:, i] - omega[:, figure.links[i].parent] for i in balls]
-    hinges, roots = figure.tables.hinge_columns, roots_of(figure)
+    hinges = figure.tables.hinge_columns[~np.isin(figure.tables.hinge_links, exempt)]
+    roots = roots_of(figure)
     turning = [np.sqrt(12) * omega[:, i] for i in roots]
     across = [np.sqrt(2) * y_d[:, figure.links[i].qpos : figure.links[i].qpos + 2] for i in roots]
     return 0.5 * np.hstack([*(part.T for part in (*relative, *turning)), y_d[:, hinges], *across])
+
+
+def test_only_joints_that_do_not_step_cost(jointed, rng):
+    samples = random_samples(jointed, rng, 4)
+    value = Posture(between=stepping(jointed, [2])).evaluate(samples)
+    expected = np.sum(residuals(jointed, samples.y, samples.y_d, [2]) ** 2, axis=1)
+    np.testing.assert_allclose(value, expected, rtol=1e-9)
+    assert np.all(value < Posture().evaluate(samples))
 
 
 def roots_of(figure: Figure) -> list[int]:
@@ -61,18 +77,21 @@ def test_the_value_is_the_speed_of_the_joints_by_differences(figure, rng):
     np.testing.assert_allclose(Posture().evaluate(samples), expected, rtol=1e-5)
 
 
-def test_the_gradient_has_taylor_slope_two(jointed, rng):
-    assert penalty_slope(Posture(), random_samples(jointed, rng, 5), rng) > 1.95
+@pytest.mark.parametrize("exempt", [[], [2]])
+def test_the_gradient_has_taylor_slope_two(jointed, rng, exempt):
+    penalty = Posture(between=stepping(jointed, exempt))
+    assert penalty_slope(penalty, random_samples(jointed, rng, 5), rng) > 1.95
 
 
-def test_its_curvature_is_that_of_differences(jointed, rng):
+@pytest.mark.parametrize("exempt", [[], [2]])
+def test_its_curvature_is_that_of_differences(jointed, rng, exempt):
     samples, h = random_samples(jointed, rng, 3), 1e-6
     curvature, scale, phi = Curvature(samples), rng.uniform(1, 2, 3), rng.normal(size=(3, 3))
-    Posture().curvature(samples, curvature, scale)
+    Posture(between=stepping(jointed, exempt)).curvature(samples, curvature, scale)
     rows = []
     for entry in np.eye(jointed.width):
         moved = [
-            residuals(jointed, samples.y + s * phi[:, :1] * entry, samples.y_d + s * phi[:, 1:2] * entry)
+            residuals(jointed, samples.y + s * phi[:, :1] * entry, samples.y_d + s * phi[:, 1:2] * entry, exempt)
             for s in (h, -h)
         ]
         rows.append((moved[0] - moved[1]) / (2 * h))
@@ -97,9 +116,9 @@ def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothin
     y_d = (states(t + h) - states(t - h)) / (2 * h)
     samples = Samples(figure, states(t), y_d, 0 * y_d, t=t)
     assert Posture().evaluate(samples).min() > 1
-    np.testing.assert_allclose(
-        Posture(means=Means.of(figure, raw_timeline(figure, frames))).evaluate(samples), 0, atol=1e-6
-    )
+    no_steps = np.zeros((len(figure.links), 2), bool)
+    between = Between.of(figure, raw_timeline(figure, frames), no_steps)
+    np.testing.assert_allclose(Posture(between=between).evaluate(samples), 0, atol=1e-6)
 
 
 def swing(weight: float) -> float:
