@@ -305,10 +305,10 @@ def _grounded(context: Context, options: Reach) -> Penalty | None:
     if not context.points and not context.figure.tables.free_links.size:
         return None
     schedule, limits = context.schedule, Thresholds.of(context.figure)
-    blend = limits.firm_blend if schedule.held_down else limits.float_blend
-    reach = options.reach or limits.float_reach
-    low, held_down = schedule.low_points, schedule.held_down
-    hover = HoverPenalty(low, context.surfaces, schedule.grounded, reach, blend, held_down)
+    reach, blend = options.reach or limits.float_reach, limits.float_blend
+    hover = HoverPenalty(
+        schedule.low_points, context.surfaces, schedule.grounded, reach, blend, firm=schedule.held_down
+    )
     return hover.allowing(context.figure, context.keys)
 
 

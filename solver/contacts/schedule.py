@@ -18,7 +18,7 @@ from .footing import Footing, Interval, footings
 from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links
-from .grounded import grounded_intervals, open_intervals, touches
+from .grounded import grounded_intervals, hops, open_intervals, touches
 from .stance import Rest, Stance, resting_objects, stances, stepping
 from .thresholds import Thresholds
 
@@ -161,9 +161,10 @@ class ContactSchedule:
 
     @property
     def grounded(self) -> tuple[Interval, ...]:
-        """The segments [s] whose two keyframes touch the ground, except flights and the intervals in `held_down`."""
+        """The segments [s] whose two keyframes touch the ground, except hops, flights and `held_down`."""
         lift_off = Thresholds.of(self.figure).lift_off
-        intervals = grounded_intervals(self.keys, self._is_down, self.flights, lift_off)
+        is_hop = hops(self.figure, self.keys, self.low_points, self.surfaces)
+        intervals = grounded_intervals(self.keys, self._is_down, is_hop, self.flights, lift_off)
         return tuple(interval for interval in intervals if interval not in self.held_down)
 
     @cached_property

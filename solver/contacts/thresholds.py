@@ -50,7 +50,6 @@ class Thresholds:
     slip_reach: float = _metres(0.033)  # height at which the cost of slipping has fallen to 1/e
     float_reach: float = _metres(0.05)  # height from which a body is in the air
     float_blend: float = _metres(0.01)  # difference of heights over which points share the role of the lowest
-    firm_blend: float = _metres(0.002)  # likewise of a body whose height nothing else determines
     strode: float = _metres(0.08)  # displacement of a point between two keyframes that implies a swing in the air
     shortly: float = _seconds(0.25)  # time between them that leaves no time for a stance as well
     long: float = _seconds(0.45)  # time between keyframes from which they specify the feet between them poorly

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...array import Array, Index, Mask
+from ...array import Array, Index, Mask, segments_at
 from ...contacts.footing import Interval, within
 from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
@@ -29,21 +29,26 @@ from ..penalty import Normalization, Penalty, Role
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 TINY = 1e-300  # [m] a residual that is zero
 FIRM = 10.0  # times as much a body is held down that nothing else holds to a height
+SHARPEST = 0.2  # [1] smallest blend, relative to the one between keyframes that are close in time
 
 
 @dataclass(frozen=True)
 class HoverPenalty(Penalty):
     """reach² (1 − exp(−(low/reach)²)) [m²] in given intervals, and 10 low² in `firm` intervals.
 
-    low is a smooth minimum of the heights h of the points: max(0, −blend log Σ exp(−h/blend) − allowed). For n points
-    of the same height, it is lower than the exact minimum by blend log n.
+    low is a smooth minimum of the heights h of the points: max(0, −b log Σ exp(−h/b) − allowed). For n points of the
+    same height, it is lower than the exact minimum by b log n, so such a height costs nothing. Between keyframes a time
+    T > `long` apart, the smoothing length b is `blend` times (long/T)², and at least a fifth of `blend`. In `firm`
+    intervals, it is a fifth of `blend`.
 
     Attributes:
         intervals: The intervals (first, last) [s] in which the body stays near the ground.
         reach: The height from which the body counts as being in the air [m].
-        blend: The smoothing length of the minimum [m].
+        blend: The smoothing length of the minimum between keyframes that are close in time [m].
         firm: The intervals (first, last) [s] in which the body must not leave the ground.
         allowed: Heights of the lowest point that are tolerated, (K,) [m]; None: none.
+        key_times: The times of the keyframes, (K,) [s]; None: all are close in time.
+        long: The time between keyframes from which they specify the motion between them poorly [s].
     """
 
     points: tuple[Point, ...]
@@ -53,23 +58,27 @@ class HoverPenalty(Penalty):
     blend: float = Thresholds.float_blend
     firm: tuple[Interval, ...] = ()
     allowed: Allowance | None = None
+    key_times: Array | None = None
+    long: float = Thresholds.long
 
     name = "grounded"
     role = Role.CONTACT
     normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     def allowing(self, figure: Figure, keys: Timeline) -> HoverPenalty:
-        """Return the penalty without the heights that keyframes fix, such as that of a foot that just left the ground.
+        """Return the penalty for these keyframes.
 
-        This is limited to keyframes whose neighbours are so near that there is no time for a stance between them.
+        It tolerates the heights that keyframes fix, such as that of a foot that just left the ground. This is limited
+        to keyframes whose neighbours are so near that there is no time for a stance between them.
         """
         if not self.points or not self.surfaces:
             return self
         places, radii = places_of(self.points, Samples.still(figure, keys.states))
         low = np.maximum(heights(self.surfaces, places, radii)[0].min(axis=0), 0)
-        is_set = placed(figure, keys.fixed, self.points).all(axis=0)
-        short = np.pad(np.diff(keys.times) <= Thresholds.of(figure).shortly, 1, constant_values=True)
-        return replace(self, allowed=Allowance(keys.times, low * (is_set & short[:-1] & short[1:])))
+        is_set, limits = placed(figure, keys.fixed, self.points).all(axis=0), Thresholds.of(figure)
+        short = np.pad(np.diff(keys.times) <= limits.shortly, 1, constant_values=True)
+        allowed = Allowance(keys.times, low * (is_set & short[:-1] & short[1:]))
+        return replace(self, allowed=allowed, key_times=keys.times, long=limits.long)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
@@ -85,18 +94,26 @@ class HoverPenalty(Penalty):
         if at.size < samples.count:
             centre, offset = centre[:, :, at], offset[:, :, at]
         height, origin = clearances(self.surfaces, centre, radius)
-        least = height.min(axis=0)
-        which, pair = np.nonzero(height < least + self.blend * np.log(1 / NEGLIGIBLE))
-        share = np.exp((least[pair] - height[which, pair]) / self.blend)
+        least, firm = height.min(axis=0), within(self.firm, samples.t[at])
+        blend = self._blend(samples.t[at], firm)
+        which, pair = np.nonzero(height < least + blend * np.log(1 / NEGLIGIBLE))
+        share = np.exp((least[pair] - height[which, pair]) / blend[pair])
         total = np.bincount(pair, share, at.size)
         allowed = 0.0 if self.allowed is None else self.allowed.at(samples.t[at])
-        lowest = np.maximum(least - self.blend * np.log(total) - allowed, 0)
-        value, slope = self._faded(lowest, within(self.firm, samples.t[at]))
+        lowest = np.maximum(least - blend * np.log(total) - allowed, 0)
+        value, slope = self._faded(lowest, firm)
         high = np.flatnonzero(lowest[pair] > 0)
         which, pair, share = which[high], pair[high], (share / total[pair] * slope[pair])[high]
         up = clearance_gradients(self.surfaces, origin[which, pair], centre[:, which, pair], radius[which])
         changes = of_point(at[pair], links[which], offset[:, which, pair], share * up)
         yield Block(at, value, (changes,), of=pair)
+
+    def _blend(self, t: Array, firm: Mask) -> Array:
+        """Return the smoothing lengths [m] at times t (S,) [s], some of them firm, (S,)."""
+        share = np.ones(t.size)
+        if self.key_times is not None:
+            share = (self.long / np.diff(self.key_times))[segments_at(self.key_times, t)] ** 2
+        return self.blend * np.clip(np.where(firm, 0, share), SHARPEST, 1)
 
     def _faded(self, lowest: Array, firm: Mask) -> tuple[Array, Array]:
         """Residuals (P,) [m] of heights (P,), some of them firm, and how fast they grow with these."""

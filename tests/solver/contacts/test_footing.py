@@ -289,3 +289,18 @@ def test_a_leg_takes_a_step_if_its_foot_moves_while_the_other_one_stands(feet, m
     links = [FIGURE.links[i].name for i in np.flatnonzero(stepping[:, 0])]
     assert links == legs
     assert not stepping[:, 1].any()
+
+
+@pytest.mark.parametrize(
+    ("feet", "moved", "stays_low"),
+    [
+        ((LEFT, LEFT), 0.3, False),  # on the left foot, which moves
+        ((LEFT, LEFT), 0.05, True),
+        ((STAND, STAND), 0.3, True),  # two steps
+        ((LEFT, STAND), 0.3, True),  # the right foot can carry while the left one moves
+    ],
+)
+def test_a_figure_on_one_leg_that_moves_its_foot_hops(feet, moved, stays_low):
+    timeline = raw_timeline(FIGURE, [key(0.0, 0.0, feet[0]), key(0.5, moved, feet[1])])
+    schedule = ContactSchedule(FIGURE, timeline, SOLES, (FLOOR,))
+    assert schedule.grounded == (((0.0, 0.5),) if stays_low else ())

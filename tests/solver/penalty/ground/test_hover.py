@@ -46,16 +46,32 @@ def test_the_value_is_continuous_where_the_lowest_point_passes_over_the_edge_of_
     np.testing.assert_allclose(left, right, rtol=1e-6)
 
 
-def test_the_value_by_hand(figure, rng):
-    samples, grounded = case(figure, rng)
+def lowest(samples: Samples, grounded: HoverPenalty, blend: float | np.ndarray) -> np.ndarray:
+    """The smooth minimum of the heights of the two points, (S,)."""
     (floor,) = grounded.surfaces
     assert isinstance(floor, Plane)
     centres, _ = places_of(grounded.points, samples)
     height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
-    lowest = np.maximum(-0.2 * np.log(np.sum(np.exp(-height / 0.2), axis=0)), 0)
-    expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((lowest / 0.8) ** 2))), 0)
+    return np.maximum(-blend * np.log(np.sum(np.exp(-height / blend), axis=0)), 0)
+
+
+def test_the_value_by_hand(figure, rng):
+    samples, grounded = case(figure, rng)
+    low = lowest(samples, grounded, 0.2)
+    expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((low / 0.8) ** 2))), 0)
     np.testing.assert_allclose(grounded.evaluate(samples), expected, rtol=1e-9)
     assert np.count_nonzero(expected) > 1
+
+
+def test_the_minimum_is_sharper_between_keyframes_that_are_far_apart_in_time(figure, rng):
+    samples, grounded = case(figure, rng)
+    grounded = replace(grounded, key_times=np.array([0.0, 0.3, 0.5, 1.5]), long=0.25)
+    blend = 0.2 * np.array([1, 0.25 / 0.3, 1, 1, 1, 1]) ** 2
+    blend[4:] = 0.2 * 0.2
+    low = lowest(samples, grounded, blend)
+    expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((low / 0.8) ** 2))), 0)
+    np.testing.assert_allclose(grounded.evaluate(samples), expected, rtol=1e-9)
+    assert penalty_slope(grounded, samples, rng) > 1.95
 
 
 def test_without_points_or_surfaces_nothing_hovers(figure, rng):
@@ -74,8 +90,8 @@ def test_where_it_is_firm_it_is_ten_times_the_square_of_the_height(figure, rng):
     firm = replace(fading, firm=fading.intervals[1:])
     values, before = firm.evaluate(samples), fading.evaluate(samples)
     assert np.array_equal(values[:4], before[:4])  # until 0.7 s
-    np.testing.assert_allclose(0.64 * (1 - np.exp(-values[4:] / 6.4)), before[4:], rtol=1e-9)
-    assert before[4:].min() > 0
+    np.testing.assert_allclose(values[4:], 10 * lowest(samples, fading, 0.04)[4:] ** 2, rtol=1e-9)
+    assert values[4:].min() > 0
     assert penalty_slope(replace(fading, firm=fading.intervals), samples, rng) > 1.95
 
 
@@ -86,7 +102,8 @@ def grounded(
     figure: Figure, keys: Timeline, points: tuple[Point, ...], surfaces: tuple[Plane, ...], flights: tuple = ()
 ) -> tuple:
     """The segments between keyframes in which the lowest of the points is on the ground."""
-    return grounded_intervals(keys, touches(figure, keys, points, surfaces), flights)
+    down = touches(figure, keys, points, surfaces)
+    return grounded_intervals(keys, down, np.zeros(down.size - 1, bool), flights)
 
 
 def on_a_path(heights: list[float], weight: float, flights: tuple = ()) -> float:
@@ -116,10 +133,11 @@ def test_segments_with_an_end_in_the_air_are_left_out():
     timeline = raw_timeline(figure, keys)
     assert grounded(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
     assert grounded(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0), (1.0, 1.5), (1.7, 2.0))
-    down, flight = np.array([False, True, True, True, False]), ((0.5, 3.5),)
-    assert grounded_intervals(timeline, down, flight) == ()
-    assert grounded_intervals(timeline, ~down, flight, 0.1) == ((0.0, 0.4), (3.6, 4.0))
-    assert grounded_intervals(timeline, ~down, ((-0.5, 4.5),)) == grounded_intervals(timeline, ~down, flight, 0.6) == ()
+    down, flight, is_hop = np.array([False, True, True, True, False]), ((0.5, 3.5),), np.zeros(4, bool)
+    assert grounded_intervals(timeline, down, is_hop, flight) == ()
+    assert grounded_intervals(timeline, ~down, is_hop, flight, 0.1) == ((0.0, 0.4), (3.6, 4.0))
+    assert grounded_intervals(timeline, ~down, is_hop, ((-0.5, 4.5),)) == ()
+    assert grounded_intervals(timeline, ~down, is_hop, flight, 0.6) == ()
     assert grounded(figure, timeline, (), (FLOOR,)) == grounded(figure, timeline, (FOOT,), ()) == ()
 
 
