@@ -105,6 +105,7 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
     context = _with_options(context, options, listed.keys())
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
         notes.append(NO_CYCLE)
+    notes += context.assumed_steps
     notes += context.missing_steps if _weight("cycle", options["cycle"]) > 0 else []
     is_carried = context.schedule.has_support
     absent = {kind for kind in CARRIED if kind not in listed and not is_carried}

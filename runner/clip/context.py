@@ -148,7 +148,7 @@ class Context:
         """A note on pairs of neighbouring keyframes that imply steps which the motion will lack.
 
         In such a pair, both keyframes are complete and touch the ground, every foot has moved by more than a step, and
-        no flight is between them. There is no note if the keyframes form a gait cycle.
+        neither a flight nor two inferred steps are between them. There is no note if the keyframes form a gait cycle.
         """
         keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
         if schedule.root is None or schedule.gait_cycle is not None or not self.points:
@@ -160,6 +160,7 @@ class Context:
         stands = whole & schedule.touches
         strides = moves > STEP * height(self.figure, schedule.root)
         lost = (gaps >= limits.far_apart) & strides & stands[:-1] & stands[1:]
+        lost[[double.segment for double in schedule.double_steps]] = False
         for first, last in schedule.flights:
             lost &= (keys.times[1:] <= first) | (last <= keys.times[:-1])
         if not feet or not lost.any():
@@ -170,6 +171,20 @@ class Context:
             f"keyframes {worst + 1} and {worst + 2}, {gaps[worst]:.2g} s apart, form no gait cycle, so that no "
             f"steps are added between them, though every foot moves {moves[worst]:.2g} m{more}; add a keyframe, or "
             "[[penalty]] kind = 'cycle' with its period"
+        ]
+
+    @property
+    def assumed_steps(self) -> list[str]:
+        """A note on the order of two steps that is inferred between two keyframes."""
+        doubles = self.schedule.double_steps
+        if not doubles:
+            return []
+        double, others = doubles[0], len(doubles) - 1
+        more = f", likewise in {others} more pair{'s' if others > 1 else ''} of keyframes" if others else ""
+        return [
+            f"both feet move between keyframes {double.segment + 1} and {double.segment + 2}, so each takes a step, "
+            f"{self.figure.links[double.leading].name} first{more}; for another order, add a keyframe with the "
+            "raised foot"
         ]
 
     @property

@@ -296,7 +296,9 @@ def _contact(context: Context, options: Options) -> Penalty | None:
 def _no_slip(context: Context, options: Reach) -> Penalty | None:
     if not context.points:
         return None
-    bound = Bound.of(context.figure, context.keys, context.points, swings=not context.schedule.flights)
+    schedule = context.schedule
+    durations, swings = schedule.step_durations, not schedule.flights
+    bound = Bound.of(context.figure, context.keys, context.points, durations, swings=swings)
     return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, bound)
 
 
@@ -375,7 +377,7 @@ def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
 
 
 def _posture(context: Context, options: Options) -> Penalty:
-    return Posture(between=Between.of(context.figure, context.keys, context.schedule.stepping))
+    return Posture(between=Between.of(context.figure, context.keys, context.schedule.steps))
 
 
 def _overshoot(context: Context, options: Options) -> Penalty | None:

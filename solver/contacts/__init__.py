@@ -3,6 +3,7 @@
 schedule          all contacts of one clip: stances, grasps, flights, gait
 stance            points that stay in one place           grasp     points that hold another body
 footing           points that carry                       grounded  intervals near the ground
+steps             legs that swing while another one stands
 flight            free fall between contacts
 gait              the walking or running cycle of keyframes, as a Gaussian process of poses
 gait_period       the choice of the cycle: its period suits the size of the body, and feet do not slip
@@ -30,3 +31,4 @@ from .stance import Rest as Rest
 from .stance import Stance as Stance
 from .stance import resting_objects as resting_objects
 from .stance import stances as stances
+from .steps import Steps as Steps

@@ -19,7 +19,8 @@ from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links
 from .grounded import grounded_intervals, hops, open_intervals, touches
-from .stance import Rest, Stance, resting_objects, stances, stepping
+from .stance import Rest, Stance, resting_objects, stances
+from .steps import DoubleStep, Steps, double_steps
 from .thresholds import Thresholds
 
 ROUNDING = 1e-9  # [s] rounding tolerance of times
@@ -93,7 +94,25 @@ class ContactSchedule:
     def stances(self) -> tuple[Stance, ...]:
         """The stances inferred from keyframes, without those that contradict specified contacts or targets."""
         inferred = stances(self.figure, self.keys, self.points, self.surfaces)
-        return tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
+        alone = tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
+        return (*alone, *(stance for double in self.double_steps for stance in double.stances))
+
+    @cached_property
+    def double_steps(self) -> tuple[DoubleStep, ...]:
+        """The pairs of steps between keyframes, without those that contradict specified contacts or targets.
+
+        There are none in a gait cycle, which has its own steps, and none if the footings are specified.
+        """
+        if self.specified_footings is not None:
+            return ()
+        inferred = double_steps(self.figure, self.keys, self.points, self.surfaces)
+        if not inferred or self.gait_cycle is not None:
+            return ()
+        return tuple(
+            double
+            for double in inferred
+            if not any(self.contacts.overlaps(stance) or self._leaves(stance) for stance in double.stances)
+        )
 
     def _leaves(self, stance: Stance) -> bool:
         """Return whether a target of the stance's link is too near or too far for it during the stance."""
@@ -120,9 +139,16 @@ class ContactSchedule:
         return resting_objects(self.figure, self.keys, objects)
 
     @cached_property
-    def stepping(self) -> Mask:
-        """Which links belong to a leg that takes a step while another foot stands, for each segment, (L, K − 1)."""
-        return stepping(self.figure, self.keys, self.points, self._standing)
+    def steps(self) -> Steps:
+        """The legs that take a step while another leg stands."""
+        return Steps.of(self.figure, self.keys, self.points, self._standing)
+
+    @property
+    def step_durations(self) -> Array:
+        """The time for a step in each segment between keyframes, (K − 1,) [s]: half of it if two feet step in turn."""
+        durations = np.diff(self.keys.times)
+        durations[[double.segment for double in self.double_steps]] *= 0.5
+        return durations
 
     @cached_property
     def footings(self) -> tuple[Footing, ...]:

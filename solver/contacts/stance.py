@@ -7,11 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 
-from ..array import Array, Mask
+from ..array import Array
 from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
@@ -88,26 +87,6 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
                 weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
                 result.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
     return tuple(result)
-
-
-def stepping(figure: Figure, keys: Timeline, points: Sequence[Point], standing: Sequence[Stance | Rest]) -> Mask:
-    """Return which links belong to a leg that takes a step between two keyframes, (L, K − 1).
-
-    Such a leg moves a point by more than 8 cm (for an adult) while the point of another leg stands from the first
-    keyframe to the second. The links that carry both legs, such as the pelvis, do not belong to it.
-    """
-    result = np.zeros((len(figure.links), keys.times.size - 1), bool)
-    if not points or not standing:
-        return result
-    centres, _ = places_of(points, Samples.still(figure, keys.states))
-    moves = np.linalg.norm(np.diff(centres, axis=2), axis=0) > Thresholds.of(figure).strode
-    first, last = np.array([s.first for s in standing]), np.array([s.last for s in standing])
-    carries = figure.tables.path > 0
-    for k, (begin, end) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
-        stands = np.flatnonzero((first <= begin) & (end <= last)).tolist()
-        for moving, still in product(np.flatnonzero(moves[:, k]).tolist(), stands):
-            result[:, k] |= carries[points[moving].link] & ~carries[standing[still].point.link]
-    return result
 
 
 def resting_objects(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:

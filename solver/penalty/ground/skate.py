@@ -42,16 +42,29 @@ class Bound:
     shares: Array
 
     @classmethod
-    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], *, swings: bool = True) -> Bound:
+    def of(
+        cls,
+        figure: Figure,
+        keys: Timeline,
+        points: Sequence[Point],
+        durations: Array | None = None,
+        *,
+        swings: bool = True,
+    ) -> Bound:
         """Return the factors of points.
 
-        In segments of more than 0.45 s, the factor falls with the square of the duration, because feet may take steps
-        between the keyframes. If `swings` is set, the factor is zero in segments of at most 0.25 s in which the point
-        moves by more than 8 cm. Such a point belongs to a swinging foot, which may pass low over the ground. The two
-        times and the distance are those of an adult. They are scaled to the size of the figure.
+        In segments with more than 0.45 s for a step, the factor falls with the square of this time, because feet may
+        take more steps between the keyframes. If `swings` is set, the factor is zero in segments of at most 0.25 s in
+        which the point moves by more than 8 cm. Such a point belongs to a swinging foot, which may pass low over the
+        ground. The two times and the distance are those of an adult. They are scaled to the size of the figure.
+
+        Args:
+            durations: The time for a step in each segment, (K − 1,) [s]; None: all of the segment.
         """
         spans, limits = np.diff(keys.times), Thresholds.of(figure)
-        shares = np.tile(np.minimum(1.0, (limits.long / spans) ** 2), (len(points), 1))
+        shares = np.tile(
+            np.minimum(1.0, (limits.long / (spans if durations is None else durations)) ** 2), (len(points), 1)
+        )
         if swings:
             samples = Samples.still(figure, keys.states)
             centres, _ = places_of(points, samples)

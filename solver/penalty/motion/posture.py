@@ -19,7 +19,8 @@ from functools import lru_cache, partial
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index, Mask, segments_at
+from ...array import Array, Index, segments_at
+from ...contacts.steps import Steps
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
@@ -44,32 +45,28 @@ class Between:
         times: The times of the keyframes, (K,) [s].
         turning: The mean angular velocities of r roots from one keyframe to the next, (3, r, K − 1) [rad/s].
         across: Their mean horizontal velocities, (2, r, K − 1) [m/s].
-        stepping: Which links belong to a leg that takes a step, (L, K − 1).
+        steps: The legs that take a step.
     """
 
     times: Array
     turning: Array
     across: Array
-    stepping: Mask
+    steps: Steps
 
     @classmethod
-    def of(cls, figure: Figure, keys: Timeline, stepping: Mask) -> Between:
-        """Return the mean velocities between the keyframes of a timeline, together with `stepping`."""
+    def of(cls, figure: Figure, keys: Timeline, steps: Steps) -> Between:
+        """Return the mean velocities between the keyframes of a timeline, together with `steps`."""
         qpos, spans = figure.to_qpos(keys.states), np.diff(keys.times)
         first = [figure.links[root].qpos for root in _roots(figure)]
         rotations = np.array([qpos[:, k + 3 : k + 7] for k in first]).reshape(-1, len(qpos), 4)
         turns = quat.rotation_vector(quat.product(rotations[:, 1:], quat.inverse(rotations[:, :-1])))
         across = np.array([np.diff(qpos[:, k : k + 2], axis=0) for k in first]).reshape(-1, spans.size, 2)
-        return cls(keys.times, turns.transpose(2, 0, 1) / spans, across.transpose(2, 0, 1) / spans, stepping)
+        return cls(keys.times, turns.transpose(2, 0, 1) / spans, across.transpose(2, 0, 1) / spans, steps)
 
     def at(self, t: Array) -> tuple[Array, Array]:
         """Return the mean velocities at times t (S,) [s], (3, r, S) and (2, r, S)."""
         span = segments_at(self.times, t)
         return self.turning[:, :, span], self.across[:, :, span]
-
-    def keeps_posture(self, links: Index, t: Array) -> Array:
-        """Return 0 where links (l,) belong to a leg that takes a step at times t (S,) [s], otherwise 1, (l, S)."""
-        return np.where(self.stepping[np.ix_(links, segments_at(self.times, t))], 0.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -117,7 +114,11 @@ class Posture(Penalty):
 
     def _shares(self, links: Index, t: Array) -> Array:
         """Return the factors of the velocities of links (l,) at times t (S,) [s], (l, S)."""
-        return np.ones((links.size, t.size)) if self.between is None else self.between.keeps_posture(links, t)
+        return (
+            np.ones((links.size, t.size))
+            if self.between is None
+            else np.where(self.between.steps.at(links, t), 0.0, 1.0)
+        )
 
 
 def _of_roots(samples: Samples, between: Between | None) -> Iterator[Block]:

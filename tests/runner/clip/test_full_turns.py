@@ -57,7 +57,7 @@ def test_keyframes_between_as_the_note_advises_make_turns_of_any_angle() -> None
 def test_rotations_of_joints_and_bodies_and_turns_from_rest_are_reported_too() -> None:
     assert "euler [0, -200, 0]" in read("", "joints.right_shoulder = {euler = [0, -200, 0]}").notes[0]
     assert "rotvec [0, 0, 270]" in read("", "joints.spine = {rotvec = [0, 0, 270]}").notes[0]
-    assert "nothing turns" in read("", "", "root.rotation = {euler = [0, 5, 360]}").notes[0]
+    assert any("nothing turns" in note for note in read("", "", "root.rotation = {euler = [0, 5, 360]}").notes)
     assert read("", "root.rotation = {euler = [0, 5, 170]}", "root.rotation = {euler = [0, 5, 340]}").notes == ()
 
 

@@ -8,6 +8,7 @@ from random_samples import random_samples
 from scipy.spatial.transform import Rotation, Slerp
 
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.contacts import Steps
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -29,7 +30,8 @@ def stepping(figure: Figure, links: list[int]) -> Between:
     """A timeline of one segment, in which these links take a step and the roots' mean velocities are zero."""
     steps, roots = np.zeros((len(figure.links), 1), bool), len(roots_of(figure))
     steps[links] = True
-    return Between(np.array([0.0, 1.0]), np.zeros((3, roots, 1)), np.zeros((2, roots, 1)), steps)
+    times = np.array([0.0, 1.0])
+    return Between(times, np.zeros((3, roots, 1)), np.zeros((2, roots, 1)), Steps(times, steps))
 
 
 def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray, exempt: list[int]) -> np.ndarray:
@@ -116,7 +118,7 @@ def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothin
     y_d = (states(t + h) - states(t - h)) / (2 * h)
     samples = Samples(figure, states(t), y_d, 0 * y_d, t=t)
     assert Posture().evaluate(samples).min() > 1
-    no_steps = np.zeros((len(figure.links), 2), bool)
+    no_steps = Steps(times, np.zeros((len(figure.links), 2), bool))
     between = Between.of(figure, raw_timeline(figure, frames), no_steps)
     np.testing.assert_allclose(Posture(between=between).evaluate(samples), 0, atol=1e-6)
 

@@ -1,0 +1,166 @@
+"""Steps: legs that swing while another leg stands, and the order in which two feet step between two keyframes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from ..array import Array, Index, Mask, segments_at
+from ..curve.frame import Timeline
+from ..figure.figure import Figure
+from ..figure.kinematics import Samples
+from ..surface import Surface
+from ..surface.heights import height_above
+from ..surface.points import Point, placed, places_of
+from .stance import Rest, Stance
+from .thresholds import Thresholds
+
+OVERLAP = 0.04  # [1] time from landing of the first foot to the middle of the segment, relative to the segment
+WIDEST = 1.75  # [rad] largest turn in two steps
+UP = np.array([0.0, 0, 1])
+
+
+@dataclass(frozen=True, eq=False)
+class Steps:
+    """The legs that take a step, over time.
+
+    Attributes:
+        times: The limits of the intervals, (n + 1,) [s].
+        stepping: Which links belong to a leg that takes a step in each interval, (L, n).
+    """
+
+    times: Array
+    stepping: Mask
+
+    @classmethod
+    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], standing: Sequence[Stance | Rest]) -> Steps:
+        """Return the legs that take a step between keyframes.
+
+        Such a leg moves a point by more than 8 cm (for an adult) from one keyframe to the next. It takes the step while
+        the point of another leg stands, and none of its own. The links that carry both legs, such as the pelvis, do not
+        belong to it.
+        """
+        begin, end = keys.times[[0, -1]]
+        bounds = [t for each in standing for t in (each.first, each.last) if begin < t < end]
+        times, path = np.unique([*keys.times, *bounds]), figure.tables.path > 0
+        stepping = np.zeros((len(figure.links), times.size - 1), bool)
+        if not points or not standing:
+            return cls(times, stepping)
+        centres, _ = places_of(points, Samples.still(figure, keys.states))
+        moves = np.linalg.norm(np.diff(centres, axis=2), axis=0) > Thresholds.of(figure).strode
+        first, last = np.array([each.first for each in standing]), np.array([each.last for each in standing])
+        feet = np.array([each.point.link for each in standing])
+        moving, standing_links = np.array([point.link for point in points]), path | path.T
+        for k, segment in enumerate(segments_at(keys.times, times[:-1]).tolist()):
+            stands = np.unique(feet[(first <= times[k]) & (times[k + 1] <= last)])
+            for link in np.unique(moving[moves[:, segment]]).tolist():
+                if stands.size and not standing_links[link, stands].any():
+                    stepping[:, k] |= path[link] & ~path[stands].any(axis=0)
+        return cls(times, stepping)
+
+    def at(self, links: Index, t: Array) -> Mask:
+        """Return which of the links (l,) belong to a leg that takes a step at times t (S,) [s], (l, S)."""
+        return self.stepping[np.ix_(links, segments_at(self.times, t))]
+
+
+@dataclass(frozen=True, eq=False)
+class DoubleStep:
+    """Two feet that step in turn between two keyframes, because both change their places.
+
+    Attributes:
+        segment: The index of the first keyframe.
+        leading: The link of the foot that steps first.
+        stances: The stances before, between and after the steps.
+    """
+
+    segment: int
+    leading: int
+    stances: tuple[Stance, ...]
+
+
+def double_steps(
+    figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
+) -> tuple[DoubleStep, ...]:
+    """Return the pairs of steps between keyframes in which a figure stands on two feet.
+
+    In both keyframes, all points of both feet are near a surface. Both feet move, by 8 to 80 cm (for an adult), and the
+    keyframes are at least 0.8 s apart. The figure turns by at most 100°. One foot steps after the other. The first one
+    is the foot on the side to which the figure moves or turns, so that legs do not cross; if it does neither, the foot
+    behind.
+    """
+    feet = _feet(figure, points)
+    if len(feet) != 2 or not surfaces:
+        return ()
+    limits = Thresholds.of(figure)
+    samples = Samples.still(figure, keys.states)
+    centres, radii = places_of(points, samples)
+    low = np.abs(height_above(surfaces, centres, radii[:, None])) < limits.near_surface
+    stands = np.logical_and.reduce(low & placed(figure, keys.known, points))
+    moves = np.linalg.norm(np.diff(centres, axis=2), axis=0)
+    is_double = stands[:-1] & stands[1:] & (np.diff(keys.times) >= 2 * limits.far_apart)
+    for foot in feet:
+        far = moves[foot]
+        is_double &= (far.min(axis=0) > limits.same_spot) & (far.max(axis=0) > limits.strode)
+        is_double &= far.max(axis=0) < limits.longest_step
+    if not is_double.any():
+        return ()
+    places = np.array([centres[:, foot].mean(axis=1) for foot in feet])
+    ankles = np.array([samples.links.x[:, points[foot[0]].link] for foot in feet])
+    ahead = (places - ankles).sum(axis=0)  # from ankles to soles
+    turns = np.array([_turn(*pair) for pair in pairwise(ahead.T)])
+    result = []
+    for k in np.flatnonzero(is_double & (np.abs(turns) < WIDEST)).tolist():
+        first = _first(places[..., k : k + 2], ahead[:, k : k + 2], limits)
+        begin, end = keys.times[k : k + 2].tolist()
+        middle, overlap = 0.5 * (begin + end), OVERLAP * (end - begin)
+        stances = []
+        for number, foot in enumerate(feet):
+            lift, land = (begin + overlap, middle - overlap) if number == first else (middle + overlap, end - overlap)
+            for i in foot:
+                for at, start, stop in ((k, begin, lift), (k + 1, land, end)):
+                    stances.append(Stance(points[i], start, stop, centres[:, i, at], centres[:, i, at]))
+        result.append(DoubleStep(k, points[feet[first][0]].link, tuple(stances)))
+    return tuple(result)
+
+
+def _feet(figure: Figure, points: Sequence[Point]) -> list[list[int]]:
+    """Return the indices of the points of each foot, which may consist of several links in a chain."""
+    feet: list[list[int]] = []
+    path = figure.tables.path
+    for i, point in enumerate(points):
+        for foot in feet:
+            other = points[foot[0]].link
+            if path[point.link, other] or path[other, point.link]:
+                foot.append(i)
+                break
+        else:
+            feet.append([i])
+    return feet
+
+
+def _first(places: Array, ahead: Array, limits: Thresholds) -> int:
+    """Return the index of the foot that steps first.
+
+    Args:
+        places: The centres of the two feet in the two keyframes, (2, 3, 2) [m].
+        ahead: Vectors that point forward in both, (3, 2); they may be zero for feet that are points.
+    """
+    apart = places[0] - places[1]  # from the second foot to the first, (3, 2)
+    left = np.cross(UP, ahead.sum(axis=1))
+    if np.linalg.norm(left) < limits.as_tall:
+        left = apart.sum(axis=1) * (1 - UP)
+    left /= max(float(np.linalg.norm(left)), limits.as_tall)
+    travel = (places[..., 1] - places[..., 0]).sum(axis=0)
+    # if the feet are farther apart sideways after the first step, the figure moves to the side of the foot that steps
+    preference = np.sign(apart.sum(axis=1) @ left) * (travel @ left + limits.turning * _turn(*ahead.T))
+    if abs(preference) > limits.as_tall:
+        return int(preference < 0)
+    return int(apart[:, 0] @ travel > 0)
+
+
+def _turn(before: Array, after: Array) -> float:
+    """Return the angle [rad] about the vertical between two vectors (3,)."""
+    return float(np.arctan2(np.cross(before, after) @ UP, before[:2] @ after[:2]))
