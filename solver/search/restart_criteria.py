@@ -75,14 +75,14 @@ def largest_deviation(figure: Figure, timeline: Timeline, expected: Path | None 
         expected: The reference path; None: the straight path between frames with specified degrees of freedom.
     """
     fixed = np.flatnonzero(timeline.fixed.any(axis=1))
-    if fixed.size < 2:
+    size = float(np.linalg.norm(_from_root(figure, figure.to_state(figure.model.qpos0[None])), axis=0).max())
+    if fixed.size < 2 or size == 0:
         return 0.0
     times = timeline.times[fixed]
     t = _inner_times(times)
     reference = straight(figure, times, timeline.states[fixed], t) if expected is None else expected.at(t)
     deviation = _from_root(figure, path_of(timeline).at(t)) - _from_root(figure, reference)
-    size = float(np.linalg.norm(_from_root(figure, figure.to_state(figure.model.qpos0[None])), axis=0).max())
-    return float(np.linalg.norm(deviation, axis=0).max()) / size if size > 0 else 0.0
+    return float(np.linalg.norm(deviation, axis=0).max()) / size
 
 
 def longest_quaternion(figure: Figure, timeline: Timeline) -> float:
