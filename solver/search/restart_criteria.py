@@ -19,7 +19,7 @@ from ..curve.spline import Path, path_of
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..objective import Objective
-from ..penalty import Guide
+from ..penalty import Guide, Role
 
 COST_RATIO = 2.0  # [1] cost relative to the raw spline, above which a shorter route round an obstacle may exist
 MAX_DEVIATION = 0.5  # [1] relative to the distance from the figure's root to its farthest joint at rest
@@ -50,8 +50,15 @@ def is_pose_outlier(objective: Objective, timeline: Timeline) -> bool:
 
 
 def violation_dominates(objective: Objective, parts: Mapping[str, float]) -> bool:
-    """Return whether violations cost more than the motion, both here and on the raw spline."""
-    bounds = {term.penalty.name for term in objective.terms if term.penalty.normalization.is_violation}
+    """Return whether violations cost more than the motion, both here and on the raw spline.
+
+    Violations of physics do not count. The times of keyframes may make them inevitable, on any path.
+    """
+    bounds = {
+        term.penalty.name
+        for term in objective.terms
+        if term.penalty.normalization.is_violation and term.penalty.role is not Role.PHYSICS
+    }
     violated = sum(value for name, value in parts.items() if name in bounds)
     return violated > max(sum(parts.values()) - violated, objective.raw_cost)
 

@@ -22,9 +22,11 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
+    BendLimits,
     Contact,
     CovariantAcceleration,
     Penalty,
+    Role,
     RootAcceleration,
     TrackingPenalty,
     UnitMagnitude,
@@ -163,6 +165,19 @@ def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_ar
     assert not violation_dominates(objective, {"acceleration.angular": 5.0, "unit": 0.0, "limits.bend": 3.1})
     assert not violation_dominates(objective, {"acceleration.angular": 50.0})
     assert not violation_dominates(objective, {"acceleration.angular": 5.0, "limits.bend": 5.0})  # as much is not more
+
+
+class Forces(BendLimits):
+    """A violation of physics, which the times of keyframes may make inevitable."""
+
+    role = Role.PHYSICS
+
+
+def test_violations_of_physics_are_not_a_reason_to_restart():
+    raw = path_of(raw_timeline(LIMB, swinging(6)))
+    terms = [*TERMS[:-1], (Forces(limits(KNEE).joints), 1.0)]
+    objective = Objective.of(LIMB, terms).renormalised(raw)
+    assert not violation_dominates(objective, {"acceleration.angular": 0.5, "unit": 0.0, "limits.bend": 3.1})
 
 
 def test_cost_increased_detects_twice_the_raw_cost_where_there_is_an_obstacle():
