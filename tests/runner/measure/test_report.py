@@ -19,6 +19,7 @@ from tiny import FIGURE, written
 from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.curves import curves
+from dynsplines.measure.formatting import rows
 from dynsplines.measure.report import report, tables
 from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of
@@ -244,3 +245,9 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
     if figure == "hinges":
         assert data["after"]["unit deviation"] == {"shortest": 1.0, "longest": 1.0, "largest": 0.0}
     Console(file=io.StringIO()).print(tables(data))
+
+
+def test_stances_that_only_the_raw_spline_has_are_omitted_in_print():
+    stance = {"point": "left_toe", "from, s": 0.0, "to, s": 0.5, "slip, m": 0.01}
+    assert list(rows({"stances": [stance]}, {"stances": []})) == []
+    assert len(list(rows({"stances": [stance]}, {"stances": [stance]}))) == 1
