@@ -148,7 +148,8 @@ class Context:
         """A note on pairs of neighbouring keyframes that imply steps which the motion will lack.
 
         In such a pair, both keyframes are complete and touch the ground, every foot has moved by more than a step, and
-        neither a flight nor two inferred steps are between them. There is no note if the keyframes form a gait cycle.
+        neither a flight, a hop nor two inferred steps are between them. There is no note if the keyframes form a gait
+        cycle.
         """
         keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
         if schedule.root is None or schedule.gait_cycle is not None or not self.points:
@@ -161,6 +162,7 @@ class Context:
         strides = moves > STEP * height(self.figure, schedule.root)
         lost = (gaps >= limits.far_apart) & strides & stands[:-1] & stands[1:]
         lost[[double.segment for double in schedule.double_steps]] = False
+        lost &= ~schedule.hops
         for first, last in schedule.flights:
             lost &= (keys.times[1:] <= first) | (last <= keys.times[:-1])
         if not feet or not lost.any():
@@ -183,8 +185,8 @@ class Context:
         more = f", likewise in {others} more pair{'s' if others > 1 else ''} of keyframes" if others else ""
         return [
             f"both feet move between keyframes {double.segment + 1} and {double.segment + 2}, so each takes a step, "
-            f"{self.figure.links[double.leading].name} first{more}; for another order, add a keyframe with the "
-            "raised foot"
+            f"{self.figure.links[double.leading].name} first{more}; for another order, add a keyframe in which "
+            "the other foot has landed"
         ]
 
     @property
@@ -197,7 +199,8 @@ class Context:
         """The values of joints in two neighbouring keyframes, where they are equal or similar."""
         repeats = self.keys.ends == "periodic" or self.schedule.gait_cycle is not None
         schedule = self.schedule
-        return Holds.of(self.figure, self.keys, repeats=repeats, aloft=schedule.flights, grasped=schedule.grasped)
+        aloft, grasped = schedule.flights, schedule.grasped
+        return Holds.of(self.figure, self.keys, repeats=repeats, aloft=aloft, grasped=grasped, steps=schedule.steps)
 
     @property
     def leans(self) -> tuple[Lean, ...]:

@@ -40,7 +40,7 @@ class Contacts:
     rests: tuple[Rest, ...] = ()
     requested: tuple[Rest, ...] = ()
 
-    def overlaps(self, stance: Stance) -> bool:
+    def overlaps(self, stance: Stance | Rest) -> bool:
         """Return whether a specified contact of the same point overlaps a stance in time."""
         return any(
             contact.point.coincides(stance.point)
@@ -95,11 +95,11 @@ class ContactSchedule:
         """The stances inferred from keyframes, without those that contradict specified contacts or targets."""
         inferred = stances(self.figure, self.keys, self.points, self.surfaces)
         alone = tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
-        return (*alone, *(stance for double in self.double_steps for stance in double.stances))
+        return (*alone, *(stance for double in self.double_steps for stance in self._unspecified(double)))
 
     @cached_property
     def double_steps(self) -> tuple[DoubleStep, ...]:
-        """The pairs of steps between keyframes, without those that contradict specified contacts or targets.
+        """The pairs of steps between keyframes, in the first order that contradicts no specified contact or target.
 
         There are none in a gait cycle, which has its own steps, and none if the footings are specified.
         """
@@ -108,11 +108,17 @@ class ContactSchedule:
         inferred = double_steps(self.figure, self.keys, self.points, self.surfaces)
         if not inferred or self.gait_cycle is not None:
             return ()
-        return tuple(
-            double
-            for double in inferred
-            if not any(self.contacts.overlaps(stance) or self._leaves(stance) for stance in double.stances)
-        )
+        fitting = [[double for double in orders if self._fits(double)] for orders in inferred]
+        return tuple(orders[0] for orders in fitting if orders)
+
+    def _fits(self, double: DoubleStep) -> bool:
+        """Return whether no specified contact or target contradicts two steps."""
+        is_held = any(self.contacts.overlaps(swing) for swing in double.swings)
+        return not is_held and not any(self._leaves(stance) for stance in self._unspecified(double))
+
+    def _unspecified(self, double: DoubleStep) -> list[Stance]:
+        """Return the stances of two steps that specified contacts do not replace."""
+        return [stance for stance in double.stances if not self.contacts.overlaps(stance)]
 
     def _leaves(self, stance: Stance) -> bool:
         """Return whether a target of the stance's link is too near or too far for it during the stance."""
@@ -189,9 +195,13 @@ class ContactSchedule:
     def grounded(self) -> tuple[Interval, ...]:
         """The segments [s] whose two keyframes touch the ground, except hops, flights and `held_down`."""
         lift_off = Thresholds.of(self.figure).lift_off
-        is_hop = hops(self.figure, self.keys, self.low_points, self.surfaces)
-        intervals = grounded_intervals(self.keys, self._is_down, is_hop, self.flights, lift_off)
+        intervals = grounded_intervals(self.keys, self._is_down, self.hops, self.flights, lift_off)
         return tuple(interval for interval in intervals if interval not in self.held_down)
+
+    @cached_property
+    def hops(self) -> Mask:
+        """The segments in which a figure on one leg has to hop, (K − 1,)."""
+        return hops(self.figure, self.keys, self.low_points, self.surfaces)
 
     @cached_property
     def held_down(self) -> tuple[Interval, ...]:

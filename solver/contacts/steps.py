@@ -19,6 +19,7 @@ from .stance import Rest, Stance
 from .thresholds import Thresholds
 
 OVERLAP = 0.04  # [1] time from landing of the first foot to the middle of the segment, relative to the segment
+FIRM = 10.0  # [1] weight of the stances, relative to those between keyframes of the same position
 WIDEST = 1.75  # [rad] largest turn in two steps
 UP = np.array([0.0, 0, 1])
 
@@ -30,10 +31,12 @@ class Steps:
     Attributes:
         times: The limits of the intervals, (n + 1,) [s].
         stepping: Which links belong to a leg that takes a step in each interval, (L, n).
+        legs: Which links belong to a leg, (L,).
     """
 
     times: Array
     stepping: Mask
+    legs: Mask
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], standing: Sequence[Stance | Rest]) -> Steps:
@@ -46,20 +49,27 @@ class Steps:
         begin, end = keys.times[[0, -1]]
         bounds = [t for each in standing for t in (each.first, each.last) if begin < t < end]
         times, path = np.unique([*keys.times, *bounds]), figure.tables.path > 0
-        stepping = np.zeros((len(figure.links), times.size - 1), bool)
+        stepping, legs = np.zeros((len(figure.links), times.size - 1), bool), np.zeros(len(figure.links), bool)
         if not points or not standing:
-            return cls(times, stepping)
+            return cls(times, stepping, legs)
+        moving = np.array([point.link for point in points])
+        legs = np.asarray(path[moving].any(axis=0) & ~path[moving].all(axis=0))
         centres, _ = places_of(points, Samples.still(figure, keys.states))
         moves = np.linalg.norm(np.diff(centres, axis=2), axis=0) > Thresholds.of(figure).strode
         first, last = np.array([each.first for each in standing]), np.array([each.last for each in standing])
         feet = np.array([each.point.link for each in standing])
-        moving, standing_links = np.array([point.link for point in points]), path | path.T
+        same_leg = path | path.T
         for k, segment in enumerate(segments_at(keys.times, times[:-1]).tolist()):
             stands = np.unique(feet[(first <= times[k]) & (times[k + 1] <= last)])
             for link in np.unique(moving[moves[:, segment]]).tolist():
-                if stands.size and not standing_links[link, stands].any():
+                if stands.size and not same_leg[link, stands].any():
                     stepping[:, k] |= path[link] & ~path[stands].any(axis=0)
-        return cls(times, stepping)
+        return cls(times, stepping, legs)
+
+    def move(self, link: int, first: float, last: float) -> bool:
+        """Return whether a link belongs to a leg while any leg takes a step between two times [s]."""
+        inside = (first < self.times[1:]) & (self.times[:-1] < last)
+        return bool(self.legs[link] and self.stepping[:, inside].any())
 
     def at(self, links: Index, t: Array) -> Mask:
         """Return which of the links (l,) belong to a leg that takes a step at times t (S,) [s], (l, S)."""
@@ -74,22 +84,24 @@ class DoubleStep:
         segment: The index of the first keyframe.
         leading: The link of the foot that steps first.
         stances: The stances before, between and after the steps.
+        swings: The points of the feet, each with the interval in which it moves.
     """
 
     segment: int
     leading: int
     stances: tuple[Stance, ...]
+    swings: tuple[Rest, ...]
 
 
 def double_steps(
     figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
-) -> tuple[DoubleStep, ...]:
-    """Return the pairs of steps between keyframes in which a figure stands on two feet.
+) -> tuple[tuple[DoubleStep, DoubleStep], ...]:
+    """Return the pairs of steps between keyframes in which a figure stands on two feet, in both orders.
 
-    In both keyframes, all points of both feet are near a surface. Both feet move, by 8 to 80 cm (for an adult), and the
-    keyframes are at least 0.8 s apart. The figure turns by at most 100°. One foot steps after the other. The first one
-    is the foot on the side to which the figure moves or turns, so that legs do not cross; if it does neither, the foot
-    behind.
+    In both keyframes, all points of both feet are near a surface. Both feet move, by 8 to 70 cm (for an adult), and the
+    keyframes are at least 0.8 s apart. The figure turns by at most 100°. One foot steps after the other. In the first
+    order, the leading foot is the one on the side to which the figure moves or turns, so that legs do not cross; if it
+    does neither, the foot behind.
     """
     feet = _feet(figure, points)
     if len(feet) != 2 or not surfaces:
@@ -114,16 +126,28 @@ def double_steps(
     result = []
     for k in np.flatnonzero(is_double & (np.abs(turns) < WIDEST)).tolist():
         first = _first(places[..., k : k + 2], ahead[:, k : k + 2], limits)
-        begin, end = keys.times[k : k + 2].tolist()
-        middle, overlap = 0.5 * (begin + end), OVERLAP * (end - begin)
-        stances = []
-        for number, foot in enumerate(feet):
-            lift, land = (begin + overlap, middle - overlap) if number == first else (middle + overlap, end - overlap)
-            for i in foot:
-                for at, start, stop in ((k, begin, lift), (k + 1, land, end)):
-                    stances.append(Stance(points[i], start, stop, centres[:, i, at], centres[:, i, at]))
-        result.append(DoubleStep(k, points[feet[first][0]].link, tuple(stances)))
+        orders = (feet[first], feet[1 - first]), (feet[1 - first], feet[first])
+        first_order, second_order = (_double_step(keys, points, centres, k, *order) for order in orders)
+        result.append((first_order, second_order))
     return tuple(result)
+
+
+def _double_step(
+    keys: Timeline, points: Sequence[Point], centres: Array, k: int, leading: Sequence[int], following: Sequence[int]
+) -> DoubleStep:
+    """Return two steps from keyframe k to the next, of feet with these points at `centres` (3, n, K) [m]."""
+    begin, end = keys.times[k : k + 2].tolist()
+    middle, overlap = 0.5 * (begin + end), OVERLAP * (end - begin)
+    stances, swings = [], []
+    for foot, lift, land in (
+        (leading, begin + overlap, middle - overlap),
+        (following, middle + overlap, end - overlap),
+    ):
+        for i in foot:
+            swings.append(Rest(points[i], lift, land))
+            for at, start, stop in ((k, begin, lift), (k + 1, land, end)):
+                stances.append(Stance(points[i], start, stop, centres[:, i, at], centres[:, i, at], FIRM))
+    return DoubleStep(k, points[leading[0]].link, tuple(stances), tuple(swings))
 
 
 def _feet(figure: Figure, points: Sequence[Point]) -> list[list[int]]:

@@ -20,6 +20,7 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index, Mask
+from ...contacts.steps import Steps
 from ...curve.frame import Frame, Timeline
 from ...curve.spline import path_of
 from ...figure.figure import Figure, JointKind, quaternion_columns
@@ -178,6 +179,7 @@ class Holds(NamedTuple):
         repeats: bool = False,
         aloft: Sequence[tuple[float, float]] = (),
         grasped: Collection[int] = (),
+        steps: Steps | None = None,
     ) -> Holds:
         """Find the holds of a clip with this raw spline.
 
@@ -185,6 +187,7 @@ class Holds(NamedTuple):
             repeats: Whether the clip is a loop or a gait cycle.
             aloft: Flights (first, last) [s], in which a root rises and falls between two keyframes of one height.
             grasped: Links of held objects, which move with hands.
+            steps: The steps of legs, whose joints are not held meanwhile.
         """
         qpos, times = figure.to_qpos(raw.states), raw.times.tolist()
         equal, similar = list[Range](), list[Range]()
@@ -192,7 +195,8 @@ class Holds(NamedTuple):
             is_root = figure.links[track.link].kind is JointKind.FREE
             is_height = is_root and track.unit == "length" and track.axis == 2
             for k in _held_segments(track, raw, qpos, repeats=repeats):
-                if not (is_height and _flies(times[k], times[k + 1], aloft)):
+                is_step = steps is not None and steps.move(track.link, times[k], times[k + 1])
+                if not is_step and not (is_height and _flies(times[k], times[k + 1], aloft)):
                     equal.append(track.range_at(qpos[k, track.columns], times[k], times[k + 1]))
             if is_root and track.is_rotation:
                 both, change = _changes(track, raw, qpos)

@@ -68,9 +68,17 @@ def stride(ahead: str) -> str:
     )
 
 
-def test_a_contact_that_the_clip_specifies_decides():
-    contact = '[[contact]]\npoint = "{}"\nfrom = 0\nto = 0.5\n'
-    assert leading(clip(0.0, 0.3, more=contact.format("right_heel"))) is None
+@pytest.mark.parametrize(
+    ("contacts", "first"),
+    [
+        ([("right_heel", 0, 0.5)], "left"),
+        ([("left_heel", 0, 0.5)], "right"),
+        ([("left_heel", 0, 0.5), ("right_heel", 0, 0.5)], None),
+    ],
+)
+def test_contacts_that_the_clip_specifies_decide(contacts, first):
+    rows = (f'[[contact]]\npoint = "{point}"\nfrom = {since}\nto = {until}\n' for point, since, until in contacts)
+    assert leading(clip(0.4, more="".join(rows))) == first
 
 
 @pytest.mark.slow
@@ -87,3 +95,24 @@ def test_the_feet_are_raised_in_turn():
     assert low.min(axis=1).max() < 0.035
     assert (low[: len(low) // 3, 0] > low[: len(low) // 3, 1] - 1e-3).all()
     assert not [violation for violation in motion.violations if violation.kind in ("float", "slide", "stance")]
+
+
+@pytest.mark.slow
+def test_a_hold_of_the_legs_does_not_keep_them_from_stepping():
+    """An arm that moves fast in the next segment would hold all joints that are equal before it, and the feet slid."""
+    legs = "\n".join(f"bodies.{side}_foot.flat = true" for side in ("left", "right"))
+    rows = [
+        f'[[keyframe]]\ntime = {time}\nothers = "previous"\nroot.position = [{x}, 0, 0.9]\n{legs}\n'
+        f"sites.left_heel = [{x - 0.055}, 0.09, 0]\nsites.right_heel = [{x - 0.055}, -0.09, 0]\n"
+        for time, x in ((0.0, 0.0), (1.0, 0.4), (1.6, 0.4))
+    ]
+    rows[0] = rows[0].replace('"previous"', '"rest"')
+    wave = "joints.left_shoulder = {rotvec = [90, 0, 0]}\n"
+    motion = inbetween(recordings.from_text('figure = "human"\n' + "".join(rows) + wave, name="steps"))
+    data, low = mujoco.MjData(motion.model), []
+    for qpos in motion.sampled(100).qpos:
+        data.qpos = qpos
+        mujoco.mj_kinematics(motion.model, data)
+        low.append([min(data.site(f"{side}_{end}").xpos[2] for end in ("heel", "toe")) for side in ("left", "right")])
+    assert np.max(low, axis=0).min() > 0.05
+    assert not [violation for violation in motion.violations if violation.kind in ("slide", "overshoot", "stance")]

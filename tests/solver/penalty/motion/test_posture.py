@@ -31,7 +31,7 @@ def stepping(figure: Figure, links: list[int]) -> Between:
     steps, roots = np.zeros((len(figure.links), 1), bool), len(roots_of(figure))
     steps[links] = True
     times = np.array([0.0, 1.0])
-    return Between(times, np.zeros((3, roots, 1)), np.zeros((2, roots, 1)), Steps(times, steps))
+    return Between(times, np.zeros((3, roots, 1)), np.zeros((2, roots, 1)), Steps(times, steps, steps[:, 0]))
 
 
 def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray, exempt: list[int]) -> np.ndarray:
@@ -118,7 +118,7 @@ def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothin
     y_d = (states(t + h) - states(t - h)) / (2 * h)
     samples = Samples(figure, states(t), y_d, 0 * y_d, t=t)
     assert Posture().evaluate(samples).min() > 1
-    no_steps = Steps(times, np.zeros((len(figure.links), 2), bool))
+    no_steps = Steps(times, np.zeros((len(figure.links), 2), bool), np.zeros(len(figure.links), bool))
     between = Between.of(figure, raw_timeline(figure, frames), no_steps)
     np.testing.assert_allclose(Posture(between=between).evaluate(samples), 0, atol=1e-6)
 
