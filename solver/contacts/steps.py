@@ -47,7 +47,7 @@ class Steps:
         belong to it.
         """
         begin, end = keys.times[[0, -1]]
-        bounds = [t for each in standing for t in (each.first, each.last) if begin < t < end]
+        bounds = [t for stance in standing for t in (stance.first, stance.last) if begin < t < end]
         times, path = np.unique([*keys.times, *bounds]), figure.tables.path > 0
         stepping, legs = np.zeros((len(figure.links), times.size - 1), bool), np.zeros(len(figure.links), bool)
         if not points or not standing:
@@ -56,8 +56,8 @@ class Steps:
         legs = np.asarray(path[moving].any(axis=0) & ~path[moving].all(axis=0))
         centres, _ = places_of(points, Samples.still(figure, keys.states))
         moves = np.linalg.norm(np.diff(centres, axis=2), axis=0) > Thresholds.of(figure).strode
-        first, last = np.array([each.first for each in standing]), np.array([each.last for each in standing])
-        feet = np.array([each.point.link for each in standing])
+        first, last = np.array([stance.first for stance in standing]), np.array([stance.last for stance in standing])
+        feet = np.array([stance.point.link for stance in standing])
         same_leg = path | path.T
         for k, segment in enumerate(segments_at(keys.times, times[:-1]).tolist()):
             stands = np.unique(feet[(first <= times[k]) & (times[k + 1] <= last)])
@@ -173,13 +173,13 @@ def _first(places: Array, ahead: Array, limits: Thresholds) -> int:
         ahead: Vectors that point forward in both, (3, 2); they may be zero for feet that are points.
     """
     apart = places[0] - places[1]  # from the second foot to the first, (3, 2)
-    left = np.cross(UP, ahead.sum(axis=1))
-    if np.linalg.norm(left) < limits.as_tall:
-        left = apart.sum(axis=1) * (1 - UP)
-    left /= max(float(np.linalg.norm(left)), limits.as_tall)
+    leftward = np.cross(UP, ahead.sum(axis=1))
+    if np.linalg.norm(leftward) < limits.as_tall:
+        leftward = apart.sum(axis=1) * (1 - UP)
+    leftward /= max(float(np.linalg.norm(leftward)), limits.as_tall)
     travel = (places[..., 1] - places[..., 0]).sum(axis=0)
     # if the feet are farther apart sideways after the first step, the figure moves to the side of the foot that steps
-    preference = np.sign(apart.sum(axis=1) @ left) * (travel @ left + limits.turning * _turn(*ahead.T))
+    preference = np.sign(apart.sum(axis=1) @ leftward) * (travel @ leftward + limits.turning * _turn(*ahead.T))
     if abs(preference) > limits.as_tall:
         return int(preference < 0)
     return int(apart[:, 0] @ travel > 0)
