@@ -20,7 +20,7 @@ from dynsplines.solver.figure.root import has_fixed_base
 from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.penalty import Bend, Holds, Lean, Placed, Support, leans
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.points import Point
+from dynsplines.solver.surface.points import Point, displacements
 
 from ..errors import UserError, unknown
 from .contacts import contacts, grasps_of
@@ -156,7 +156,7 @@ class Context:
             return []
         feet = sorted({point.link for point in self.points if self.figure.tables.path[point.link, schedule.root]})
         places = Samples.still(self.figure, keys.states).links.x[:2, feet]
-        moves = np.linalg.norm(np.diff(places, axis=2), axis=0).min(axis=0, initial=np.inf)
+        moves = displacements(places).min(axis=0, initial=np.inf)
         gaps, whole = np.diff(keys.times), keys.fixed.all(axis=1)
         stands = whole & schedule.touches
         strides = moves > STEP * height(self.figure, schedule.root)

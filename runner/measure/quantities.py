@@ -27,7 +27,7 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Rolling
 from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.heights import height_above, heights
-from dynsplines.solver.surface.points import body_points, places_of
+from dynsplines.solver.surface.points import body_points, displacements, places_of
 from dynsplines.solver.surface.touch import counts_all, movers
 
 from ..clip.build import Clip
@@ -172,7 +172,7 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
         return {}
     centres, radii = places_of(clip.context.points, samples)
     low = np.abs(height_above(clip.context.surfaces, centres, radii[:, None])) < Thresholds.of(clip.figure).rests
-    steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
+    steps = displacements(centres[:2])
     together = low[:, 1:] & low[:, :-1]
     pace = np.diff(samples.t)
     out = {}

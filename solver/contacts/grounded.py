@@ -27,28 +27,6 @@ def touches(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     return np.asarray(height.min(axis=0) < Thresholds.of(figure).touching)
 
 
-def hops(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Mask:
-    """Return the segments in which a figure on one leg has to hop, (K − 1,).
-
-    All points on the ground in either keyframe belong to one leg, and those on the ground in both move by more than
-    8 cm (for an adult).
-    """
-    count = keys.times.size - 1
-    if not points or not surfaces:
-        return np.zeros(count, bool)
-    centres, radii = places_of(points, Samples.still(figure, keys.states))
-    limits, links = Thresholds.of(figure), np.array([point.link for point in points])
-    down = heights(surfaces, centres, radii)[0] < limits.touching
-    moves = np.linalg.norm(np.diff(centres, axis=2), axis=0) > limits.strode
-    either, both, path = down[:, :-1] | down[:, 1:], down[:, :-1] & down[:, 1:], figure.tables.path > 0
-    result = both.any(axis=0) & ~(both & ~moves).any(axis=0)
-    for k in np.flatnonzero(result):
-        legs = np.unique(links[either[:, k]])
-        on_a_leg = path[np.ix_(legs, legs)]
-        result[k] = bool(np.all(on_a_leg | on_a_leg.T))
-    return result
-
-
 def grounded_intervals(
     keys: Timeline, down: Mask, is_hop: Mask, flights: Sequence[Interval] = (), lift_off: float = 0.0
 ) -> tuple[Interval, ...]:

@@ -18,9 +18,9 @@ from .footing import Footing, Interval, footings
 from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links
-from .grounded import grounded_intervals, hops, open_intervals, touches
+from .grounded import grounded_intervals, open_intervals, touches
 from .stance import Rest, Stance, resting_objects, stances
-from .steps import DoubleStep, Steps, double_steps
+from .steps import DoubleStep, Steps, double_steps, hops
 from .thresholds import Thresholds
 
 ROUNDING = 1e-9  # [s] rounding tolerance of times

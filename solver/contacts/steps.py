@@ -1,4 +1,4 @@
-"""Steps: legs that swing while another leg stands, and the order in which two feet step between two keyframes."""
+"""Steps: legs that swing while another leg stands, hops, and the order in which two feet step between two keyframes."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface import Surface
-from ..surface.heights import height_above
-from ..surface.points import Point, placed, places_of
+from ..surface.heights import height_above, heights
+from ..surface.points import Point, displacements, placed, places_of
 from .stance import Rest, Stance
 from .thresholds import Thresholds
 
@@ -55,10 +55,10 @@ class Steps:
         moving = np.array([point.link for point in points])
         legs = np.asarray(path[moving].any(axis=0) & ~path[moving].all(axis=0))
         centres, _ = places_of(points, Samples.still(figure, keys.states))
-        moves = np.linalg.norm(np.diff(centres, axis=2), axis=0) > Thresholds.of(figure).strode
+        moves = displacements(centres) > Thresholds.of(figure).strode
         first, last = np.array([stance.first for stance in standing]), np.array([stance.last for stance in standing])
         feet = np.array([stance.point.link for stance in standing])
-        same_leg = path | path.T
+        same_leg = _same_leg(figure)
         for k, segment in enumerate(segments_at(keys.times, times[:-1]).tolist()):
             stands = np.unique(feet[(first <= times[k]) & (times[k + 1] <= last)])
             for link in np.unique(moving[moves[:, segment]]).tolist():
@@ -74,6 +74,27 @@ class Steps:
     def at(self, links: Index, t: Array) -> Mask:
         """Return which of the links (l,) belong to a leg that takes a step at times t (S,) [s], (l, S)."""
         return self.stepping[np.ix_(links, segments_at(self.times, t))]
+
+
+def hops(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Mask:
+    """Return the segments in which a figure on one leg has to hop, (K − 1,).
+
+    All points on the ground in either keyframe belong to one leg, and those on the ground in both move by more than
+    8 cm (for an adult).
+    """
+    count = keys.times.size - 1
+    if not points or not surfaces:
+        return np.zeros(count, bool)
+    centres, radii = places_of(points, Samples.still(figure, keys.states))
+    limits, links = Thresholds.of(figure), np.array([point.link for point in points])
+    down = heights(surfaces, centres, radii)[0] < limits.touching
+    moves = displacements(centres) > limits.strode
+    either, both, same_leg = down[:, :-1] | down[:, 1:], down[:, :-1] & down[:, 1:], _same_leg(figure)
+    result = np.logical_or.reduce(both) & ~np.logical_or.reduce(both & ~moves)
+    for k in np.flatnonzero(result):
+        legs = np.unique(links[either[:, k]])
+        result[k] = same_leg[np.ix_(legs, legs)].all()
+    return result
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +132,7 @@ def double_steps(
     centres, radii = places_of(points, samples)
     low = np.abs(height_above(surfaces, centres, radii[:, None])) < limits.near_surface
     stands = np.logical_and.reduce(low & placed(figure, keys.known, points))
-    moves = np.linalg.norm(np.diff(centres, axis=2), axis=0)
+    moves = displacements(centres)
     is_double = stands[:-1] & stands[1:] & (np.diff(keys.times) >= 2 * limits.far_apart)
     for foot in feet:
         far = moves[foot]
@@ -153,16 +174,20 @@ def _double_step(
 def _feet(figure: Figure, points: Sequence[Point]) -> list[list[int]]:
     """Return the indices of the points of each foot, which may consist of several links in a chain."""
     feet: list[list[int]] = []
-    path = figure.tables.path
+    same_leg = _same_leg(figure)
     for i, point in enumerate(points):
-        for foot in feet:
-            other = points[foot[0]].link
-            if path[point.link, other] or path[other, point.link]:
-                foot.append(i)
-                break
-        else:
+        foot = next((foot for foot in feet if same_leg[point.link, points[foot[0]].link]), None)
+        if foot is None:
             feet.append([i])
+        else:
+            foot.append(i)
     return feet
+
+
+def _same_leg(figure: Figure) -> Mask:
+    """Return which pairs of links are in one chain, one carrying the other, (L, L)."""
+    path = figure.tables.path > 0
+    return path | path.T
 
 
 def _first(places: Array, ahead: Array, limits: Thresholds) -> int:

@@ -164,6 +164,11 @@ def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
     return []
 
 
+def displacements(places: Array) -> Array:
+    """Return the distances between successive places of points (d, n, K), (n, K − 1) [m]."""
+    return np.asarray(np.linalg.norm(np.diff(places, axis=2), axis=0))
+
+
 def placed(figure: Figure, specified: Mask, points: Sequence[Point]) -> Mask:
     """Return whether a keyframe specifies every joint from the root to a point, and so its position, (n, K).
 

@@ -20,7 +20,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches, of_point, of_velocity
 from ...surface import Surface
 from ...surface.heights import clearance_gradients, clearances
-from ...surface.points import Point, arrays_of, placed, places_of
+from ...surface.points import Point, arrays_of, displacements, placed, places_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
@@ -68,7 +68,7 @@ class Bound:
         if swings:
             samples = Samples.still(figure, keys.states)
             centres, _ = places_of(points, samples)
-            steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
+            steps = displacements(centres)
             is_set = placed(figure, keys.known, points)
             shares[(steps > limits.strode) & (spans <= limits.shortly) & is_set[:, 1:] & is_set[:, :-1]] = 0.0
         return cls(keys.times, shares)
