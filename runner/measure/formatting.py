@@ -27,7 +27,7 @@ def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
     label, unit = _label_and_unit(name, unit)
     if isinstance(after, list) and label.startswith("swings"):
         yield label, swing_words(before or []), swing_words(after)
-    elif isinstance(after, list):
+    elif any(isinstance(entry, dict) for side in (before, after) if isinstance(side, list) for entry in side):
         for one, two in zip(before or [], after, strict=False):
             texts = " on ".join(value for value in two.values() if isinstance(value, str))
             place = f"{label}: {texts} {two['from, s']:.2f} - {two['to, s']:.2f} s"
