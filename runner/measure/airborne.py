@@ -81,24 +81,34 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
 
 
 def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
-    """Yield intervals in which all points of a foot's sole move along the ground."""
+    """Yield intervals in which all points of a foot's sole move along the ground.
+
+    The sole is on the ground, or it moves fast near the ground for longer than a landing takes. Intervals in which a
+    point of the foot must not move have checks of their own.
+    """
     context, figure = motion.clip.context, motion.clip.figure
     if not context.points:
         return
     limits = Thresholds.of(figure)
     links, positions, _ = arrays_of(context.points)
-    speed = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
-    height, _ = heights(context.surfaces, *places_of(context.points, samples))
-    feet = feet_of(figure, context.points)[links]
+    speeds = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
+    centres, radii = places_of(context.points, samples)
+    height, _ = heights(context.surfaces, centres, radii)
+    foot_of = feet_of(figure, context.points)
+    feet, resting = foot_of[links], [target.stance for target, _ in motion.contact_targets]
     for foot in np.unique(feet):
-        slowest = np.where((height[feet == foot] < limits.touching).all(axis=0), speed[feet == foot].min(axis=0), 0.0)
-        for start, end in runs(slowest > BOUNDS["slide"].most):
-            run = np.arange(start, end)
-            seconds = float(np.ptp(samples.t[run]))
-            if seconds >= limits.step:
-                top, name = run[slowest[run].argmax()], figure.body_name(int(foot))
-                row = row_of("slide", name, f"{name} slides along the ground for {seconds:.2f} s, at up to {{}}")
-                yield row, float(slowest[top]), float(samples.t[top]), None
+        top, speed = height[feet == foot].max(axis=0), speeds[feet == foot].min(axis=0)
+        rests = tuple((stance.first, stance.last) for stance in resting if foot_of[stance.point.link] == foot)
+        slides = top < limits.swings
+        for start, end in runs((top < limits.touching) & (speed > limits.dragged)):
+            slides[start:end] |= np.ptp(samples.t[start:end]) >= limits.step
+        for start, end in runs(slides & ~within(rests, samples.t)):
+            places = centres[:2, feet == foot, start:end]
+            distance = float(np.linalg.norm(places - places[..., :1], axis=0).min(axis=0).max())
+            if distance > BOUNDS["slide"].most:
+                name, fastest = figure.body_name(int(foot)), start + speed[start:end].argmax()
+                text = f"{name} slides {{}} along the ground from {samples.t[start]:.2f} to {samples.t[end - 1]:.2f} s,"
+                yield row_of("slide", name, f"{text} fastest"), distance, float(samples.t[fastest]), None
 
 
 def _velocities(samples: Samples, links: Index, positions: Array) -> Array:

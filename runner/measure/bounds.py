@@ -9,7 +9,7 @@ from dataclasses import dataclass
 class Bound:
     """A kind of violation and its tolerance.
 
-    most  largest tolerated amount in `unit`: "m", "m/s", "degrees", "degrees/s", "rad/s²", or "" for none
+    most  largest tolerated amount in `unit`: "m", "degrees", "degrees/s", "rad/s²", or "" for none
     why   the reason for this size
 
     A whip is a sudden swing of a limb: a large angular acceleration of a link relative to its parent. "length" is that
@@ -32,7 +32,7 @@ BOUNDS = {
         Bound("hover", 0.01, "m", "as contact, of one that is to rest on whatever is below it"),
         Bound("aloft", 0.02, "m", "a home pose of a robot may be some millimetres above the floor"),
         Bound("float", 0.05, "m", "as much as feet in captured walks are above the ground between steps"),
-        Bound("slide", 0.5, "m/s", "a foot flat on the ground that moves as fast is seen to slide"),
+        Bound("slide", 0.05, "m", "more than a sole moves while it lands in a run"),
         Bound("stance", 0.02, "m", "stances inferred from keyframes are less certain than a clip's contacts"),
         Bound("placement", 0.01, "m", "a visible miss"),
         Bound("backward", 3.0, "degrees", "a straight knee or elbow is never quite straight"),

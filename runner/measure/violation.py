@@ -41,7 +41,7 @@ class Violation:
         name: Name of the point, joint or contact.
         time: Time of the largest amount [s]; None for a violation without a time.
         amount: Measured amount, in `unit`.
-        unit: "m", "m/s", "degrees", "degrees/s", "rad/s²" or "".
+        unit: "m", "degrees", "degrees/s", "rad/s²" or "".
         bound: Tolerated amount, in `unit`.
         keyframe: Number of the keyframe that causes it, from 1; None if the motion between keyframes causes it.
         text: The violation as one line.
@@ -243,6 +243,4 @@ def _with_unit(amount: float, unit: str) -> str:
         return f"{1000 * amount:.0f} mm" if amount < 1 else f"{amount:.2f} m"
     if unit == "degrees":
         return f"{amount:.0f}°"
-    if unit == "m/s":
-        return f"{amount:.1f} m/s"
     return f"{amount:.0f} {unit}" if unit else f"{amount:.2f}"

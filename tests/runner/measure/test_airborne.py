@@ -137,7 +137,17 @@ def test_a_jump_that_hovers_beside_its_flight_is_reported():
     assert [each.kind for each in inbetween(clip).violations] == ["float"]
 
 
-@pytest.mark.parametrize(("distance", "height", "slides"), [(0.5, 0.0, True), (0.2, 0.0, False), (0.5, 0.06, False)])
+@pytest.mark.parametrize(
+    ("distance", "height", "slides"),
+    [
+        (0.5, 0.0, True),
+        (0.06, 0.0, True),
+        (0.04, 0.0, False),
+        (0.5, 0.03, True),
+        (0.2, 0.03, False),
+        (0.5, 0.06, False),
+    ],
+)
 def test_a_foot_that_moves_flat_along_the_ground_slides(distance, height, slides, tmp_path):
     """A human at rest that is moved so far [m] within 0.5 s, so high [m] above the floor."""
     pose = 'others = "rest"\n'
@@ -148,4 +158,18 @@ def test_a_foot_that_moves_flat_along_the_ground_slides(distance, height, slides
     found = violations(recordings.from_text('figure = "human"\n' + text, name="slide"), "slide")
     assert [each.name for each in found] == (["left_foot", "right_foot"] if slides else [])
     for each in found:
-        assert each.amount == pytest.approx(distance / 0.5)
+        assert each.amount == pytest.approx(distance)
+        assert "from 0.00 to 0.50 s" in each.text
+
+
+def test_a_foot_that_turns_on_its_heel_does_not_slide():
+    """A human at rest turns by 60° about the left heel, so that the right foot moves around it."""
+    heel, (cos, sin) = np.array([-0.055, 0.09]), (0.5, np.sqrt(0.75))
+    after = heel - np.array([[cos, -sin], [sin, cos]]) @ heel
+    rows = "".join(
+        f"[[keyframe]]\ntime = {t}\nroot = {{position = [{x}, {y}, 0.93], rotation = {{rotvec = [0, 0, {yaw}]}}}}\n"
+        'others = "rest"\n'
+        for t, (x, y), yaw in ((0, (0, 0), 0), (1, after, 60))
+    )
+    found = violations(recordings.from_text('figure = "human"\n' + rows, name="turn"), "slide")
+    assert [each.name for each in found] == ["right_foot"]
