@@ -16,7 +16,7 @@ import numpy as np
 from ... import quaternion as quat
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.algebra import dot, hamilton, vector_product
+from ...figure.algebra import cross, dot, hamilton, vector_product
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_turn
@@ -141,11 +141,15 @@ class JointRange(Penalty):
                 yield Block(at, over[joint, at], (Entries(at, 0, columns[joint], sign),), one_sided=True)
         if balls.size:
             _, angle, rate, axis = self._turned(samples)
-            over = angle - self._limits(samples.t, balls)[1]
-            joint, at = np.nonzero(over > -near * NEAR[JointKind.BALL])
-            direction, link = (rate * axis)[:, joint, at], self._links[joint]
-            changes = of_turn(at, link, direction), of_turn(at, samples.figure.tables.parents[link], -direction)
-            yield Block(at, over[joint, at], changes, one_sided=True)
+            most = self._limits(samples.t, balls)[1]
+            cuts = [(angle - most, rate * axis)]
+            if near and most.min() < NEAR[JointKind.BALL]:
+                cuts += _beside(angle, most, axis)
+            for over, axes in cuts:
+                joint, at = np.nonzero(over > -near * NEAR[JointKind.BALL])
+                direction, link = axes[:, joint, at], self._links[joint]
+                changes = of_turn(at, link, direction), of_turn(at, samples.figure.tables.parents[link], -direction)
+                yield Block(at, over[joint, at], changes, one_sided=True)
 
     @cached_property
     def _which(self) -> tuple[Index, Index]:
@@ -227,6 +231,20 @@ class JointRange(Penalty):
                 is_free = figure.links[joint.link].kind is JointKind.FREE
                 out[:, k] = joint.home if is_free else quat.product(out[:, k], np.array(joint.home))
         return out
+
+
+def _beside(angle: Array, most: Array, axis: Array) -> list[tuple[Array, Array]]:
+    """Return residuals (b, S) of rotations about other axes, and the axes (3, b, S): perpendicular and opposite.
+
+    A range that is smaller than a step of the search may be left in any direction, although the angle itself changes
+    only by rotations about the present axis. The rotation vector then has to stay between six planes.
+    """
+    first = np.where(np.abs(axis).sum(axis=0) > 0, axis, np.eye(3)[:, :1, None])
+    second = cross(first, np.eye(3)[np.abs(first).argmin(axis=0)].transpose(2, 0, 1))
+    second /= np.sqrt(dot(second, second))
+    third = cross(first, second)
+    sides = [(-most + 0 * angle, sign * side) for side in (second, third) for sign in (-1.0, 1.0)]
+    return [(-angle - most, -first), *sides]
 
 
 def joint_ranges(figure: Figure) -> tuple[Range, ...]:
