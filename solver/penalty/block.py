@@ -152,7 +152,9 @@ class Block:
             if self.of is None:
                 total[:, : rows.shape[1]] += rows
             else:
-                np.add.at(total[:, : rows.shape[1]], self.of, rows)
+                order = np.argsort(self.of, kind="stable")
+                first = np.flatnonzero(np.diff(self.of[order], prepend=-1))
+                total[self.of[order[first]], : rows.shape[1]] += np.add.reduceat(rows[order], first)
         return total
 
     def one_sided_residuals(self, samples: Samples) -> OneSidedResiduals:

@@ -18,6 +18,7 @@ from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface import Surface
 from ...surface.heights import clearance_gradients, clearances, heights
@@ -26,6 +27,7 @@ from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
+NEAR = 0.01  # [m] height that the body of an adult may gain in one step of the search
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 TINY = 1e-300  # [m] a residual that is zero
 FIRM = 10.0  # times as much a body is held down that nothing else holds to a height
@@ -100,13 +102,14 @@ class HoverPenalty(Penalty):
         share = np.exp((least[pair] - height[which, pair]) / blend[pair])
         total = np.bincount(pair, share, at.size)
         allowed = 0.0 if self.allowed is None else self.allowed.at(samples.t[at])
-        lowest = np.maximum(least - blend * np.log(total) - allowed, 0)
+        lowest = least - blend * np.log(total) - allowed
         value, slope = self._faded(lowest, firm)
-        high = np.flatnonzero(lowest[pair] > 0)
-        which, pair, share = which[high], pair[high], (share / total[pair] * slope[pair])[high]
+        near = lowest > -NEAR * Size.of(samples.figure).length
+        high, chosen = np.flatnonzero(near), np.flatnonzero(near[pair])
+        which, pair, share = which[chosen], pair[chosen], (share / total[pair] * slope[pair])[chosen]
         up = clearance_gradients(self.surfaces, origin[which, pair], centre[:, which, pair], radius[which])
         changes = of_point(at[pair], links[which], offset[:, which, pair], share * up)
-        yield Block(at, value, (changes,), of=pair)
+        yield Block(at[high], value[high], (changes,), one_sided=True, of=np.searchsorted(high, pair))
 
     def _blend(self, t: Array, firm: Mask) -> Array:
         """Return the smoothing lengths [m] at times t (S,) [s], some of them firm, (S,)."""
@@ -118,8 +121,8 @@ class HoverPenalty(Penalty):
     def _faded(self, lowest: Array, firm: Mask) -> tuple[Array, Array]:
         """Residuals (P,) [m] of heights (P,), some of them firm, and how fast they grow with these."""
         share = (lowest / self.reach) ** 2
-        value = self.reach * np.sqrt(-np.expm1(-share))
-        slope = np.where(value > 0, lowest * np.exp(-share) / np.maximum(value, TINY), 1.0)
+        value = np.where(lowest > 0, self.reach * np.sqrt(-np.expm1(-share)), lowest)
+        slope = np.where(lowest > 0, lowest * np.exp(-share) / np.maximum(value, TINY), 1.0)
         root = np.sqrt(FIRM)
         return np.where(firm, root * lowest, value), np.where(firm, root, slope)
 

@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index
+from ...array import Array, Index, Mask
 from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot, hamilton, vector_product
 from ...figure.figure import Figure, JointKind, quaternion_columns
@@ -26,6 +26,7 @@ from ..penalty import Normalization, Penalty, Role
 
 # [rad, m] distance to a bound that one step of the search may cover
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
+NEAR_HOME = np.radians(12)  # [rad] likewise, of rotations that a range keeps near one value
 ROUNDING = np.radians(0.5)  # [rad] ε
 TINY = 1e-300  # smallest divisor, against division by zero
 
@@ -142,14 +143,14 @@ class JointRange(Penalty):
         if balls.size:
             _, angle, rate, axis = self._turned(samples)
             most = self._limits(samples.t, balls)[1]
-            cuts = [(angle - most, rate * axis)]
-            if near and most.min() < NEAR[JointKind.BALL]:
-                cuts += _beside(angle, most, axis)
-            for over, axes in cuts:
-                joint, at = np.nonzero(over > -near * NEAR[JointKind.BALL])
-                direction, link = axes[:, joint, at], self._links[joint]
-                changes = of_turn(at, link, direction), of_turn(at, samples.figure.tables.parents[link], -direction)
-                yield Block(at, over[joint, at], changes, one_sided=True)
+            least = np.where(self._is_home, NEAR_HOME, NEAR[JointKind.BALL])[:, None]
+            over, axes = (angle - most)[None], (rate * axis)[:, None]
+            if near and np.any(most < self._is_home[:, None] * NEAR_HOME):
+                over, axes = _with_other_axes(over, axes, angle, most)
+            side, joint, at = np.nonzero(over > -near * least)
+            direction, link = axes[:, side, joint, at], self._links[joint]
+            changes = of_turn(at, link, direction), of_turn(at, samples.figure.tables.parents[link], -direction)
+            yield Block(at, over[side, joint, at], changes, one_sided=True)
 
     @cached_property
     def _which(self) -> tuple[Index, Index]:
@@ -207,7 +208,7 @@ class JointRange(Penalty):
         second by the first; and the axes in the world (3, b, S)."""
         links, tables, children = samples.links, samples.figure.tables, self._links
         base = links.Q[:, tables.parents[children]]
-        if tables.has_turns or self._has_homes:
+        if tables.has_turns or self._is_home.any():
             base = hamilton(base, self._rest(samples.figure)[:, :, None])
         child = links.Q[:, children]
         along = np.einsum("jcns,cns->jns", vector_product(base), child)
@@ -219,8 +220,9 @@ class JointRange(Penalty):
         return angle, np.pi - rounded, angle_ / rounded, axis
 
     @cached_property
-    def _has_homes(self) -> bool:
-        return any(joint.home is not None for joint in self.joints)
+    def _is_home(self) -> Mask:
+        """Which of the ball joints have a `home`, (b,)."""
+        return np.array([self.joints[i].home is not None for i in self._which[1]], bool)
 
     def _rest(self, figure: Figure) -> Array:
         """Return the rotations in the parent from which the ball joints' angles are measured, (4, b)."""
@@ -233,18 +235,28 @@ class JointRange(Penalty):
         return out
 
 
-def _beside(angle: Array, most: Array, axis: Array) -> list[tuple[Array, Array]]:
-    """Return residuals (b, S) of rotations about other axes, and the axes (3, b, S): perpendicular and opposite.
+def _with_other_axes(over: Array, axes: Array, angle: Array, most: Array) -> tuple[Array, Array]:
+    """Add residuals of rotations about other axes: opposite and perpendicular to those of the present rotations.
 
     A range that is smaller than a step of the search may be left in any direction, although the angle itself changes
-    only by rotations about the present axis. The rotation vector then has to stay between six planes.
+    only by rotations about the present axis. The rotation vector has to stay between six planes instead.
+
+    Args:
+        over: The residuals, (1, b, S).
+        axes: Their axes, (3, 1, b, S).
+        angle: The angles of the joints, (b, S) [rad].
+        most: Their upper bounds, (b, S) or (b, 1) [rad].
+
+    Returns:
+        Residuals (6, b, S) and axes (3, 6, b, S).
     """
-    first = np.where(np.abs(axis).sum(axis=0) > 0, axis, np.eye(3)[:, :1, None])
+    first = np.where(np.abs(axes[:, 0]).sum(axis=0) > 0, axes[:, 0], np.eye(3)[:, :1, None])
     second = cross(first, np.eye(3)[np.abs(first).argmin(axis=0)].transpose(2, 0, 1))
     second /= np.sqrt(dot(second, second))
     third = cross(first, second)
-    sides = [(-most + 0 * angle, sign * side) for side in (second, third) for sign in (-1.0, 1.0)]
-    return [(-angle - most, -first), *sides]
+    beside = np.broadcast_to(-most, angle.shape)
+    all_axes = np.stack([axes[:, 0], -first, second, -second, third, -third], axis=1)
+    return np.stack([over[0], -angle - most, *[beside] * 4]), all_axes
 
 
 def joint_ranges(figure: Figure) -> tuple[Range, ...]:
