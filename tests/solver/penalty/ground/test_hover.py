@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from curvature_of import sides_of
 from figures import BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
@@ -96,6 +97,17 @@ def test_where_it_is_firm_it_is_ten_times_the_square_of_the_height(figure, rng):
 
 
 FOOT = Point("foot", 1, np.zeros(3), 0.1)
+
+
+@pytest.mark.parametrize("height", [-0.005, 0.0, 0.01])
+def test_in_the_model_a_body_on_the_ground_rises(height):
+    """A ball at a height [m] rises by 2 cm. The model is linear in the height, the cost fades with it."""
+    grounded = HoverPenalty((FOOT,), (FLOOR,), ((0.0, 1.0),))
+    y = np.array([[0, 0, 0.1 + height + rise, 1, 0, 0, 0] for rise in (0.0, 0.02)])
+    start, end = (at_times(Samples(figure_of(BALL), row, 0 * row, 0 * row), np.array([0.5])) for row in y[:, None])
+    sides = sides_of(grounded, start)
+    predicted = np.sum(np.maximum(sides.value + sides.rows @ (y[1] - y[0]), 0) ** 2)
+    assert predicted == pytest.approx(grounded.evaluate(end)[0], rel=0.3)
 
 
 def grounded(

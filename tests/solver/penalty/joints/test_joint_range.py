@@ -18,10 +18,10 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import CovariantAcceleration, JointRange, UnitMagnitude, joint_ranges
+from dynsplines.solver.penalty import CovariantAcceleration, JointRange, Range, UnitMagnitude, joint_ranges
 from dynsplines.solver.problem import Problem, Settings
 
 LIMITS = {"shoulder": 60, "elbow": 100, "hip": 20, "wrist": 50, "swing": 30}
@@ -94,6 +94,22 @@ def test_the_model_includes_joints_within_their_range_by_at_most_four_degrees_or
     sides = sides_of(JointRange(joint_ranges(figure)), Samples.still(figure, y))
     assert sides.at.tolist() == [1, 2, 3]
     np.testing.assert_allclose(sides.value, over[1:], atol=2e-5)  # that of balls is rounded
+
+
+@pytest.mark.parametrize("off", [0.0, 0.5])
+def test_in_the_model_a_joint_leaves_a_small_range_in_any_direction(off, rng):
+    """A ball joint is `off` [degrees] its value, within a range of 1°; a step turns it by 6° about another axis."""
+    figure = figure_of(ONE.format(180))
+    link = next(i for i, link in enumerate(figure.links) if link.name == "j")
+    penalty = JointRange((Range("j", link, JointKind.BALL, 0, np.radians(1), home=(1.0, 0, 0, 0)),))
+    axes = rng.normal(size=(20, 3))
+    axes /= np.linalg.norm(axes, axis=1, keepdims=True)
+    start = turned_by(figure, [np.radians(off)], np.array([0.6, 0.8, 0]))
+    sides = sides_of(penalty, start)
+    for axis in axes:
+        end = turned_by(figure, [np.radians(6)], axis)
+        predicted = np.sum(np.maximum(sides.value + sides.rows @ (end.y - start.y)[0], 0) ** 2)
+        assert 0.6 < predicted / penalty.evaluate(end)[0] < 1.1
 
 
 ONE = """<mujoco><worldbody><body><joint name="j" type="ball" limited="true" range="0 {}"/><geom size=".1"/></body>
