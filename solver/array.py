@@ -1,4 +1,4 @@
-"""Array types of the solver, read-only copies, runs of masks, and segments between times."""
+"""Array types of the solver, read-only copies, runs of masks, segments between times, and sums of rows."""
 
 from __future__ import annotations
 
@@ -36,3 +36,12 @@ def segments_at(times: Array, t: Array) -> Index:
     A time before or after all segments belongs to the first or last one.
     """
     return np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
+
+
+def add_rows_at(into: Array, at: Index, rows: Array) -> None:
+    """Add rows (P, ...) to the rows `at` (P,) of `into`. Rows of one index are summed, as by the slower np.add.at."""
+    if np.any(at[1:] < at[:-1]):
+        order = np.argsort(at, kind="stable")
+        at, rows = at[order], rows[order]
+    first = np.flatnonzero(np.diff(at, prepend=-1))
+    into[at[first]] += np.add.reduceat(rows, first)

@@ -14,7 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import Array, Index, add_rows_at
 from ..figure.adjoint import OF_THE_STATE, Cotangent
 from ..figure.kinematics import Samples
 from ..figure.wrenches import Wrenches
@@ -152,9 +152,7 @@ class Block:
             if self.of is None:
                 total[:, : rows.shape[1]] += rows
             else:
-                order = np.argsort(self.of, kind="stable")
-                first = np.flatnonzero(np.diff(self.of[order], prepend=-1))
-                total[self.of[order[first]], : rows.shape[1]] += np.add.reduceat(rows[order], first)
+                add_rows_at(total[:, : rows.shape[1]], self.of, rows)
         return total
 
     def one_sided_residuals(self, samples: Samples) -> OneSidedResiduals:

@@ -14,7 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import Array, Index, add_rows_at
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 from .one_sided import OneSidedResiduals
@@ -154,7 +154,7 @@ class Curvature:
         out = np.zeros((self.samples.count, self.width))
         for at, root, rows, orders in self._rows:
             if 2 in orders:
-                np.add.at(out, at, (root[:, None] * rows[:, orders.index(2)]) ** 2)
+                add_rows_at(out, at, (root[:, None] * rows[:, orders.index(2)]) ** 2)
         for columns, blocks in self._blocks:
             out[:, columns] += np.einsum("snkk->snk", blocks[:, :, 2, :, 2])
         return out if self._diagonals[2] is None else out + self._diagonals[2]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import Array, Index, add_rows_at
 
 ENTRIES_AT_ONCE = 500_000  # [1] largest number of array entries that are copied at once, 4 MB
 FAINT = 1e-13  # [1] share of a matrix's trace added to its diagonal, so that its Cholesky factor exists
@@ -71,12 +71,7 @@ class Rows:
                 total[:, k] = np.bincount(self.of[nonzero], forces[nonzero] * share, len(self.basis))
             felt = np.unique(self.of[nonzero])
             rows = np.einsum("rk,rkn->rn", total[felt], self.basis[felt])
-        at = self.at[felt]
-        if np.any(at[1:] < at[:-1]):
-            order = np.argsort(at, kind="stable")
-            at, rows = at[order], rows[order]
-        first = np.flatnonzero(np.diff(at, prepend=-1))
-        into[at[first]] += np.add.reduceat(rows, first)
+        add_rows_at(into, self.at[felt], rows)
 
     def squared(self, indices: Index, factor: Array) -> tuple[Index, Array]:
         """Return samples (A,) and rows (A, N) with Σ rowᵀrow at every sample of some rows, each with a factor."""
