@@ -145,7 +145,7 @@ class JointRange(Penalty):
             most = self._limits(samples.t, balls)[1]
             least = np.where(self._is_home, NEAR_HOME, NEAR[JointKind.BALL])[:, None]
             over, axes = (angle - most)[None], (rate * axis)[:, None]
-            if near and np.any(most < self._is_home[:, None] * NEAR_HOME):
+            if near and np.any(most < least):
                 over, axes = _with_other_axes(over, axes, angle, most)
             side, joint, at = np.nonzero(over > -near * least)
             direction, link = axes[:, side, joint, at], self._links[joint]
