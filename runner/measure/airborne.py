@@ -1,4 +1,4 @@
-"""Figures that stay above the ground although they neither fall nor touch anything, and feet that slide on it."""
+"""Figures that float above the ground without falling, and feet that slide or drag on it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from dynsplines.solver.array import Array, Index, runs
+from dynsplines.solver.array import Array, Index, Mask, runs
 from dynsplines.solver.contacts.footing import within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
@@ -16,9 +16,10 @@ from dynsplines.solver.figure.wrench import RootWrench, weight
 from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import arrays_of, body_points, places_of
 
+from ..clip.posing.feet import rounded
 from ..clip.posing.pose_report import standing_trees
 from ..motion import samples_at
-from .bounds import BOUNDS
+from .bounds import BOUNDS, Bound
 from .checks import Row, row_of
 from .measurement import Measurement, feet_of
 
@@ -81,34 +82,59 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
 
 
 def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
-    """Yield intervals in which all points of a foot's sole move along the ground.
+    """Yield intervals in which all points of a foot's sole move along the ground, or one of them drags on it.
 
-    The sole is on the ground, or it moves fast near the ground for longer than a landing takes. Intervals in which a
-    point of the foot must not move have checks of their own.
+    A sole is on the ground, or it moves fast near the ground for longer than a landing takes. The farthest drag of each
+    foot is reported. Intervals in which a point must not move have checks of their own.
     """
     context, figure = motion.clip.context, motion.clip.figure
     if not context.points:
         return
-    limits = Thresholds.of(figure)
-    links, positions, _ = arrays_of(context.points)
+    limits, points = Thresholds.of(figure), tuple(rounded(figure, point) for point in context.points)
+    links, positions, _ = arrays_of(points)
     speeds = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
-    centres, radii = places_of(context.points, samples)
+    centres, radii = places_of(points, samples)
     height, _ = heights(context.surfaces, centres, radii)
-    foot_of = feet_of(figure, context.points)
-    feet, resting = foot_of[links], [target.stance for target, _ in motion.contact_targets]
+    stances = [(rounded(figure, target.stance.point), target.stance) for target, _ in motion.contact_targets]
+    rests = np.array(
+        [
+            within(tuple((one.first, one.last) for at, one in stances if at.coincides(point)), samples.t)
+            for point in points
+        ]
+    )
+    feet, drags = feet_of(figure, points)[links], (height < limits.brushes) & ~rests
     for foot in np.unique(feet):
-        top, speed = height[feet == foot].max(axis=0), speeds[feet == foot].min(axis=0)
-        rests = tuple((stance.first, stance.last) for stance in resting if foot_of[stance.point.link] == foot)
+        sole = np.flatnonzero(feet == foot)
+        top, speed = height[sole].max(axis=0), speeds[sole].min(axis=0)
         slides = top < limits.swings
         for start, end in runs((top < limits.touching) & (speed > limits.dragged)):
             slides[start:end] |= np.ptp(samples.t[start:end]) >= limits.step
-        for start, end in runs(slides & ~within(rests, samples.t)):
-            places = centres[:2, feet == foot, start:end]
-            distance = float(np.linalg.norm(places - places[..., :1], axis=0).min(axis=0).max())
-            if distance > BOUNDS["slide"].most:
-                name, fastest = figure.body_name(int(foot)), start + speed[start:end].argmax()
-                text = f"{name} slides {{}} along the ground from {samples.t[start]:.2f} to {samples.t[end - 1]:.2f} s,"
-                yield row_of("slide", name, f"{text} fastest"), distance, float(samples.t[fastest]), None
+        for start, end, distance in _moves(centres[:2, sole], slides & ~rests[sole].any(axis=0), BOUNDS["slide"]):
+            drags[sole, start:end] = False
+            yield _move(
+                "slide", "slides", figure.body_name(int(foot)), samples.t[start:end], speed[start:end], distance
+            )
+        moves = [(k, *move) for k in sole for move in _moves(centres[:2, [k]], drags[k], BOUNDS["drag"])]
+        for k, start, end, distance in sorted(moves, key=lambda move: -move[-1])[:1]:
+            yield _move("drag", "drags", points[k].name, samples.t[start:end], speeds[k, start:end], distance)
+
+
+def _moves(places: Array, during: Mask, bound: Bound) -> Iterator[tuple[int, int, float]]:
+    """Yield the first and last sample of intervals in which all points move farther than a bound, and how far [m].
+
+    places  (2, P, S) [m] horizontal positions of the points;  during  (S,) whether a sample is in an interval
+    """
+    for start, end in runs(during):
+        run = places[..., start:end]
+        distance = float(np.linalg.norm(run - run[..., :1], axis=0).min(axis=0).max())
+        if distance > bound.most:
+            yield start, end, distance
+
+
+def _move(kind: str, verb: str, name: str, t: Array, speed: Array, distance: float) -> Excess:
+    """Return the violation of a foot or point that moves along the ground at times t (S,) [s]; speed (S,) [m/s]."""
+    text = f"{name} {verb} {{}} along the ground from {t[0]:.2f} to {t[-1]:.2f} s, fastest"
+    return row_of(kind, name, text), distance, float(t[speed.argmax()]), None
 
 
 def _velocities(samples: Samples, links: Index, positions: Array) -> Array:

@@ -33,6 +33,7 @@ BOUNDS = {
         Bound("aloft", 0.02, "m", "a home pose of a robot may be some millimetres above the floor"),
         Bound("float", 0.05, "m", "as much as feet in captured walks are above the ground between steps"),
         Bound("slide", 0.05, "m", "more than a sole moves while it lands in a run"),
+        Bound("drag", 0.1, "m", "heels and toes of captured feet scuff up to 7 cm"),
         Bound("stance", 0.02, "m", "stances inferred from keyframes are less certain than a clip's contacts"),
         Bound("placement", 0.01, "m", "a visible miss"),
         Bound("backward", 3.0, "degrees", "a straight knee or elbow is never quite straight"),

@@ -109,6 +109,7 @@ class Thresholds:
     # Reports
     rests: float = _metres(0.01)  # distance from a surface up to which a moving point skates
     swings: float = _metres(0.01)  # height of a foot that is off the ground
+    brushes: float = _metres(0.005)  # height of a heel or toe that drags
     dragged: float = _of(0.5, 1, -1)  # speed of a foot that does not swing although it is above the ground
     brief_swing: float = _seconds(0.05)  # a shorter swing is a bounce
     push_off: float = _seconds(0.32)  # longest time between contact and free fall, before and after a jump together

@@ -1,4 +1,4 @@
-"""Figures that stay above the ground without falling, and feet that slide, are violations."""
+"""Figures that stay above the ground without falling, and feet that slide or drag, are violations."""
 
 from __future__ import annotations
 
@@ -160,6 +160,26 @@ def test_a_foot_that_moves_flat_along_the_ground_slides(distance, height, slides
     for each in found:
         assert each.amount == pytest.approx(distance)
         assert "from 0.00 to 0.50 s" in each.text
+
+
+@pytest.mark.parametrize(
+    ("distance", "height", "drags"), [(0.5, 0.0, True), (0.12, 0.0, True), (0.09, 0.0, False), (0.5, 0.01, False)]
+)
+def test_toes_that_move_along_the_ground_drag(distance, height, drags):
+    """A human on tiptoe is moved so far [m] within 0.5 s; the spheres of the toes are so high [m] above the floor."""
+    ankle, toe = np.radians(40), np.array([0.17, -0.061])
+    lower = toe @ [np.sin(ankle), -np.cos(ankle)] - 0.061
+    pose = "".join(f"joints.{side}_ankle = {{rotvec = [0, 40, 0]}}\n" for side in ("left", "right"))
+    text = "".join(
+        f"[[keyframe]]\ntime = {t}\nroot = {{position = [{x}, 0, {0.93 + lower + height}]}}\n{pose}others = 'rest'\n"
+        for t, x in ((0.0, 0.0), (0.5, distance))
+    )
+    clip = recordings.from_text('figure = "human"\n' + text, name="drag")
+    found = violations(clip, "drag")
+    assert [each.name for each in found] == (["left_toe", "right_toe"] if drags else [])
+    assert not violations(clip, "slide")
+    for each in found:
+        assert each.amount == pytest.approx(distance)
 
 
 def test_a_foot_that_turns_on_its_heel_does_not_slide():
