@@ -41,6 +41,7 @@ SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of 
 MOST_FRAMES = 12  # default limit of variable frames, on average per segment between keyframes
 OF_CONTACTS, OF_LIMBS = frozenset({Role.CONTACT, Role.PHYSICS}), frozenset({Role.LIMIT})
 CLEARLY = 0.5  # [1] share of the first E, below which a path is better than the raw one at any accuracy of quadrature
+MOST_REFINEMENTS = 3  # [1] how often a search continues after it ended, with more samples
 ALIKE = 1.1  # [1] ratio of the E of two searches, up to which their minima count as the same
 
 
@@ -136,12 +137,13 @@ class _Loop:
         outside_terms: The contribution of segments outside the searched part to the terms of E, (terms,).
         embed: Inserts the searched part into the whole clip.
         last: The terms of E at the last evaluation, by name.
+        least: The least E since samples were added, if they were.
     """
 
     def __init__(self, objective: Objective, settings: Settings, improved: Callable | None) -> None:
         self.objective, self.settings, self.improved = objective, settings, improved
         self.trace: list[tuple[int, int, float, dict[str, float]]] = []
-        self.evaluations, self.round = 0, 0
+        self.evaluations, self.round, self.least = 0, 0, np.inf
         self.best: Callable[[], Timeline] | None = None
         self.stop = Stop.CONVERGED
         self.optimiser = self.new_optimiser()
@@ -268,20 +270,28 @@ class _Loop:
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[_End]:
         """Return the results of rounds, until no segment needs a frame or the budget of frames is spent. A round that
-        another may follow ends early, once its next step is predicted to gain little compared with new frames."""
+        another may follow ends early, once its next step is predicted to gain little compared with new frames. After
+        every round, E gets more samples where they miss violations."""
         ends: list[_End] = []
-        tolerance = self.settings.tolerance
+        tolerance, refinements = self.settings.tolerance, 0
         budget = MOST_FRAMES * segments if budget is None else budget
         rough = max(ROUGH, tolerance)
         while True:
             is_last = timeline.variable_count >= budget
             timeline = self.descend(timeline, tolerance if is_last else rough)
             ends.append(_End(timeline, self.stop))
-            if self.stop is Stop.INTERRUPTED or is_last:
+            if self.stop is Stop.INTERRUPTED:
                 return ends
-            chosen, promise = self.chosen(timeline, budget - timeline.variable_count)
-            if not chosen.size and rough <= tolerance:
-                return ends
+            finer = self.objective
+            if self.stop is Stop.CONVERGED and refinements < MOST_REFINEMENTS:
+                finer = self.objective.finer(path_of(timeline), sum(self.last.values()))
+            chosen, promise = (np.zeros(0), 0.0) if is_last else self.chosen(timeline, budget - timeline.variable_count)
+            if not chosen.size and (is_last or rough <= tolerance):
+                if finer is self.objective:
+                    return ends
+                refinements += 1
+            if finer is not self.objective:
+                self.objective, self.least = finer, np.inf
             rough = float(np.clip(SHARE_OF_PROMISE * promise, tolerance, rough)) if chosen.size else tolerance
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size)
@@ -322,8 +332,9 @@ class _Loop:
             self.evaluations, self.last = before + count, evaluation.parts
             value = elsewhere + evaluation.value
             # a new round sums E over other samples, so its first values may exceed those of the last round
-            if self.trace and value >= self.trace[-1][2]:
+            if value >= self.least:
                 return
+            self.least = value
             self.best = partial(_built, self.embed, timeline, descent, x)
             parts = dict(evaluation.parts)
             for term, more in zip(self.objective.terms, self.outside_terms, strict=True):

@@ -21,7 +21,7 @@ from .figure.adjoint import Cotangent
 from .figure.figure import Figure
 from .figure.kinematics import Samples
 from .figure.size import Size
-from .penalty import Block, Dense, Penalty
+from .penalty import Block, Dense, Penalty, Role
 from .penalty.block import summed
 from .penalty.penalty import instants_of
 
@@ -31,6 +31,8 @@ SMALL_SHARE = 0.01  # [1] share of the clip's length in the smallest divisor of 
 # [1] see `_typical`: percentile of segment means, cap in multiples of that percentile, smallest share of an integral
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
 HEAVY = 10.0  # [1] multiple of the raw spline's cost; above this multiple, gross violations dominate E
+# [1] relative to E: violations that samples may miss in all panels together; in one panel, if all miss more than that
+HIDDEN, SMALL_PEAK = 0.05, 0.005
 NODES = 4  # [1] number of quadrature nodes per span in `segment_integrals`
 RUN = 400  # [1] smallest number of samples in a run
 RUN_ENTRIES = 8000  # [1] samples times columns of a run, small enough for its arrays to fit in the processor's cache
@@ -233,6 +235,36 @@ class Objective:
     def value(self, path: Path, times: Array | None = None) -> float:
         """Return E of a path, integrated over the spans between `times` [s]; None: between its knots."""
         return float(sum(term.factor * v for term, v in zip(self.terms, self.integrals(path, times), strict=True)))
+
+    def finer(self, path: Path, value: float) -> Objective:
+        """Return E with more samples where they miss violations of a path, or this one if they miss few.
+
+        A search tends to move a short violation, such as a toe in the edge of a step, between two samples. Panels that
+        miss one are therefore cut into quarters.
+
+        Args:
+            value: E of the path. All samples together may miss HIDDEN of it.
+        """
+        terms = tuple(term for term in self.terms if term.penalty.role is Role.OBSTACLE)
+        if self.quadrature.kind != "gauss" or not terms:
+            return self
+        obstacles, edges = replace(self, terms=terms), self.quadrature.panels(path.spline.times)
+        length = np.diff(edges)
+
+        def integrals(edges: Array) -> Array:
+            t, w = gauss_nodes(edges, self.quadrature.points)
+            return np.asarray((w * obstacles.density(self.samples(path, t))).reshape(length.size, -1).sum(axis=1))
+
+        fine = integrals(np.sort(np.append(edges, edges[:-1] + length / 2)))
+        if fine.sum() <= HIDDEN * value:
+            return self
+        missed = np.maximum(fine - integrals(edges), 0)
+        if missed.sum() <= HIDDEN * value:
+            return self
+        cut = np.flatnonzero(missed > SMALL_PEAK * value)
+        cuts = edges[cut, None] + length[cut, None] * [0.25, 0.5, 0.75]
+        quadrature = replace(self.quadrature, cuts=(*self.quadrature.cuts, *cuts.ravel().tolist()))
+        return replace(self, quadrature=quadrature)
 
     def density(self, samples: Samples) -> Array:
         """Return the integrand Σ_j factor_j f_j at every sample, (S,)."""

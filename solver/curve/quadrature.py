@@ -16,6 +16,7 @@ from ..array import Array
 
 LEAST_PER_SPAN = 4  # minimum number of uniform samples in the shortest span between frames
 MOST_SAMPLES = 100_000  # maximum number of uniform samples, a limit of memory
+CLOSEST = 1e-3  # [s] distance of a cut from the edges of panels up to which it is ignored
 ROUNDING = 1e-9  # [1] rounding tolerance of spans whose length is a whole number of panels or cells
 
 
@@ -27,11 +28,13 @@ class Quadrature:
         kind: "gauss" or "uniform".
         points: gauss: points per panel; uniform: samples in the whole clip, at least 4 in the shortest knot span.
         longest: gauss: spans longer than this [s] are cut into equal panels.
+        cuts: gauss: times [s] at which panels are cut again, where the integrand has narrow peaks.
     """
 
     kind: str = "gauss"
     points: int = 5
     longest: float = np.inf
+    cuts: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         if self.kind not in ("gauss", "uniform"):
@@ -54,12 +57,17 @@ class Quadrature:
         return gauss_nodes(self.panels(times), self.points)
 
     def panels(self, times: Array) -> Array:
-        """Return the edges [s] of the panels: the knots, and equal cuts of spans that are too long."""
-        cuts = np.maximum(np.ceil(np.diff(times) / self.longest - ROUNDING), 1).astype(int)
-        if np.all(cuts == 1):
-            return np.asarray(times, float)
-        number = np.arange(cuts.sum()) - np.repeat(np.cumsum(cuts) - cuts, cuts)
-        return np.append(np.repeat(times[:-1], cuts) + number * np.repeat(np.diff(times) / cuts, cuts), times[-1])
+        """Return the edges [s] of the panels: the knots, equal cuts of spans that are too long, and `cuts`."""
+        counts = np.maximum(np.ceil(np.diff(times) / self.longest - ROUNDING), 1).astype(int)
+        edges = np.asarray(times, float)
+        if np.any(counts > 1):
+            number = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+            inner = np.repeat(times[:-1], counts) + number * np.repeat(np.diff(times) / counts, counts)
+            edges = np.append(inner, times[-1])
+        if not self.cuts:
+            return edges
+        cuts = np.array(self.cuts)
+        return np.union1d(edges, cuts[np.abs(cuts[:, None] - edges).min(axis=1) > CLOSEST])
 
 
 def gauss_nodes(edges: Array, points: int) -> tuple[Array, Array]:

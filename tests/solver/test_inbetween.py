@@ -16,13 +16,13 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.inbetween import _Loop, continue_from, inbetween
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.search.refinement import METHODS
 from dynsplines.solver.solution import Improvement, Solution
-from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point
 
 BRIEF = Settings(variable=1, max_evaluations=40)
@@ -355,3 +355,23 @@ def test_a_search_begins_on_the_path_that_a_guide_knows_if_it_is_better(settings
     assert budget == settings.get("frames")
     raw = path_of(problem.raw)
     np.testing.assert_allclose(begin.states, raw.at(begin.times), atol=1e-12)
+
+
+TWO_SLIDES = """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>
+<geom size=".02"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_fast_point_does_not_pass_through_a_thin_wall_between_two_samples(seed):
+    """A ball moves to and fro by 1 m within 0.3 to 0.7 s, across walls of 4 to 20 mm that are 2 to 10 cm too high."""
+    rng, figure, radius = np.random.default_rng(seed), figure_of(TWO_SLIDES), 0.02
+    seconds, x, top, half = rng.uniform((0.15, 0.3, 0.02, 0.002), (0.35, 0.7, 0.1, 0.01))
+    keys = [Frame.key(t, np.array([far, 0.0])) for t, far in ((0.0, 0.0), (seconds, 1.0), (2 * seconds, 0.0))]
+    wall = Box("wall", np.array([x, top - 1, 0]), np.eye(3), np.array([half, 1.0, 1.0]))
+    ball = Point("ball", len(figure.links) - 1, np.zeros(3), radius)
+    settings = Settings(quadrature=Quadrature(points=3, longest=0.05))
+    motion = inbetween(Problem(figure, keys, [(RootAcceleration(), 1.0), (Contact((ball,), (wall,)), 100.0)], settings))
+    away = np.abs(motion.path.at(np.linspace(0, 2 * seconds, 4000)) - [x, 0]) - [half, top]
+    assert np.linalg.norm(np.maximum(away, 0), axis=1).min() > radius - 0.001
+    samples = motion.objective.nodes(motion.timeline.times)[0].size
+    assert samples < 10 * Quadrature(points=3, longest=0.05).nodes(motion.timeline.times)[0].size

@@ -39,7 +39,7 @@ from dynsplines.solver.penalty import (
     RootAcceleration,
 )
 from dynsplines.solver.penalty.penalty import Momentary
-from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point
 
 ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
@@ -327,3 +327,27 @@ def test_shares_of_segments_are_exact_and_an_instant_between_two_belongs_to_the_
     np.testing.assert_allclose(shares[:, 0], 2 * np.array([1.25, 1.5, 2.1, 3.0]), rtol=1e-13)
     whole = segment_integrals(objective, path, np.array([0.0, 0.7, 1.1, 2.0])).sum(axis=0)
     np.testing.assert_allclose(whole, [2 * (1 + 1.25 + 1.5 + 2.1 + 3), 3 * 2.0**6 / 6], rtol=1e-12)
+
+
+def test_samples_are_added_only_where_they_miss_a_violation():
+    """A ball passes a wall between two samples, and rests in another one for a long time, which no sample misses."""
+    slide = '<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".02"/></body></worldbody></mujoco>'
+    figure = figure_of(slide)
+    times = np.array([0.0, 1.0, 2.0, 3.0])
+    keys = [Frame.key(t, np.array([x])) for t, x in zip(times, (0.0, 1.0, 1.0, 1.0), strict=True)]
+    path = path_of(raw_timeline(figure, keys))
+    ball = Point("ball", len(figure.links) - 1, np.zeros(3), 0.02)
+    quadrature = Quadrature(points=3, longest=0.2)
+
+    def objective(x: float, half: float) -> Objective:
+        wall = Box("wall", np.array([x, 0, 0]), np.eye(3), np.array([half, 1.0, 1.0]))
+        return Objective.of(figure, [(Contact((ball,), (wall,)), 1.0)], quadrature=quadrature)
+
+    thin, thick = objective(0.5, 0.001), objective(1.1, 0.1)
+    finer = thin.finer(path, thin.value(path))
+    exact = thin.value(path, np.linspace(0, 3, 3001))
+    assert thin.value(path) < 0.5 * exact
+    assert abs(finer.value(path) - exact) < 0.3 * exact
+    assert all(0 < cut < 1 for cut in finer.quadrature.cuts)
+    assert thick.value(path) > 0 and thick.finer(path, thick.value(path)) is thick
+    assert thin.finer(path, 1e6) is thin  # little compared with E

@@ -28,6 +28,14 @@ def test_gausss_points_integrate_polynomials_of_twice_their_number_less_one_in_e
     np.testing.assert_array_equal(gauss_nodes(TIMES, points)[0], t)
 
 
+def test_cuts_divide_panels_unless_they_are_at_their_edges():
+    quadrature = Quadrature(points=2, longest=0.5, cuts=(3.25, 1.1, 2.5003, 2.0))
+    np.testing.assert_allclose(quadrature.panels(TIMES), [1, 1.1, 1.25, 1.625, 2, 2.5, 3, 3.25, 3.5, 4])
+    t, w = quadrature.nodes(TIMES)
+    f = Polynomial([1, -2, 0.5, 3])
+    assert w @ f(t) == pytest.approx(f.integ()(4) - f.integ()(1), rel=1e-12)
+
+
 def test_even_samples_lie_in_the_middles_of_equal_cells():
     t, w = Quadrature("uniform", 60).nodes(TIMES)
     np.testing.assert_allclose(t, 1.025 + 0.05 * np.arange(60), rtol=1e-12)
