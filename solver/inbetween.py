@@ -284,7 +284,7 @@ class _Loop:
                 return ends
             finer = self.objective
             if self.stop is Stop.CONVERGED and refinements < MOST_REFINEMENTS:
-                finer = self.objective.finer(path_of(timeline), sum(self.last.values()))
+                finer = self.objective.finer(path_of(timeline))
             chosen, promise = (np.zeros(0), 0.0) if is_last else self.chosen(timeline, budget - timeline.variable_count)
             if not chosen.size and (is_last or rough <= tolerance):
                 if finer is self.objective:

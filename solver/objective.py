@@ -31,8 +31,7 @@ SMALL_SHARE = 0.01  # [1] share of the clip's length in the smallest divisor of 
 # [1] see `_typical`: percentile of segment means, cap in multiples of that percentile, smallest share of an integral
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
 HEAVY = 10.0  # [1] multiple of the raw spline's cost; above this multiple, gross violations dominate E
-# [1] relative to E: violations that samples may miss in all panels together; in one panel, if all miss more than that
-HIDDEN, SMALL_PEAK = 0.05, 0.005
+HIDDEN = 0.003  # [m] depth between samples that is ignored, of an adult
 NODES = 4  # [1] number of quadrature nodes per span in `segment_integrals`
 RUN = 400  # [1] smallest number of samples in a run
 RUN_ENTRIES = 8000  # [1] samples times columns of a run, small enough for its arrays to fit in the processor's cache
@@ -236,35 +235,32 @@ class Objective:
         """Return E of a path, integrated over the spans between `times` [s]; None: between its knots."""
         return float(sum(term.factor * v for term, v in zip(self.terms, self.integrals(path, times), strict=True)))
 
-    def finer(self, path: Path, value: float) -> Objective:
-        """Return E with more samples where they miss violations of a path, or this one if they miss few.
+    def finer(self, path: Path) -> Objective:
+        """Return E with more samples where they miss a collision of a path, or this one if they miss none.
 
-        A search tends to move a short violation, such as a toe in the edge of a step, between two samples. Panels that
-        miss one are therefore cut into quarters.
-
-        Args:
-            value: E of the path. All samples together may miss HIDDEN of it.
+        A search tends to move a short collision, such as that of a toe and the edge of a step, between two samples.
+        Panels in which the samples see less than half of a depth above HIDDEN are therefore cut into quarters.
         """
-        terms = tuple(term for term in self.terms if term.penalty.role is Role.OBSTACLE)
-        if self.quadrature.kind != "gauss" or not terms:
+        obstacles = [term.penalty for term in self.terms if term.penalty.role is Role.OBSTACLE]
+        if self.quadrature.kind != "gauss" or not obstacles:
             return self
-        obstacles, edges = replace(self, terms=terms), self.quadrature.panels(path.spline.times)
+        edges = self.quadrature.panels(path.spline.times)
         length = np.diff(edges)
 
-        def integrals(edges: Array) -> Array:
-            t, w = gauss_nodes(edges, self.quadrature.points)
-            return np.asarray((w * obstacles.density(self.samples(path, t))).reshape(length.size, -1).sum(axis=1))
+        def depths(edges: Array) -> Array:
+            t, _ = gauss_nodes(edges, self.quadrature.points)
+            parts = self.samples(path, t).parts(run_of(self.figure))
+            squares = np.concatenate([sum(penalty.evaluate(part) for penalty in obstacles) for part in parts])
+            return np.sqrt(squares.reshape(length.size, -1).max(axis=1))
 
-        fine = integrals(np.sort(np.append(edges, edges[:-1] + length / 2)))
-        if fine.sum() <= HIDDEN * value:
+        depth = depths(np.sort(np.append(edges, edges[:-1] + length / 2)))
+        deep = depth > HIDDEN * Size.of(self.figure).length
+        if not deep.any():
             return self
-        missed = np.maximum(fine - integrals(edges), 0)
-        if missed.sum() <= HIDDEN * value:
-            return self
-        cut = np.flatnonzero(missed > SMALL_PEAK * value)
-        cuts = edges[cut, None] + length[cut, None] * [0.25, 0.5, 0.75]
+        missed = np.flatnonzero(deep & (depth > 2 * depths(edges)))
+        cuts = edges[missed, None] + length[missed, None] * [0.25, 0.5, 0.75]
         quadrature = replace(self.quadrature, cuts=(*self.quadrature.cuts, *cuts.ravel().tolist()))
-        return replace(self, quadrature=quadrature)
+        return replace(self, quadrature=quadrature) if missed.size else self
 
     def density(self, samples: Samples) -> Array:
         """Return the integrand Σ_j factor_j f_j at every sample, (S,)."""

@@ -67,7 +67,8 @@ class Quadrature:
         if not self.cuts:
             return edges
         cuts = np.array(self.cuts)
-        return np.union1d(edges, cuts[np.abs(cuts[:, None] - edges).min(axis=1) > CLOSEST])
+        is_inside = (cuts > edges[0]) & (cuts < edges[-1])
+        return np.union1d(edges, cuts[is_inside & (np.abs(cuts[:, None] - edges).min(axis=1) > CLOSEST)])
 
 
 def gauss_nodes(edges: Array, points: int) -> tuple[Array, Array]:

@@ -28,8 +28,8 @@ def test_gausss_points_integrate_polynomials_of_twice_their_number_less_one_in_e
     np.testing.assert_array_equal(gauss_nodes(TIMES, points)[0], t)
 
 
-def test_cuts_divide_panels_unless_they_are_at_their_edges():
-    quadrature = Quadrature(points=2, longest=0.5, cuts=(3.25, 1.1, 2.5003, 2.0))
+def test_cuts_divide_panels_unless_they_are_at_their_edges_or_outside():
+    quadrature = Quadrature(points=2, longest=0.5, cuts=(3.25, 1.1, 2.5003, 2.0, 0.5, 4.5))
     np.testing.assert_allclose(quadrature.panels(TIMES), [1, 1.1, 1.25, 1.625, 2, 2.5, 3, 3.25, 3.5, 4])
     t, w = quadrature.nodes(TIMES)
     f = Polynomial([1, -2, 0.5, 3])
