@@ -4,7 +4,7 @@ checks       what is measured for most kinds of violations: quantities, and how 
 overlaps     overlapping moving bodies, by MuJoCo's collision detection
 measurement  the amounts of all checks along a motion, measured once
 violation    violations, worst first
-airborne     figures that float above the ground, and sliding feet
+ground       figures that float above the ground, and feet that slide or drag on it
 bounds       tolerances of violations
 report       a motion before and after solving
 quantities   the quantities of one column of a report, also *between* the samples of the optimiser

@@ -24,9 +24,9 @@ from ..clip import load as clips
 from ..clip.build import Clip
 from ..errors import UserError
 from ..motion import Saved
-from .airborne import airborne
 from .bounds import BOUNDS
 from .checks import SAME_DEPTH, Check, Hits, Row, row_of
+from .ground import floating_and_sliding
 from .measurement import Measurement
 
 MAX_LINES = 10  # most violations that are printed
@@ -78,7 +78,7 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     """Return all violations in a measured motion, worst first."""
     violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
     violations += [*_drifts(motion), *_beyond_hard(motion.clip, motion.timeline)]
-    for row, amount, time, key in airborne(motion):
+    for row, amount, time, key in floating_and_sliding(motion):
         violations.append(_as_violation(row, amount, time, None if key is None else int(motion.numbers[key])))
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")

@@ -30,8 +30,8 @@ CARRIED = 0.5
 Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
 
 
-def airborne(motion: Measurement) -> Iterator[Excess]:
-    """Yield figures that float above the ground, and feet that slide on it."""
+def floating_and_sliding(motion: Measurement) -> Iterator[Excess]:
+    """Yield figures that float, and feet that slide or drag."""
     context, figure = motion.clip.context, motion.clip.figure
     if not context.surfaces or not np.any(figure.gravity):
         return
