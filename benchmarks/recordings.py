@@ -33,7 +33,6 @@ from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.tracking.penalties import Ground, ground_of
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.skeleton.roles import roles
-from dynsplines.measure.checks import turning, turns
 from dynsplines.motion import sampled, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -43,6 +42,7 @@ from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty
+from dynsplines.solver.penalty.motion.peak import relative_accelerations
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of
 from dynsplines.system.progress import Progress
@@ -236,7 +236,7 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
 
 def peak(figure: Figure, path: Curve, t: Array) -> float:
     """[rad/s²] the largest acceleration of a joint."""
-    return float(turns(samples_at(figure, path, t))[turning(figure)].max())
+    return float(relative_accelerations(samples_at(figure, path, t))[1].max())
 
 
 def _runs(row: Mask) -> list[tuple[int, int]]:

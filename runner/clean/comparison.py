@@ -16,11 +16,11 @@ from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import JointRange, Rolling, Speed, Support, joint_ranges
+from dynsplines.solver.penalty.motion.peak import relative_accelerations
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import arrays_of, places_of
 
 from ..clip.tracking.penalties import Ground
-from ..measure.checks import turning, turns
 from ..motion import even_times, sample_runs
 from .cleaning import Cleaned, Verdict
 from .penetration import depth
@@ -247,8 +247,7 @@ class PathMeasurement:
 
     @property
     def peak(self) -> float:
-        rows = turning(self.ground.figure)
-        return max(float(turns(samples)[rows].max(initial=0.0)) for samples in self._parts())
+        return max(float(relative_accelerations(samples)[1].max(initial=0.0)) for samples in self._parts())
 
     @property
     def jerk(self) -> float:

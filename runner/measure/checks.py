@@ -1,7 +1,7 @@
 """Checks of a motion, one for each kind of violation.
 
 A check measures several quantities, its rows, such as the depths of many points. An amount is the value of a row at a
-sample. Where a penalty exists, its residuals are the amounts; the search's tolerance near keyframes is not subtracted.
+sample. Most amounts are residuals of a penalty; the search's tolerance near keyframes is not subtracted.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from dynsplines.solver.penalty import (
     couplings,
     slipped,
 )
+from dynsplines.solver.penalty.motion.peak import relative_accelerations, rotary
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import Point, placed, places_of
@@ -258,24 +259,13 @@ def loop_gaps(fixed: Fixed) -> Check | None:
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:
     """Return the check of links with a much greater angular acceleration in the parent than the raw spline requires."""
-    links = turning(figure)
-    if not links:
+    links = rotary(figure)
+    if not links.size:
         return None
     bound = max(BOUNDS["whip"].most, WHIP_SHARE * raw_peak)
     names = [figure.links[i].name for i in links]
     rows = [row_of("whip", name, f"{name} whips: {{}}, the raw spline needs {raw_peak:.0f}", bound) for name in names]
-    return Check.each("whip", rows, lambda samples: Hits.of(turns(samples)[links]))
-
-
-def turning(figure: Figure) -> list[int]:
-    """Return the links on ball joints and hinges."""
-    return [i for i, link in enumerate(figure.links) if i > 0 and link.kind in (JointKind.BALL, JointKind.HINGE)]
-
-
-def turns(samples: Samples) -> Array:
-    """Return the norm (L, S) [rad/s²] of every link's angular acceleration relative to its parent."""
-    alpha = samples.links.alpha
-    return np.linalg.norm(alpha - alpha[:, samples.figure.tables.parents], axis=0)
+    return Check.each("whip", rows, lambda samples: Hits.of(relative_accelerations(samples)[1][links]))
 
 
 def lengths(figure: Figure) -> Check | None:

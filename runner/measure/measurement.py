@@ -28,6 +28,7 @@ from dynsplines.solver.penalty import (
     joint_ranges,
     slipped,
 )
+from dynsplines.solver.penalty.motion.peak import relative_accelerations
 from dynsplines.solver.surface.points import Point, body_points, places_of
 
 from ..clip.build import Clip
@@ -121,8 +122,8 @@ def _as_keyed(clip: Clip) -> Clip:
 
 def _peak(figure: Figure, raw: Timeline, time: Array) -> float:
     """Return the largest angular acceleration [rad/s²] of a link relative to its parent on the raw spline."""
-    links, runs = checks.turning(figure), sample_runs(figure, path_of(raw), time[::2])
-    return max(float(checks.turns(samples)[links].max(initial=0.0)) for samples in runs)
+    runs = sample_runs(figure, path_of(raw), time[::2])
+    return max(float(relative_accelerations(samples)[1].max(initial=0.0)) for samples in runs)
 
 
 def _checks(
