@@ -28,13 +28,12 @@ JOINED = 2  # most joints between two bodies that are excluded if they overlap a
 class Overlap:
     """Overlaps of pairs of geoms.
 
-    at     (m,) indices of samples;  geoms  (2, m) indices of the overlapping geoms;  depth  (m,) [m]
-    links  (2, m) indices of their links, the smaller index first
+    at     (m,) indices of samples;  depth  (m,) [m]
+    links  (2, m) indices of the geoms' links, the smaller index first
     """
 
     at: Index
     links: Index
-    geoms: Index
     depth: Array
 
 
@@ -66,7 +65,7 @@ class Overlaps:
         overlap = _overlaps(self.figure, self.model, self.figure.to_qpos(samples.y), np.arange(samples.count))
         depth = overlap.depth - self.at_rest[tuple(overlap.links)]
         deeper = np.flatnonzero(depth > 0)
-        return Overlap(overlap.at[deeper], overlap.links[:, deeper], overlap.geoms[:, deeper], depth[deeper])
+        return Overlap(overlap.at[deeper], overlap.links[:, deeper], depth[deeper])
 
 
 def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> Overlap:
@@ -80,7 +79,7 @@ def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> 
     when, geoms, depth = (np.concatenate(part, axis=-1) for part in zip(*parts, strict=True))
     links = np.sort(figure.body_link[model.geom_bodyid[geoms]], axis=0)
     deep = np.flatnonzero((depth > 0) & (links[0] > 0) & (links[0] < links[1]))
-    return Overlap(when[deep], links[:, deep], geoms[:, deep], depth[deep])
+    return Overlap(when[deep], links[:, deep], depth[deep])
 
 
 def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
