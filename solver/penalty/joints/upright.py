@@ -23,17 +23,16 @@ from ..penalty import Momentary, Normalization, Role
 
 @dataclass(frozen=True, eq=False)
 class Lean:
-    """A unit axis (3,) of a link, and its target direction (3,) at a time [s]."""
+    """A unit axis (3,) of a link that must be vertical at a time [s]."""
 
     link: int
     time: float
     axis: Array
-    direction: Array
 
 
 @dataclass(frozen=True)
 class Upright(Momentary):
-    """Σ over leans of |R axis − direction|², approximately the squared angle [rad²] between them."""
+    """Σ over leans of |R axis − z|², approximately the squared angle [rad²] of the axis to the vertical."""
 
     leans: tuple[Lean, ...]
 
@@ -49,23 +48,21 @@ class Upright(Momentary):
         which, at = self.pairs(samples)
         if not which.size:
             return
-        links, axes, directions = self._arrays
+        links, axes = self._arrays
         turned = applied(samples.links.rotation[:, :, links[which], at], axes[:, which])
         at, link, along = along_axes(at, links[which])
         changes = of_turn(at, link, cross(np.tile(turned, 3), along))
-        yield Block(at, (turned - directions[:, which]).ravel(), (changes,))
+        yield Block(at, (turned - np.array([[0.0], [0], [1]])).ravel(), (changes,))
 
     @cached_property
     def _times(self) -> Array:
         return np.array([lean.time for lean in self.leans])
 
     @cached_property
-    def _arrays(self) -> tuple[Index, Array, Array]:
-        """Links (n,), axes and directions (3, n)."""
-        axes, directions = (
-            np.array([getattr(lean, part) for lean in self.leans]).reshape(-1, 3).T for part in ("axis", "direction")
-        )
-        return np.array([lean.link for lean in self.leans], np.intp), axes, directions
+    def _arrays(self) -> tuple[Index, Array]:
+        """Links (n,) and axes (3, n)."""
+        axes = np.array([lean.axis for lean in self.leans]).reshape(-1, 3).T
+        return np.array([lean.link for lean in self.leans], np.intp), axes
 
 
 def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
@@ -84,7 +81,7 @@ def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, .
         posed = keys.known[:, columns].all(axis=1) & ~keys.fixed[:, columns].all(axis=1)
         for k in np.flatnonzero(posed):
             axis = samples.links.rotation[2, :, root, k].copy()
-            result.append(Lean(int(root), float(keys.times[k]), axis, np.array([0.0, 0, 1])))
+            result.append(Lean(int(root), float(keys.times[k]), axis))
     return tuple(result)
 
 

@@ -99,7 +99,7 @@ def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts
 
 
 @pytest.mark.parametrize(
-    "penalty", [Level(np.array([1]), UP[:, None]), Upright((Lean(1, 0.0, UP, UP),))], ids=["level", "upright"]
+    "penalty", [Level(np.array([1]), UP[:, None]), Upright((Lean(1, 0.0, UP),))], ids=["level", "upright"]
 )
 def test_ten_degrees_off_the_vertical_count_as_the_reference_specifies(penalty):
     figure = figure_of(BALL)

@@ -21,7 +21,7 @@ UP = np.array([0.0, 0, 1])
 def upright_of(figure: Figure, *times: float) -> Upright:
     """Axes of the first and the last link at every time."""
     links = (1, len(figure.links) - 1)
-    return Upright(tuple(Lean(link, t, axis, UP) for t in times for link, axis in zip(links, AXES, strict=True)))
+    return Upright(tuple(Lean(link, t, axis) for t in times for link, axis in zip(links, AXES, strict=True)))
 
 
 def some(figure: Figure, rng: np.random.Generator) -> Samples:
