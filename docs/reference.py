@@ -152,9 +152,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "default 250",
             "tolerance": "the relative decrease of the objective at which the search ends; default 0.001",
             "quadrature": "the quadrature rule of the objective",
-            "samples": "samples between two neighbouring frames, default 3, and more where these would miss a collision; "
-            'with "uniform": samples in the whole clip, '
-            "default 100",
+            "samples": "samples between two neighbouring frames, default 3, and more where these would miss a "
+            'collision; with "uniform": samples in the whole clip, default 100',
         },
     ),
 }

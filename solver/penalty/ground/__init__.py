@@ -6,7 +6,7 @@ rest       points that rest anywhere for an interval
 skate      points that slide near a surface
 hover      the lowest point stays close to the ground
 placement  points with a target at an instant
-hold       a hand on another body
+grasp      a hand on another body
 flight     free fall between contacts
 support    the forces that contacts can supply
 """
