@@ -39,7 +39,7 @@ from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE
 from .depths import bunches, depths
 from .overlaps import Overlaps
 
-SELF_STRIDE = 8  # samples of the grid per check for overlapping bodies, which is done at 30 Hz
+SELF_STRIDE = 2  # samples of the grid per check for overlapping bodies, done at 120 Hz: hands may pass at 8 m/s
 SAME_DEPTH = 0.002  # [m] a sole point is named although another point of the foot is deeper, if by at most this
 
 

@@ -533,3 +533,15 @@ def test_the_bounds_of_the_page_are_those_of_the_code():
     }
     assert told == said | {"search": "–"}
     assert f"{WHIP_SHARE:g} times the largest one of all limbs in the raw spline" in page
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.002, 0.004, 0.006])
+def test_hands_that_pass_fast_through_each_other_are_reported(offset, tmp_path):
+    """Two balls of 80 mm meet at 0.25 s + offset with 8 m/s: they overlap by more than 10 mm for 17 ms."""
+    ball = '<body pos="{} 0 1"><joint name="{}" type="slide" axis="1 0 0"/><geom size=".04" mass="1"/></body>'
+    figure = f"<mujoco><worldbody>{ball.format(0, 'a')}{ball.format(1, 'b')}</worldbody></mujoco>"
+    ends = ((0.0, -1 - 4 * offset), (0.5, 1 - 4 * offset))
+    text = "".join(f"[[keyframe]]\ntime = {t}\njoints = {{a = {x}, b = {-x - 1}}}\n" for t, x in ends)
+    (found,) = [each for each in wrong(read(text, figure, tmp_path)) if each.kind == "self"]
+    assert 0.04 < found.amount < 0.081
+    assert found.time == pytest.approx(0.25 + offset, abs=0.005)

@@ -50,9 +50,7 @@ def cache(tmp_path_factory):
 def clip_in(folder):
     """A clip that ships, searched for a moment."""
     file = folder / "run.toml"
-    text = models.clip_text("run_and_step").replace(
-        "[[keyframe]]", "[solve]\nevaluations = 20\nframes = 6\ntolerance = 0.02\n\n[[keyframe]]", 1
-    )
+    text = models.clip_text("run_and_step").replace("[[keyframe]]", "[solve]\ntolerance = 0.02\n\n[[keyframe]]", 1)
     file.write_text(text, encoding="utf-8")
     return file
 
