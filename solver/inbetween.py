@@ -52,7 +52,7 @@ def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | Non
 
     Args:
         problem: The keyframes, soft constraints and settings.
-        improved: Called with every evaluation that lowers E. It may raise `StopSearch` to end the search with the best
+        improved: Called with every evaluation that lowers E, see `Improvement`. It may raise `StopSearch` to end the search with the best
             path.
 
     Returns:
@@ -130,7 +130,7 @@ class _Loop:
     """Rounds of descent and subdivision, on the whole clip or on a part of it.
 
     Attributes:
-        trace: (evaluation, round, E, parts) of every evaluation that lowered E.
+        trace: (evaluation, round, E, parts) of every improvement.
         best: Builds the best timeline so far; None before any evaluation.
         since: The interval in which segments may be split begins here [s].
         until: The end of this interval [s].
@@ -291,10 +291,10 @@ class _Loop:
                     return ends
                 refinements += 1
             if finer is not self.objective:
-                self.objective, self.least = finer, np.inf
+                self.objective, self.least = finer, np.inf  # E may rise
             rough = float(np.clip(SHARE_OF_PROMISE * promise, tolerance, rough)) if chosen.size else tolerance
             timeline = split(timeline, chosen)
-            self.round += bool(chosen.size)
+            self.round += bool(chosen.size) or self.least == np.inf
 
     def loosened(self, timeline: Timeline, without: frozenset[Role]) -> Timeline:
         """Return the minimum of a rough search without the terms of some roles."""

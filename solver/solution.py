@@ -21,7 +21,7 @@ AT_AN_END = 1e-9  # [s] rounding tolerance of times before the first or after th
 
 @dataclass(frozen=True)
 class Improvement:
-    """An evaluation that lowered E.
+    """An evaluation that lowered E, or the first one after E got more samples, which may raise it.
 
     Attributes:
         evaluation: The number of evaluations so far.
@@ -48,7 +48,7 @@ class Solution:
 
     Attributes:
         raw: The timeline of the spline through the keyframes alone.
-        trace: (evaluation, round, E, parts) of every evaluation that lowered E.
+        trace: (evaluation, round, E, parts) of every improvement. E may rise where a round begins.
         evaluations: The number of evaluations.
         stop: Why the search ended.
     """

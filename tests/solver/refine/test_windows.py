@@ -136,8 +136,8 @@ def test_a_clip_in_windows_costs_no_more_than_the_whole_and_meets_its_keyframes(
     assert fine_value(found) < 1.005 * fine_value(whole)
     assert fine_value(found) < 0.6 * fine_value(found, path_of(found.raw))
     assert_whole(found.path, keys)
-    values = [value for _, _, value, _ in found.trace]
-    assert np.all(np.diff(values) < 0)
+    rounds, values = (np.array([entry[k] for entry in found.trace]) for k in (1, 2))
+    assert np.all((np.diff(values) < 0) | (np.diff(rounds) > 0))
     np.testing.assert_allclose(values[-1], found.objective.value(found.path), rtol=5e-3)
     assert np.all(np.diff([evaluation for evaluation, *_ in found.trace]) > 0)
     assert found.trace == tuple((s.evaluation, s.round, s.value, s.parts) for s, _ in seen)
