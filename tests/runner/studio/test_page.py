@@ -505,12 +505,13 @@ def test_a_robot_crouches_and_reaches_in_less_than_twenty_actions(tab, name):
     now = tab.evaluate(place.format(pelvis)), tab.evaluate(place.format(hand))
     assert now[0][2] < low[2] - 0.04
     assert now[1][0] > far[0] + 0.08
-    soles = [
-        violation
+    deep = [
+        violation["text"]
         for violation in tab.evaluate("studio.model.violations")
-        if violation["kind"] in ("depth", "ground") and violation["amount"] > 0.02
+        if violation["kind"] == "penetration"
+        and violation["keyframe"] != 3  # takes over the crouch, with a leg stretched
     ]
-    assert soles == []
+    assert deep == []
     assert actions < 20
     for _ in range(2):
         tab.changes(lambda: tab.press("Control+z"))
