@@ -52,8 +52,7 @@ def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | Non
 
     Args:
         problem: The keyframes, soft constraints and settings.
-        improved: Called with every evaluation that lowers E, see `Improvement`. It may raise `StopSearch` to end the search with the best
-            path.
+        improved: Called with every improvement. It may raise `StopSearch` to end the search with the best path.
 
     Returns:
         The best path and the trace of the search.
