@@ -136,12 +136,34 @@ def with_pose(
             if preferred := _preferred(figure, home, best.qpos, chosen, soles, stander.surfaces if is_slow else ()):
                 other = posed(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
                 best = other if other.is_met else best
+            best = _leveled(figure, key, best, soles, stander, chosen)
             best = _raised(figure, key, best, soles, stander, chosen)
             break
     assert best is not None, "there are goals"
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
     return posed_key, best
+
+
+def _leveled(
+    figure: Figure, key: Frame, best: Posed, soles: Sequence[Point], stander: Stander, goals: Sequence[Goal]
+) -> Posed:
+    """Return a pose for the same goals in which feet are level whose soles would be in the ground, if there is one.
+
+    These are feet with goals of positions alone.
+    """
+    if not soles or not stander.surfaces:
+        return best
+    depth, limit = _depths(figure, best.qpos, soles, stander.surfaces), Thresholds.of(figure).same_place
+    deep = {figure.links[point.link].body for point, down in zip(soles, depth, strict=True) if down > limit}
+    turned = {goal.bodies(figure.model)[0] for goal in goals if isinstance(goal, BodyGoal)}
+    feet = deep & {goal.bodies(figure.model)[0] for goal in goals} - turned
+    level = [BodyGoal(str(figure.model.body(foot).name), index=foot) for foot in sorted(feet)]
+    if not level:
+        return best
+    other = posed(figure, best.qpos, ~key.fixed, [*goals, *level], stander.bends)
+    is_better = other.is_met and _depths(figure, other.qpos, soles, stander.surfaces).max() < depth.max()
+    return other if is_better else best
 
 
 def _raised(
@@ -155,24 +177,24 @@ def _raised(
     column = figure.links[root.link].qpos + 2
     if key.fixed[column]:
         return best
-    depth = _depth(figure, best.qpos, soles, surfaces)
+    depth = float(_depths(figure, best.qpos, soles, surfaces).max())
     for _ in range(MOST_RISES):
         if depth <= limit:
             break
         home = np.array(best.qpos)
         home[column] += depth
         other = posed(figure, home, ~key.fixed, goals, stander.bends)
-        deep = _depth(figure, other.qpos, soles, surfaces)
+        deep = float(_depths(figure, other.qpos, soles, surfaces).max())
         if not other.is_met or deep >= depth:
             break
         best, depth = other, deep
     return best
 
 
-def _depth(figure: Figure, qpos: Array, soles: Sequence[Point], surfaces: Sequence[Surface]) -> float:
-    """Return the depth [m] of the lowest sole point below the ground in a pose (nq,), negative above it."""
+def _depths(figure: Figure, qpos: Array, soles: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
+    """Return the depths (n,) [m] of sole points below the ground in a pose (nq,), negative above it."""
     places, radii = places_of(soles, Samples.still(figure, figure.to_state(qpos[None])))
-    return -float(height_above(surfaces, places, radii[:, None]).min())
+    return -height_above(surfaces, places, radii[:, None])[:, 0]
 
 
 def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]:
