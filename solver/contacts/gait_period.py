@@ -104,7 +104,7 @@ class Gait:
     def _without_rival(self, cycles: list[GaitCycle]) -> list[GaitCycle]:
         """Return the likeliest cycle, if travel is steady and feet slip much more in all cycles of similar likelihood.
         Sparse keyframes blur the feet of the true cycle, but those of an alias more."""
-        if not cycles or self._unsteadiness >= UNSTEADY:
+        if not cycles or self._unsteadiness >= UNSTEADY or len(self.keys.frames) <= FEWEST:
             return []
         best, *others = cycles
         rivals = [r for r in others if r.gain > best.gain - AS_LIKELY]

@@ -117,12 +117,15 @@ class DoubleStep:
 def double_steps(
     figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
 ) -> tuple[tuple[DoubleStep, DoubleStep], ...]:
-    """Return the pairs of steps between keyframes in which a figure stands on two feet, in both orders.
+    """Return the pairs of steps between keyframes, in both possible orders.
 
     In both keyframes, all points of both feet are near a surface. Both feet move, by 8 to 70 cm (for an adult), and the
     keyframes are at least 0.8 s apart. The figure turns by at most 100°. One foot steps after the other. In the first
     order, the leading foot is the one on the side to which the figure moves or turns, so that legs do not cross; if it
     does neither, the foot behind.
+
+    One foot may also be in the air in one keyframe, if these are at least 0.6 s apart. In the first keyframe it is the
+    leading foot, in the second one the following foot, and both orders are the same.
     """
     feet = _feet(figure, points)
     if len(feet) != 2 or not surfaces:
@@ -130,44 +133,72 @@ def double_steps(
     limits = Thresholds.of(figure)
     samples = Samples.still(figure, keys.states)
     centres, radii = places_of(points, samples)
-    low = np.abs(height_above(surfaces, centres, radii[:, None])) < limits.near_surface
-    stands = np.logical_and.reduce(low & placed(figure, keys.known, points))
-    moves = displacements(centres)
-    is_double = stands[:-1] & stands[1:] & (np.diff(keys.times) >= 2 * limits.far_apart)
-    for foot in feet:
-        far = moves[foot]
-        is_double &= (far.min(axis=0) > limits.same_spot) & (far.max(axis=0) > limits.strode)
-        is_double &= far.max(axis=0) < limits.longest_step
-    if not is_double.any():
-        return ()
-    places = np.array([centres[:, foot].mean(axis=1) for foot in feet])
-    ankles = np.array([samples.links.x[:, points[foot[0]].link] for foot in feet])
-    ahead = (places - ankles).sum(axis=0)  # from ankles to soles
-    turns = np.array([_turn(*pair) for pair in pairwise(ahead.T)])
+    height, is_known = height_above(surfaces, centres, radii[:, None]), placed(figure, keys.known, points)
+    moves, spans = displacements(centres), np.diff(keys.times)
+    low, high = (np.abs(height) < limits.near_surface) & is_known, (height > limits.near_surface) & is_known
+    stands, raised = (np.array([each[foot].all(axis=0) for foot in feet]) for each in (low, high))
+    steps = np.array([_is_step(moves[foot], limits) for foot in feet])
+    is_double = stands[:, :-1].all(axis=0) & stands[:, 1:].all(axis=0) & steps.all(axis=0)
+    is_double &= spans >= 2 * limits.far_apart
+    is_short = ~is_double & (spans >= 1.5 * limits.far_apart)
     result = []
-    for k in np.flatnonzero(is_double & (np.abs(turns) < WIDEST)).tolist():
-        first = _first(places[..., k : k + 2], ahead[:, k : k + 2], limits)
-        orders = (feet[first], feet[1 - first]), (feet[1 - first], feet[first])
-        first_order, second_order = (_double_step(keys, points, centres, k, *order) for order in orders)
-        result.append((first_order, second_order))
-    return tuple(result)
+    for foot, other in ((0, 1), (1, 0)):
+        is_whole = is_short & stands[other, :-1] & stands[other, 1:] & steps[other]
+        for k in np.flatnonzero(is_whole & raised[foot, :-1] & stands[foot, 1:]).tolist():
+            landing = _double_step(keys, points, centres, k, feet[foot], feet[other], is_landing=True)
+            result.append((landing, landing))
+        for k in np.flatnonzero(is_whole & stands[foot, :-1] & raised[foot, 1:]).tolist():
+            lifting = _double_step(keys, points, centres, k, feet[other], feet[foot], is_lifting=True)
+            result.append((lifting, lifting))
+    if is_double.any():
+        places = np.array([centres[:, foot].mean(axis=1) for foot in feet])
+        ankles = np.array([samples.links.x[:, points[foot[0]].link] for foot in feet])
+        ahead = (places - ankles).sum(axis=0)  # from ankles to soles
+        turns = np.array([_turn(*pair) for pair in pairwise(ahead.T)])
+        for k in np.flatnonzero(is_double & (np.abs(turns) < WIDEST)).tolist():
+            first = _first(places[..., k : k + 2], ahead[:, k : k + 2], limits)
+            orders = (feet[first], feet[1 - first]), (feet[1 - first], feet[first])
+            first_order, second_order = (_double_step(keys, points, centres, k, *order) for order in orders)
+            result.append((first_order, second_order))
+    return tuple(sorted(result, key=lambda orders: orders[0].segment))
+
+
+def _is_step(moves: Array, limits: Thresholds) -> Mask:
+    """Return whether points of a foot that move by (n, K − 1) [m] take a step that is not too long, (K − 1,)."""
+    least, most = moves.min(axis=0), moves.max(axis=0)
+    return np.asarray((least > limits.same_spot) & (most > limits.strode) & (most < limits.longest_step))
 
 
 def _double_step(
-    keys: Timeline, points: Sequence[Point], centres: Array, k: int, leading: Sequence[int], following: Sequence[int]
+    keys: Timeline,
+    points: Sequence[Point],
+    centres: Array,
+    k: int,
+    leading: Sequence[int],
+    following: Sequence[int],
+    *,
+    is_landing: bool = False,
+    is_lifting: bool = False,
 ) -> DoubleStep:
-    """Return two steps from keyframe k to the next, of feet with these points at `centres` (3, n, K) [m]."""
+    """Return two steps from keyframe k to the next, of feet with these points at `centres` (3, n, K) [m].
+
+    Args:
+        is_landing: Whether the leading foot is in the air in the first keyframe. Landing takes half as long as a step.
+        is_lifting: Whether the following foot is in the air in the second keyframe.
+    """
     begin, end = keys.times[k : k + 2].tolist()
-    middle, overlap = 0.5 * (begin + end), OVERLAP * (end - begin)
+    overlap = OVERLAP * (end - begin)
+    middle = begin + (end - begin) * (1 / 3 if is_landing else 2 / 3 if is_lifting else 1 / 2)
     stances, swings = [], []
     for foot, lift, land in (
-        (leading, begin + overlap, middle - overlap),
-        (following, middle + overlap, end - overlap),
+        (leading, begin if is_landing else begin + overlap, middle - overlap),
+        (following, middle + overlap, end if is_lifting else end - overlap),
     ):
         for i in foot:
             swings.append(Rest(points[i], lift, land))
             for at, start, stop in ((k, begin, lift), (k + 1, land, end)):
-                stances.append(Stance(points[i], start, stop, centres[:, i, at], centres[:, i, at], FIRM))
+                if start < stop:
+                    stances.append(Stance(points[i], start, stop, centres[:, i, at], centres[:, i, at], FIRM))
     return DoubleStep(k, points[leading[0]].link, tuple(stances), tuple(swings))
 
 

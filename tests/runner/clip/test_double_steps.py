@@ -116,3 +116,40 @@ def test_a_hold_of_the_legs_does_not_keep_them_from_stepping():
         low.append([min(data.site(f"{side}_{end}").xpos[2] for end in ("heel", "toe")) for side in ("left", "right")])
     assert np.max(low, axis=0).min() > 0.05
     assert not [violation for violation in motion.violations if violation.kind in ("slide", "overshoot", "stance")]
+
+
+def raised(side: str, x: float) -> str:
+    """A keyframe's rows: one heel is 10 cm up at x [m], and the other foot stands at the origin or 40 cm ahead."""
+    other, (y, other_y) = ("left", (-0.09, 0.09)) if side == "right" else ("right", (0.09, -0.09))
+    stand = -0.055 if x < 0.2 else 0.345
+    return (
+        f"root.position = [{x - 0.07}, 0, 0.91]\nsites.{side}_heel = [{x}, {y}, 0.1]\n"
+        f"bodies.{side}_foot.flat = true\nsites.{other}_heel = [{stand}, {other_y}, 0]\nbodies.{other}_foot.flat = true\n"
+    )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seconds", [0.5, 0.9])
+@pytest.mark.parametrize("is_landing", [True, False])
+def test_a_raised_foot_lands_before_the_other_one_steps_and_lifts_after_it(is_landing, seconds):
+    """The right foot is in the air, and after or before it both stand 40 cm apart: the feet slid by 10 to 20 cm."""
+    stand = "root.position = [{0}, 0, 0.91]\n" + "".join(
+        f"sites.{side}_heel = [{{1}}, {y}, 0]\nbodies.{side}_foot.flat = true\n"
+        for side, y in (("left", 0.09), ("right", -0.09))
+    )
+    rows = [stand.format(0, -0.055), raised("right", 0.15), stand.format(0.4, 0.345)]
+    times = (0.0, 0.3, 0.3 + seconds)
+    if not is_landing:
+        rows, times = [rows[0], raised("right", 0.3), rows[2]], (0.0, seconds, seconds + 0.3)
+    keys = "".join(f"[[keyframe]]\ntime = {t}\nothers = 'rest'\n{row}" for t, row in zip(times, rows, strict=True))
+    loaded = recordings.from_text('figure = "human"\n' + keys, name="steps")
+    doubles = loaded.context.schedule.double_steps
+    if seconds < 0.6:  # no time for two steps
+        assert not doubles
+        return
+    (double,) = doubles
+    assert (double.segment, loaded.figure.links[double.leading].name) == (
+        (1, "right_ankle") if is_landing else (0, "left_ankle")
+    )
+    motion = inbetween(loaded)
+    assert not [violation for violation in motion.violations if violation.kind in ("float", "slide", "drag", "stance")]

@@ -380,3 +380,20 @@ def test_a_foot_that_the_search_lifts_between_two_keyframes_does_not_stand(name)
     assert not [violation for violation in motion.violations if violation.kind == "placement"]
     stances = motion.clip.context.schedule.stances
     assert {stance.point.name for stance in stances} == {"right_heel", "right_toe"}
+
+
+@pytest.mark.parametrize("others", ["previous", "free"])
+@pytest.mark.parametrize("height", [0.05, 0.1])
+def test_a_foot_raised_by_its_heel_alone_has_its_toes_out_of_the_floor(height, others):
+    """The nearest pose had a straight ankle, and toes 3 cm below the floor."""
+    raised = f"""root.position = [0.08, 0, 0.92]
+sites.left_heel = [-0.055, 0.09, 0]
+bodies.left_foot.flat = true
+sites.right_heel = [0.15, -0.09, {height}]
+others = "{others}"
+"""
+    problem = read(second(raised))
+    data = seen(problem, problem.keys[1].state)
+    assert data.site("right_heel").xpos == pytest.approx([0.15, -0.09, height], abs=1e-4)
+    assert data.site("right_toe").xpos[2] > 0
+    assert data.site("left_toe").xpos[2] == pytest.approx(0, abs=1e-4)
