@@ -124,7 +124,8 @@ def raised(side: str, x: float) -> str:
     stand = -0.055 if x < 0.2 else 0.345
     return (
         f"root.position = [{x - 0.07}, 0, 0.91]\nsites.{side}_heel = [{x}, {y}, 0.1]\n"
-        f"bodies.{side}_foot.flat = true\nsites.{other}_heel = [{stand}, {other_y}, 0]\nbodies.{other}_foot.flat = true\n"
+        f"bodies.{side}_foot.flat = true\nsites.{other}_heel = [{stand}, {other_y}, 0]\n"
+        f"bodies.{other}_foot.flat = true\n"
     )
 
 
