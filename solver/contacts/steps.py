@@ -136,7 +136,7 @@ def double_steps(
     height, is_known = height_above(surfaces, centres, radii[:, None]), placed(figure, keys.known, points)
     moves, spans = displacements(centres), np.diff(keys.times)
     low, high = (np.abs(height) < limits.near_surface) & is_known, (height > limits.near_surface) & is_known
-    stands, raised = (np.array([each[foot].all(axis=0) for foot in feet]) for each in (low, high))
+    stands, raised = (np.array([points_at[foot].all(axis=0) for foot in feet]) for points_at in (low, high))
     steps = np.array([_is_step(moves[foot], limits) for foot in feet])
     is_double = stands[:, :-1].all(axis=0) & stands[:, 1:].all(axis=0) & steps.all(axis=0)
     is_double &= spans >= 2 * limits.far_apart

@@ -175,11 +175,11 @@ def test_toes_that_move_along_the_ground_drag(distance, height, drags):
         for t, x in ((0.0, 0.0), (0.5, distance))
     )
     clip = recordings.from_text('figure = "human"\n' + text, name="drag")
-    found = violations(clip, "drag")
-    assert [each.name for each in found] == (["left_toe", "right_toe"] if drags else [])
+    drag = violations(clip, "drag")
+    assert [point.name for point in drag] == (["left_toe", "right_toe"] if drags else [])
     assert not violations(clip, "slide")
-    for each in found:
-        assert each.amount == pytest.approx(distance)
+    for point in drag:
+        assert point.amount == pytest.approx(distance)
 
 
 def test_a_foot_that_turns_on_its_heel_does_not_slide():

@@ -542,6 +542,6 @@ def test_hands_that_pass_fast_through_each_other_are_reported(offset, tmp_path):
     figure = f"<mujoco><worldbody>{ball.format(0, 'a')}{ball.format(1, 'b')}</worldbody></mujoco>"
     ends = ((0.0, -1 - 4 * offset), (0.5, 1 - 4 * offset))
     text = "".join(f"[[keyframe]]\ntime = {t}\njoints = {{a = {x}, b = {-x - 1}}}\n" for t, x in ends)
-    (found,) = [each for each in wrong(read(text, figure, tmp_path)) if each.kind == "self"]
-    assert 0.04 < found.amount < 0.081
-    assert found.time == pytest.approx(0.25 + offset, abs=0.005)
+    (overlap,) = [each for each in wrong(read(text, figure, tmp_path)) if each.kind == "self"]
+    assert 0.04 < overlap.amount < 0.081
+    assert overlap.time == pytest.approx(0.25 + offset, abs=0.005)
