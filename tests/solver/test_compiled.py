@@ -37,6 +37,25 @@ def test_a_model_by_the_kernel_is_numpys(name, monkeypatch):
 
 
 @needs_kernel
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_weighted_squares_by_the_kernel_are_numpys(sign, rng, monkeypatch):
+    problem = clips.load("walk_loop").problem
+    discretised = problem.objective.on(problem.raw)
+    x = discretised.unknowns.start
+    model = Model(Layout(discretised), x, discretised(x).gradient)
+    sampling = discretised.sampling
+    at = np.sort(rng.integers(sampling.first.size, size=40))
+    rows, weight = rng.normal(size=(40, problem.figure.width)), sign * rng.uniform(0.1, 9, 40)
+    matrices = []
+    for kernel in (compiled.kernel, None):
+        monkeypatch.setattr(compiled, "kernel", kernel)
+        matrices.append(np.zeros_like(model.curvature))
+        model.layout.add_rows_by_y(matrices[-1], sampling, at, rows, weight)
+    np.testing.assert_allclose(matrices[0], matrices[1], rtol=0, atol=1e-12 * np.abs(matrices[0]).max())
+    assert np.abs(matrices[0]).max() > 0
+
+
+@needs_kernel
 def test_rows_by_the_kernel_are_numpys(rng, monkeypatch):
     problem = clips.load("run_and_step").problem
     discretised = problem.objective.on(problem.raw)

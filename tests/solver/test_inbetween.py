@@ -57,6 +57,7 @@ def test_e_falls_strictly_and_every_callback_meets_the_keyframes(figure, rng, en
             assert distance_from_key(figure, state, key) < 1e-11
     assert motion.trace == tuple((s.evaluation, s.round, s.value, s.parts) for s in seen)
     assert seen[-1].round >= 1
+    assert seen[0].evaluation == 1 and seen[-1].evaluation <= motion.evaluations
     assert solved(motion) < 0.9 * raw(motion)
     qpos = motion.at(np.linspace(0, 1.3, 7))
     np.testing.assert_allclose(figure.to_qpos(figure.to_state(qpos)), qpos, atol=1e-12)

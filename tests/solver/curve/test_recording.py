@@ -129,3 +129,9 @@ def test_what_fills_a_gap_turns_no_sign_about():
     seen = known[:, 0] > 0
     np.testing.assert_allclose(torn.states[seen], whole.states[seen], rtol=0, atol=1e-12)
     np.testing.assert_allclose(torn.bridged, whole.bridged, rtol=0, atol=0.05)
+
+
+def test_the_rate_is_that_of_most_samples(figure, rng):
+    times = np.delete(TIMES, slice(60, 90))
+    recorded = RecordedMotion.of(figure, times, np.delete(swung(figure, rng), slice(60, 90), axis=0))
+    assert recorded.rate == pytest.approx(60)
