@@ -103,7 +103,10 @@ class Gait:
 
     def _without_rival(self, cycles: list[GaitCycle]) -> list[GaitCycle]:
         """Return the likeliest cycle, if travel is steady and feet slip much more in all cycles of similar likelihood.
-        Sparse keyframes blur the feet of the true cycle, but those of an alias more."""
+
+        Sparse keyframes blur the feet of the true cycle, but those of an alias more. Three keyframes are too few: if
+        the last pose is that of the first, any motion is a cycle.
+        """
         if not cycles or self._unsteadiness >= UNSTEADY or len(self.keys.frames) <= FEWEST:
             return []
         best, *others = cycles

@@ -116,8 +116,8 @@ class DoubleStep:
 
 def double_steps(
     figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
-) -> tuple[tuple[DoubleStep, DoubleStep], ...]:
-    """Return the pairs of steps between keyframes, in both possible orders.
+) -> tuple[tuple[DoubleStep, ...], ...]:
+    """Return the pairs of steps between keyframes, each in all possible orders.
 
     In both keyframes, all points of both feet are near a surface. Both feet move, by 8 to 70 cm (for an adult), and the
     keyframes are at least 0.8 s apart. The figure turns by at most 100°. One foot steps after the other. In the first
@@ -125,7 +125,7 @@ def double_steps(
     does neither, the foot behind.
 
     One foot may also be in the air in one keyframe, if these are at least 0.6 s apart. In the first keyframe it is the
-    leading foot, in the second one the following foot, and both orders are the same.
+    leading foot, in the second one the following foot, and there is no other order.
     """
     feet = _feet(figure, points)
     if len(feet) != 2 or not surfaces:
@@ -141,15 +141,15 @@ def double_steps(
     is_double = stands[:, :-1].all(axis=0) & stands[:, 1:].all(axis=0) & steps.all(axis=0)
     is_double &= spans >= 2 * limits.far_apart
     is_short = ~is_double & (spans >= 1.5 * limits.far_apart)
-    result = []
+    result = list[tuple[DoubleStep, ...]]()
     for foot, other in ((0, 1), (1, 0)):
         is_whole = is_short & stands[other, :-1] & stands[other, 1:] & steps[other]
         for k in np.flatnonzero(is_whole & raised[foot, :-1] & stands[foot, 1:]).tolist():
             landing = _double_step(keys, points, centres, k, feet[foot], feet[other], is_landing=True)
-            result.append((landing, landing))
+            result.append((landing,))
         for k in np.flatnonzero(is_whole & stands[foot, :-1] & raised[foot, 1:]).tolist():
             lifting = _double_step(keys, points, centres, k, feet[other], feet[foot], is_lifting=True)
-            result.append((lifting, lifting))
+            result.append((lifting,))
     if is_double.any():
         places = np.array([centres[:, foot].mean(axis=1) for foot in feet])
         ankles = np.array([samples.links.x[:, points[foot[0]].link] for foot in feet])
@@ -158,8 +158,7 @@ def double_steps(
         for k in np.flatnonzero(is_double & (np.abs(turns) < WIDEST)).tolist():
             first = _first(places[..., k : k + 2], ahead[:, k : k + 2], limits)
             orders = (feet[first], feet[1 - first]), (feet[1 - first], feet[first])
-            first_order, second_order = (_double_step(keys, points, centres, k, *order) for order in orders)
-            result.append((first_order, second_order))
+            result.append(tuple(_double_step(keys, points, centres, k, *order) for order in orders))
     return tuple(sorted(result, key=lambda orders: orders[0].segment))
 
 
