@@ -284,16 +284,17 @@ class _Loop:
             finer = self.objective
             if self.stop is Stop.CONVERGED and refinements < MOST_REFINEMENTS:
                 finer = self.objective.finer(path_of(timeline))
+            is_finer = finer is not self.objective
             chosen, promise = (np.zeros(0), 0.0) if is_last else self.chosen(timeline, budget - timeline.variable_count)
             if not chosen.size and (is_last or rough <= tolerance):
-                if finer is self.objective:
+                if not is_finer:
                     return ends
                 refinements += 1
-            if finer is not self.objective:
+            if is_finer:
                 self.objective, self.least = finer, np.inf  # E may rise
             rough = float(np.clip(SHARE_OF_PROMISE * promise, tolerance, rough)) if chosen.size else tolerance
             timeline = split(timeline, chosen)
-            self.round += bool(chosen.size) or self.least == np.inf
+            self.round += bool(chosen.size) or is_finer
 
     def loosened(self, timeline: Timeline, without: frozenset[Role]) -> Timeline:
         """Return the minimum of a rough search without the terms of some roles."""
