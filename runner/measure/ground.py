@@ -111,12 +111,10 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
             slides[start:end] |= np.ptp(samples.t[start:end]) >= limits.step
         for start, end, distance in _moves(centres[:2, sole], slides & ~rests[sole].any(axis=0), BOUNDS["slide"]):
             drags[sole, start:end] = False
-            yield _move(
-                "slide", "slides", figure.body_name(int(foot)), samples.t[start:end], speed[start:end], distance
-            )
+            yield _move("slide", figure.body_name(int(foot)), samples.t[start:end], speed[start:end], distance)
         moves = [(k, *move) for k in sole for move in _moves(centres[:2, [k]], drags[k], BOUNDS["drag"])]
         for k, start, end, distance in sorted(moves, key=lambda move: -move[-1])[:1]:
-            yield _move("drag", "drags", points[k].name, samples.t[start:end], speeds[k, start:end], distance)
+            yield _move("drag", points[k].name, samples.t[start:end], speeds[k, start:end], distance)
 
 
 def _moves(places: Array, during: Mask, bound: Bound) -> Iterator[tuple[int, int, float]]:
@@ -131,9 +129,9 @@ def _moves(places: Array, during: Mask, bound: Bound) -> Iterator[tuple[int, int
             yield start, end, distance
 
 
-def _move(kind: str, verb: str, name: str, t: Array, speed: Array, distance: float) -> Excess:
+def _move(kind: str, name: str, t: Array, speed: Array, distance: float) -> Excess:
     """Return the violation of a foot or point that moves along the ground at times t (S,) [s]; speed (S,) [m/s]."""
-    text = f"{name} {verb} {{}} along the ground from {t[0]:.2f} to {t[-1]:.2f} s, fastest"
+    text = f"{name} {kind}s {{}} along the ground from {t[0]:.2f} to {t[-1]:.2f} s, fastest"
     return row_of(kind, name, text), distance, float(t[speed.argmax()]), None
 
 
