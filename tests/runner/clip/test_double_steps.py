@@ -118,14 +118,12 @@ def test_a_hold_of_the_legs_does_not_keep_them_from_stepping():
     assert not [violation for violation in motion.violations if violation.kind in ("slide", "overshoot", "stance")]
 
 
-def raised(side: str, x: float) -> str:
-    """A keyframe's rows: one heel is 10 cm up at x [m], and the other foot stands at the origin or 40 cm ahead."""
-    other, (y, other_y) = ("left", (-0.09, 0.09)) if side == "right" else ("right", (0.09, -0.09))
+def raised(x: float) -> str:
+    """A keyframe's rows: the right heel is 10 cm up at x [m]; the left foot stands at the origin or 40 cm ahead."""
     stand = -0.055 if x < 0.2 else 0.345
     return (
-        f"root.position = [{x - 0.07}, 0, 0.91]\nsites.{side}_heel = [{x}, {y}, 0.1]\n"
-        f"bodies.{side}_foot.flat = true\nsites.{other}_heel = [{stand}, {other_y}, 0]\n"
-        f"bodies.{other}_foot.flat = true\n"
+        f"root.position = [{x - 0.07}, 0, 0.91]\nsites.right_heel = [{x}, -0.09, 0.1]\nbodies.right_foot.flat = true\n"
+        f"sites.left_heel = [{stand}, 0.09, 0]\nbodies.left_foot.flat = true\n"
     )
 
 
@@ -138,10 +136,10 @@ def test_a_raised_foot_lands_before_the_other_one_steps_and_lifts_after_it(is_la
         f"sites.{side}_heel = [{{1}}, {y}, 0]\nbodies.{side}_foot.flat = true\n"
         for side, y in (("left", 0.09), ("right", -0.09))
     )
-    rows = [stand.format(0, -0.055), raised("right", 0.15), stand.format(0.4, 0.345)]
+    rows = [stand.format(0, -0.055), raised(0.15), stand.format(0.4, 0.345)]
     times = (0.0, 0.3, 0.3 + seconds)
     if not is_landing:
-        rows, times = [rows[0], raised("right", 0.3), rows[2]], (0.0, seconds, seconds + 0.3)
+        rows, times = [rows[0], raised(0.3), rows[2]], (0.0, seconds, seconds + 0.3)
     keys = "".join(f"[[keyframe]]\ntime = {t}\nothers = 'rest'\n{row}" for t, row in zip(times, rows, strict=True))
     loaded = recordings.from_text('figure = "human"\n' + keys, name="steps")
     doubles = loaded.context.schedule.double_steps
