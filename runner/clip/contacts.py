@@ -15,6 +15,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.contacts import ROUNDING, Contacts, Grasp, Rest, Spot, Stance
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
@@ -23,7 +24,7 @@ from dynsplines.solver.penalty import slipped
 from dynsplines.solver.penalty.allowance import Allowance
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
-from dynsplines.solver.surface.points import Point, placed, places_of
+from dynsplines.solver.surface.points import Point, placed
 
 from ..errors import UserError, unknown
 from .posing.places import Places
@@ -95,12 +96,11 @@ def _spots(
     figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
 ) -> list[tuple[float, Array]]:
     """Return the point's specified positions at times of the interval, from the table and from keyframes."""
-    samples, drift = Samples.still(figure, keys.states), Thresholds.of(figure).same_spot
-    centres, _ = places_of((point,), samples)
+    at_keys = KeyframePoints.of(figure, keys, [point], surfaces)
+    centres, drift = at_keys.centres, at_keys.limits.same_spot
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
-    setting = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
+    setting = np.flatnonzero(inside & at_keys.is_known[0])
     target = None if table.position is None else np.array(table.position, float)
-    exact = placed(figure, keys.fixed, [point])[0]
 
     def contradicts(k: int, distance: float, first: int | None) -> str:
         where = "the contact's position" if first is None else f"where keyframe {first + 1} does"
@@ -109,11 +109,11 @@ def _spots(
             f"a contact may drift by {drift:.3g} m"
         )
 
-    agreed = agreeing(centres[:, 0], setting, exact, target, drift, contradicts)
+    agreed = agreeing(centres[:, 0], setting, at_keys.is_fixed[0], target, drift, contradicts)
     if not agreed:
         return [] if target is None else [(table.start, target)]
     height, up = height_over(surfaces, centres, np.array([point.radius]))
-    sunk = Allowance(keys.times, np.maximum(-height[0], 0.0) * exact)
+    sunk = Allowance(keys.times, np.maximum(-height[0], 0.0) * at_keys.is_fixed[0])
     spots = [(float(keys.times[k]), centres[:, 0, k].copy()) for k in agreed]
     first, last = (_risen(spots[i], end, sunk, up[:, 0, agreed[i]]) for i, end in ((0, table.start), (-1, table.end)))
     return [*first, *spots, *last]

@@ -12,6 +12,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts import ROUNDING, Grasp, Rest, Stance, stances
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
@@ -253,9 +254,8 @@ def inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
     """Return stances of soles inferred from keyframes, with unspecified entries from the motion."""
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
-    return stances(
-        clip.figure, Timeline(tuple(frames), np.zeros((2, timeline.width))), clip.context.points, clip.context.surfaces
-    )
+    keys = Timeline(tuple(frames), np.zeros((2, timeline.width)))
+    return stances(KeyframePoints.of(clip.figure, keys, clip.context.points, clip.context.surfaces))
 
 
 def _same(stance: Stance, rest: Rest) -> bool:

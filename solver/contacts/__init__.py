@@ -5,6 +5,7 @@ stance            points that stay in one place           grasp     points that 
 footing           points that carry                       grounded  intervals near the ground
 steps             legs that swing while another one stands
 flight            free fall between contacts
+keyframe_points   positions and heights of points at keyframes, from which all these are inferred
 gait              the walking or running cycle of keyframes, as a Gaussian process of poses
 gait_period       the choice of the cycle: its period suits the size of the body, and feet do not slip
 pose_vectors      poses as vectors: the joints' deviation from their mean, without position and heading

@@ -8,13 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..array import Array, Mask
-from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..figure.wrench import RootWrench
-from ..surface import Surface
 from ..surface.points import Point, placed, places_of
-from .footing import Interval, heights_of
+from .footing import Interval
+from .keyframe_points import KeyframePoints
 from .stance import Rest, Stance
 from .thresholds import Thresholds
 
@@ -26,13 +25,7 @@ PUSHED = 0.2  # least mean speed of the centre of mass before and after a flight
 
 
 def flights(
-    figure: Figure,
-    root: int,
-    keys: Timeline,
-    points: Sequence[Point],
-    surfaces: Sequence[Surface],
-    stances: Sequence[Stance | Rest],
-    body: Sequence[Point] = (),
+    root: int, soles: KeyframePoints, stances: Sequence[Stance | Rest], body: Sequence[Point] = ()
 ) -> tuple[Interval, ...]:
     """Return the flights that a timeline of keyframes implies.
 
@@ -48,20 +41,22 @@ def flights(
     of its speeds at take-off and landing, as it does in a push-off and a landing. Keyframes that set the legs but no
     height are ignored in a flight between others that imply a push-off and a landing.
     """
-    if not points or not surfaces or not figure.gravity.any():
+    figure = soles.figure
+    if not soles.points or not soles.surfaces or not figure.gravity.any():
         return ()
-    has_height = _tell_height(figure, root, keys, points)
-    is_posed = keys.known[:, figure.links[root].qpos + 2] & ~has_height
+    column = figure.links[root].qpos + 2
+    has_height = _tell_height(root, soles)
+    is_posed = soles.keys.known[:, column] & ~has_height
     if is_posed.any():  # such keyframes count if they stand
-        has_height |= is_posed & _Keys.of(figure, keys, points, surfaces, stances, body).flat
+        has_height |= is_posed & _Keys.of(soles, stances, body).flat
     with_height = np.flatnonzero(has_height)
     if with_height.size < 2:
         return ()
-    keys = Timeline(tuple(keys.frames[i] for i in with_height), keys.end_slope, keys.ends)
-    times, rising = np.asarray(keys.times), _centre(figure, root, keys.states)
-    ground, tall = _ground(figure, keys, points, surfaces), _tall(figure, root, points)
-    is_high = keys.fixed[:, figure.links[root].qpos + 2] & (rising - ground.max(axis=0) > STRETCHED * tall)
-    contact = _Keys.of(figure, keys, points, surfaces, stances, body, is_high)
+    soles = soles.at_keyframes(with_height)
+    times, rising = np.asarray(soles.keys.times), _centre(soles.samples, root)
+    ground, tall = _lowest(soles.points, soles.samples) - soles.heights, _tall(figure, root, soles.points)
+    is_high = soles.keys.fixed[:, column] & (rising - ground.max(axis=0) > STRETCHED * tall)
+    contact = _Keys.of(soles, stances, body, is_high)
     arcs = _Arcs.of(figure, times, contact, rising, ground.min(axis=0), tall)
     intervals, first = arcs.single(), 0
     for k in range(times.size - 1):
@@ -98,29 +93,25 @@ class _Keys:
     @classmethod
     def of(
         cls,
-        figure: Figure,
-        keys: Timeline,
-        points: Sequence[Point],
-        surfaces: Sequence[Surface],
+        soles: KeyframePoints,
         stances: Sequence[Stance | Rest],
         body: Sequence[Point],
         high: Mask | bool = False,
     ) -> _Keys:
         """Return the contacts in keyframes; `high` (K,) is True where no foot reaches the ground, whatever its pose."""
-        height, limits = heights_of(figure, keys, points, surfaces)[0], Thresholds.of(figure)
+        height, limits = soles.heights, soles.limits
         low = height < limits.near_surface
         is_clear = np.logical_or.reduce(low) | (np.min(height, axis=0) > limits.aloft)  # otherwise contact is unknown
-        known = (np.logical_and.reduce(placed(figure, keys.known, points)) & is_clear) | high
-        feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
+        known = (np.logical_and.reduce(soles.is_known) & is_clear) | high
         flat = np.zeros_like(known)
-        for foot in feet:
+        for link in np.unique(soles.links):
+            foot = soles.links == link
             if foot.sum() > 1:
                 flat |= np.logical_and.reduce(low[foot])
-        others = [point for point in body if point.link not in {p.link for p in points}]
-        if others:
-            known &= ~np.logical_or.reduce(heights_of(figure, keys, others, surfaces)[0] < limits.near_surface)
+        others = soles.with_points([point for point in body if point.link not in soles.links])
+        known &= ~np.logical_or.reduce(others.heights < limits.near_surface)
         step = limits.step / 2 + height.min(axis=0) / limits.lowering
-        begin, end = keys.times[:-1], keys.times[1:]
+        begin, end = soles.keys.times[:-1], soles.keys.times[1:]
         carried = np.zeros(begin.size, bool)
         for stance in stances:
             carried |= (stance.first < end) & (begin < stance.last)
@@ -239,28 +230,25 @@ class _Arcs:
         return float(self.rising[k] + speed**2 / (2 * self.gravity) - self.reach[[k - 1, k + 1]].min())
 
 
-def _ground(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
-    """Return the heights (n, K) [m] of the ground below points in every keyframe."""
-    return _sole_heights(figure, keys.states, points) - heights_of(figure, keys, points, surfaces)[0]
-
-
 def _tall(figure: Figure, root: int, points: Sequence[Point]) -> float:
     """Return the height [m] of the centre of mass above the soles in the rest pose."""
-    rest = figure.to_state(figure.model.qpos0)[None]
-    return float(_centre(figure, root, rest)[0] - _sole_heights(figure, rest, points).min())
+    rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
+    return float(_centre(rest, root)[0] - _lowest(points, rest).min())
 
 
-def _sole_heights(figure: Figure, states: Array, points: Sequence[Point]) -> Array:
-    """Return the heights (n, K) [m] of the lowest spots of points, against gravity."""
-    centres, radii = places_of(points, Samples.still(figure, states))
-    up = -figure.gravity / np.linalg.norm(figure.gravity)
-    return np.tensordot(up, centres, axes=1) - radii[:, None]
+def _lowest(points: Sequence[Point], samples: Samples) -> Array:
+    """Return the heights (n, S) [m] of the lowest spots of points, against gravity."""
+    centres, radii = places_of(points, samples)
+    return np.tensordot(_up(samples.figure), centres, axes=1) - radii[:, None]
 
 
-def _centre(figure: Figure, root: int, states: Array) -> Array:
-    """Return the height (K,) [m] of the centre of mass, against gravity."""
-    samples = Samples.still(figure, states)
-    return -figure.gravity @ RootWrench(samples, root).centre / np.linalg.norm(figure.gravity)
+def _centre(samples: Samples, root: int) -> Array:
+    """Return the height (S,) [m] of the centre of mass, against gravity."""
+    return _up(samples.figure) @ RootWrench(samples, root).centre
+
+
+def _up(figure: Figure) -> Array:
+    return -figure.gravity / np.linalg.norm(figure.gravity)
 
 
 def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -> bool:
@@ -280,9 +268,9 @@ def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -
     return bool(falls)
 
 
-def _tell_height(figure: Figure, root: int, keys: Timeline, points: Sequence[Point]) -> Mask:
+def _tell_height(root: int, soles: KeyframePoints) -> Mask:
     """Return whether keyframes set a height, (K,); those that set only the legs do not, and stand where others do."""
-    place = figure.links[root].qpos + np.arange(3)
-    fixed = np.array(keys.fixed)
+    place = soles.figure.links[root].qpos + np.arange(3)
+    fixed = np.array(soles.keys.fixed)
     fixed[:, place] = True
-    return keys.fixed[:, place[2]] | ~np.logical_and.reduce(placed(figure, fixed, points))
+    return soles.keys.fixed[:, place[2]] | ~np.logical_and.reduce(placed(soles.figure, fixed, soles.points))

@@ -8,23 +8,9 @@ import numpy as np
 
 from ..array import Mask
 from ..curve.frame import Timeline
-from ..figure.figure import Figure
-from ..figure.kinematics import Samples
-from ..surface import Surface
-from ..surface.heights import heights
-from ..surface.points import Point, places_of
 from .footing import Interval
-from .thresholds import Thresholds
 
 AWAY = 0.25  # [1] fraction of the segment to a keyframe in the air during which a grounded body stays low
-
-
-def touches(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Mask:
-    """Return whether the lowest of the points is on the ground at keyframes, (K,)."""
-    if not points or not surfaces:
-        return np.zeros(keys.times.size, bool)
-    height, _ = heights(surfaces, *places_of(points, Samples.still(figure, keys.states)))
-    return np.asarray(height.min(axis=0) < Thresholds.of(figure).touching)
 
 
 def grounded_intervals(

@@ -18,7 +18,8 @@ from .footing import Footing, Interval, footings
 from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links
-from .grounded import grounded_intervals, open_intervals, touches
+from .grounded import grounded_intervals, open_intervals
+from .keyframe_points import KeyframePoints
 from .stance import Rest, Stance, resting_objects, stances
 from .steps import DoubleStep, Steps, double_steps, hops
 from .thresholds import Thresholds
@@ -93,7 +94,7 @@ class ContactSchedule:
     @cached_property
     def stances(self) -> tuple[Stance, ...]:
         """The stances inferred from keyframes, without those that contradict specified contacts or targets."""
-        inferred = stances(self.figure, self.keys, self.points, self.surfaces)
+        inferred = stances(self._soles)
         alone = tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
         return (*alone, *(stance for double in self.double_steps for stance in self._unspecified(double)))
 
@@ -105,7 +106,7 @@ class ContactSchedule:
         """
         if self.specified_footings is not None:
             return ()
-        inferred = double_steps(self.figure, self.keys, self.points, self.surfaces)
+        inferred = double_steps(self._soles)
         if not inferred or self.gait_cycle is not None:
             return ()
         fitting = [[double for double in orders if self._fits(double)] for orders in inferred]
@@ -142,12 +143,12 @@ class ContactSchedule:
     def resting_objects(self) -> tuple[Stance, ...]:
         """The stances of grasped objects before and after the grasp."""
         objects = [link for link in self.grasped if self.figure.links[link].parent == 0]
-        return resting_objects(self.figure, self.keys, objects)
+        return resting_objects(self._soles, objects)
 
     @cached_property
     def steps(self) -> Steps:
         """The legs that take a step while another leg stands."""
-        return Steps.of(self.figure, self.keys, self.points, self._standing)
+        return Steps.of(self._soles, self._standing)
 
     @property
     def step_durations(self) -> Array:
@@ -161,14 +162,14 @@ class ContactSchedule:
         """The points that can support the figure, each with the interval in which it does."""
         if self.specified_footings is not None or self.root is None:
             return self.specified_footings or ()
-        return footings(self.figure, self.keys, self._soles, self.surfaces, self._carriers, self._body)
+        return footings(self._tree_soles, self._carriers, self._tree_body)
 
     @cached_property
     def flights(self) -> tuple[Interval, ...]:
         """The intervals [s] in which nothing supports the figure."""
         if self.specified_flights is not None or self.root is None:
             return self.specified_flights or ()
-        return flights(self.figure, self.root, self.keys, self._soles, self.surfaces, self._carriers, self._body)
+        return flights(self.root, self._tree_soles, self._carriers, self._tree_body)
 
     @property
     def has_support(self) -> bool:
@@ -195,13 +196,13 @@ class ContactSchedule:
     def grounded(self) -> tuple[Interval, ...]:
         """The segments [s] whose two keyframes touch the ground, except hops, flights and `held_down`."""
         lift_off = Thresholds.of(self.figure).lift_off
-        intervals = grounded_intervals(self.keys, self._is_down, self.hops, self.flights, lift_off)
+        intervals = grounded_intervals(self.keys, self._low_points.touches, self.hops, self.flights, lift_off)
         return tuple(interval for interval in intervals if interval not in self.held_down)
 
     @cached_property
     def hops(self) -> Mask:
         """The segments in which a figure on one leg has to hop, (K − 1,)."""
-        return hops(self.figure, self.keys, self.low_points, self.surfaces)
+        return hops(self._low_points)
 
     @cached_property
     def held_down(self) -> tuple[Interval, ...]:
@@ -209,29 +210,34 @@ class ContactSchedule:
         if self.root is None or not self.points:
             return ()
         is_open = ~self.keys.fixed[:, self.figure.links[self.root].qpos + 2]
-        return open_intervals(self.keys, self._is_down, is_open, self.flights)
+        return open_intervals(self.keys, self._low_points.touches, is_open, self.flights)
 
     @property
     def touches(self) -> Mask:
         """For each keyframe, whether any sole point is on the ground, (K,)."""
-        return touches(self.figure, self.keys, self.points, self.surfaces)
+        return self._soles.touches
 
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
         """Return the points that do not belong to grasped objects."""
         return tuple(point for point in points if point.link not in self.grasped)
 
     @cached_property
-    def _is_down(self) -> Mask:
-        """For each keyframe, whether any point of the figure is on the ground, (K,)."""
-        return touches(self.figure, self.keys, self.low_points, self.surfaces)
+    def _soles(self) -> KeyframePoints:
+        """`points` at the keyframes."""
+        return KeyframePoints.of(self.figure, self.keys, self.points, self.surfaces)
+
+    @cached_property
+    def _low_points(self) -> KeyframePoints:
+        """`low_points` at the keyframes."""
+        return self._soles.with_points(self.low_points)
+
+    @cached_property
+    def _tree_soles(self) -> KeyframePoints:
+        """The sole points in the kinematic tree of `root`, at the keyframes."""
+        return self._soles.with_points(() if self.root is None else hanging(self.figure, self.root, self.points))
 
     @property
-    def _soles(self) -> tuple[Point, ...]:
-        """The sole points in the kinematic tree of `root`."""
-        return () if self.root is None else hanging(self.figure, self.root, self.points)
-
-    @property
-    def _body(self) -> tuple[Point, ...]:
+    def _tree_body(self) -> tuple[Point, ...]:
         """The points of the body in the kinematic tree of `root`."""
         return (
             () if self.root is None else hanging(self.figure, self.root, self.exclude_grasped(body_points(self.figure)))

@@ -11,13 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..array import Array
-from ..curve.frame import Timeline
-from ..figure.figure import Figure
-from ..figure.kinematics import Samples
-from ..surface import Plane, Surface
-from ..surface.heights import height_above
-from ..surface.points import Point, placed, places_of
-from .thresholds import Thresholds
+from ..surface import Plane
+from ..surface.points import Point
+from .keyframe_points import KeyframePoints
 
 HELD = 10.0  # [1] weight of stances of posed keyframes, which meet positions only approximately
 
@@ -61,52 +57,37 @@ class Rest:
     rolls: bool = False
 
 
-def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
-    """Return the stances inferred from keyframes.
+def stances(soles: KeyframePoints) -> tuple[Stance, ...]:
+    """Return the stances of points inferred from keyframes.
 
     In both of two neighbouring keyframes, the point is near a surface and every joint from the root to the point is
     set. The two positions are close to each other (12 mm and 5 cm for an adult, see `Thresholds`), and the point moves
     slower than 0.35 m/s.
     """
-    if not points or not surfaces:
-        return ()
-    states, limits = keys.states, Thresholds.of(figure)
-    samples = Samples.still(figure, states)
-    centres, radii = places_of(points, samples)
-    height = height_above(surfaces, centres, radii[:, None])
-    low, exact = (
-        (np.abs(height) < limits.near_surface) & placed(figure, keys.known, points),
-        placed(figure, keys.fixed, points),
-    )
-    result = []
-    for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
-        drift = min(limits.same_spot, limits.fast * (last - first))
-        for i, point in enumerate(points):
-            spot, landed = centres[:, i, k], centres[:, i, k + 1]
-            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < drift:
-                weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
-                result.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
-    return tuple(result)
+    limits = soles.limits
+    drift = np.minimum(limits.same_spot, limits.fast * np.diff(soles.keys.times))
+    stays = soles.is_near[:, :-1] & soles.is_near[:, 1:] & (soles.moves < drift)
+    is_exact = soles.is_fixed[:, :-1] & soles.is_fixed[:, 1:]
+    return tuple(_stance(soles, i, k, 1.0 if is_exact[i, k] else HELD) for k, i in np.argwhere(stays.T).tolist())
 
 
-def resting_objects(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
+def resting_objects(keyframes: KeyframePoints, links: Sequence[int]) -> tuple[Stance, ...]:
     """Return the stances of objects with equal poses in two neighbouring keyframes, three points per object.
 
-    An object is a link with a separate kinematic tree.
+    Args:
+        keyframes: Any points at the keyframes.
+        links: The objects: links with a separate kinematic tree.
     """
-    limits = Thresholds.of(figure)
-    points = [Point(figure.links[link].name, link, limits.object_arm * axis) for link in links for axis in np.eye(3)]
-    if not points:
-        return ()
-    states = keys.states
-    centres, _ = places_of(points, Samples.still(figure, states))
-    is_set = placed(figure, keys.known, points)
-    resting: list[Stance] = []
-    for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
-        for i, point in enumerate(points):
-            here, there = centres[:, i, k], centres[:, i, k + 1]
-            trio = slice(i - i % 3, i - i % 3 + 3)
-            moved = np.linalg.norm(centres[:, trio, k + 1] - centres[:, trio, k], axis=0)
-            if is_set[i, k] and is_set[i, k + 1] and np.all(moved < limits.same_place):
-                resting.append(Stance(point, float(first), float(last), here.copy(), there.copy()))
-    return tuple(resting)
+    names, limits = keyframes.figure.links, keyframes.limits
+    points = [Point(names[link].name, link, limits.object_arm * axis) for link in links for axis in np.eye(3)]
+    objects = keyframes.with_points(points)
+    stays = (objects.moves < limits.same_place) & objects.is_known[:, :-1] & objects.is_known[:, 1:]
+    stays = stays.reshape(len(links), 3, keyframes.keys.times.size - 1).all(axis=1).repeat(3, axis=0)
+    return tuple(_stance(objects, i, k) for k, i in np.argwhere(stays.T).tolist())
+
+
+def _stance(points: KeyframePoints, i: int, k: int, weight: float = 1.0) -> Stance:
+    """Return the stance of point i from keyframe k to the next."""
+    first, last = points.keys.times[k : k + 2].tolist()
+    spot, landed = np.array(points.centres[:, i, k]), np.array(points.centres[:, i, k + 1])
+    return Stance(points.points[i], first, last, spot, landed, weight)

@@ -9,12 +9,8 @@ from itertools import pairwise
 import numpy as np
 
 from ..array import Array, Index, Mask, segments_at
-from ..curve.frame import Timeline
 from ..figure.figure import Figure
-from ..figure.kinematics import Samples
-from ..surface import Surface
-from ..surface.heights import height_above, heights
-from ..surface.points import Point, displacements, placed, places_of
+from .keyframe_points import KeyframePoints
 from .stance import Rest, Stance
 from .thresholds import Thresholds
 
@@ -39,29 +35,28 @@ class Steps:
     legs: Mask
 
     @classmethod
-    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], standing: Sequence[Stance | Rest]) -> Steps:
+    def of(cls, soles: KeyframePoints, standing: Sequence[Stance | Rest]) -> Steps:
         """Return the legs that take a step between keyframes.
 
         Such a leg moves a point by more than 8 cm (for an adult) from one keyframe to the next. It takes the step while
         the point of another leg stands, and none of its own. The links that carry both legs, such as the pelvis, do not
         belong to it.
         """
-        begin, end = keys.times[[0, -1]]
+        key_times, path = soles.keys.times, soles.figure.tables.path > 0
+        begin, end = key_times[[0, -1]]
         bounds = [t for stance in standing for t in (stance.first, stance.last) if begin < t < end]
-        times, path = np.unique([*keys.times, *bounds]), figure.tables.path > 0
-        stepping, legs = np.zeros((len(figure.links), times.size - 1), bool), np.zeros(len(figure.links), bool)
-        if not points or not standing:
+        times = np.unique([*key_times, *bounds])
+        stepping, legs = np.zeros((len(path), times.size - 1), bool), np.zeros(len(path), bool)
+        if not soles.points or not standing:
             return cls(times, stepping, legs)
-        moving = np.array([point.link for point in points])
-        legs = np.asarray(path[moving].any(axis=0) & ~path[moving].all(axis=0))
-        centres, _ = places_of(points, Samples.still(figure, keys.states))
-        moves = displacements(centres) > Thresholds.of(figure).strode
+        legs = np.asarray(path[soles.links].any(axis=0) & ~path[soles.links].all(axis=0))
+        moves = soles.moves > soles.limits.strode
         first, last = np.array([stance.first for stance in standing]), np.array([stance.last for stance in standing])
         feet = np.array([stance.point.link for stance in standing])
-        same_leg = _same_leg(figure)
-        for k, segment in enumerate(segments_at(keys.times, times[:-1]).tolist()):
+        same_leg = _same_leg(soles.figure)
+        for k, segment in enumerate(segments_at(key_times, times[:-1]).tolist()):
             stands = np.unique(feet[(first <= times[k]) & (times[k + 1] <= last)])
-            for link in np.unique(moving[moves[:, segment]]).tolist():
+            for link in np.unique(soles.links[moves[:, segment]]).tolist():
                 if stands.size and not same_leg[link, stands].any():
                     stepping[:, k] |= path[link] & ~path[stands].any(axis=0)
         return cls(times, stepping, legs)
@@ -76,23 +71,17 @@ class Steps:
         return self.stepping[np.ix_(links, segments_at(self.times, t))]
 
 
-def hops(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Mask:
+def hops(body: KeyframePoints) -> Mask:
     """Return the segments in which a figure on one leg has to hop, (K − 1,).
 
     All points on the ground in either keyframe belong to one leg, and those on the ground in both move by more than
     8 cm (for an adult).
     """
-    count = keys.times.size - 1
-    if not points or not surfaces:
-        return np.zeros(count, bool)
-    centres, radii = places_of(points, Samples.still(figure, keys.states))
-    limits, links = Thresholds.of(figure), np.array([point.link for point in points])
-    down = heights(surfaces, centres, radii)[0] < limits.touching
-    moves = displacements(centres) > limits.strode
-    either, both, same_leg = down[:, :-1] | down[:, 1:], down[:, :-1] & down[:, 1:], _same_leg(figure)
+    down, moves = body.heights < body.limits.touching, body.moves > body.limits.strode
+    either, both, same_leg = down[:, :-1] | down[:, 1:], down[:, :-1] & down[:, 1:], _same_leg(body.figure)
     result = np.logical_or.reduce(both) & ~np.logical_or.reduce(both & ~moves)
     for k in np.flatnonzero(result):
-        legs = np.unique(links[either[:, k]])
+        legs = np.unique(body.links[either[:, k]])
         result[k] = same_leg[np.ix_(legs, legs)].all()
     return result
 
@@ -114,9 +103,7 @@ class DoubleStep:
     swings: tuple[Rest, ...]
 
 
-def double_steps(
-    figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
-) -> tuple[tuple[DoubleStep, ...], ...]:
+def double_steps(soles: KeyframePoints) -> tuple[tuple[DoubleStep, ...], ...]:
     """Return the pairs of steps between keyframes, each in all possible orders.
 
     In both keyframes, all points of both feet are near a surface. Both feet move, by 8 to 70 cm (for an adult), and the
@@ -127,17 +114,13 @@ def double_steps(
     One foot may also be in the air in one keyframe, if these are at least 0.6 s apart. In the first keyframe it is the
     leading foot, in the second one the following foot, and there is no other order.
     """
-    feet = _feet(figure, points)
-    if len(feet) != 2 or not surfaces:
+    feet = _feet(soles)
+    if len(feet) != 2:
         return ()
-    limits = Thresholds.of(figure)
-    samples = Samples.still(figure, keys.states)
-    centres, radii = places_of(points, samples)
-    height, is_known = height_above(surfaces, centres, radii[:, None]), placed(figure, keys.known, points)
-    moves, spans = displacements(centres), np.diff(keys.times)
-    low, high = (np.abs(height) < limits.near_surface) & is_known, (height > limits.near_surface) & is_known
+    limits, centres, spans = soles.limits, soles.centres, np.diff(soles.keys.times)
+    low, high = soles.is_near, (soles.heights > soles.limits.near_surface) & soles.is_known
     stands, raised = (np.array([points_at[foot].all(axis=0) for foot in feet]) for points_at in (low, high))
-    steps = np.array([_is_step(moves[foot], limits) for foot in feet])
+    steps = np.array([_is_step(soles.moves[foot], limits) for foot in feet])
     is_double = stands[:, :-1].all(axis=0) & stands[:, 1:].all(axis=0) & steps.all(axis=0)
     is_double &= spans >= 2 * limits.far_apart
     is_short = ~is_double & (spans >= 1.5 * limits.far_apart)
@@ -145,20 +128,20 @@ def double_steps(
     for foot, other in ((0, 1), (1, 0)):
         is_whole = is_short & stands[other, :-1] & stands[other, 1:] & steps[other]
         for k in np.flatnonzero(is_whole & raised[foot, :-1] & stands[foot, 1:]).tolist():
-            landing = _double_step(keys, points, centres, k, feet[foot], feet[other], is_landing=True)
+            landing = _double_step(soles, k, feet[foot], feet[other], is_landing=True)
             result.append((landing,))
         for k in np.flatnonzero(is_whole & stands[foot, :-1] & raised[foot, 1:]).tolist():
-            lifting = _double_step(keys, points, centres, k, feet[other], feet[foot], is_lifting=True)
+            lifting = _double_step(soles, k, feet[other], feet[foot], is_lifting=True)
             result.append((lifting,))
     if is_double.any():
         places = np.array([centres[:, foot].mean(axis=1) for foot in feet])
-        ankles = np.array([samples.links.x[:, points[foot[0]].link] for foot in feet])
+        ankles = np.array([soles.samples.links.x[:, soles.links[foot[0]]] for foot in feet])
         ahead = (places - ankles).sum(axis=0)  # from ankles to soles
         turns = np.array([_turn(*pair) for pair in pairwise(ahead.T)])
         for k in np.flatnonzero(is_double & (np.abs(turns) < WIDEST)).tolist():
             first = _first(places[..., k : k + 2], ahead[:, k : k + 2], limits)
             orders = (feet[first], feet[1 - first]), (feet[1 - first], feet[first])
-            result.append(tuple(_double_step(keys, points, centres, k, *order) for order in orders))
+            result.append(tuple(_double_step(soles, k, *order) for order in orders))
     return tuple(sorted(result, key=lambda orders: orders[0].segment))
 
 
@@ -169,9 +152,7 @@ def _is_step(moves: Array, limits: Thresholds) -> Mask:
 
 
 def _double_step(
-    keys: Timeline,
-    points: Sequence[Point],
-    centres: Array,
+    soles: KeyframePoints,
     k: int,
     leading: Sequence[int],
     following: Sequence[int],
@@ -179,13 +160,13 @@ def _double_step(
     is_landing: bool = False,
     is_lifting: bool = False,
 ) -> DoubleStep:
-    """Return two steps from keyframe k to the next, of feet with these points at `centres` (3, n, K) [m].
+    """Return two steps from keyframe k to the next, of feet with these indices of points.
 
     Args:
         is_landing: Whether the leading foot is in the air in the first keyframe. Landing takes half as long as a step.
         is_lifting: Whether the following foot is in the air in the second keyframe.
     """
-    begin, end = keys.times[k : k + 2].tolist()
+    begin, end = soles.keys.times[k : k + 2].tolist()
     overlap = OVERLAP * (end - begin)
     middle = begin + (end - begin) * (1 / 3 if is_landing else 2 / 3 if is_lifting else 1 / 2)
     stances, swings = [], []
@@ -194,19 +175,20 @@ def _double_step(
         (following, middle + overlap, end if is_lifting else end - overlap),
     ):
         for i in foot:
-            swings.append(Rest(points[i], lift, land))
+            swings.append(Rest(soles.points[i], lift, land))
             for at, start, stop in ((k, begin, lift), (k + 1, land, end)):
                 if start < stop:
-                    stances.append(Stance(points[i], start, stop, centres[:, i, at], centres[:, i, at], FIRM))
-    return DoubleStep(k, points[leading[0]].link, tuple(stances), tuple(swings))
+                    spot = soles.centres[:, i, at]
+                    stances.append(Stance(soles.points[i], start, stop, spot, spot, FIRM))
+    return DoubleStep(k, int(soles.links[leading[0]]), tuple(stances), tuple(swings))
 
 
-def _feet(figure: Figure, points: Sequence[Point]) -> list[list[int]]:
+def _feet(soles: KeyframePoints) -> list[list[int]]:
     """Return the indices of the points of each foot, which may consist of several links in a chain."""
     feet: list[list[int]] = []
-    same_leg = _same_leg(figure)
-    for i, point in enumerate(points):
-        foot = next((foot for foot in feet if same_leg[point.link, points[foot[0]].link]), None)
+    same_leg = _same_leg(soles.figure)
+    for i, link in enumerate(soles.links):
+        foot = next((foot for foot in feet if same_leg[link, soles.links[foot[0]]]), None)
         if foot is None:
             feet.append([i])
         else:

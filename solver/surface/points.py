@@ -177,4 +177,5 @@ def placed(figure: Figure, specified: Mask, points: Sequence[Point]) -> Mask:
     """
     whole = [specified[:, link.columns].all(axis=1) for link in figure.links[1:]]
     path = figure.tables.path[:, 1:] > 0
-    return np.array([np.all(np.array(whole)[path[point.link]], axis=0) for point in points])
+    rows = [np.all(np.array(whole)[path[point.link]], axis=0) for point in points]
+    return np.array(rows, bool).reshape(len(points), len(specified))

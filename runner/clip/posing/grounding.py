@@ -15,15 +15,15 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.contacts import ContactSchedule
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.forward import kinematics
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
-from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed, places_of
+from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed
 
 HANGING = 0.15  # largest height above the ground, relative to the figure's, of a standing one, as in rest poses
 ROUNDS, MET = 30, 1e-9  # most steps of moving down; [m] largest remaining distance
@@ -82,8 +82,9 @@ class Grounding:
 
         staying  returns the positions (3, n) [m] of the sole points with a stance at keyframe k; NaN for others
         """
-        centres, radii = places_of(self.points, Samples.still(self.figure, timeline.states))
-        low = heights(self.surfaces, centres, radii)[0].min(axis=0)
+        points = KeyframePoints.of(self.figure, timeline, self.points, self.surfaces)
+        centres, radii = points.centres, points.radii
+        low = points.heights.min(axis=0)
         bottom = (centres[2] - radii[:, None]).min(axis=0)
         sets_height = timeline.known[:, self._height]
         standing = self._must_stand(timeline, low)

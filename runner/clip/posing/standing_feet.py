@@ -16,12 +16,12 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import ROUNDING, Contacts, Grasp
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Placed
 from dynsplines.solver.posing import (
     BodyGoal,
@@ -35,8 +35,7 @@ from dynsplines.solver.posing import (
     reached,
 )
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.heights import height_above
-from dynsplines.solver.surface.points import Point, placed, places_of
+from dynsplines.solver.surface.points import Point, placed
 
 from ..contacts import contacts, grasps_of
 from ..table import ContactTable, GraspTable, SolveTable
@@ -254,16 +253,14 @@ class _KnownPositions:
         self.grasps, self.limits = tuple(held), Thresholds.of(figure)
         rests = [stance.point for stance in found.stances]
         self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
-        states = timeline.states
-        self.samples = Samples.still(figure, states)
-        self.told = placed(figure, timeline.known, self.points) if self.points else np.zeros((0, len(states)), bool)
-        self.times, self.centres, self.low = self._unrolled(surfaces)
+        self.at_keys = KeyframePoints.of(figure, timeline, self.points, surfaces)
+        self.told = self.at_keys.is_known
+        self.times, self.centres, self.low = self._unrolled()
 
-    def _unrolled(self, surfaces: Sequence[Surface]) -> tuple[Array, Array, Mask]:
+    def _unrolled(self) -> tuple[Array, Array, Mask]:
         """Return times (T,), positions of the points (n, T, 3), and whether they are on a surface (n, T)."""
-        centres, radii = places_of(self.points, self.samples)
-        above = height_above(surfaces, centres, radii[:, None])
-        times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < self.limits.near_surface
+        times, centres = self.timeline.times, np.moveaxis(self.at_keys.centres, 0, 2)
+        low = np.abs(self.at_keys.heights) < self.limits.near_surface
         if self.timeline.ends != "periodic":
             return times, centres, low
         seam, period = Seam.of(self.figure, self.timeline), times[-1] - times[0]
@@ -368,9 +365,9 @@ class _KnownPositions:
         neighbours = [n for n in near if n is not None]
         nearest = min(neighbours, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if neighbours else k
         if self.timeline.ends != "periodic" or not neighbours:
-            return quat.from_matrix(self.samples.links.rotation[:, :, link, nearest])
+            return quat.from_matrix(self.at_keys.samples.links.rotation[:, :, link, nearest])
         number, nearest = divmod(nearest, self.times.size // 3)  # of the periods before, of and after the loop
-        rotation = quat.from_matrix(self.samples.links.rotation[:, :, link, nearest])
+        rotation = quat.from_matrix(self.at_keys.samples.links.rotation[:, :, link, nearest])
         return quat.product(Seam.of(self.figure, self.timeline).turn(number - 1), rotation)
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from ...array import Array, Index, Mask, segments_at
 from ...contacts.footing import Interval, within
+from ...contacts.keyframe_points import KeyframePoints
 from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.figure import Figure
@@ -21,8 +22,8 @@ from ...figure.kinematics import Samples
 from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface import Surface
-from ...surface.heights import clearance_gradients, clearances, heights
-from ...surface.points import Point, arrays_of, placed, places_of
+from ...surface.heights import clearance_gradients, clearances
+from ...surface.points import Point, arrays_of
 from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
@@ -75,12 +76,11 @@ class HoverPenalty(Penalty):
         """
         if not self.points or not self.surfaces:
             return self
-        places, radii = places_of(self.points, Samples.still(figure, keys.states))
-        low = np.maximum(heights(self.surfaces, places, radii)[0].min(axis=0), 0)
-        is_set, limits = placed(figure, keys.fixed, self.points).all(axis=0), Thresholds.of(figure)
-        short = np.pad(np.diff(keys.times) <= limits.shortly, 1, constant_values=True)
-        allowed = Allowance(keys.times, low * (is_set & short[:-1] & short[1:]))
-        return replace(self, allowed=allowed, key_times=keys.times, long=limits.long)
+        points = KeyframePoints.of(figure, keys, self.points, self.surfaces)
+        low, is_fixed = np.maximum(points.heights.min(axis=0), 0), points.is_fixed.all(axis=0)
+        short = np.pad(np.diff(keys.times) <= points.limits.shortly, 1, constant_values=True)
+        allowed = Allowance(keys.times, low * (is_fixed & short[:-1] & short[1:]))
+        return replace(self, allowed=allowed, key_times=keys.times, long=points.limits.long)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from ...array import Array, Index, segments_at
+from ...contacts.keyframe_points import KeyframePoints
 from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot
@@ -20,7 +21,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches, of_point, of_velocity
 from ...surface import Surface
 from ...surface.heights import clearance_gradients, clearances
-from ...surface.points import Point, arrays_of, displacements, placed, places_of
+from ...surface.points import Point, arrays_of
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
@@ -66,11 +67,9 @@ class Bound:
             np.minimum(1.0, (limits.long / (spans if durations is None else durations)) ** 2), (len(points), 1)
         )
         if swings:
-            samples = Samples.still(figure, keys.states)
-            centres, _ = places_of(points, samples)
-            steps = displacements(centres)
-            is_set = placed(figure, keys.known, points)
-            shares[(steps > limits.strode) & (spans <= limits.shortly) & is_set[:, 1:] & is_set[:, :-1]] = 0.0
+            feet = KeyframePoints.of(figure, keys, points)
+            is_swing = (feet.moves > limits.strode) & feet.is_known[:, 1:] & feet.is_known[:, :-1]
+            shares[is_swing & (spans <= limits.shortly)] = 0.0
         return cls(keys.times, shares)
 
     def at(self, t: Array) -> Array:

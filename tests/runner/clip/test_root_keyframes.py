@@ -16,6 +16,7 @@ from dynsplines.errors import UserError
 from dynsplines.scene.framing import middles
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import stances
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from tests.support.biped import BALL, BOX, CART, biped, joints, nested, scene
 
 PLANAR = ("tx", "tz", "ry")
@@ -137,7 +138,7 @@ def test_feet_are_found_and_stand(tmp_path: Path, kind: str) -> None:
     problem = read(scene(BOX, root), tmp_path, rest, rest)
     soles = sole_points(problem.figure, problem.figure.model.qpos0[None])
     assert {point.name.rpartition(" ")[0] for point in soles} == {"left_foot", "right_foot"}
-    assert len(stances(problem.figure, problem.context.keys, soles, problem.context.surfaces)) == 8
+    assert len(stances(KeyframePoints.of(problem.figure, problem.context.keys, soles, problem.context.surfaces))) == 8
 
 
 @pytest.mark.parametrize("names", [("tz", "tx", "ry"), ("tz", "ty", "tx", "rz", "rx", "ry")])

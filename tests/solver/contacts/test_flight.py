@@ -10,6 +10,7 @@ from oracles import kinematics
 from dynsplines import inbetween, load
 from dynsplines.solver.contacts import flights, stances
 from dynsplines.solver.contacts.flight import STRETCHED
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.surface import Plane
@@ -29,7 +30,8 @@ SOLE = tuple(Point(name, 2, np.array([x, 0, -1.0])) for name, x in (("heel", -0.
 def hop(*poses: tuple[float, float, float]) -> tuple[tuple[float, float], ...]:
     """The flights of keyframes at a time, of a root height and with the leg drawn in by some length."""
     keys = raw_timeline(FIGURE, [Frame.key(t, [0, 0, z, 1, 0, 0, 0, drawn]) for t, z, drawn in poses])
-    return flights(FIGURE, 1, keys, SOLE, (FLOOR,), stances(FIGURE, keys, SOLE, (FLOOR,)))
+    sole = KeyframePoints.of(FIGURE, keys, SOLE, (FLOOR,))
+    return flights(1, sole, stances(sole))
 
 
 def crouch(t: float, z: float = 0.8) -> tuple[float, float, float]:

@@ -9,6 +9,7 @@ from scipy.spatial import ConvexHull
 
 from dynsplines.clip import load as clips
 from dynsplines.solver.contacts import Contacts, ContactSchedule, Footing, Stance, flights, footings, stances
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.surface import Plane
@@ -41,8 +42,8 @@ def key(time: float, x: float, feet: tuple[float, float], *, z: float = 1.0) -> 
 def tell(*keys: Frame, body: tuple[Point, ...] = (), later: float = 0.0) -> tuple[tuple[float, float], ...]:
     """The flights, which are the same if all of it happens a while later."""
     timeline = raw_timeline(FIGURE, [replace(key, time=key.time + later) for key in keys])
-    held = stances(FIGURE, timeline, SOLES, (FLOOR,))
-    found = flights(FIGURE, 1, timeline, SOLES, (FLOOR,), held, body)
+    soles = KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,))
+    found = flights(1, soles, stances(soles), body)
     if not later:
         again = tell(*keys, body=body, later=3.0)
         np.testing.assert_allclose(np.reshape(again, (-1, 2)), np.reshape(found, (-1, 2)) + 3.0, rtol=1e-12)
@@ -64,7 +65,8 @@ def test_a_foot_pushes_with_the_corners_of_its_outline_and_none_of_the_points_in
     sole = np.concatenate([0.1 * np.array([np.cos(angle), np.sin(angle)]).T, rng.uniform(-0.03, 0.03, (6, 2))])
     points = tuple(Point(f"p{i}", 2, np.array([x, y, -1.0])) for i, (x, y) in enumerate(sole))
     keys = raw_timeline(FIGURE, [key(0, 0, STAND), key(1, 0, STAND)])
-    found = footings(FIGURE, keys, points, (FLOOR,), stances(FIGURE, keys, points, (FLOOR,)))
+    soles = KeyframePoints.of(FIGURE, keys, points, (FLOOR,))
+    found = footings(soles, stances(soles))
     outline = {f"p{i}" for i in ConvexHull(sole).vertices}
     assert len(outline) == 8
     assert {footing.point.name for footing in found} == outline
@@ -102,7 +104,7 @@ def test_the_shipped_run_has_its_three_flights():
 @pytest.mark.parametrize(("seconds", "stands"), [(0.12, True), (0.11, False)])
 def test_a_foot_that_moves_faster_than_35_cm_a_second_does_not_stand(seconds, stands):
     timeline = raw_timeline(FIGURE, [key(5.0, 0.0, STAND), key(5.0 + seconds, 0.04, STAND)])
-    assert bool(stances(FIGURE, timeline, SOLES, (FLOOR,))) is stands
+    assert bool(stances(KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,)))) is stands
 
 
 def test_a_figure_without_a_free_joint_is_not_held_down():
@@ -151,7 +153,7 @@ def test_nobody_takes_off_from_a_foot_that_is_flat_on_the_ground_be_it_the_only_
     flat, toe = key(0, 0, (0.1, 0.4), z=0.9), crouched_on_toe(0, 0, 0.1)
     for first, found in ((flat, ()), (toe, ((0.0, 0.3),))):
         timeline = raw_timeline(FIGURE, [first, key(0.15, 0.5, AIR, z=1.0), crouched_on_toe(0.3, 1.0, 0.1)])
-        assert flights(FIGURE, 1, timeline, feet, (FLOOR,), ()) == found
+        assert flights(1, KeyframePoints.of(FIGURE, timeline, feet, (FLOOR,)), ()) == found
 
 
 def test_a_clip_in_the_air_is_one_flight_if_it_falls():
@@ -237,17 +239,17 @@ def timeline_of(*keys: Frame) -> Timeline:
 
 def test_without_a_surface_points_or_gravity_there_is_no_flight():
     timeline = timeline_of(key(0, 0, AIR, z=1.5), key(0.3, 0, AIR, z=1.5))
-    assert flights(FIGURE, 1, timeline, SOLES, (FLOOR,), ()) == ((0.0, 0.3),)
-    assert flights(FIGURE, 1, timeline, SOLES, (), ()) == ()
-    assert flights(FIGURE, 1, timeline, (), (FLOOR,), ()) == ()
+    assert flights(1, KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,)), ()) == ((0.0, 0.3),)
+    assert flights(1, KeyframePoints.of(FIGURE, timeline, SOLES), ()) == ()
+    assert flights(1, KeyframePoints.of(FIGURE, timeline, (), (FLOOR,)), ()) == ()
     text = WALKER.replace("<mujoco>", '<mujoco><option gravity="0 0 0"/>')
-    assert flights(figure_of(text), 1, timeline, SOLES, (FLOOR,), ()) == ()
+    assert flights(1, KeyframePoints.of(figure_of(text), timeline, SOLES, (FLOOR,)), ()) == ()
 
 
 def footings_of(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[Footing, ...]:
     timeline = timeline_of(*keys)
-    held = stances(FIGURE, timeline, SOLES, (FLOOR,))
-    return footings(FIGURE, timeline, SOLES, (FLOOR,), held, body)
+    soles = KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,))
+    return footings(soles, stances(soles), body)
 
 
 def test_a_foot_that_stands_may_push_with_all_that_touches_in_one_of_the_keyframes():
@@ -270,8 +272,9 @@ def test_points_of_the_body_make_a_foot_wide_and_those_inside_are_left_out():
 def test_who_does_not_stand_has_no_footing():
     assert footings_of(key(0, 0, AIR), key(0.3, 0, AIR)) == ()
     timeline = timeline_of(key(0, 0, LEFT), key(0.1, 0, LEFT))
-    held = stances(FIGURE, timeline, SOLES, (FLOOR,))
-    assert footings(FIGURE, timeline, (), (FLOOR,), held) == footings(FIGURE, timeline, SOLES, (), held) == ()
+    held = stances(KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,)))
+    assert footings(KeyframePoints.of(FIGURE, timeline, (), (FLOOR,)), held) == ()
+    assert footings(KeyframePoints.of(FIGURE, timeline, SOLES), held) == ()
 
 
 @pytest.mark.parametrize(

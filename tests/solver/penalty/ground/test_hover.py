@@ -9,7 +9,8 @@ from figures import BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
-from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals, touches
+from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -114,7 +115,7 @@ def grounded(
     figure: Figure, keys: Timeline, points: tuple[Point, ...], surfaces: tuple[Plane, ...], flights: tuple = ()
 ) -> tuple:
     """The segments between keyframes in which the lowest of the points is on the ground."""
-    down = touches(figure, keys, points, surfaces)
+    down = KeyframePoints.of(figure, keys, points, surfaces).touches
     return grounded_intervals(keys, down, np.zeros(down.size - 1, bool), flights)
 
 
@@ -164,7 +165,7 @@ def open_of(heights: list[float], free: set[int], flights: tuple = (), step: flo
     fixed = [np.arange(7) != (2 if i in free else -1) for i in range(len(heights))]
     keys = [Frame(step * i, *both, np.arange(7) == 2) for i, both in enumerate(zip(states, fixed, strict=True))]
     timeline = raw_timeline(figure, keys)
-    down = touches(figure, timeline, (FOOT_OF_IT,), (FLOOR,))
+    down = KeyframePoints.of(figure, timeline, (FOOT_OF_IT,), (FLOOR,)).touches
     return open_intervals(timeline, down, ~timeline.fixed[:, 2], flights)
 
 

@@ -12,6 +12,7 @@ from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts import Stance, resting_objects, stances
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -47,7 +48,7 @@ def found(places: list[tuple[float, float]]) -> tuple[Stance, ...]:
     model = mujoco.MjModel.from_xml_string(BALL)
     figure = Figure(model)
     keys = [Frame.key(float(i), [x, 0, z + 0.6, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
-    return stances(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,))
+    return stances(KeyframePoints.of(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,)))
 
 
 def test_two_keyframes_with_the_point_on_one_spot_plant_it_between_them():
@@ -73,8 +74,8 @@ def test_a_point_that_moved_or_left_the_surface_is_not_planted(places):
 def test_no_points_or_no_surfaces_plant_nothing(figure, rng):
     keys = [Frame.key(float(i), figure.to_qpos(figure.to_state(rng.normal(size=figure.width)))) for i in range(2)]
     timeline = raw_timeline(figure, keys)
-    assert stances(figure, timeline, (), (FLOOR,)) == ()
-    assert stances(figure, timeline, (FOOT,), ()) == ()
+    assert stances(KeyframePoints.of(figure, timeline, (), (FLOOR,))) == ()
+    assert stances(KeyframePoints.of(figure, timeline, (FOOT,))) == ()
 
 
 BOX = """<mujoco><worldbody><body name="box"><freejoint name="box"/><geom type="box" size=".1 .2 .3"/></body>
@@ -99,7 +100,7 @@ def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_
         poses = np.tile([0.0, 0, 1, 1, 0, 0, 0], (2, 3, 1))
         poses[1, ~np.array(still), 0] += 0.3
         keys = raw_timeline(figure, [Frame.key(float(i), pose.ravel()) for i, pose in enumerate(poses)])
-        found = resting_objects(figure, keys, [1, 2, 3])
+        found = resting_objects(KeyframePoints.of(figure, keys, ()), [1, 2, 3])
         assert [stance.point.name for stance in found] == [
             name for name, lies in zip(names, still, strict=True) for _ in range(3 * lies)
         ]
@@ -108,9 +109,11 @@ def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_
 def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
     figure = figure_of(BOX)
     here, there = [0.0, 0, 0.3], [0.01, 0, 0.3]
-    found = resting_objects(figure, box_keys(figure, [here, here, there, there], [True] * 4), [1])
+    found = resting_objects(
+        KeyframePoints.of(figure, box_keys(figure, [here, here, there, there], [True] * 4), ()), [1]
+    )
     assert [(stance.first, stance.last) for stance in found] == [(0.0, 1.0)] * 3 + [(2.0, 3.0)] * 3
     np.testing.assert_allclose([stance.landed for stance in found], [stance.spot for stance in found], atol=1e-12)
     for told in ([True, False], [False, True], [False, False]):
-        assert resting_objects(figure, box_keys(figure, [here, here], told), [1]) == ()
-    assert resting_objects(figure, box_keys(figure, [here, here], [True, True]), []) == ()
+        assert resting_objects(KeyframePoints.of(figure, box_keys(figure, [here, here], told), ()), [1]) == ()
+    assert resting_objects(KeyframePoints.of(figure, box_keys(figure, [here, here], [True, True]), ()), []) == ()

@@ -1,0 +1,124 @@
+"""Points of a figure at its keyframes: positions, heights above the ground, and whether keyframes determine them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..array import Array, Index, Mask
+from ..curve.frame import Timeline
+from ..figure.figure import Figure
+from ..figure.kinematics import Samples
+from ..surface import Surface
+from ..surface.points import Point, arrays_of, displacements, placed
+from .thresholds import Thresholds
+
+
+@dataclass(frozen=True, eq=False)
+class KeyframePoints:
+    """n points at K keyframes.
+
+    Attributes:
+        samples: The poses of the keyframes.
+        keys: The keyframes.
+        points: The points.
+        surfaces: The surfaces that can support them.
+    """
+
+    samples: Samples
+    keys: Timeline
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...] = ()
+
+    @classmethod
+    def of(
+        cls, figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface] = ()
+    ) -> KeyframePoints:
+        """Return the points of a figure at keyframes."""
+        return cls(Samples.still(figure, keys.states), keys, tuple(points), tuple(surfaces))
+
+    def with_points(self, points: Sequence[Point]) -> KeyframePoints:
+        """Return other points at the same keyframes."""
+        return KeyframePoints(self.samples, self.keys, tuple(points), self.surfaces)
+
+    def at_keyframes(self, which: Index) -> KeyframePoints:
+        """Return the points at some of the keyframes, by indices."""
+        if which.size == self.keys.times.size:
+            return self
+        keys = Timeline(tuple(self.keys.frames[i] for i in which), self.keys.end_slope, self.keys.ends)
+        return KeyframePoints(self.samples.select(which), keys, self.points, self.surfaces)
+
+    @property
+    def figure(self) -> Figure:
+        return self.samples.figure
+
+    @property
+    def limits(self) -> Thresholds:
+        return Thresholds.of(self.figure)
+
+    @cached_property
+    def links(self) -> Index:
+        """The links of the points, (n,)."""
+        return arrays_of(self.points)[0]
+
+    @cached_property
+    def radii(self) -> Array:
+        """The radii of the points, (n,) [m]."""
+        return arrays_of(self.points)[2]
+
+    @cached_property
+    def centres(self) -> Array:
+        """The centres of the points, (3, n, K) [m]."""
+        links, positions, _ = arrays_of(self.points)
+        return self.samples.links.points(links, positions)[0]
+
+    @cached_property
+    def moves(self) -> Array:
+        """The distances between successive positions, (n, K − 1) [m]."""
+        return displacements(self.centres)
+
+    @property
+    def heights(self) -> Array:
+        """The heights of the points' lowest ends above the highest surface below them, (n, K) [m]; ∞ without one."""
+        return self._heights[0]
+
+    @property
+    def nearest(self) -> Index:
+        """The index of that surface, (n, K)."""
+        return self._heights[1]
+
+    @cached_property
+    def _heights(self) -> tuple[Array, Index]:
+        if not self.surfaces:
+            return np.full(self.centres.shape[1:], np.inf), np.full(self.centres.shape[1:], -1)
+        heights = np.array([surface.height(self.centres) for surface in self.surfaces]) - self.radii[:, None]
+        nearest = np.argmin(heights, axis=0)
+        return np.take_along_axis(heights, nearest[None], axis=0)[0], nearest
+
+    @cached_property
+    def is_known(self) -> Mask:
+        """Whether the keyframe specifies the position, by the animator or by posing, (n, K)."""
+        return placed(self.figure, self.keys.known, self.points)
+
+    @cached_property
+    def is_fixed(self) -> Mask:
+        """Whether the animator specified the position, (n, K)."""
+        return placed(self.figure, self.keys.fixed, self.points)
+
+    @property
+    def is_near(self) -> Mask:
+        """Whether the position is known and near a surface, (n, K)."""
+        return np.asarray((np.abs(self.heights) < self.limits.near_surface) & self.is_known)
+
+    @property
+    def touches(self) -> Mask:
+        """Whether the lowest of the points is on the ground, (K,)."""
+        return np.asarray(self.heights.min(axis=0, initial=np.inf) < self.limits.touching)
+
+    def segments(self) -> Iterator[tuple[int, float, float]]:
+        """Yield the index and time [s] of every keyframe but the last, and the time [s] of the next."""
+        times = self.keys.times.tolist()
+        yield from zip(range(len(times) - 1), times[:-1], times[1:], strict=True)
