@@ -11,6 +11,7 @@ hardly moves, but only the toe is planted.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +23,6 @@ from ..figure.kinematics import Samples
 from ..surface import Plane, Surface
 from ..surface.heights import ground_at, grounds
 from ..surface.points import Point, arrays_of, places_of
-from .point_likelihood import surprisal
 from .thresholds import Thresholds
 
 DEAR = 6.0  # minus the log prior of a stance: one sample in e³ begins or ends one
@@ -269,3 +269,40 @@ def _moves(times: Array, place: Array, first: int, last: int, noise: float, limi
     moved = place[:, last - third : last].mean(axis=1) - place[:, first : first + third].mean(axis=1)
     distance = float(np.linalg.norm(moved)) - SURE * noise / np.sqrt(third)
     return distance > max(limits.rolls, limits.drift * seconds)
+
+
+def surprisal(times: Array, places: Array, variance: Array, known: Mask, limits: Thresholds) -> Array:
+    """Return minus the log density [m⁻³] of positions (3, p, T) after the previous ones, (p, T); 0 where unknown.
+
+    A point moves like a limb, in any direction. Its acceleration is white noise, so that its position is a twice
+    integrated Wiener process, and a sample is the position plus noise. Kalman's filter (1960) gives the likelihood.
+
+    times     (T,) [s], rising
+    variance  (p,) [m²] of a sample, in every direction
+    known     (T,) mask of samples; the first sample has no density
+    limits    thresholds of the figure
+    """
+    count, size = times.size, variance.size
+    out = np.zeros((size, count))
+    samples = np.flatnonzero(known)
+    if not samples.size:
+        return out
+    place, velocity = places[:, :, samples[0]], np.zeros((3, size))
+    variance_of_place, both, speed = np.array(variance), np.zeros(size), np.full(size, limits.fastest**2)
+    for before, now in pairwise(samples.tolist()):
+        h = float(times[now] - times[before])
+        place = place + h * velocity
+        variance_of_place, both = (
+            variance_of_place + h * (2 * both + h * speed) + limits.lively * h**3 / 3,
+            both + h * speed + limits.lively * h**2 / 2,
+        )
+        speed = speed + limits.lively * h
+        expected, off = variance_of_place + variance, places[:, :, now] - place
+        out[:, now] = 0.5 * np.sum(off**2, axis=0) / expected + 1.5 * np.log(2 * np.pi * expected)
+        place, velocity = place + variance_of_place / expected * off, velocity + both / expected * off
+        variance_of_place, both, speed = (
+            variance_of_place - variance_of_place**2 / expected,
+            both - variance_of_place * both / expected,
+            speed - both**2 / expected,
+        )
+    return out

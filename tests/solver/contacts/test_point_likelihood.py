@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from densities import log_normal
 
-from dynsplines.solver.contacts.point_likelihood import surprisal
+from dynsplines.solver.contacts.recorded_stances import surprisal
 from dynsplines.solver.contacts.thresholds import Thresholds
 
 ADULT = Thresholds()

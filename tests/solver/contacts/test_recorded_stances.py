@@ -13,7 +13,6 @@ from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.ground_alignment import align_to_ground
-from dynsplines.solver.contacts.point_likelihood import surprisal
 from dynsplines.solver.contacts.recorded_stances import (
     DEAR,
     RecordedStance,
@@ -25,6 +24,7 @@ from dynsplines.solver.contacts.recorded_stances import (
     infer_stances_and_raised,
     largest_noise,
     position_noise,
+    surprisal,
 )
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import ORDER, RecordedMotion
