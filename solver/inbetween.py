@@ -173,10 +173,8 @@ class _Loop:
             return self.run_windows(raw, first)
         guide = guide_of(self.objective)
         if guide is not None and first.variable_count:
-            initial_guess = guide.initial_guess(
-                first, settings.frames if settings.variable is None else first.variable_count
-            )
-            first = min(first, initial_guess, key=lambda timeline: self.objective.value(path_of(timeline)))
+            most = settings.frames if settings.variable is None else first.variable_count
+            first = guide.initial_guess(first, most)
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 
     def continue_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
