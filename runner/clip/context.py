@@ -161,7 +161,7 @@ class Context:
         stands = whole & schedule.touches
         strides = moves > STEP * height(self.figure, schedule.root)
         lost = (gaps >= limits.far_apart) & strides & stands[:-1] & stands[1:]
-        lost[[double.segment for double in schedule.double_steps]] = False
+        lost[[steps.segment for steps in schedule.footsteps]] = False
         lost &= ~schedule.hops
         for first, last in schedule.flights:
             lost &= (keys.times[1:] <= first) | (last <= keys.times[:-1])
@@ -177,16 +177,16 @@ class Context:
 
     @property
     def assumed_steps(self) -> list[str]:
-        """A note on the order of two steps that is inferred between two keyframes."""
-        doubles = self.schedule.double_steps
-        if not doubles:
+        """A note on the order of the steps that are inferred between two keyframes."""
+        inferred = self.schedule.footsteps
+        if not inferred:
             return []
-        double, others = doubles[0], len(doubles) - 1
+        steps, others = inferred[0], len(inferred) - 1
         more = f", likewise in {others} more pair{'s' if others > 1 else ''} of keyframes" if others else ""
         return [
-            f"both feet move between keyframes {double.segment + 1} and {double.segment + 2}, so each takes a step, "
-            f"{self.figure.links[double.leading].name} first{more}; for another order, add a keyframe in which "
-            "the other foot has landed"
+            f"both feet move between keyframes {steps.segment + 1} and {steps.segment + 2}, so they take {steps.count} "
+            f"steps, {self.figure.links[steps.leading].name} first{more}; for other steps, add a keyframe in which "
+            "one foot has landed"
         ]
 
     @property

@@ -61,6 +61,7 @@ from dynsplines.solver.surface.touch import bolted
 from ..errors import UserError, unknown
 from .contacts import moving_bodies
 from .context import Context
+from .posing.stepping import SteppingStances
 from .table import Angle, Expected, Flag, Names, Number, Real, Table
 
 HARD, HARD_TRAVEL = float(np.radians(0.05)), 5e-5  # [rad], [m] tolerance of keyframes beyond a hard range
@@ -284,6 +285,8 @@ def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
 def _stance(context: Context, options: Options) -> Penalty | None:
     schedule = context.schedule
     stances = (*schedule.stances, *schedule.resting_objects)
+    if schedule.footsteps:
+        return SteppingStances.of(schedule, BendLimits(context.bends), stances)
     return StancePenalty(stances) if context.points or schedule.resting_objects else None
 
 

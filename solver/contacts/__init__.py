@@ -4,13 +4,13 @@ schedule          all contacts of one clip: stances, grasps, flights, gait
 stance            points that stay in one place           grasp     points that hold another body
 footing           points that carry                       grounded  intervals near the ground
 steps             legs that swing while another one stands
+footsteps         the steps of two feet between keyframes in which both stand
 flight            free fall between contacts
 keyframe_points   positions and heights of points at keyframes, from which all these are inferred
 gait              the walking or running cycle of keyframes, as a Gaussian process of poses
 gait_period       the choice of the cycle: its period suits the size of the body, and feet do not slip
 pose_vectors      poses as vectors: the joints' deviation from their mean, without position and heading
-recorded_stances  the stances of a recording's soles
-point_likelihood  the likelihood of the positions of a moving point
+recorded_stances  the stances of a recording's soles, by the likelihood of their positions
 ground_alignment  vertical alignment of a recording with the ground
 thresholds        all distances, times and speeds that decide, relative to the size of the figure
 """

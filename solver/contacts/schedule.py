@@ -15,13 +15,14 @@ from ..surface import Surface
 from ..surface.points import Point, body_points, free_root, hanging
 from .flight import flights
 from .footing import Footing, Interval, footings
+from .footsteps import Footsteps, footsteps
 from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links
 from .grounded import grounded_intervals, open_intervals
 from .keyframe_points import KeyframePoints
 from .stance import Rest, Stance, resting_objects, stances
-from .steps import DoubleStep, Steps, double_steps, hops
+from .steps import Steps, hops
 from .thresholds import Thresholds
 
 ROUNDING = 1e-9  # [s] rounding tolerance of times
@@ -96,30 +97,30 @@ class ContactSchedule:
         """The stances inferred from keyframes, without those that contradict specified contacts or targets."""
         inferred = stances(self._soles)
         alone = tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
-        return (*alone, *(stance for double in self.double_steps for stance in self._unspecified(double)))
+        return (*alone, *(stance for steps in self.footsteps for stance in self._unspecified(steps)))
 
     @cached_property
-    def double_steps(self) -> tuple[DoubleStep, ...]:
-        """The pairs of steps between keyframes, in the first order that contradicts no specified contact or target.
+    def footsteps(self) -> tuple[Footsteps, ...]:
+        """The steps between keyframes, in the first order that contradicts no specified contact or target.
 
         There are none in a gait cycle, which has its own steps, and none if the footings are specified.
         """
         if self.specified_footings is not None:
             return ()
-        inferred = double_steps(self._soles)
+        inferred = footsteps(self._soles)
         if not inferred or self.gait_cycle is not None:
             return ()
-        fitting = [[double for double in orders if self._fits(double)] for orders in inferred]
+        fitting = [[steps for steps in orders if self._fits(steps)] for orders in inferred]
         return tuple(orders[0] for orders in fitting if orders)
 
-    def _fits(self, double: DoubleStep) -> bool:
-        """Return whether no specified contact or target contradicts two steps."""
-        is_held = any(self.contacts.overlaps(swing) for swing in double.swings)
-        return not is_held and not any(self._leaves(stance) for stance in self._unspecified(double))
+    def _fits(self, steps: Footsteps) -> bool:
+        """Return whether no specified contact or target contradicts steps."""
+        is_held = any(self.contacts.overlaps(swing) for swing in steps.swings)
+        return not is_held and not any(self._leaves(stance) for stance in self._unspecified(steps))
 
-    def _unspecified(self, double: DoubleStep) -> list[Stance]:
-        """Return the stances of two steps that specified contacts do not replace."""
-        return [stance for stance in double.stances if not self.contacts.overlaps(stance)]
+    def _unspecified(self, steps: Footsteps) -> list[Stance]:
+        """Return the stances of steps that specified contacts do not replace."""
+        return [stance for stance in steps.stances if not self.contacts.overlaps(stance)]
 
     def _leaves(self, stance: Stance) -> bool:
         """Return whether a target of the stance's link is too near or too far for it during the stance."""
@@ -152,9 +153,10 @@ class ContactSchedule:
 
     @property
     def step_durations(self) -> Array:
-        """The time for a step in each segment between keyframes, (K − 1,) [s]: half of it if two feet step in turn."""
+        """The time for a step in each segment between keyframes, (K − 1,) [s]."""
         durations = np.diff(self.keys.times)
-        durations[[double.segment for double in self.double_steps]] *= 0.5
+        for steps in self.footsteps:
+            durations[steps.segment] /= steps.count
         return durations
 
     @cached_property

@@ -44,6 +44,7 @@ class Thresholds:
     as_tall: float = _metres(0.001)  # difference between the heights of equally tall poses
     far_apart: float = _seconds(0.4)  # shortest time between keyframes that is long enough for a step
     longest_step: float = _metres(0.7)  # longest way of a foot in a step from stand to stand
+    mid_step: float = _metres(0.12)  # height of a foot in the middle of a step, in an initial guess
     turning: float = _metres(
         0.1
     )  # in the order of two steps, travel to the side that counts as much as a turn of 1 rad

@@ -5,6 +5,7 @@ placement      joint values from specified positions
 unmet_goals    notes on positions out of reach
 feet           the soles' points
 standing_feet  stances of feet in partial keyframes
+stepping       the initial guess of clips with footsteps
 grounding      placing of keyframes on the ground
 rotation       rotations in a clip's notation
 couplings      joints coupled by equality constraints

@@ -84,6 +84,24 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
     return quat.from_matrix(rotation)
 
 
+def upright(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], bends: BendLimits | None) -> Posed:
+    """Return the pose with the trunk, from the root to where limbs branch off, oriented as in `home`.
+
+    If there is none, all free joints are near home.
+    """
+    trunk = np.zeros(figure.width, bool)
+    for columns in figure.tables.quaternion_columns.T:
+        trunk[columns] = True
+    if figure.root is not None:
+        for link in (figure.links[i] for i in figure.root.links):
+            trunk[link.columns] |= link.kind is JointKind.HINGE
+    legs = {link for goal in goals for link in limb(figure, goal.bodies(figure.model)[0])}
+    for link in legs:
+        trunk[figure.links[link].columns] = False
+    pose = posed(figure, home, free & ~trunk, goals, bends, 3)
+    return pose if pose.worst <= NEARLY else posed(figure, home, free, goals, bends, STARTS)
+
+
 def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:
     """Yield the contacts within [first, last], for a recording only those near its keyframes."""
     for table in tables:
@@ -177,21 +195,6 @@ class Stander:
         held_sites = grasps_of(self.figure, timeline, self.held, self.where, soles)
         return _KnownPositions(self.figure, timeline, soles, self.surfaces, contact_rests, held_sites)
 
-    def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
-        """Return the pose with the trunk, from the root to where limbs branch off, oriented as in `home`. If there is
-        none, all free joints are near home."""
-        trunk = np.zeros(self.figure.width, bool)
-        for columns in self.figure.tables.quaternion_columns.T:
-            trunk[columns] = True
-        if self.figure.root is not None:
-            for link in (self.figure.links[i] for i in self.figure.root.links):
-                trunk[link.columns] |= link.kind is JointKind.HINGE
-        legs = {link for goal in goals for link in limb(self.figure, goal.bodies(self.figure.model)[0])}
-        for link in legs:
-            trunk[self.figure.links[link].columns] = False
-        pose = posed(self.figure, home, free & ~trunk, goals, self.bends, 3)
-        return pose if pose.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
-
     def _posed(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Placed]) -> Frame:
         """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
         figure = self.figure
@@ -205,7 +208,7 @@ class Stander:
         is_determined, missed = np.zeros(figure.width, bool), list[Goal]()
         while groups:
             goals = [goal for group in groups for goal in group]
-            pose = self._upright(home, ~frame.fixed, goals)
+            pose = upright(figure, home, ~frame.fixed, goals, self.bends)
             if pose.worst > NEARLY and len(groups) == count:
                 pose = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
             if pose.worst <= NEARLY:

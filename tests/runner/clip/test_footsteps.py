@@ -1,6 +1,8 @@
-"""Keyframes that stand on both feet at different places: the feet step one after the other."""
+"""Keyframes that stand on both feet at different places: the feet step in turn."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 import mujoco
 import numpy as np
@@ -23,10 +25,10 @@ def clip(forward: float, left: float = 0.0, turn: float = 0.0, time: float = 1.2
 
 
 def leading(text: str) -> str | None:
-    """The name of the foot that steps first; None without two steps."""
+    """The name of the foot that steps first; None without steps."""
     loaded = recordings.from_text(text, name="steps")
-    doubles = loaded.context.schedule.double_steps
-    notes = [note for note in loaded.notes if "each takes a step" in note]
+    doubles = loaded.context.schedule.footsteps
+    notes = [note for note in loaded.notes if "so they take" in note]
     assert len(notes) == len(doubles) <= 1
     if not doubles:
         return None
@@ -43,9 +45,12 @@ def leading(text: str) -> str | None:
         ({"forward": 0.0, "turn": 60}, "left"),
         ({"forward": 0.0, "turn": -60}, "right"),
         ({"forward": 0.4, "time": 0.7}, None),  # no time for two steps
-        ({"forward": 0.9}, None),  # farther than a step
+        ({"forward": 0.9}, "left"),
+        ({"forward": 0.9, "time": 1.1}, None),  # no time for three steps
         ({"forward": 0.05}, None),  # less than a step
-        ({"forward": 0.0, "turn": 150}, None),
+        ({"forward": 0.0, "turn": 150, "time": 1.8}, "left"),
+        ({"forward": 0.0, "turn": -150, "time": 1.8}, "right"),
+        ({"forward": 0.0, "turn": 150}, None),  # no time for four steps
     ],
 )
 def test_the_foot_on_the_side_of_the_move_steps_first(move, first):
@@ -97,6 +102,63 @@ def test_the_feet_are_raised_in_turn():
     assert not [violation for violation in motion.violations if violation.kind in ("float", "slide", "stance")]
 
 
+@pytest.mark.parametrize(
+    ("move", "count"),
+    [
+        ({"forward": 0.6, "time": 6.0}, 2),
+        ({"forward": 1.3, "time": 3.0}, 3),
+        ({"forward": 2.0, "time": 3.0}, 4),
+        ({"forward": -1.0, "time": 3.0}, 3),
+        ({"forward": 0.0, "left": 1.0, "time": 3.0}, 4),  # a foot does not overtake the other one to the side
+        ({"forward": 0.0, "turn": 170, "time": 3.0}, 4),
+    ],
+)
+def test_feet_take_as_few_steps_as_the_distance_needs(move, count):
+    (steps,) = recordings.from_text(clip(**move), name="steps").context.schedule.footsteps
+    assert steps.count == count
+    landings = sorted({(stance.point.link, round(stance.first, 6)) for stance in steps.stances if stance.first > 0})
+    assert len(landings) == count
+    order = [link for link, _ in sorted(landings, key=lambda landing: landing[1])]
+    assert order[0] == steps.leading
+    assert all(one != other for one, other in pairwise(order))
+
+
+def test_feet_do_not_step_on_a_box_in_their_way():
+    box = "[[scene.box]]\nposition = [1.0, 0, 0.1]\nsize = [0.6, 2, 0.2]\n"
+    loaded = recordings.from_text(clip(2.0, time=3.0, more=box), name="steps")
+    assert not loaded.context.schedule.footsteps
+    assert any("no gait cycle" in note for note in loaded.notes)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "move",
+    [
+        {"forward": 2.0, "time": 2.5},
+        {"forward": -1.0, "time": 2.0},
+        {"forward": 0.0, "left": 1.0, "time": 2.2},
+        {"forward": 0.0, "turn": 170, "time": 2.0},
+    ],
+)
+def test_a_figure_walks_between_two_keyframes(move):
+    motion = inbetween(recordings.from_text(clip(**move), name="steps"))
+    data, soles = mujoco.MjData(motion.model), []
+    for qpos in motion.sampled(200).qpos:
+        data.qpos = qpos
+        mujoco.mj_kinematics(motion.model, data)
+        soles.append(
+            [[data.site(f"{side}_{end}").xpos.copy() for end in ("heel", "toe")] for side in ("left", "right")]
+        )
+    places = np.array(soles)  # (T, 2 feet, 2 ends, 3)
+    low = places[..., 2].min(axis=2)
+    assert low.max(axis=0).min() > 0.03
+    assert low.min(axis=1).max() < 0.015
+    speed = np.linalg.norm(np.gradient(places, 1 / 200, axis=0)[..., :2], axis=-1)
+    standing = speed.max(axis=2).min(axis=1)  # of the foot that moves less
+    assert np.quantile(standing, 0.95) < 0.25
+    assert not [v for v in motion.violations if v.kind in ("float", "slide", "drag", "stance", "penetration")]
+
+
 @pytest.mark.slow
 def test_a_hold_of_the_legs_does_not_keep_them_from_stepping():
     """An arm that moves fast in the next segment would hold all joints that are equal before it, and the feet slid."""
@@ -142,7 +204,7 @@ def test_a_raised_foot_lands_before_the_other_one_steps_and_lifts_after_it(is_la
         rows, times = [rows[0], raised(0.3), rows[2]], (0.0, seconds, seconds + 0.3)
     keys = "".join(f"[[keyframe]]\ntime = {t}\nothers = 'rest'\n{row}" for t, row in zip(times, rows, strict=True))
     loaded = recordings.from_text('figure = "human"\n' + keys, name="steps")
-    doubles = loaded.context.schedule.double_steps
+    doubles = loaded.context.schedule.footsteps
     if seconds < 0.6:  # no time for two steps
         assert not doubles
         return

@@ -1,0 +1,79 @@
+"""Stances with an initial guess in which the legs step.
+
+The raw spline between two keyframes in which both feet stand slides them over the ground, with straight legs. The
+initial guess has poses in the middle of steps and between them, see `Footsteps.poses`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import ContactSchedule, Stance
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import BendLimits, Guide, StancePenalty
+from dynsplines.solver.surface.points import places_of
+
+from .standing_feet import Standing, upright
+
+
+@dataclass(frozen=True)
+class SteppingStances(StancePenalty, Guide):
+    """The stances of a clip with footsteps.
+
+    Attributes:
+        poses: Variable frames in the poses of the steps.
+        spans: The times [s] of the keyframes before and after steps.
+    """
+
+    poses: tuple[Frame, ...] = ()
+    spans: tuple[tuple[float, float], ...] = ()
+
+    @classmethod
+    def of(cls, schedule: ContactSchedule, bends: BendLimits, stances: tuple[Stance, ...]) -> SteppingStances:
+        """Return the stances of a clip with footsteps; legs bend within their limits."""
+        path, times, poses = path_of(schedule.keys), schedule.keys.times, list[Frame]()
+        for steps in schedule.footsteps:
+            states = path.at(np.array([time for time, _ in steps.poses]))
+            for state, (time, places) in zip(states, steps.poses, strict=True):
+                poses.append(Frame.variable(time, _stepped(schedule, bends, state, places)))
+        segments = [steps.segment for steps in schedule.footsteps]
+        return cls(stances, tuple(poses), tuple((float(times[k]), float(times[k + 1])) for k in segments))
+
+    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
+        """Return the timeline with the poses of steps instead of its variable frames there, if `most` permits it."""
+        frames = [
+            frame
+            for frame in timeline.frames
+            if not frame.is_variable or not any(first < frame.time < last for first, last in self.spans)
+        ]
+        frames = sorted((*frames, *self.poses), key=lambda frame: frame.time)
+        guess = Timeline(tuple(frames), timeline.end_slope, timeline.ends)
+        return timeline if most is not None and guess.variable_count > most else guess
+
+
+def _stepped(schedule: ContactSchedule, bends: BendLimits, state: Array, places: Array) -> Array:
+    """Return a state (N,) with the sole points at `places` (3, n) [m], as far as legs reach.
+
+    The trunk keeps its orientation, and the root, if it is free, moves with the feet.
+    """
+    figure, points, root = schedule.figure, schedule.points, schedule.root
+    samples, qpos = Samples.still(figure, state[None]), figure.to_qpos(state)
+    if root is not None:
+        moves = places - places_of(points, samples)[0][..., 0]
+        qpos[figure.links[root].qpos + np.arange(2)] += moves.mean(axis=1)[:2]
+    goals = []
+    for link in sorted({point.link for point in points}):
+        foot = [i for i, point in enumerate(points) if point.link == link]
+        turn = quat.from_matrix(samples.links.rotation[:, :, link, 0])
+        goals += Standing(tuple(points[i] for i in foot), places[:, foot].T, turn).goals(figure)
+    pose = upright(figure, qpos, np.ones(figure.width, bool), goals, bends)
+    stepped = figure.to_state(pose.qpos)
+    for columns in figure.tables.quaternion_columns.T:
+        stepped[columns] *= -1 if stepped[columns] @ state[columns] < 0 else 1
+    return stepped

@@ -1,0 +1,284 @@
+"""Footsteps: the steps of two feet in turn, inferred between keyframes in which both feet stand at different places."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..array import Array
+from ..surface.heights import height_above
+from .keyframe_points import KeyframePoints
+from .stance import Rest, Stance
+from .steps import same_leg
+
+OVERLAP = 0.08  # [1] time from the landing of a foot to the middle of the time on both feet, relative to a step
+FIRM = 10.0  # [1] weight of the stances, relative to those between keyframes of the same position
+WIDEST = 1.75  # [rad] largest angle by which one foot turns before the other
+TOE_IN = 0.35  # [rad] largest angle by which a foot overtakes the other one
+PASSING = 0.25  # [1] largest displacement sideways of a foot that overtakes the other one, relative to their distance
+STEEP = 0.3  # [1] height of a foot in the middle of a short step, relative to its length
+UP = np.array([0.0, 0, 1])
+
+
+@dataclass(frozen=True, eq=False)
+class Footsteps:
+    """The steps of two feet in turn between two keyframes, because both change their places.
+
+    Attributes:
+        segment: The index of the first keyframe.
+        leading: The link of the foot that steps first.
+        count: The number of steps.
+        stances: The stances before, between and after the steps.
+        swings: The points of the feet, each with an interval in which it moves.
+        poses: Times [s] in the middle of steps and between them, with approximate positions (3, n) [m] of all points.
+    """
+
+    segment: int
+    leading: int
+    count: int
+    stances: tuple[Stance, ...]
+    swings: tuple[Rest, ...]
+    poses: tuple[tuple[float, Array], ...]
+
+
+def footsteps(soles: KeyframePoints) -> tuple[tuple[Footsteps, ...], ...]:
+    """Return the steps between keyframes, each in all possible orders.
+
+    In both keyframes, all points of both feet are near a surface, and both feet move by more than 8 cm (for an adult).
+    They take as few steps in turn as possible, of at least 0.4 s each: neither is more than 70 cm and 100° ahead of the
+    other, compared to the keyframes, and they do not cross. In between they stand on the ground.
+
+    In the first order, the leading foot is the one on the side to which the figure moves or turns, so that legs do not
+    cross; if it does neither, the foot behind.
+
+    One foot may also be in the air in one keyframe, if these are at least 0.6 s apart and the other foot moves by at
+    most 70 cm. In the first keyframe it is the leading foot, in the second one the following foot, and there is no
+    other order.
+    """
+    feet = _feet(soles)
+    if len(feet) != 2:
+        return ()
+    limits, spans = soles.limits, np.diff(soles.keys.times)
+    low, high = soles.is_near, (soles.heights > soles.limits.near_surface) & soles.is_known
+    stands, raised = (np.array([points_at[foot].all(axis=0) for foot in feet]) for points_at in (low, high))
+    least, most = (np.array([end(soles.moves[foot], axis=0) for foot in feet]) for end in (np.min, np.max))
+    moves = (least > limits.same_spot) & (most > limits.strode)
+    result = list[tuple[Footsteps, ...]]()
+    for foot, other in ((0, 1), (1, 0)):
+        is_step = moves[other] & (most[other] < limits.longest_step) & (spans >= 1.5 * limits.far_apart)
+        is_step &= stands[other, :-1] & stands[other, 1:]
+        for k in np.flatnonzero(is_step & raised[foot, :-1] & stands[foot, 1:]).tolist():
+            result.append((_Walk(soles, k, feet[foot], feet[other]).landing,))
+        for k in np.flatnonzero(is_step & stands[foot, :-1] & raised[foot, 1:]).tolist():
+            result.append((_Walk(soles, k, feet[other], feet[foot]).lifting,))
+    for k in np.flatnonzero(stands[:, :-1].all(axis=0) & stands[:, 1:].all(axis=0) & moves.all(axis=0)).tolist():
+        walk = _Walk(soles, k, *feet)
+        orders = (walk, walk.reversed) if walk.is_in_order else (walk.reversed, walk)
+        result.append(tuple(steps for order in orders if (steps := order.fewest) is not None))
+    return tuple(sorted(filter(None, result), key=lambda orders: orders[0].segment))
+
+
+@dataclass(frozen=True, eq=False)
+class _Walk:
+    """Two feet that step in turn from keyframe k to the next.
+
+    Attributes:
+        leading: The indices of the points of the foot that steps first.
+        following: Those of the other foot.
+    """
+
+    soles: KeyframePoints
+    k: int
+    leading: list[int]
+    following: list[int]
+
+    @property
+    def reversed(self) -> _Walk:
+        """The walk in which the other foot steps first."""
+        return replace(self, leading=self.following, following=self.leading)
+
+    @property
+    def landing(self) -> Footsteps:
+        """Two steps, of which the first begins in the air and takes half as long as the second."""
+        return self._steps((1.0, 1.0), np.array([0.0, 1 / 3, 1.0]), is_landing=True)
+
+    @property
+    def lifting(self) -> Footsteps:
+        """Two steps, of which the second ends in the air and takes half as long as the first."""
+        return self._steps((1.0, 1.0), np.array([0.0, 2 / 3, 1.0]), is_lifting=True)
+
+    @property
+    def fewest(self) -> Footsteps | None:
+        """The smallest possible number of steps; None without one."""
+        span = float(np.diff(self.soles.keys.times)[self.k])
+        for count in range(2, int(span / self.soles.limits.far_apart + 1e-9) + 1):
+            for shares in _patterns(count):
+                if self._fits(np.array(shares)):
+                    return self._steps(shares, np.linspace(0, 1, count + 1))
+        return None
+
+    @property
+    def is_in_order(self) -> bool:
+        """Whether the leading foot is on the side to which the figure moves or turns, or else the foot behind."""
+        as_tall, travel = self.soles.limits.as_tall, self._travel
+        # if the feet are farther apart sideways after the first step, the figure moves to the side of that foot
+        side = np.sign(self._halfway(self._apart).sum(axis=1) @ self._leftward)
+        preference = side * (travel @ self._leftward + self.soles.limits.turning * self._turn)
+        if abs(preference) > as_tall:
+            return bool(preference > 0)
+        return bool(self._apart[:, 0] @ travel <= 0)
+
+    def _fits(self, shares: Array) -> bool:
+        """Return whether feet may land at these fractions (n,) of their way, in turn."""
+        limits, ahead = self.soles.limits, float(np.abs(np.diff([0.0, *shares])).max())
+        moves = self.soles.moves[[*self.leading, *self.following], self.k]
+        if ahead * moves.max() >= limits.longest_step or ahead * abs(self._turn) >= WIDEST:
+            return False
+        if shares[1] > shares[0]:  # the feet overtake each other
+            sideways = abs(float(self._travel @ self._leftward)) / 2
+            apart = float(np.abs(self._halfway(self._apart).T @ self._leftward).min())
+            if ahead * abs(self._turn) > TOE_IN or ahead * sideways > PASSING * apart:
+                return False
+        places = [
+            (self._place(i, share), self.soles.radii[i])
+            for j, share in enumerate(shares)
+            for i in self._foot(j)
+            if share < 1
+        ]
+        if not places:
+            return True
+        centres, radii = np.array([centre for centre, _ in places]).T, np.array([radius for _, radius in places])
+        return bool((np.abs(height_above(self.soles.surfaces, centres, radii)) < limits.near_surface).all())
+
+    def _steps(
+        self, shares: tuple[float, ...], edges: Array, *, is_landing: bool = False, is_lifting: bool = False
+    ) -> Footsteps:
+        """Return steps in turn.
+
+        Args:
+            shares: The fractions of the foot's way at which the n steps land.
+            edges: The limits of the steps relative to the time between the keyframes, (n + 1,).
+            is_landing: Whether the leading foot is in the air in the first keyframe.
+            is_lifting: Whether the following foot is in the air in the second keyframe.
+        """
+        begin, end = self.soles.keys.times[self.k : self.k + 2].tolist()
+        count, times = len(shares), begin + (end - begin) * edges
+        overlap = OVERLAP * (end - begin) / count
+        lifts, lands = times[:-1] + overlap, times[1:] - overlap
+        lifts[0], lands[-1] = begin if is_landing else lifts[0], end if is_lifting else lands[-1]
+        stances, swings = list[Stance](), list[Rest]()
+        for first in (0, 1):
+            turns = range(first, count, 2)
+            bounds = [begin, *(t for j in turns for t in (float(lifts[j]), float(lands[j]))), end]
+            landed = 0.0, *(shares[j] for j in turns)
+            for i in self._foot(first):
+                swings += [Rest(self.soles.points[i], float(lifts[j]), float(lands[j])) for j in turns]
+                for share, start, stop in zip(landed, bounds[::2], bounds[1::2], strict=True):
+                    if start < stop:
+                        spot = self._place(i, share)
+                        stances.append(Stance(self.soles.points[i], start, stop, spot, spot, FIRM))
+        leading = int(self.soles.links[self.leading[0]])
+        poses = tuple(self._poses(shares, times))
+        return Footsteps(self.k, leading, count, tuple(stances), tuple(swings), poses)
+
+    def _poses(self, shares: tuple[float, ...], times: Array) -> Iterator[tuple[float, Array]]:
+        """Yield times and positions of points as in `Footsteps.poses`; steps have limits (n + 1,) [s]."""
+        at = [0.0, 0.0]  # the fractions of the way of the two feet
+        for j, share in enumerate(shares):
+            for is_landed, time in ((False, times[j : j + 2].mean()), (True, times[j + 1])):
+                step = abs(share - at[j % 2]) * float(self.soles.moves[self._foot(j), self.k].max())
+                raised = min(STEEP * step, self.soles.limits.mid_step) * UP * (not is_landed)
+                at[j % 2] = share if is_landed else (at[j % 2] + share) / 2
+                places = np.empty((3, len(self.soles.points)))
+                for foot in (0, 1):
+                    for i in self._foot(foot):
+                        places[:, i] = self._place(i, at[foot]) + raised * (foot == j % 2)
+                if j + 1 < len(shares) or not is_landed:
+                    yield float(time), places
+
+    def _foot(self, step: int) -> list[int]:
+        """Return the points of the foot that takes a step."""
+        return self.following if step % 2 else self.leading
+
+    def _place(self, i: int, share: float) -> Array:
+        """Return the position (3,) [m] of a point at a fraction of its way, on which the feet turn evenly."""
+        first, last = self.soles.centres[:, i, self.k], self.soles.centres[:, i, self.k + 1]
+        if share in (0.0, 1.0):
+            return np.array(last if share else first)
+        before, after = self._places.mean(axis=0).T
+        offset = (1 - share) * (first - before) + share * (_about_vertical(-self._turn) @ (last - after))
+        return before + share * (after - before) + _about_vertical(share * self._turn) @ offset
+
+    @cached_property
+    def _places(self) -> Array:
+        """The centres of the two feet in the two keyframes, (2, 3, 2) [m]."""
+        at = self.soles.centres[..., self.k : self.k + 2]
+        return np.array([at[:, foot].mean(axis=1) for foot in (self.leading, self.following)])
+
+    @cached_property
+    def _ahead(self) -> Array:
+        """Vectors from ankles to soles in both keyframes, (3, 2); about zero for feet that are points."""
+        links = self.soles.links[[self.leading[0], self.following[0]]]
+        return (self._places - np.moveaxis(self.soles.samples.links.x[:, links, self.k : self.k + 2], 0, 1)).sum(axis=0)
+
+    @cached_property
+    def _turn(self) -> float:
+        """The angle [rad] by which the feet turn about the vertical."""
+        before, after = self._ahead.T
+        return float(np.arctan2(np.cross(before, after) @ UP, before[:2] @ after[:2]))
+
+    @property
+    def _apart(self) -> Array:
+        """Vectors from the following foot to the leading one in both keyframes, (3, 2) [m]."""
+        return self._places[0] - self._places[1]
+
+    @property
+    def _travel(self) -> Array:
+        """The sum of the displacements of both feet, (3,) [m]."""
+        return (self._places[..., 1] - self._places[..., 0]).sum(axis=0)
+
+    @cached_property
+    def _leftward(self) -> Array:
+        """The unit vector to the left after half of the turn, (3,); for feet that are points along the line between."""
+        as_tall, leftward = self.soles.limits.as_tall, np.cross(UP, self._halfway(self._ahead).sum(axis=1))
+        if np.linalg.norm(leftward) < as_tall:
+            leftward = self._apart.sum(axis=1) * (1 - UP)
+        return leftward / max(float(np.linalg.norm(leftward)), as_tall)
+
+    def _halfway(self, vectors: Array) -> Array:
+        """Return vectors (3, 2) of both keyframes in the direction that they have after half of the turn."""
+        half = self._turn / 2
+        return np.column_stack([_about_vertical(half) @ vectors[:, 0], _about_vertical(-half) @ vectors[:, 1]])
+
+
+def _patterns(count: int) -> Iterator[tuple[float, ...]]:
+    """Yield the fractions of the way at which steps of two feet land in turn.
+
+    The feet overtake each other, as in a walk, or the second foot follows to the place of the first, as in steps to the
+    side.
+    """
+    yield tuple(min(1.0, j / (count - 1)) for j in range(1, count + 1))
+    if count % 2 == 0 and count > 2:
+        yield tuple((j // 2) / (count // 2) for j in range(2, count + 2))
+
+
+def _about_vertical(angle: float) -> Array:
+    """Return the matrix (3, 3) of a rotation about the vertical by an angle [rad]."""
+    cos, sin = np.cos(angle), np.sin(angle)
+    return np.array([[cos, -sin, 0], [sin, cos, 0], [0, 0, 1.0]])
+
+
+def _feet(soles: KeyframePoints) -> list[list[int]]:
+    """Return the indices of the points of each foot, which may consist of several links in a chain."""
+    feet: list[list[int]] = []
+    is_same_leg = same_leg(soles.figure)
+    for i, link in enumerate(soles.links):
+        foot = next((foot for foot in feet if is_same_leg[link, soles.links[foot[0]]]), None)
+        if foot is None:
+            feet.append([i])
+        else:
+            foot.append(i)
+    return feet
