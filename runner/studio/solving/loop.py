@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.one_thread import one_thread
 from dynsplines.solver.refine.warm_start import warm_start
@@ -99,6 +100,7 @@ class SolverLoop:
         self.has_message: Callable[[], bool] = lambda: False  # whether a message is waiting
         self._is_going, self._is_near = True, False
         self._is_cut = False  # whether a message has interrupted the last search
+        self._is_restart = False  # whether the last search was a restart
         self._suspicion: str | None = None
         self._before: tuple[float, int] | None = None  # E and the number of violations of the last good result
 
@@ -114,7 +116,7 @@ class SolverLoop:
         except KeyboardInterrupt:  # it arrived at the end of a search, after the handler
             self._is_searching, self._is_cut = False, True
         if self._is_cut and self._is_going and not self.has_message():
-            self._continue()  # the message that ended the search did not replace the clip
+            self._continue(restart=self._is_restart)  # the message that ended the search did not replace the clip
 
     def do_load(
         self,
@@ -205,14 +207,14 @@ class SolverLoop:
             self._judge(stop="paused")
 
     def do_go(self, restart: bool = False) -> None:
-        """Continue the search from the present path, or restart from the raw spline."""
+        """Continue the search from the present path, or restart it from the raw spline."""
         self._is_going, self._suspicion = True, None
         self._continue(restart=restart)
 
     def _continue(self, *, restart: bool = False) -> None:
         if self.clip is not None and self.solution is not None:
             from_raw = restart or self.solution.timeline is self.solution.raw
-            self._search(None if from_raw else self.solution.timeline, None)
+            self._search(None if from_raw else self.solution.timeline, None, is_restart=restart)
 
     def do_stop(self) -> None:
         """Keep the search stopped: the message itself has ended it."""
@@ -272,17 +274,22 @@ class SolverLoop:
         if self.has_message():
             raise KeyboardInterrupt
 
-    def _search(self, begin: Timeline | None, between: tuple[float, float] | None) -> None:
-        """Minimise E and send every better path. The best path is used, however the search ends."""
-        clip = self.clip
+    def _search(self, begin: Timeline | None, between: tuple[float, float] | None, *, is_restart: bool = False) -> None:
+        """Minimise E and send every better path. The best path is used, however the search ends.
+
+        A restart sends only paths that are better than the present one, which stays unless the result is better.
+        """
+        clip, present = self.clip, self.solution
         assert clip is not None
         self._report("searching", revision=self.revision)
-        self._is_near = begin is not None
-        self._is_cut = False
+        self._is_near, self._is_restart, self._is_cut = begin is not None, is_restart, False
+        bound = np.inf
+        if is_restart and present is not None:
+            bound = clip.problem.objective.value(path_of(present.timeline))
 
         def improved(improvement: Improvement) -> None:
-            if begin is not None and improvement.evaluation == 1:
-                return  # the initial guess is already shown
+            if (begin is not None and improvement.evaluation == 1) or improvement.value >= bound:
+                return  # a path at least as good is already shown
             if time.monotonic() - self._sent >= SEND_INTERVAL:
                 value, parts = float(improvement.value), _plain(improvement.parts)
                 timeline, evaluation = improvement.build(), improvement.evaluation
@@ -294,7 +301,10 @@ class SolverLoop:
         if solution is None:
             self._judge(stop="INTERRUPTED")
             return
-        self._accept(solution)
+        if is_restart:
+            self._accept_better(solution)
+        else:
+            self._accept(solution)
         if begin is None and solution.stop is Stop.CONVERGED and (folder := cache()) is not None:
             from ... import solve_cache
             from ...solving import Solved
@@ -338,8 +348,21 @@ class SolverLoop:
         assert clip is not None
         self.solution = solution
         self._cache_path(clip.text, solution.timeline)
-        value, parts = (solution.trace[-1][2], solution.trace[-1][3]) if solution.trace else (0.0, {})
-        self._send_path(solution.timeline, "best", value=value, parts=_plain(parts), evaluation=solution.evaluations)
+        cost: Message = {}  # of a path that no search has evaluated
+        if solution.trace:
+            cost = {"value": solution.trace[-1][2], "parts": _plain(solution.trace[-1][3])}
+        self._send_path(solution.timeline, "best", evaluation=solution.evaluations, **cost)
+
+    def _accept_better(self, solution: Solution) -> None:
+        """Use the better of the present path and the result of a restart; a note reports which one it is."""
+        clip, present = self.clip, self.solution
+        assert clip is not None and present is not None
+        timelines = [present.timeline, solution.timeline]
+        is_better = select_best(clip.problem.objective, timelines) is solution.timeline
+        self._accept(solution if is_better else present)
+        if solution.stop is not Stop.INTERRUPTED:
+            words = f"a better path: E {solution.trace[-1][2]:.3g}" if is_better else "no better path"
+            self._report("note", words=f"the restarted search found {words}")
 
     def _cache_path(self, text: str, timeline: Timeline) -> None:
         """Cache the path of a text, for undo and redo, for the last few texts."""
@@ -402,8 +425,8 @@ class SolverLoop:
 
     def do_retry(self) -> None:
         """Search again from the raw spline in the background, once. The result is used if it is better."""
-        clip, present = self.clip, self.solution
-        assert clip is not None and present is not None
+        clip = self.clip
+        assert clip is not None
         solution: Solution | None = None
         with self._searching():
             self._check_inbox()
@@ -411,11 +434,7 @@ class SolverLoop:
         if solution is None or solution.stop is Stop.INTERRUPTED:
             return
         self._is_near = False
-        objective = clip.problem.objective
-        if select_best(objective, [present.timeline, solution.timeline]) is solution.timeline:
-            self._accept(solution)
-            value = solution.trace[-1][2]
-            self._report("note", words=f"a restarted search found a better path: E {value:.3g}")
+        self._accept_better(solution)
         self._judge(stop=solution.stop.name)
 
     def _send_curves(self) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import pickle
 import struct
@@ -170,6 +171,55 @@ def test_a_search_that_may_have_gone_astray_says_so_and_is_begun_elsewhere_when_
     assert told[-1]["is"] == "settled"
     assert told[-1]["astray"] is None
     assert not work.may_retry
+
+
+@pytest.fixture
+def continued(work, tmp_path):
+    """A clip whose path, after several searches of two evaluations, is better than the result of a restart."""
+    load(work, tmp_path, tiny.changed("evaluations = 8", "evaluations = 2"), first=True)
+    for _ in range(3):
+        work.do({"do": "go"})
+    work.line.taken()
+    return work
+
+
+def test_a_restart_does_not_replace_the_present_path_by_a_worse_one(continued):
+    present, objective = continued.solution, continued.clip.problem.objective
+    continued.do({"do": "go", "restart": True})
+    messages = continued.line.taken()
+    assert continued.solution is present
+    shown = [pickle.loads(message["timeline"]) for message in messages if message["is"] == "path"]
+    least = objective.value(path_of(present.timeline))
+    assert all(objective.value(path_of(timeline)) <= least * (1 + 1e-9) for timeline in shown)
+    (note,) = [message["words"] for message in messages if message["is"] == "note"]
+    assert note == "the restarted search found no better path"
+    assert messages[-1]["is"] == "settled"
+
+
+def test_an_interrupted_restart_does_not_replace_the_present_path_and_is_repeated(continued):
+    present, checks = continued.solution, itertools.count()
+    continued.has_message = lambda: next(checks) > 0  # from the first evaluation on
+    continued.do({"do": "go", "restart": True})
+    messages = continued.line.taken()
+    assert messages[-1]["stop"] == "INTERRUPTED"
+    assert "note" not in {message["is"] for message in messages}
+    assert continued.solution is present
+    continued.has_message = lambda: False
+    continued.do({"do": "curves", "on": False})
+    assert "note" in {message["is"] for message in continued.line.taken()}
+    assert continued.solution is present
+
+
+def test_a_restart_replaces_a_worse_path(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    good, objective = work.solution, work.clip.problem.objective
+    rows = good.timeline.rows.copy()
+    rows[1:-1][~good.timeline.fixed.any(axis=1)] += 0.8
+    work.solution = replace(good, timeline=good.timeline.with_rows(rows), trace=())
+    work.do({"do": "go", "restart": True})
+    assert objective.value(path_of(work.solution.timeline)) == pytest.approx(good.trace[-1][2], rel=1e-6)
+    notes = [message["words"] for message in work.line.taken() if message["is"] == "note"]
+    assert notes == [f"the restarted search found a better path: E {good.trace[-1][2]:.3g}"]
 
 
 def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, tmp_path):
