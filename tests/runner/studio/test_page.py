@@ -294,6 +294,42 @@ def test_everything_has_a_name_and_is_reached_by_the_keyboard(tab):
     tab.press("Escape")
 
 
+@pytest.mark.parametrize("is_selected", [False, True])
+def test_every_repeat_of_a_key_moves_the_keyframe_by_one_frame(tab, is_selected):
+    """The keyboard repeats a key faster than the studio answers."""
+    keyboard, place = tab.page.keyboard, "studio.model.document.keys[10].time"
+    time = tab.evaluate(place)
+    tab.seek(time)
+    tab.evaluate(f"studio.model.select({[10] if is_selected else []})")
+    keyboard.down("Alt")
+    for key, count in (("ArrowRight", 10), ("ArrowLeft", -14)):
+        for _ in range(abs(count)):
+            keyboard.down(key)
+        keyboard.up(key)
+        time += count / 30
+        tab.until(f"Math.abs({place} - {time}) < 2e-3", 10)
+    keyboard.up("Alt")
+    tab.until(f"studio.model.time === {place}")
+    while tab.evaluate("studio.model.document.undo") is not None:
+        tab.changes(lambda: tab.press("Control+z"))
+    tab.evaluate("studio.model.select([])")
+
+
+def test_every_repeat_of_a_key_spreads_the_keyframes(tab):
+    keyboard, place = tab.page.keyboard, "studio.model.document.keys[10].time"
+    first, second = tab.evaluate("studio.model.document.keys.slice(9, 11).map((key) => key.time)")
+    tab.evaluate("studio.model.select([9, 10])")
+    keyboard.down("Alt")
+    for _ in range(5):
+        keyboard.down("ArrowUp")
+    keyboard.up("ArrowUp")
+    keyboard.up("Alt")
+    tab.until(f"Math.abs({place} - {first + 1.1**5 * (second - first)}) < 2e-3", 10)
+    while tab.evaluate("studio.model.document.undo") is not None:
+        tab.changes(lambda: tab.press("Control+z"))
+    tab.evaluate("studio.model.select([])")
+
+
 def test_a_line_that_is_lost_in_the_middle_of_an_edit_comes_back_and_nothing_is_lost(browser, tab):
     page = browser.new_page(viewport={"width": 900, "height": 600})
     lines, lost = [], []
