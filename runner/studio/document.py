@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..errors import UserError
 from ..system.output import Replacement
@@ -37,6 +39,14 @@ def text_of(file: Path) -> tuple[str, str]:
     return text.replace("\r\n", "\n"), "\r\n" if "\r\n" in text else "\n"
 
 
+class Unsaved(NamedTuple):
+    """Unsaved work of an earlier session: its file, when it was written [s since 1970], and its text."""
+
+    file: Path
+    time: float
+    text: str
+
+
 @dataclass
 class Document:
     """A clip's text and its history.
@@ -46,6 +56,7 @@ class Document:
         file: The file to which it is saved; None before the first save.
         saved: The text on the disk.
         newline: The line ending on the disk; the text itself has line feeds.
+        unsaved_file: The file of this document's unsaved work; None before it is written.
     """
 
     name: str
@@ -55,6 +66,7 @@ class Document:
     saved: str | None = None
     revision: int = 0
     newline: str = "\n"
+    unsaved_file: Path | None = None
     _back: list[Step] = field(default_factory=list)
     _forth: list[Step] = field(default_factory=list)
     _revisions: deque[tuple[int, str]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
@@ -126,29 +138,38 @@ class Document:
         self.discard()
         self.file, self.saved, self.name, self.folder = file, self.text, file.stem, file.parent
 
-    @property
-    def unsaved_file(self) -> Path:
-        """The file of unsaved work."""
-        return self.folder / f".{self.place}.unsaved"
-
     def write_unsaved(self) -> None:
-        """Write unsaved work to a file next to the clip."""
+        """Write unsaved work to a file next to the clip, but never over that of another session."""
         if not self.is_dirty:
             self.discard()
             return
-        with suppress(UserError, OSError), Replacement(self.unsaved_file) as temporary:
-            temporary.write_bytes(self.text.encode())
+        with suppress(UserError, OSError):
+            if self.unsaved_file is None:
+                names = (self.folder / f".{self.place}.unsaved{f'-{n}' if n > 1 else ''}" for n in count(1))
+                self.unsaved_file = next(file for file in names if not file.exists())
+            with Replacement(self.unsaved_file) as temporary:
+                temporary.write_bytes(self.text.encode())
 
-    def read_unsaved(self) -> str | None:
-        """Return unsaved work of an earlier session, if it differs from this text."""
-        with suppress(OSError, UnicodeDecodeError):
-            text = self.unsaved_file.read_bytes().decode()
-            return None if text == self.text else text
-        return None
+    def read_unsaved(self) -> Unsaved | None:
+        """Return the latest unsaved work of earlier sessions that differs from this text.
+
+        A file with the same text becomes that of this document.
+        """
+        unsaved: list[Unsaved] = []
+        with suppress(OSError):
+            names = re.compile(re.escape(f".{self.place}.unsaved") + r"(-\d+)?")
+            for file in filter(lambda path: names.fullmatch(path.name), self.folder.iterdir()):
+                with suppress(OSError, UnicodeDecodeError):
+                    unsaved.append(Unsaved(file, file.stat().st_mtime, file.read_bytes().decode()))
+        self.unsaved_file = next((work.file for work in unsaved if work.text == self.text), None)
+        return max((work for work in unsaved if work.text != self.text), key=lambda work: work.time, default=None)
 
     def discard(self) -> None:
-        with suppress(OSError):
-            self.unsaved_file.unlink(missing_ok=True)
+        """Remove the file of unsaved work."""
+        if self.unsaved_file is not None:
+            with suppress(OSError):
+                self.unsaved_file.unlink(missing_ok=True)
+            self.unsaved_file = None
 
     def _swap(self, source: list[Step], target: list[Step]) -> None:
         if source:

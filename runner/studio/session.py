@@ -5,7 +5,9 @@ from __future__ import annotations
 import asyncio
 import json
 import pickle
+import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -110,7 +112,7 @@ class Session:
             if message is not None:
                 send(json.dumps(message))
         if self.offer is not None:
-            send(json.dumps({"is": "offer", "words": self._offer_text()}))
+            send(json.dumps(self._offer_message()))
 
     def leave(self, number: int) -> None:
         """Remove a page."""
@@ -126,8 +128,12 @@ class Session:
         state = {**self.document.state(), **self.outline, "copied": len(self.clipboard)}
         return json.dumps({"is": "document", **state})
 
-    def _offer_text(self) -> str:
-        return f"work on {self.document.place} that was not saved is still there, from a studio that ended"
+    def _offer_message(self) -> Message:
+        """Return the message that offers unsaved work, or that hides the offer if there is none."""
+        if self.offer is None:
+            return {"is": "offer", "words": None}
+        date = time.strftime("%Y-%m-%d %H:%M", time.localtime(self.offer.time))
+        return {"is": "offer", "words": f"unsaved work on {self.document.place} from {date}"}
 
     # ---- edits
 
@@ -173,23 +179,25 @@ class Session:
             self._changed(verdict)
             return f"{verb}: {target[0]}"
 
-    async def replace(self, text: str, words: str) -> str:
-        async with self._lock:
-            verdict = await self._validate(text)
-            self.document.commit(text, words)
-            self._changed(verdict)
-            return words
-
     async def take_offer(self, *, yes: bool) -> str:
-        """Restore or discard unsaved work of an earlier session."""
-        text, self.offer = self.offer, None
-        self.broadcast({"is": "offer", "words": None})
-        if text is None:
-            raise UserError("there is no unsaved work")
-        if not yes:
-            self.document.discard()
-            return "thrown away what was not saved"
-        return await self.replace(text, "take up unsaved work")
+        """Restore or discard unsaved work of an earlier session. If it raises UserError, the work is still offered."""
+        async with self._lock:
+            offer, words = self.offer, "discarded unsaved work"
+            if offer is None:
+                raise UserError("there is no unsaved work")
+            if yes:
+                words = "restore unsaved work"
+                verdict = await self._validate(offer.text)
+                self.document.commit(offer.text, words)
+                self.document.discard()  # unsaved work that the restored text replaces
+                self.document.unsaved_file = offer.file
+                self._changed(verdict)
+            else:
+                with suppress(OSError):
+                    offer.file.unlink(missing_ok=True)
+            self.offer = None
+            self.broadcast(self._offer_message())
+            return words
 
     async def reopen(self, document: Document) -> str:
         """Open another document, after writing unsaved work of this one to the disk."""
@@ -205,7 +213,7 @@ class Session:
             self.offer = document.read_unsaved()
             document.revision += 1
             self._changed(verdict)
-            self.broadcast({"is": "offer", "words": self._offer_text() if self.offer is not None else None})
+            self.broadcast(self._offer_message())
             return f"opened {document.place}"
 
     async def _validate(self, text: str, *, first: bool = False) -> Message:

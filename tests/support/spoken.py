@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
+
+from dynsplines.studio.session import Session
+
 
 class Line:
     """Keeps what is sent."""
@@ -25,3 +29,16 @@ def load(work, folder, text, revision=0, *, first=False, go=True):
         }
     )  # fmt: skip
     return work.line.taken()
+
+
+def session_without_solver(document, monkeypatch):
+    """A session whose solver accepts every text."""
+    session = Session(document)
+
+    def send(message):
+        if message["do"] == "load":
+            loaded = {"is": "loaded", "revision": message["revision"], "outline": {}, "keys": []}
+            asyncio.get_running_loop().call_soon(session._receive, loaded)
+
+    monkeypatch.setattr(session.solver, "send", send)
+    return session

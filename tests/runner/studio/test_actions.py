@@ -252,7 +252,7 @@ def test_a_figure_that_has_other_joints_by_now_is_not_posed_as_the_one_that_was_
         actions = Actions(session, 1)
         await actions.grip(time=0.5, body=5, offset=[0, 0, 0])
         text = re.sub(r"roots.*\n", "", CLIP).replace("leg.xml", "bare.xml")
-        await session.replace(text, "another figure")
+        await session.reopen(Document("bare", text, tmp_path))
         await asyncio.sleep(0.01)
         with pytest.raises(UserError, match="the figure has changed"):
             await actions.drag(position=[1, 0, 1])

@@ -225,7 +225,9 @@ def test_what_is_not_saved_lies_next_to_the_clip_until_it_is(tmp_path):
     edited(found, "move_keys", {"moves": [[1, 0.6]]})
     assert found.is_dirty
     found.write_unsaved()
-    assert Document("clip", TEXT, tmp_path, file=file, saved=TEXT).read_unsaved() == found.text
+    unsaved = Document("clip", TEXT, tmp_path, file=file, saved=TEXT).read_unsaved()
+    assert unsaved is not None
+    assert unsaved.text == found.text
     found.save(file)
     assert not found.is_dirty
     assert file.read_text() == found.text

@@ -208,6 +208,17 @@ def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser
     running.end(signal.SIGKILL)
     one.until("document.getElementById('state').textContent.includes('no connection')")
     assert file.read_text(encoding="utf-8") == first
+    with browsers.studio(tmp_path, "run.toml") as again:  # the offer gets no answer
+        tab = Tab(browser, again.address)
+        assert tab.page.locator("#offer").is_visible()
+        tab.seek(0.05)
+        tab.changes(lambda: tab.press("k"))
+        tab.page.close()
+    with browsers.studio(tmp_path, "run.toml") as again:
+        tab = Tab(browser, again.address)
+        tab.page.locator("#offer-drop").click()
+        tab.until("document.getElementById('offer').hidden")
+        tab.page.close()
     with browsers.studio(tmp_path, "run.toml") as again:
         tab = Tab(browser, again.address)
         assert tab.evaluate("studio.model.document.keys.length") == 12

@@ -7,11 +7,11 @@ import json
 import tomllib
 
 import pytest
+from spoken import session_without_solver
 
 from dynsplines.errors import UserError
 from dynsplines.studio.document import Document
 from dynsplines.studio.revision_map import renumbered
-from dynsplines.studio.session import Session
 
 TEXT = (
     "\n".join(f'[[keyframe]]\ntime = {time}\nothers = "rest"\n' for time in (0.0, 0.1, 0.2, 0.3, 0.4))
@@ -21,16 +21,7 @@ TEXT = (
 
 @pytest.fixture
 def session(tmp_path, monkeypatch):
-    """One whose solver takes every text."""
-    found = Session(Document("clip", TEXT, tmp_path))
-
-    def loaded(message):
-        if message["do"] == "load":
-            told = {"is": "loaded", "revision": message["revision"], "outline": {}, "keys": []}
-            asyncio.get_running_loop().call_soon(found._receive, told)
-
-    monkeypatch.setattr(found.solver, "send", loaded)
-    return found
+    return session_without_solver(Document("clip", TEXT, tmp_path), monkeypatch)
 
 
 def times(session):
