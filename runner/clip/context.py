@@ -199,8 +199,15 @@ class Context:
         """The values of joints in two neighbouring keyframes, where they are equal or similar."""
         repeats = self.keys.ends == "periodic" or self.schedule.gait_cycle is not None
         schedule = self.schedule
-        aloft, grasped = schedule.flights, schedule.grasped
-        return Holds.of(self.figure, self.keys, repeats=repeats, aloft=aloft, grasped=grasped, steps=schedule.steps)
+        return Holds.of(
+            self.figure,
+            self.keys,
+            repeats=repeats,
+            aloft=schedule.flights,
+            grasped=schedule.grasped,
+            steps=schedule.steps,
+            durations=schedule.step_durations,
+        )
 
     @property
     def leans(self) -> tuple[Lean, ...]:

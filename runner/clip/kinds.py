@@ -399,7 +399,7 @@ def _trunk(context: Context, options: UprightOptions) -> Penalty | None:
 
 
 def _root(context: Context, options: UprightOptions) -> Penalty | None:
-    return root_limits(context.holds)
+    return root_limits(context.holds, context.keys.times, context.schedule.step_durations)
 
 
 def _bodies(context: Context, options: UprightOptions) -> Penalty | None:

@@ -98,11 +98,18 @@ class OvershootPenalty(JointRange, Guide):
         return held_states
 
 
-def root_limits(holds: Holds) -> JointRange | None:
-    """Return the penalty of roots that lean or leave their way, see `Holds.roots`; None without such roots."""
+def root_limits(holds: Holds, times: Array, durations: Array) -> JointRange | None:
+    """Return the penalty of roots that lean or leave their way, see `Holds.roots`; None without such roots.
+
+    Args:
+        times: The times of the keyframes, (K,) [s].
+        durations: The time for a step in each segment, (K − 1,) [s].
+    """
 
     def margin(joint: Range) -> float:
-        return float(SWAY) if joint.home is not None else ASIDE * max(1.0, (joint.last - joint.first) / BRIEFLY)
+        if joint.home is not None:
+            return float(SWAY)
+        return ASIDE * max(1.0, float(durations[np.searchsorted(times, joint.first)]) / BRIEFLY)
 
     ranges = tuple(_widened(joint, margin(joint)) for joint in holds.roots)
     return JointRange(ranges, term_name="upright.root") if ranges else None
@@ -180,6 +187,7 @@ class Holds(NamedTuple):
         aloft: Sequence[tuple[float, float]] = (),
         grasped: Collection[int] = (),
         steps: Steps | None = None,
+        durations: Array | None = None,
     ) -> Holds:
         """Find the holds of a clip with this raw spline.
 
@@ -188,6 +196,7 @@ class Holds(NamedTuple):
             aloft: Flights (first, last) [s], in which a root rises and falls between two keyframes of one height.
             grasped: Links of held objects, which move with hands.
             steps: The steps of legs, whose joints are not held meanwhile.
+            durations: The time for a step in each segment, (K − 1,) [s]; None: all of the segment.
         """
         qpos, times = figure.to_qpos(raw.states), raw.times.tolist()
         equal, similar = list[Range](), list[Range]()
@@ -206,7 +215,7 @@ class Holds(NamedTuple):
                         middle = quat.product(qpos[k, track.columns], quat.from_rotation_vector(turn / 2))
                         similar.append(replace(track.range_at(middle, times[k], times[k + 1]), high=angle / 2))
             elif is_root and not is_height and track.link not in grasped:
-                ranges = _path_ranges(figure, track, times, qpos)
+                ranges = _path_ranges(figure, track, times, qpos, durations)
                 similar += [joint for joint in ranges if not _flies(joint.first, joint.last, aloft)]
         segments = _swinging(figure, equal, raw)
         swinging = tuple(joint for joint in equal if joint.first in segments)
@@ -287,12 +296,16 @@ def _neighbours(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float
     return one, other
 
 
-def _path_ranges(figure: Figure, track: Track, times: Sequence[float], qpos: Array) -> Iterator[Range]:
-    """Yield the range of a root's coordinate in every segment: its two values, and a share of the distance."""
+def _path_ranges(
+    figure: Figure, track: Track, times: Sequence[float], qpos: Array, durations: Array | None
+) -> Iterator[Range]:
+    """Yield the range of a root's coordinate in every segment: its two values, and a share of the way of a step."""
     first = figure.links[track.link].qpos
     far = np.linalg.norm(np.diff(qpos[:, first : first + 2], axis=0), axis=1)
     for k, (begin, end) in enumerate(pairwise(qpos[:, track.columns])):
-        joint, margin = track.range_at(begin, times[k], times[k + 1]), ASTRAY * float(far[k])
+        share = 1.0 if durations is None else float(durations[k]) / (times[k + 1] - times[k])
+        margin = ASTRAY * float(far[k]) * share
+        joint = track.range_at(begin, times[k], times[k + 1])
         yield replace(joint, low=min(joint.low, end.item()) - margin, high=max(joint.high, end.item()) + margin)
 
 
