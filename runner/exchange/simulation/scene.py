@@ -69,11 +69,6 @@ DROPPED = {  # limits of actuator forces, and of memory, as more geoms collide t
     "joint": ("actuatorfrcrange", "actuatorfrclimited", "actuatorgravcomp"),
     "size": ("memory", "njmax", "nconmax", "nkey", "nstack"),
 }
-CLASS = "simulate_position"
-UNSET = {  # attributes set explicitly, independent of the model's defaults
-    "ctrllimited": "false", "forcelimited": "false", "ctrlrange": "0 0", "forcerange": "0 0", "gear": "1 0 0 0 0 0",
-    "group": "0",
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -274,17 +269,9 @@ def _remove_children(parent: ElementTree.Element, chosen: Callable[[ElementTree.
 
 
 def _add_actuators(root: ElementTree.Element, names: list[str], actuators: list[Drive]) -> None:
-    """Add the actuators, with a class of defaults that sets every attribute."""
-    defaults = root.find("default")
-    if defaults is None:
-        defaults = ElementTree.Element("default")
-        root.insert(0, defaults)
-    called = unique([CLASS], [element.get("class", "") for element in root.iter("default")])[0]
-    ElementTree.SubElement(ElementTree.SubElement(defaults, "default", {"class": called}), "position", UNSET)
     section = ElementTree.SubElement(root, "actuator")
     for drive in actuators:
-        values = {"name": drive.name, "class": called, "joint": names[drive.joint]}
-        values |= {"kp": f"{drive.kp:g}", "kv": f"{drive.kv:g}"}
+        values = {"name": drive.name, "joint": names[drive.joint], "kp": f"{drive.kp:g}", "kv": f"{drive.kv:g}"}
         if drive.axis is not None:
             values["gear"] = " ".join("1" if axis == drive.axis else "0" for axis in range(3))
         ElementTree.SubElement(section, "position", values)
