@@ -6,19 +6,18 @@ Limbs lie along z, so the middle hinge is the twist about the limb, which has th
 which include cartwheels, hops and high kicks, it stayed within 85° and mostly below 50°; other orders reached 86° to
 90°. Angles are continuous in time and exceed ±180° where the motion does. A motion through the lock passes it without
 a jump.
-
-Tait-Bryan angles of any order: with i, j, k the axes of the order and e = ±1 its parity,
-R_ik = e sin b, R_jk = -e sin a cos b, R_kk = cos a cos b.
 """
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from xml.etree import ElementTree
 
 import mujoco
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -38,39 +37,27 @@ ROTATION_ONLY = (
 
 def angles(rotation: Array, order: str = ORDER) -> Array:
     """Return angles (T, n, 3) [rad] in an order, continuous in time, of quaternions (T, n, 4) of any length > 0."""
-    i, j, k = ("xyz".index(letter) for letter in order)
-    sign = parity(order)
-    matrix = quat.matrices(rotation)
-    first = np.arctan2(-sign * matrix[..., j, k], matrix[..., k, k])
-    free = np.hypot(matrix[..., j, k], matrix[..., k, k]) < LOCKED
-    out = np.zeros((*rotation.shape[:-1], 3))
-    before = np.zeros(out.shape[1:])
+    shape = (*rotation.shape[:-1], 3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # in gimbal lock, the last angle is 0
+        solved = Rotation.from_quat(rotation.reshape(-1, 4), scalar_first=True).as_euler(order.upper()).reshape(shape)
+    is_locked = np.abs(np.cos(solved[..., 1])) < LOCKED
+    parity = 1 if order in "xyzxy" else -1
+    side = parity * np.sign(solved[..., 1])  # in gimbal lock, a + side * c determines the rotation
+    out, before = np.zeros(shape), np.zeros(shape[1:])
     for t in range(len(out)):
-        a = np.where(free[t], before[:, 0], first[t])
-        both = [_near(_completed(matrix[t], a + turn, i, j, k, sign), before) for turn in (0.0, np.pi)]
+        a, b, c = solved[t].T
+        first = np.where(is_locked[t], before[:, 0], a)
+        one = np.stack([first, b, np.where(is_locked[t], c + side[t] * (a - first), c)], -1)
+        both = [_near(angle, before) for angle in (one, one * [1, -1, 1] + np.pi)]
         far = [np.abs(candidate - before).sum(-1) for candidate in both]
         before = out[t] = np.where((far[0] <= far[1])[:, None], *both)
     return out
 
 
-def _completed(matrix: Array, a: Array, i: int, j: int, k: int, sign: float) -> Array:
-    """Return angles (n, 3) of rotations (n, 3, 3) with the first angle known, from R_i(a)ᵀ R = R_j(b) R_k(c)."""
-    cos, sin = np.cos(a)[:, None], sign * np.sin(a)[:, None]
-    row_j = cos * matrix[:, j] + sin * matrix[:, k]
-    row_k = cos * matrix[:, k] - sin * matrix[:, j]
-    b = np.arctan2(sign * matrix[:, i, k], row_k[:, k])
-    c = np.arctan2(sign * row_j[:, i], row_j[:, j])
-    return np.stack([a, b, c], -1)
-
-
 def _near(angle: Array, other: Array) -> Array:
     """Shift an angle by whole turns to within half a turn of another."""
     return angle - 2 * np.pi * np.round((angle - other) / (2 * np.pi))
-
-
-def parity(order: str) -> float:
-    """Return +1 for xyz, yzx and zxy, -1 for the other orders."""
-    return 1.0 if order in "xyzxy" else -1.0
 
 
 def rates(angle: Array, spin: Array, order: str = ORDER) -> Array:
