@@ -8,6 +8,7 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
@@ -136,23 +137,17 @@ class Bodies:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, qpos: Array, qvel: Array) -> Bodies:
-        """Return the motion of the bodies, by mj_kinematics and mj_comVel at every sample."""
+        """Return the motion of the bodies, by MuJoCo's kinematics of every sample."""
         data = mujoco.MjData(model)
-        count = len(qpos)
-        position, velocity, spin = (np.zeros((count, model.nbody, 3)) for _ in range(3))
-        rotation = np.zeros((count, model.nbody, 4))
-        both = np.zeros(6)
-        for i in range(count):
+        position, rotation, velocity, spin = (np.zeros((len(qpos), model.nbody, width)) for width in (3, 4, 3, 3))
+        for i in range(len(qpos)):
             data.qpos, data.qvel = qpos[i], qvel[i]
             mujoco.mj_fwdPosition(model, data)
             mujoco.mj_fwdVelocity(model, data)
-            position[i], rotation[i] = data.xpos, data.xquat
-            for body in range(model.nbody):
-                mujoco.mj_objectVelocity(model, data, mujoco.mjtObj.mjOBJ_XBODY, body, both, 0)
-                spin[i, body], velocity[i, body] = both[:3], both[3:]
-        flips = np.where(np.sum(rotation[1:] * rotation[:-1], axis=-1) < 0, -1.0, 1.0)
-        rotation[1:] *= np.cumprod(flips, axis=0)[..., None]
-        return cls(position, rotation, velocity, spin)
+            position[i], rotation[i], spin[i] = data.xpos, data.xquat, data.cvel[:, :3]
+            offset = data.xpos - data.subtree_com[model.body_rootid]  # from the point that cvel refers to
+            velocity[i] = data.cvel[:, 3:] + np.cross(spin[i], offset)
+        return cls(position, quat.aligned(rotation), velocity, spin)
 
 
 @dataclass(frozen=True)
