@@ -72,7 +72,7 @@ def disagreement(model: mujoco.MjModel, recording: Recording) -> Disagreement:
     if recording.bodies.rotation is not None:
         shifts = (0,) if recording.bodies.is_wxyz else (0, 1)
         recorded = recording.bodies.rotation[rows][:, columns, None]
-        angles = [_angle(np.roll(recorded, shift, -1), rotation[:, None]).max(axis=0) for shift in shifts]
+        angles = [quat.angle_between(np.roll(recorded, n, -1), rotation[:, None]).max(axis=0) for n in shifts]
     return min((_nearest(away, angle) for angle in angles), key=lambda each: each.share)
 
 
@@ -93,11 +93,6 @@ def _nearest(distance: Array, angle: Array) -> Disagreement:
     partner = np.argmin(np.maximum(distance / CLOSE, angle / ALIGNED), axis=1)
     rows = np.arange(len(partner))
     return Disagreement(float(distance[rows, partner].max()), float(angle[rows, partner].max()))
-
-
-def _angle(one: Array, other: Array) -> Array:
-    cosine = np.abs(np.sum(one * other, axis=-1)) / np.linalg.norm(one, axis=-1)
-    return 2 * np.arccos(np.minimum(cosine, 1.0))
 
 
 def spread(count: int) -> Index:
