@@ -68,13 +68,11 @@ class Format:
     functions are optional. `companions(trajectory)` returns more files, such as a hinge model, by extension or by name
     without a leading dot. `recognises(path)` decides between formats that share an extension.
 
-    also        further extensions of the format, only read
+    also        further extensions of the format, written only if its name is given
     variants    further extensions of the format, read and written
     containers  extensions of other files with the same content, only read
     options     fields of `ExportOptions` that the format supports
     scales      whether files lack a unit of length, so that `read` takes `scale` [m]; None infers it
-    shares      extension of another format whose files may be of this one; their content decides
-    extra       name in `pip install 'dynamic-splines[...]'` of the packages required; None for none
     """
 
     name: str
@@ -84,12 +82,10 @@ class Format:
     writes: bool = True
     reads: bool = False
     scales: bool = False
-    extra: str | None = None
     also: tuple[str, ...] = ()
     variants: tuple[str, ...] = ()
     containers: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
-    shares: str | None = None
 
     @property
     def write_endings(self) -> tuple[str, ...]:
@@ -111,23 +107,23 @@ FORMATS = (
            options=("columns",), containers=(".tsv", ".txt")),
     Format("npz", ".qpos.npz", "plain arrays: time, qpos, qvel, qacc, names, figure", "arrays", reads=True,
            containers=(".npy",)),
-    Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys", reads=True, also=(".xml",),
+    Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys", reads=True,
            variants=(SIMULATED,), options=("simulate",)),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinge angles and body poses", "mjlab", reads=True),
     Format("mjlab-csv", ".mjlab.csv", "input of mjlab, BeyondMimic: root pose (xyzw) and hinge angles, without names",
-           "mjlab_csv", reads=True, shares=".csv", containers=(".tsv", ".txt")),
+           "mjlab_csv", reads=True, containers=(".tsv", ".txt")),
     Format("locomujoco", ".loco.npz", "LocoMuJoCo: trajectory", "locomujoco", reads=True),
     Format("gmr", ".gmr.pkl", "GMR: root pose (xyzw), hinge angles, body positions", "gmr", reads=True,
            containers=(".pickle", ".joblib")),
     Format("mimickit", ".mimickit.pkl", "MimicKit: rotation vectors of root and ball joints", "mimickit", reads=True),
-    Format("deepmimic", ".deepmimic.json", "DeepMimic: humanoid", "deepmimic", reads=True, also=(".txt", ".json")),
+    Format("deepmimic", ".deepmimic.json", "DeepMimic: humanoid", "deepmimic", reads=True, also=(".txt",)),
     Format("amass", ".amass.npz", "AMASS: motion capture of an SMPL body", "amass", writes=False, reads=True,
            containers=(".pkl", ".pickle", ".joblib")),
     Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True, scales=True),
     Format("gltf", ".glb", "meshes and an animation, for Blender, game engines and the web; reads VRM avatars",
-           "gltf", reads=True, scales=True, extra="gltf", also=(".gltf", ".vrm")),
+           "gltf", reads=True, scales=True, containers=(".gltf", ".vrm")),
     Format("usd", ".usdc", "meshes, a time code per sample; .usda is text", "usd", reads=True, scales=True,
-           extra="usd", variants=(".usd", ".usda")),
+           variants=(".usd", ".usda")),
     Format("html", ".html", "page that plays the motion before and after solving, in any browser", "html"),
 )  # fmt: skip
 
@@ -338,7 +334,8 @@ def _fitting(source: Path) -> list[Format]:
     if selected is not None and not selected.reads:
         raise UserError(f"'{source}': {_write_only(selected.name)}")
     if selected is not None:
-        return [selected, *(form for form in available if form.shares == selected.ending and _recognises(form, source))]
+        others = [form for form in available if form is not selected and selected.ending in form.read_endings]
+        return [selected, *(form for form in others if _recognises(form, source))]
     sharing = [form for form in available if name.endswith(form.read_endings)]
     fitting = [form for form in sharing if _recognises(form, source)]
     if not fitting:
@@ -354,10 +351,8 @@ def _recognises(form: Format, source: Path) -> bool:
 
 
 def _module(form: Format) -> Any:
-    """Import a format's module; raises UserError with the installation command if a package is missing."""
+    """Import a format's module; raises UserError if its package is missing, an extra with the format's name."""
     try:
         return import_module(f".format.{form.module}", __package__)
     except ModuleNotFoundError as error:
-        if form.extra is None:
-            raise
-        raise missing_package(f"the format '{form.name}'", error.name, form.extra) from None
+        raise missing_package(f"the format '{form.name}'", error.name, form.name) from None

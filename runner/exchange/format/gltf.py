@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ...errors import UserError
 from ...scene.triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 from ..nodes import gltf_file
 from ..skeleton import hierarchy
@@ -64,8 +63,6 @@ class _Blob:
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write the whole scene and its animation; the animation's extras contain the times of the keyframes."""
-    if path.suffix.lower() != ".glb":
-        raise UserError(f"the name of a glTF file that is written ends in .glb, not '{path.suffix}'")
     model = trajectory.model
     asset = gl.GLTF2(asset=gl.Asset(version="2.0", generator="dynamic-splines"))
     blob = _Blob(asset)
