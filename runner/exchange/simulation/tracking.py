@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
+from scipy.interpolate import make_interp_spline
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
@@ -60,11 +61,11 @@ class Tracking:
 
 def tracked(simulation: Simulation, trajectory: SampledTrajectory) -> Tracking:
     """Simulate a scene from its first key."""
-    model, aims = simulation.model, simulation.control
-    first = float(trajectory.time[0])
-    last = min(first + DURATION, float(trajectory.time[-1]))
+    model, (first, end) = simulation.model, trajectory.time[[0, -1]].tolist()
+    last = min(first + DURATION, end)
+    aims, poses = (make_interp_spline(trajectory.time, rows, k=1) for rows in (simulation.control, trajectory.qpos))
     data = mujoco.MjData(model)
-    data.time, data.qpos, data.qvel, data.ctrl = first, trajectory.qpos[0], trajectory.qvel[0], aims[0]
+    data.time, data.qpos, data.qvel, data.ctrl = first, trajectory.qpos[0], trajectory.qvel[0], aims(first)
     is_length = np.zeros(model.nv, bool)
     for kind, dof in zip(model.jnt_type.tolist(), model.jnt_dofadr.tolist(), strict=True):
         is_length[dof : dof + (3 if kind == JointKind.FREE else int(kind == JointKind.SLIDE))] = True
@@ -72,12 +73,15 @@ def tracked(simulation: Simulation, trajectory: SampledTrajectory) -> Tracking:
     with quietly():
         while data.time < last and not fell:
             before = data.time
-            data.ctrl = _between(trajectory.time, aims, before)
+            data.ctrl = aims(before)
             mujoco.mj_step(model, data)
             fell = data.time <= before or not np.isfinite(data.qpos).all()  # MuJoCo resets an unstable simulation
             if not fell:
                 times.append(data.time)
-                errors.append(np.abs(_difference(model, trajectory, data)))
+                pose, error = poses(min(data.time, end)), np.zeros(model.nv)
+                mujoco.mj_normalizeQuat(model, pose)
+                mujoco.mj_differentiatePos(model, error, 1.0, pose, data.qpos)
+                errors.append(np.abs(error))
     deviations = np.array(errors)
     return Tracking(
         np.array(times), np.where(is_length, np.nan, deviations), np.where(is_length, deviations, np.nan), fell=fell
@@ -100,21 +104,6 @@ def refined(simulation: Simulation, trajectory: SampledTrajectory) -> tuple[Simu
                 line = f"the scene to simulate has time steps of {timestep:g} s: larger ones leave the motion"
                 return replace(finer, notes=(*finer.notes, line)), tracking
     return simulation, first
-
-
-def _between(times: Array, rows: Array, time: float) -> Array:
-    """Interpolate rows linearly to a time."""
-    after = int(np.clip(np.searchsorted(times, time, side="right"), 1, len(times) - 1))
-    share = np.clip((time - times[after - 1]) / (times[after] - times[after - 1]), 0, 1)
-    return (1 - share) * rows[after - 1] + share * rows[after]
-
-
-def _difference(model: mujoco.MjModel, trajectory: SampledTrajectory, data: mujoco.MjData) -> Array:
-    """Return the deviation (nv,) of a state from the motion: [m] of translations, [rad] of rotations."""
-    wanted, out = _between(trajectory.time, trajectory.qpos, data.time), np.zeros(model.nv)
-    mujoco.mj_normalizeQuat(model, wanted)
-    mujoco.mj_differentiatePos(model, out, 1.0, wanted, data.qpos)
-    return out
 
 
 def note(tracking: Tracking, simulation: Simulation, trajectory: SampledTrajectory) -> str:
