@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 
-from dynsplines.solver.array import Array
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -24,13 +23,11 @@ from ..clip.tracking.penalties import ground_of, rests_of
 from ..clip.tracking.recording import RecordedPath
 from ..errors import UserError, listed
 from ..exchange import formats, gaps
-from ..exchange.motion_import import read_recording
+from ..exchange.motion_import import ImportedMotion, read_recording
 from ..exchange.skeleton import maps
 from ..measure import violation
 from ..motion import Saved
 from ..scene import file_access
-from ..scene.assets import Scene
-from ..scene.compose import compose
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress, silent
 from .cleaning import Cleaned, cleaned
@@ -147,24 +144,13 @@ def clean_recording(source: Source, max_displacement: float | None, progress: Pr
 
 def clean_motion(saved: Saved, max_displacement: float | None, progress: Progress) -> Saved:
     """Return a motion of this program, cleaned; max_displacement [m] as in `cleaned`."""
-    return _cleaned(_Read.of(saved), SurroundingsTable(), max_displacement, progress, avoids_self_collision=False)[1]
+    return _cleaned(_of_motion(saved), SurroundingsTable(), max_displacement, progress, avoids_self_collision=False)[1]
 
 
-@dataclass(frozen=True, eq=False)
-class _Read:
-    """A recording in its scene: time (T,) [s], qpos (T, nq)."""
-
-    name: str
-    scene: Scene
-    time: Array
-    qpos: Array
-    fps: float
-
-    @classmethod
-    def of(cls, saved: Saved) -> _Read:
-        """Return a motion of this program at its rate."""
-        samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
-        return cls(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
+def _of_motion(saved: Saved) -> ImportedMotion:
+    """Return a motion of this program at its rate."""
+    samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
+    return ImportedMotion(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
 
 
 def _target(source: Source) -> Path:
@@ -184,23 +170,24 @@ def _around(source: Source) -> SurroundingsTable:
     return SurroundingsTable(scene=scenes[0] if scenes else SceneTable(), contact=contact)
 
 
-def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Read:
+def _read(source: Source, around: SurroundingsTable, progress: Progress) -> ImportedMotion:
     is_specified = source.figure is not None or source.kind is not None
     if not is_specified and motion.is_motion(str(source.file)) and not formats.is_foreign(source.file):
         if around.scene.model_fields_set:
             raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
         if source.map is not None:
             raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
-        return _Read.of(load_motion(source.file))
+        return _of_motion(load_motion(source.file))
     chosen = maps.Map()
     if source.map is not None and not source.writes_map:
-        write_endings = file_of(source.map, MapTable)
-        chosen = maps.Map(write_endings.figure, write_endings.recording)
+        table = file_of(source.map, MapTable)
+        chosen = maps.Map(table.figure, table.recording)
     with maps.using(chosen) as met, gaps.allowed():
         try:
-            take = read_recording(
-                source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress
-            )
+            recording = read_recording(
+                source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress,
+                obstacles=obstacles(around.scene),
+            )  # fmt: skip
         except UserError as error:
             if not met or source.map is None or not source.writes_map:
                 raise
@@ -210,8 +197,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
         raise UserError(f"'{source.file}': it already contains joints of the figure; omit --map")
     if source.map is not None and source.writes_map:
         _write_map(source.map, met[0], progress)
-    scene = compose(take.spec, obstacles(around.scene), bare=take.model)
-    return _Read(take.name, scene, take.time, take.qpos, take.fps)
+    return recording
 
 
 def _write_map(target: Path, used: maps.AppliedMap, progress: Progress) -> None:
@@ -221,7 +207,7 @@ def _write_map(target: Path, used: maps.AppliedMap, progress: Progress) -> None:
 
 
 def _cleaned(
-    recording: _Read,
+    recording: ImportedMotion,
     around: SurroundingsTable,
     max_displacement: float | None,
     progress: Progress,
@@ -300,7 +286,7 @@ def _stance_doubts(comparison: Comparison) -> Iterator[str]:
         )
 
 
-def _saved(result: Cleaned, recording: _Read) -> Saved:
+def _saved(result: Cleaned, recording: ImportedMotion) -> Saved:
     """Return the motion with every frame as a keyframe; raw is the recording."""
     figure, timeline = result.figure, result.solution.timeline
     everything = np.ones(timeline.states.shape, bool)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,8 +16,9 @@ from dynsplines.solver.figure.figure import JointKind
 from ..clip import load as clips
 from ..errors import listed
 from ..motion import Saved
-from ..scene.assets import taken_along
+from ..scene.assets import Scene, taken_along
 from ..scene.compose import compiled, compose, figure_spec
+from ..scene.obstacle import Obstacle
 from ..solving import unsolved
 from ..system.progress import Progress
 from . import gaps
@@ -29,19 +31,18 @@ EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded
 
 @dataclass(frozen=True)
 class ImportedMotion:
-    """A file of another program, read for a figure.
+    """A recording of a figure in its scene.
 
-    spec, model  the figure; time  (T,) [s]; qpos  (T, nq), hinges without wraps; fps  [1/s]
-    loops        whether the file declares its last sample to be the first again, translated
+    time  (T,) [s]; qpos  (T, nq), hinges without wraps; fps  [1/s]
+    loops  whether the file declares its last sample to be the first again, translated
     """
 
     name: str
-    spec: mujoco.MjSpec
-    model: mujoco.MjModel
+    scene: Scene
     time: Array
     qpos: Array
     fps: float
-    loops: bool
+    loops: bool = False
 
 
 def read_recording(
@@ -52,12 +53,14 @@ def read_recording(
     fps: float | None = None,
     scale: float | None = None,
     progress: Progress | None = None,
+    obstacles: Sequence[Obstacle] = (),
 ) -> ImportedMotion:
     """Read a file of another program.
 
     figure  name of a shipped figure or path to MJCF, for files that contain none
     fps, scale  [1/s], [m] rate and unit of length, for files that lack them
     progress  receives notes on how the file was read
+    obstacles  of the scene
 
     Raises UserError.
     """
@@ -79,7 +82,8 @@ def read_recording(
     for note in (*record.notes, *notes):
         progress.report(f"note: {note}")
     rate = record.fps or (float(np.round(1 / np.median(np.diff(record.time)), 6)) if record.time.size > 1 else 30.0)
-    return ImportedMotion(stem(source), spec, model, record.time, qpos, rate, record.loops)
+    scene = compose(spec, obstacles, bare=model)
+    return ImportedMotion(stem(source), scene, record.time, qpos, rate, record.loops)
 
 
 def import_recording(
@@ -98,9 +102,7 @@ def import_recording(
     """
     progress = progress or Progress()
     record = read_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-    clip = clips.from_qpos(
-        record.name, compose(record.spec, bare=record.model), record.time, record.qpos, record.fps, source.name
-    )
+    clip = clips.from_qpos(record.name, record.scene, record.time, record.qpos, record.fps, source.name)
     if (is_repeated := gaps.repeated(clip.figure, record.time, record.qpos)).any():
         line = gaps.repetition_note(record.time, is_repeated)
         progress.report(f"note: {line}: kept; `dynsplines clean` takes them as missing")
