@@ -69,10 +69,14 @@ def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arra
 
 def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
     """Bend the samples of one run."""
-    low, high = _ranges(model, limb)
+    turning = [joint for joint in joints(model, limb.bodies) if model.jnt_type[joint] in TURNING]
+    owner = np.repeat(
+        turning, [3 if model.jnt_type[joint] == JointKind.BALL else 1 for joint in turning]
+    )  # of each dof
+    bounded = np.flatnonzero((model.jnt_type[owner] == JointKind.HINGE) & (model.jnt_limited[owner] == 1))
+    columns, (low, high) = model.jnt_qposadr[owner[bounded]], model.jnt_range[owner[bounded]].T
     spread = {body: TURN_OF_END if body == limb.bodies[-1] else TURN for body in limb.turns}
-    bounded = np.flatnonzero(np.isfinite(low) & np.isfinite(high))
-    by_range = RANGE * np.concatenate([np.eye(low.size)[bounded], -np.eye(low.size)[bounded]])
+    by_range = RANGE * np.concatenate([np.eye(owner.size)[bounded], -np.eye(owner.size)[bounded]])
 
     def residuals(now: Array, which: Index) -> Residuals:
         state = chain_of(model, now, limb.bodies, carried[which])
@@ -86,58 +90,25 @@ def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arr
             above = np.array([limb.bodies.index(moved_body) <= limb.bodies.index(body) for moved_body in state.moved])
             rows.append(np.where(above[:, None], state.axes, 0.0) / spread[body])
         two_sided = sum(part.shape[1] for part in off)
-        at = _values(model, now, limb.bodies)[:, bounded]
-        off += [RANGE * (at - high[bounded]), RANGE * (low[bounded] - at)]
+        off += [RANGE * (now[:, columns] - high), RANGE * (low - now[:, columns])]
         goal_rows = np.swapaxes(np.concatenate(rows, axis=2), 1, 2)
         range_rows = np.broadcast_to(by_range, (len(now), *by_range.shape))
         return Residuals(np.concatenate(off, axis=1), np.concatenate([goal_rows, range_rows], axis=1), two_sided)
 
     def moved(before: Array, step: Array) -> Array:
         after = before.copy()
-        _move(model, after, limb.bodies, step, low, high)
+        for joint in turning:
+            at, of_joint = model.jnt_qposadr[joint], step[:, owner == joint]
+            if model.jnt_type[joint] == JointKind.BALL:  # about its own axes
+                turned = quat.product(after[:, at : at + 4], quat.from_rotation_vector(of_joint))
+                after[:, at : at + 4] = quat.normalised(turned)
+            else:
+                after[:, at] += of_joint[:, 0]
+        after[:, columns] = np.clip(after[:, columns], low, high)
         return after
 
-    problem = LeastSquares(residuals, moved, np.ones(low.size), STEPS, LONGEST, smallest=STILL)
+    problem = LeastSquares(residuals, moved, np.ones(owner.size), STEPS, LONGEST, smallest=STILL)
     return problem.descended(qpos)[0]
-
-
-def _ranges(model: mujoco.MjModel, limb: Limb) -> tuple[Array, Array]:
-    """Return lower and upper bounds (D,) of the degrees of freedom; ball joints are unbounded."""
-    low, high = list[float](), list[float]()
-    for joint in joints(model, limb.bodies):
-        if model.jnt_type[joint] == JointKind.BALL:
-            low += [-np.inf] * 3
-            high += [np.inf] * 3
-        elif model.jnt_type[joint] == JointKind.HINGE:
-            low.append(model.jnt_range[joint, 0] if model.jnt_limited[joint] else -np.inf)
-            high.append(model.jnt_range[joint, 1] if model.jnt_limited[joint] else np.inf)
-    return np.array(low), np.array(high)
-
-
-def _values(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int]) -> Array:
-    """Return the angles (T, D) of hinges, zero for ball joints, which have no range."""
-    columns = list[Array]()
-    for joint in joints(model, bodies):
-        at = model.jnt_qposadr[joint]
-        if model.jnt_type[joint] == JointKind.BALL:
-            columns += [np.zeros(len(qpos))] * 3
-        elif model.jnt_type[joint] == JointKind.HINGE:
-            columns.append(qpos[:, at])
-    return np.stack(columns, axis=1)
-
-
-def _move(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], step: Array, low: Array, high: Array) -> None:
-    """Rotate joints by a step (T, D) [rad], a ball joint about its own axes."""
-    k = 0
-    for joint in joints(model, bodies):
-        at = model.jnt_qposadr[joint]
-        if model.jnt_type[joint] == JointKind.BALL:
-            turned = quat.product(qpos[:, at : at + 4], quat.from_rotation_vector(step[:, k : k + 3]))
-            qpos[:, at : at + 4] = quat.normalised(turned)
-            k += 3
-        elif model.jnt_type[joint] == JointKind.HINGE:
-            qpos[:, at] = np.clip(qpos[:, at] + step[:, k], low[k], high[k])
-            k += 1
 
 
 def chain_of(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Array) -> Chain:
