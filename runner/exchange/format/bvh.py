@@ -8,6 +8,7 @@ channels, too.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -70,7 +71,7 @@ def of_captured(
         if abs(lift) > LIFTED
         else ()
     )
-    mjcf, qpos = captured_figure.figure(captured.raised(lift))
+    mjcf, qpos = captured_figure.figure(replace(captured, position=np.add(captured.position, [0, 0, lift])))
     return Recording(time, qpos, mjcf, rate, (*notes, *captured.notes, *raised))
 
 

@@ -160,9 +160,6 @@ class CapturedSkeleton:
         """The least height [m] of the toes of the lower foot; zero without feet."""
         return min((float(self.at(toe, end)[low, 2]) for _, toe, end, low in self.feet.values()), default=0.0)
 
-    def raised(self, by: float) -> CapturedSkeleton:
-        return replace(self, position=self.position + np.array([0, 0, by]))
-
 
 def _unit(
     parents: list[int],
@@ -269,14 +266,13 @@ def _spread(values: Array) -> float:
 
 def _at_zero(skeleton: Skeleton, carried: Array, root: int) -> Array:
     """Return the rotation (4,) of the zero pose by static parents that make it upright, as in files made z up."""
-    none = NONE
     if np.abs(carried - carried[0]).max() > STILL:
-        return none
+        return NONE
     by_role = roles(skeleton.names, skeleton.parents)
     feet = [by_role[role] for role in ("left_foot", "right_foot", "left_shin", "right_shin") if role in by_role]
     if not feet:
-        return none
+        return NONE
     place, zero = skeleton.world[0], skeleton.at_zero
     stands = np.median(place[:, root] - place[:, feet].mean(axis=1), axis=0)
     rest = zero[root] - zero[feet].mean(axis=0)
-    return carried[0] if stands @ quat.rotated(carried[0], rest) > stands @ rest + STILL else none
+    return carried[0] if stands @ quat.rotated(carried[0], rest) > stands @ rest + STILL else NONE

@@ -60,14 +60,13 @@ def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[
     place (nbody, 3) [m] of bodies at rest; roles: bodies by part. Upright, the head is above the hips, these are above
     the feet, and the left hip is to the left. A figure without identified legs is taken to stand.
     """
-    none = NONE
     thighs, ends = ([roles.get(f"{side}_{part}") for side in ("left", "right")] for part in ("thigh", "foot"))
     ends = [
         end if end is not None else roles.get(f"{side}_shin") for end, side in zip(ends, ("left", "right"), strict=True)
     ]
     tops = [roles[role] for role in ("head", "neck", "left_upper_arm", "right_upper_arm", "chest") if role in roles]
     if None in thighs or None in ends:
-        return none, ()
+        return NONE, ()
     hips, feet = (place[np.array(bodies, int)].mean(axis=0) for bodies in (thighs, ends))
     up = unit(hips - feet) + (unit(place[tops].mean(axis=0) - hips) if tops else 0.0)
     leftward = unit(place[thighs[0]] - place[thighs[1]])
@@ -75,7 +74,7 @@ def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[
     score = turns.apply(unit(up))[:, 2] + turns.apply(leftward)[:, 1]
     best = int(np.argmax(score))
     if score[best] - (unit(up)[2] + leftward[1]) < CLEARLY:
-        return none, ()
+        return NONE, ()
     turn = turns[best]
     was_up = turn.inv().apply([0, 0, 1])
     axis = int(np.argmax(np.abs(was_up)))
