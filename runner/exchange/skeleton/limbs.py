@@ -48,15 +48,13 @@ class Limb:
 class Chain:
     """Bodies in all samples: position [m] of the last (T, 3) relative to the first, and rotations {body: (T, 4)}.
 
-    Its D degrees of freedom have axes (T, D, 3) and anchors (T, D, 3) in the world, and belong to the bodies moved
-    (D,).
+    Its D degrees of freedom have axes (T, D, 3) and anchors (T, D, 3) in the world.
     """
 
     end: Array
     turn: dict[int, Array]
     axes: Array
     anchors: Array
-    moved: list[int]
 
 
 def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
@@ -70,9 +68,9 @@ def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arra
 def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
     """Bend the samples of one run."""
     turning = [joint for joint in joints(model, limb.bodies) if model.jnt_type[joint] in TURNING]
-    owner = np.repeat(
-        turning, [3 if model.jnt_type[joint] == JointKind.BALL else 1 for joint in turning]
-    )  # of each dof
+    freedom = [JointKind(model.jnt_type[joint]).freedom for joint in turning]
+    owner = np.repeat(turning, freedom)  # (D,) the joint of each degree of freedom
+    below = np.searchsorted(limb.bodies, model.jnt_bodyid[owner])  # (D,) index of the body that it moves
     bounded = np.flatnonzero((model.jnt_type[owner] == JointKind.HINGE) & (model.jnt_limited[owner] == 1))
     columns, (low, high) = model.jnt_qposadr[owner[bounded]], model.jnt_range[owner[bounded]].T
     spread = {body: TURN_OF_END if body == limb.bodies[-1] else TURN for body in limb.turns}
@@ -87,8 +85,8 @@ def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arr
         for body, target in limb.turns.items():
             away = quat.product(state.turn[body], quat.conjugate(target[which]))
             off.append(quat.rotation_vector(away) / spread[body])
-            above = np.array([limb.bodies.index(moved_body) <= limb.bodies.index(body) for moved_body in state.moved])
-            rows.append(np.where(above[:, None], state.axes, 0.0) / spread[body])
+            is_moved = below <= limb.bodies.index(body)
+            rows.append(np.where(is_moved[:, None], state.axes, 0.0) / spread[body])
         two_sided = sum(part.shape[1] for part in off)
         off += [RANGE * (now[:, columns] - high), RANGE * (low - now[:, columns])]
         goal_rows = np.swapaxes(np.concatenate(rows, axis=2), 1, 2)
@@ -114,7 +112,7 @@ def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arr
 def chain_of(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Array) -> Chain:
     """Return the forward kinematics of a chain of bodies; carried: (T, 4) orientation of its parent."""
     count, place, turn = len(qpos), np.zeros((len(qpos), 3)), carried
-    turns, rows, spots, moved = dict[int, Array](), list[Array](), list[Array](), list[int]()
+    turns, rows, spots = dict[int, Array](), list[Array](), list[Array]()
     first = np.zeros((count, 3))
     for body in bodies:
         place = place + quat.rotated(turn, model.body_pos[body])
@@ -129,12 +127,10 @@ def chain_of(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried:
                     angle = qpos[:, at] - model.qpos0[at]
                     turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
                     spots.append(anchor)
-                    moved.append(body)
                 case JointKind.BALL:
                     turn = quat.product(turn, qpos[:, at : at + 4])
                     rows += [quat.rotated(turn, axis) for axis in np.eye(3)]
                     spots += [anchor] * 3
-                    moved += [body] * 3
                 case JointKind.SLIDE:
                     along = quat.rotated(turn, model.jnt_axis[joint])
                     anchor = anchor + (qpos[:, at] - model.qpos0[at])[:, None] * along
@@ -142,4 +138,4 @@ def chain_of(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried:
         turns[body] = turn
         first = place if body == bodies[0] else first
     axes, anchors = (np.reshape(part, (-1, count, 3)).swapaxes(0, 1) for part in (rows, spots))
-    return Chain(place - first, turns, axes, anchors - first[:, None], moved)
+    return Chain(place - first, turns, axes, anchors - first[:, None])
