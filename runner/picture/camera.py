@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.ndimage import gaussian_filter1d
 
 Array = NDArray[np.float64]
 
@@ -109,10 +110,8 @@ def smoothed(path: Array, fps: float) -> Array:
     reach = int(np.ceil(3 * sigma))
     if len(path) < 2 or reach < 1:
         return path.copy()
-    kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
-    kernel /= kernel.sum()
     padded = np.pad(path, ((reach, reach), (0, 0)), mode="reflect", reflect_type="odd")
-    return np.stack([np.convolve(column, kernel, mode="valid") for column in padded.T], axis=1)
+    return gaussian_filter1d(padded, sigma, axis=0, radius=reach)[reach:-reach]
 
 
 def axes(azimuth: float, elevation: float) -> Array:
