@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from ..errors import UserError
-from ..system.output import Replacement, real_target, sibling
+from ..system import output
 
 if TYPE_CHECKING:  # stills need no video library
     import av.filter
@@ -49,13 +49,7 @@ def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
     target = Path(path)
     if target.suffix.lower() not in _WRITERS:
         raise UserError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(_WRITERS)}")
-    if target.is_dir():
-        raise UserError(f"{target}: is a directory; name a file in it, such as {target / ('clip' + target.suffix)}")
-    parent = real_target(target).parent
-    if not parent.is_dir():
-        raise UserError(f"{target}: the directory {parent} does not exist; create it or name another")
-    if not os.access(parent, os.W_OK | os.X_OK):
-        raise UserError(f"{target}: the directory {parent} cannot be written to; name another")
+    output.check_target(target)
     _check_size(target, width, height)
 
 
@@ -74,7 +68,7 @@ def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float) -
     first = next(source)
     check_target(path, first.shape[1], first.shape[0])
     target = Path(path)
-    with Replacement(target) as partial:
+    with output.Replacement(target) as partial:
         _WRITERS[target.suffix.lower()](partial, chain([first], source), fps)
 
 
@@ -158,7 +152,7 @@ def _write_gif(path: Path, images: Iterator[Picture], fps: float) -> None:
     palette is known only at the end, so the frames are stored in a lossless file, not in memory."""
     step = math.ceil(fps / GIF_FPS - 1e-9)
     rate = Fraction(fps).limit_denominator(65535) / step
-    waiting = sibling(path, ".mkv")
+    waiting = output.sibling(path, ".mkv")
     palette = _store(waiting, (image for index, image in enumerate(images) if index % step == 0), rate)
     _paint(path, waiting, palette, rate)
 

@@ -29,7 +29,7 @@ MODE = 0o777  # bits of an older file's mode that are preserved
 MOST_OF_A_NAME = 40  # characters of the target's name in a temporary name, at most 160 of its 255 bytes
 TEMPORARY = re.compile(r"\..*\.[0-9a-f]{16}\.partial(\.[^./]*)?", re.DOTALL)
 REFUSED = {
-    stat.S_IFDIR: "it is a folder",
+    stat.S_IFDIR: "it is a folder; name a file in it",
     stat.S_IFIFO: "it is a pipe; name a file",
     stat.S_IFSOCK: "it is a socket; name a file",
     stat.S_IFCHR: "it is a device; name a file",
@@ -104,9 +104,10 @@ def check_target(target: Path, *, overwrite: bool = True) -> None:
     """Raise UserError unless the file can be created, or may be overwritten."""
     real = real_target(target)
     if not real.parent.is_dir():
-        raise UserError(f"cannot write '{target}': no folder '{real.parent if target.is_symlink() else target.parent}'")
+        folder = real.parent if target.is_symlink() else target.parent
+        raise UserError(f"cannot write '{target}': no folder '{folder}'; create it, or name another")
     if not os.access(real.parent, os.W_OK):
-        raise UserError(f"cannot write '{target}': the folder is not writable")
+        raise UserError(f"cannot write '{target}': the folder is not writable; name another")
     if target.exists() and not overwrite:
         raise UserError(f"'{target}' already exists; give another -o, or --overwrite")
 

@@ -423,7 +423,7 @@ BAD_WORDS = [
     (["solve", "tiny.toml", "-o", "x" * 300 + ".npz"], ["cannot write"]),
     (["plot", MOTION, "-o", "p.jpg"], [".png, .svg, .pdf"]),
     (["render", MOTION, "-o", "film.avi"], [".avi", ".mp4"]),
-    (["render", MOTION, "-o", "none/film.mp4"], ["does not exist"]),
+    (["render", MOTION, "-o", "none/film.mp4"], ["no folder 'none'; create it"]),
     (["render", MOTION, "--size", "33x32"], ["33x32", "34x32"]),
     (["render", MOTION, "--size", "33x32", "-o", "f.gif"], ["even width"]),
     *((["render", MOTION, "--size", size], ["--size"]) for size in ("0x0", "big", "1280x", "²x²")),

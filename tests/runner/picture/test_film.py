@@ -156,8 +156,8 @@ def test_images_stream_through(tmp_path: Path, ending: str):
     ("name", "size", "told"),
     [
         ("run.avi", (64, 48), r"run\.avi: no way to write '\.avi'; endings: \.mp4, \.webm, \.gif, \.png"),
-        ("nowhere/run.mp4", (64, 48), r"nowhere does not exist"),
-        ("folder.mp4", (64, 48), "is a directory"),
+        ("nowhere/run.mp4", (64, 48), r"no folder .*nowhere'; create it"),
+        ("folder.mp4", (64, 48), "it is a folder"),
         ("run.mp4", (641, 359), r"641x359 pixels; .* take 642x360, or write \.gif"),
         ("run.webm", (641, 359), r"641x359 pixels; .* take 642x360, or write \.gif"),
     ],
@@ -170,7 +170,7 @@ def test_a_target_that_cannot_be_written_is_refused(tmp_path: Path, name: str, s
 
 def test_a_directory_without_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(os, "access", lambda path, mode: False)
-    with pytest.raises(UserError, match="cannot be written to"):
+    with pytest.raises(UserError, match="the folder is not writable"):
         check_target(tmp_path / "run.mp4", 64, 48)
 
 
