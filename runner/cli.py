@@ -378,8 +378,7 @@ def plot(
     and each soft constraint against the number of evaluations.
     The extension of -o selects .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
-    chart.check_target(target)
-    outputs.check_target(target)
+    outputs.check_target(target, endings=chart.ENDINGS)
     saved = _measured(source, model, keys, no_cache)
     with inputs.complete_report(source):
         chart.draw(saved.name, saved.report, saved.trace, [key.time for key in saved.keys], target)

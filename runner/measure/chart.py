@@ -14,19 +14,12 @@ import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from ..errors import UserError
 from ..system.output import Replacement
 
 ENDINGS = (".png", ".svg", ".pdf")
 BEFORE, AFTER = "#b5541c", "#1f6f8b"
 INK = "#22303a"
 COLOURS, STROKES = 10, ("-", "--", ":")  # number of matplotlib's colours; the stroke changes after each 10 lines
-
-
-def check_target(target: Path) -> None:
-    """Raise UserError unless the extension is one of charts."""
-    if target.suffix.lower() not in ENDINGS:
-        raise UserError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(ENDINGS)}")
 
 
 def style(size: float) -> dict[Any, Any]:

@@ -47,9 +47,7 @@ _TV_RANGE = 1  # AVCOL_RANGE_MPEG
 def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
     """Raise UserError if `write` could not write frames of this size [pixels] to a path. Writes nothing."""
     target = Path(path)
-    if target.suffix.lower() not in _WRITERS:
-        raise UserError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(_WRITERS)}")
-    output.check_target(target)
+    output.check_target(target, endings=_WRITERS)
     _check_size(target, width, height)
 
 

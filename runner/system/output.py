@@ -15,7 +15,7 @@ import os
 import re
 import secrets
 import stat
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -100,8 +100,10 @@ def real_target(target: Path) -> Path:
     return Path(os.path.realpath(target))
 
 
-def check_target(target: Path, *, overwrite: bool = True) -> None:
-    """Raise UserError unless the file can be created, or may be overwritten."""
+def check_target(target: Path, *, overwrite: bool = True, endings: Collection[str] = ()) -> None:
+    """Raise UserError unless the file can be created, or may be overwritten, and has one of the extensions, if any."""
+    if endings and target.suffix.lower() not in endings:
+        raise UserError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(endings)}")
     real = real_target(target)
     if not real.parent.is_dir():
         folder = real.parent if target.is_symlink() else target.parent

@@ -14,8 +14,9 @@ from tiny import names
 
 from dynsplines.errors import UserError
 from dynsplines.measure import chart
-from dynsplines.measure.chart import check_target, draw
+from dynsplines.measure.chart import ENDINGS, draw
 from dynsplines.motion import Saved
+from dynsplines.system.output import check_target
 
 
 def drawn(saved: Saved, target, report=None) -> None:
@@ -84,7 +85,7 @@ def test_a_clip_without_feet_or_anything_to_gain_can_be_charted(saved, tmp_path)
 @pytest.mark.parametrize("name", ["c.jpg", "c", "c.npz", ".png"])
 def test_other_endings_are_refused(tmp_path, name):
     with pytest.raises(UserError, match=r"endings: \.png, \.svg, \.pdf"):
-        check_target(tmp_path / name)
+        check_target(tmp_path / name, endings=ENDINGS)
 
 
 def test_a_chart_that_breaks_off_leaves_what_was_there(saved, tmp_path):
