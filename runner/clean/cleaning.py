@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 
@@ -41,7 +40,6 @@ OUTSIDE = 0.04  # [s] time from the end of a stance to another frame, outside of
 ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
 LONG = 60.0  # [s] shortest recording that is searched again in parts only
 LOOKS = 3  # most rounds of additional frames
-STRICTER, TRIES = 2.0, 7  # factor of the recording's weight in each try to reduce deviations, and most tries
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,28 +75,14 @@ class Cleaned:
         return [Frame.key(frame.time, figure.to_qpos(frame.state)) for frame in timeline.frames]
 
 
-class Verdict(NamedTuple):
-    """The largest deviation [m] from a recording, and whether nothing slips or penetrates."""
-
-    displacement: float
-    is_sound: bool = True
-
-
 def cleaned(
     ground: Ground,
     repaired: Repaired,
     specified: Sequence[Rest] | None = None,
     *,
-    max_displacement: float | None = None,
-    verdict: Callable[[Cleaned], Verdict] = lambda cleaned: Verdict(0.0),
     improved: Callable[[Improvement], None] | None = None,
 ) -> Cleaned:
-    """Return the motion near a recording that satisfies its stances.
-
-    specified         the stances; None: inferred from the recording
-    max_displacement  [m] largest deviation to aim for; the recording's weight increases while stances are satisfied
-    verdict           returns the deviation from the recording, and whether the motion is sound
-    """
+    """Return the motion near a recording that satisfies its stances, by default those inferred from it."""
     figure = ground.figure
     recorded = RecordedMotion.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
@@ -126,24 +110,7 @@ def cleaned(
     if is_noisy or _is_deep(ground, recorded):
         tracking = _with_soft_start(tracking, near, SOFTER, improved)
     tracking, solution = _out_of_edges(ground, tracking, inbetween(tracking, improved=improved), improved)
-    result = Cleaned(ground, before, recorded, rests, high_rests, tracking, solution)
-    if max_displacement is None:
-        return result
-    off = verdict(result).displacement
-    for _ in range(TRIES):
-        if off <= max_displacement:
-            break
-        weights = [(p, STRICTER * w if p is near else w) for p, w in tracking.penalties]
-        tracking = replace(tracking, penalties=tuple(weights))
-        closer = replace(
-            result, solution=inbetween(replace(tracking, keys=_from(figure, result.solution)), improved=improved)
-        )
-        report = verdict(closer)
-        if not report.is_sound:
-            break
-        if report.displacement < off:
-            result, off = closer, report.displacement
-    return result
+    return Cleaned(ground, before, recorded, rests, high_rests, tracking, solution)
 
 
 def _out_of_edges(
@@ -194,7 +161,7 @@ def _with_soft_start(
         )
         roughly = replace(problem.settings, tolerance=ROUGHLY)
         solution = inbetween(replace(problem, penalties=weights, settings=roughly), improved=improved)
-        problem = replace(problem, keys=_from(problem.figure, solution))
+        problem = started_at(problem, solution)
     return problem
 
 
@@ -257,8 +224,9 @@ def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Pro
     return tuple(Rest(*stance, rolls=True) for stance in stances if is_sure(stance))
 
 
-def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:
-    return loose(figure, solution.timeline.times, solution.timeline.states)
+def started_at(problem: Problem, solution: Solution) -> Problem:
+    """Return a problem whose search starts at a solution."""
+    return replace(problem, keys=loose(problem.figure, solution.timeline.times, solution.timeline.states))
 
 
 def _by_state(figure: Figure, known: Mask) -> Array:

@@ -31,7 +31,7 @@ from ..scene import file_access
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress, silent
 from .cleaning import Cleaned, cleaned
-from .comparison import Comparison, verdict
+from .comparison import Comparison, closer
 from .repairs import repaired
 
 NAMED = 6  # most stances of a point that are listed
@@ -129,7 +129,7 @@ def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allow
 
 
 def clean_recording(source: Source, max_displacement: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
-    """Return a cleaned recording, and its motion; max_displacement [m] as in `cleaned`. Raises UserError."""
+    """Return a cleaned recording, and its motion; max_displacement [m] as in `closer`. Raises UserError."""
     around = _around(source)
     recording = _read(source, around, progress)
     return _cleaned(
@@ -143,7 +143,7 @@ def clean_recording(source: Source, max_displacement: float | None, progress: Pr
 
 
 def clean_motion(saved: Saved, max_displacement: float | None, progress: Progress) -> Saved:
-    """Return a motion of this program, cleaned; max_displacement [m] as in `cleaned`."""
+    """Return a motion of this program, cleaned; max_displacement [m] as in `closer`."""
     return _cleaned(_of_motion(saved), SurroundingsTable(), max_displacement, progress, avoids_self_collision=False)[1]
 
 
@@ -228,9 +228,9 @@ def _cleaned(
     def improved(improvement: Improvement) -> None:
         progress.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
 
-    result = cleaned(
-        ground, repaired_recording, requested, max_displacement=max_displacement, verdict=verdict, improved=improved
-    )
+    result = cleaned(ground, repaired_recording, requested, improved=improved)
+    if max_displacement is not None:
+        result = closer(result, max_displacement, improved)
     if not result.rests:
         progress.report("note: no stance was detected, so feet may slip")
     for line in _stances(result):

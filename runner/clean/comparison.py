@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -15,18 +15,21 @@ from dynsplines.solver.contacts import Rest
 from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import JointRange, Rolling, Speed, Support, joint_ranges
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.penalty import JointRange, Rolling, Speed, Support, TrackingPenalty, joint_ranges
 from dynsplines.solver.penalty.motion.peak import relative_accelerations
+from dynsplines.solver.solution import Improvement
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import arrays_of, places_of
 
 from ..clip.tracking.penalties import Ground
 from ..motion import even_times, sample_runs
-from .cleaning import Cleaned, Verdict
+from .cleaning import Cleaned, started_at
 from .penetration import depth
 
 RATE = 120.0  # [1/s] of the samples
 SLIP, DEPTH, HOVER = 5.0, 2.0, 5.0  # [mm] largest values of a sound motion
+STRICTER, TRIES = 2.0, 7  # factor of the recording's weight in each try to reduce deviations, and most tries
 RANGE = 0.5  # [°] largest excess of a joint's range in a sound motion
 
 
@@ -136,6 +139,17 @@ class Comparison:
             farthest.append(BodyDisplacement(name, float(np.median(row)), high, float(row[at]), float(self.times[at])))
         return tuple(sorted(farthest, key=lambda one: -one.maximum))
 
+    @property
+    def largest_displacement(self) -> float:
+        """The largest deviation of pelvis, hands and feet [m]."""
+        return max(one.maximum for one in self.displacements)
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether nothing slips or penetrates."""
+        after = PathMeasurement(self.cleaned, self.cleaned.after, self.times)
+        return after.slip <= SLIP and after.depth <= DEPTH
+
     def table(self) -> Table:
         out = Table(box=None, pad_edge=False)
         for heading in ("", "before", "after"):
@@ -151,11 +165,25 @@ class Comparison:
         return out
 
 
-def verdict(cleaned: Cleaned) -> Verdict:
-    """Return the largest deviation of pelvis, hands and feet, and whether nothing slips or penetrates."""
-    comparison = Comparison(cleaned)
-    look = PathMeasurement(cleaned, cleaned.after, comparison.times)
-    return Verdict(max(one.maximum for one in comparison.displacements), look.slip <= SLIP and look.depth <= DEPTH)
+def closer(cleaned: Cleaned, max_displacement: float, improved: Callable[[Improvement], None] | None = None) -> Cleaned:
+    """Return a motion that deviates by at most `max_displacement` [m] from its recording, as far as possible.
+
+    The recording's weight is increased while nothing slips or penetrates.
+    """
+    problem, best = cleaned.problem, cleaned
+    for _ in range(TRIES):
+        off = Comparison(best).largest_displacement
+        if off <= max_displacement:
+            break
+        weights = [(p, STRICTER * w if isinstance(p, TrackingPenalty) else w) for p, w in problem.penalties]
+        problem = replace(problem, penalties=tuple(weights))
+        tried = replace(cleaned, solution=inbetween(started_at(problem, best.solution), improved=improved))
+        comparison = Comparison(tried)
+        if not comparison.is_sound:
+            break
+        if comparison.largest_displacement < off:
+            best = tried
+    return best
 
 
 def compared_links(figure: Figure) -> list[int]:

@@ -13,7 +13,7 @@ from dynsplines import recordings, solving
 from dynsplines.clean import cleaning
 from dynsplines.clean import penetration as sinking
 from dynsplines.clean.cleaning import Cleaned, cleaned
-from dynsplines.clean.comparison import Comparison, verdict
+from dynsplines.clean.comparison import Comparison, closer
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip.tracking.penalties import Ground, ground_of
 from dynsplines.motion import samples_at
@@ -191,12 +191,12 @@ def test_what_is_asked_to_stay_near_does_as_far_as_its_stances_let_it(part, bad)
     clean = cleaned(ground_of(part.figure, bad[:80]), repair)
     one = max(clean.rests, key=lambda rest: rest.last - rest.first)
     free = cleaned(clean.ground, repair, [one])
-    near = cleaned(clean.ground, repair, [one], max_displacement=0.9 * verdict(free).displacement, verdict=verdict)
-    assert verdict(near).displacement < 0.99 * verdict(free).displacement
-    assert verdict(near).is_sound
-    held = cleaned(clean.ground, repair, max_displacement=0.9 * verdict(clean).displacement, verdict=verdict)
-    assert verdict(held).displacement <= verdict(clean).displacement
-    assert verdict(held).is_sound
+    before, after = Comparison(free), Comparison(closer(free, 0.9 * Comparison(free).largest_displacement))
+    assert after.largest_displacement < 0.99 * before.largest_displacement
+    assert after.is_sound
+    before, after = Comparison(clean), Comparison(closer(clean, 0.9 * Comparison(clean).largest_displacement))
+    assert after.largest_displacement <= before.largest_displacement
+    assert after.is_sound
 
 
 @pytest.mark.parametrize("name", ["walk_loop", "stairs"])
