@@ -144,7 +144,6 @@ def _stretches(times: Array) -> Iterator[tuple[float, float]]:
 
 
 def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
-    """Return whether the aligned recording penetrates deeply."""
     first, last = recorded.path.span
     times = np.linspace(first, last, max(2, round((last - first) * OFTEN)))
     return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).deep)

@@ -16,7 +16,7 @@ from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError, listed
 from ..exchange import gaps
-from .rest_pose_trim import RestPose, find_rest_pose
+from .rest_pose_trim import find_rest_pose
 
 FEWEST = 5  # least number of samples of a motion
 TWICE = 0.1  # time between duplicate samples, relative to the median step
@@ -72,7 +72,6 @@ def _name(figure: Figure, columns: Index) -> str:
 
 
 def _without_duplicates(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
-    """Remove duplicate samples."""
     step = float(np.median(np.diff(time)))
     twice = np.append(False, np.diff(time) <= TWICE * step)
     if twice.any():
@@ -99,15 +98,13 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
 
 def _without_rest(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]) -> tuple[Array, Array, Mask]:
     """Remove the rest poses before and after the motion."""
-    first, last = 0, time.size
-    if (found := find_rest_pose(figure.model, time, qpos)) is not None:
-        first = found.count
-        notes.append(f"{found.line}: left out")
-    back = find_rest_pose(figure.model, -time[first:][::-1], qpos[first:][::-1])
-    if back is not None:
-        last -= back.count
-        notes.append(f"{_ending(back, time)}: left out")
-    return time[first:last], qpos[first:last], known[first:last]
+    for at_end in (False, True):
+        pose = find_rest_pose(figure.model, time, qpos, at_end=at_end)
+        if pose is not None:
+            notes.append(f"{pose.line}: left out")
+            motion = slice(None, -pose.count) if at_end else slice(pose.count, None)
+            time, qpos, known = time[motion], qpos[motion], known[motion]
+    return time, qpos, known
 
 
 def _without_dropouts(
@@ -119,12 +116,6 @@ def _without_dropouts(
     if not keep.all():
         notes.append(f"{gaps.repetition_note(time, ~keep)}: taken as missing")
     return time[keep], qpos[keep], known[keep]
-
-
-def _ending(back: RestPose, time: Array) -> str:
-    """Return the note on a lead-in of the motion played backward."""
-    span = f"{time[-1]:.3f} s" if back.count == 1 else f"{-back.last:.3f} to {time[-1]:.3f} s"
-    return f"the recording ends with {back.what} ({back.count} image{'s' * (back.count > 1)}, {span}), no motion"
 
 
 def _interpolated(

@@ -38,23 +38,27 @@ REST = "the figure's rest pose"
 
 @dataclass(frozen=True)
 class RestPose:
-    """The samples before the motion: number, first and last time [s], and what they show, in words."""
+    """The samples before or after the motion: number, times [s], what they show, and "begins" or "ends"."""
 
     count: int
     first: float
     last: float
     what: str
+    where: str
 
     @property
     def line(self) -> str:
-        """ "the recording begins with a T-pose (1 image, 0.000 s), which is no motion" """
+        """ "the recording begins with a T-pose (1 image, 0.000 s), no motion" """
         span = f"{self.first:.3f} s" if self.count == 1 else f"{self.first:.3f} to {self.last:.3f} s"
-        return f"the recording begins with {self.what} ({self.count} image{'s' * (self.count > 1)}, {span}), no motion"
+        images = f"{self.count} image{'s' * (self.count > 1)}"
+        return f"the recording {self.where} with {self.what} ({images}, {span}), no motion"
 
 
-def find_rest_pose(model: mujoco.MjModel, times: Array, qpos: Array) -> RestPose | None:
-    """Return the lead-in of qpos (T, nq) at times (T,) [s]; None without one, or if nothing else would remain."""
+def find_rest_pose(model: mujoco.MjModel, times: Array, qpos: Array, *, at_end: bool = False) -> RestPose | None:
+    """Return the lead-in of qpos (T, nq) at times (T,) [s], or that of the motion played backward; None without one, or
+    if nothing else would remain."""
     limbs = _limbs(model)
+    times, qpos = (-times[::-1], qpos[::-1]) if at_end else (times, qpos)
     for what, shows in (("a T-pose", partial(_is_spread, model, limbs)), (REST, partial(_is_at_rest, model))):
         if what != REST and not limbs:
             continue
@@ -63,7 +67,8 @@ def find_rest_pose(model: mujoco.MjModel, times: Array, qpos: Array) -> RestPose
             continue
         is_still = times[count - 1] - times[0] >= HELD and _travel(model, times[:count], qpos[:count]) <= SLOW
         if _jumps(model, times, qpos, count) or (is_still and what != REST):
-            return RestPose(count, float(times[0]), float(times[count - 1]), what)
+            first, last = sorted(((-1 if at_end else 1) * times[[0, count - 1]]).tolist())
+            return RestPose(count, first, last, what, "ends" if at_end else "begins")
     return None
 
 
