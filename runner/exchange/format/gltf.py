@@ -53,11 +53,10 @@ class _Blob:
         return len(self.asset.accessors) - 1
 
     def indices(self, faces: NDArray[np.uint32]) -> int:
-        small = faces.max() < 65535
-        flat = faces.ravel().astype(np.uint16 if small else np.uint32)
-        view = self.view(flat.tobytes(), gl.ELEMENT_ARRAY_BUFFER)
-        width = gl.UNSIGNED_SHORT if small else gl.UNSIGNED_INT
-        self.asset.accessors.append(gl.Accessor(bufferView=view, componentType=width, count=len(flat), type=gl.SCALAR))
+        view = self.view(faces.astype(np.uint32).tobytes(), gl.ELEMENT_ARRAY_BUFFER)
+        self.asset.accessors.append(
+            gl.Accessor(bufferView=view, componentType=gl.UNSIGNED_INT, count=faces.size, type=gl.SCALAR)
+        )
         return len(self.asset.accessors) - 1
 
 
