@@ -6,7 +6,6 @@ displayColor for viewers and UsdPreviewSurface for renderers. https://openusd.or
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -61,8 +60,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
 
 def _free(stage: Usd.Stage, above: Sdf.Path, text: str) -> Sdf.Path:
     """Return an unused path of this name, of letters, digits and underscores, without a leading digit."""
-    clean = re.sub(r"\W", "_", text, flags=re.ASCII)
-    clean = clean if clean and not clean[0].isdigit() else f"_{clean}"
+    clean = Tf.MakeValidIdentifier(text)
     count, path = 2, above.AppendChild(clean)
     while stage.GetPrimAtPath(path):
         count, path = count + 1, above.AppendChild(f"{clean}_{count}")
