@@ -152,24 +152,14 @@ def _latin(text: Any, encoding: Any) -> bytes:
     return text.encode("latin1")
 
 
-def _no_bytes() -> bytes:
-    """Return empty bytes, as protocol 2 writes them."""
-    return b""
-
-
-def _ordered() -> dict[Any, Any]:
-    """Replace an OrderedDict, whose entries follow."""
-    return {}
-
-
 CONSTRUCTORS: Mapping[tuple[str, str], Callable[..., Any]] = {
     ("numpy", "dtype"): _Type,
     ("numpy", "ndarray"): _class,
     ("joblib.numpy_pickle", "NumpyArrayWrapper"): _JoblibArray,
     ("_codecs", "encode"): _latin,
-    ("__builtin__", "bytes"): _no_bytes,
-    ("builtins", "bytes"): _no_bytes,
-    ("collections", "OrderedDict"): _ordered,
+    ("__builtin__", "bytes"): lambda: b"",  # as protocol 2 writes empty bytes
+    ("builtins", "bytes"): lambda: b"",
+    ("collections", "OrderedDict"): dict,  # whose entries follow
     **{
         (f"numpy.{core}.{module}", name): make
         for core in ("core", "_core")  # before and since numpy 2
