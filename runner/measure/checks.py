@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -146,14 +147,11 @@ class Fixed:
 
     figure: Figure
     states: Mask
-    places: Mask
 
-    @classmethod
-    def of(cls, figure: Figure, states: Mask) -> Fixed:
-        """Return what keyframes with the masks `states` (K, N) fix."""
-        return cls(
-            figure, states, placed(figure, states, [Point("", i, np.zeros(3)) for i in range(len(figure.links))])
-        )
+    @cached_property
+    def places(self) -> Mask:
+        origins = [Point("", i, np.zeros(3)) for i in range(len(self.figure.links))]
+        return placed(self.figure, self.states, origins)
 
     def joints(self, links: Sequence[int]) -> Mask:
         """Return which keyframes fix the joints of n links, (n, K). Of a free joint, only the rotation counts."""

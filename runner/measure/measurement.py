@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.contacts import ROUNDING, Grasp, Rest, Stance, stances
+from dynsplines.solver.contacts import ROUNDING, Rest, Stance, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -131,16 +131,18 @@ def _checks(
     clip: Clip, timeline: Timeline, contact_targets: Sequence[tuple[ContactTarget, int]], raw_peak: float
 ) -> Iterator[Check]:
     figure, context = clip.figure, clip.context
-    fixed = Fixed.of(figure, np.array([key.fixed for key in clip.keys]))
+    fixed = Fixed(figure, np.array([key.fixed for key in clip.keys]))
     feet, parts = feet_of(figure, context.points), list(_parts(clip))
     for kind in ("contact", "stance"):
         rows = [(stay, group) for stay, group in contact_targets if stay.kind == kind]
         if rows:
             yield checks.displaced([stay for stay, _ in rows], np.array([group for _, group in rows]), fixed)
     if context.schedule.grasps:
-        yield checks.slips(
-            context.schedule.grasps, [grasp_start(figure, timeline, grasp) for grasp in context.schedule.grasps], fixed
-        )
+        path = path_of(timeline)
+        starts = [
+            slipped(samples_at(figure, path, np.array([grasp.first])), grasp)[:, 0] for grasp in context.schedule.grasps
+        ]
+        yield checks.slips(context.schedule.grasps, starts, fixed)
     soles = frozenset(point.name for point in context.points)
     yield checks.penetrations(_obstacle_contacts(clip, parts), soles, feet, fixed)
     rests = [rest for part in parts if isinstance(part, RestPenalty) for rest in part.rests]
@@ -213,11 +215,6 @@ def _groups(rests: Sequence[Rest | Stance], feet: Index) -> Index:
             number, end = number + 1, -np.inf
         groups[i], foot, end = number, feet[rests[i].point.link], max(end, rests[i].last)
     return groups
-
-
-def grasp_start(figure: Figure, timeline: Timeline, grasp: Grasp) -> Array:
-    """Return the position (3,) [m] of a grasp's point on the link when the grasp begins."""
-    return slipped(samples_at(figure, path_of(timeline), np.array([grasp.first])), grasp)[:, 0]
 
 
 def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTarget, int]]:
