@@ -8,6 +8,7 @@ bound for usual models, not a guarantee. Copies have a higher weight, because Mu
 from __future__ import annotations
 
 import html
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -109,7 +110,7 @@ class _Count:
                 width, height = number.get("width", 0), number.get("height", 0)
                 return PIXEL * max(sides * width * max(height, width if sides > 1 else 0), self._pixels(attributes))
             case "composite" | "flexcomp":
-                return 4 * COPIED * _product(attributes.get("count", ""))
+                return 4 * COPIED * math.prod(max(1.0, _number(part)) for part in attributes.get("count", "").split())
             case "size":
                 self.keys += number.get("nkey", 0)
                 users = sum(value for name, value in number.items() if name.startswith("nuser_"))
@@ -161,10 +162,3 @@ def _number(text: str) -> float:
         return max(0.0, float(match[1])) * 2.0 ** UNITS[match[2]] if match else 0.0
     except ValueError:
         return 0.0
-
-
-def _product(text: str) -> float:
-    out = 1.0
-    for part in text.split():
-        out *= max(1.0, _number(part))
-    return out
