@@ -22,7 +22,7 @@ def install_handlers() -> None:
     """Set the handlers, except for signals that this process was started to ignore."""
     global _received
     _received = None
-    _terminals[:] = [stream for stream in TERMINALS if _is_terminal(stream)]
+    _terminals[:] = filter(os.isatty, TERMINALS)
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)  # Windows has no SIGHUP
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
@@ -59,10 +59,3 @@ def _stop(number: int, frame: FrameType | None) -> None:
         handler(number, frame)
         return
     raise KeyboardInterrupt
-
-
-def _is_terminal(number: int) -> bool:
-    try:
-        return os.isatty(number)
-    except OSError:
-        return False
