@@ -178,10 +178,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> Impo
         if source.map is not None:
             raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
         return _of_motion(load_motion(source.file))
-    chosen = maps.Map()
-    if source.map is not None and not source.writes_map:
-        table = file_of(source.map, MapTable)
-        chosen = maps.Map(table.figure, table.recording)
+    chosen = MapTable() if source.map is None or source.writes_map else file_of(source.map, MapTable)
     with maps.using(chosen) as met, gaps.allowed():
         try:
             recording = read_recording(

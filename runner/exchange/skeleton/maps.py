@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from dynsplines import models
 
+from ...clip.table import MapTable
 from ...clip.text import written
 from ...errors import UserError
 from .roles import NEEDED, ROLES
@@ -18,26 +19,20 @@ HEADING = '# Bone map, by role: a body of the figure, a joint of the recording; 
 
 
 @dataclass(frozen=True)
-class Map:
-    """The name of the figure's body, and of the recording's joint, by role; "" for none."""
+class AppliedMap:
+    """A map as applied, by role, with all names that it may contain: bodies of the figure, joints of the recording."""
 
-    figure: Mapping[str, str] = field(default_factory=dict)
-    recording: Mapping[str, str] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class AppliedMap(Map):
-    """A map as applied, with all names that it may contain: bodies of the figure, joints of the recording."""
-
-    bodies: Sequence[str] = ()
-    joints: Sequence[str] = ()
+    figure: Mapping[str, str]
+    recording: Mapping[str, str]
+    bodies: Sequence[str]
+    joints: Sequence[str]
 
 
-_mapping: ContextVar[tuple[Map, list[AppliedMap]] | None] = ContextVar("mapping", default=None)
+_mapping: ContextVar[tuple[MapTable, list[AppliedMap]] | None] = ContextVar("mapping", default=None)
 
 
 @contextmanager
-def using(chosen: Map) -> Iterator[list[AppliedMap]]:
+def using(chosen: MapTable) -> Iterator[list[AppliedMap]]:
     """Retarget recordings with a map in this block; yields the maps as applied."""
     used = list[AppliedMap]()
     before = _mapping.set((chosen, used))
@@ -47,9 +42,9 @@ def using(chosen: Map) -> Iterator[list[AppliedMap]]:
         _mapping.reset(before)
 
 
-def current() -> tuple[Map, list[AppliedMap]]:
+def current() -> tuple[MapTable, list[AppliedMap]]:
     """Return the current map, and the list that collects maps as applied."""
-    return _mapping.get() or (Map(), [])
+    return _mapping.get() or (MapTable(), [])
 
 
 def map_of(file: Path | None, *, writes: bool = False) -> Path | None:

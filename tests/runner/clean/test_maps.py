@@ -11,6 +11,7 @@ from rich.console import Console
 
 from dynsplines import cli
 from dynsplines.clean import command as clean_command
+from dynsplines.clip.table import MapTable
 from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.skeleton import maps, retarget
 from dynsplines.exchange.skeleton.bvh_file import read
@@ -57,7 +58,7 @@ def test_a_map_of_limbs_is_enough(walk, tmp_path, on_reference):
     bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=on_reference)
     model = figure_spec("human").compile()
     expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)[0]), model, "walk.bvh")
-    with maps.using(maps.Map(recording=bone_map)), gaps.allowed():
+    with maps.using(MapTable(recording=bone_map)), gaps.allowed():
         found = formats.recording(tmp_path / "a.bvh", model=model)
     assert np.ptp(expected[:, 0]) > 0.3
     np.testing.assert_allclose(found.qpos, expected, atol=1e-5)

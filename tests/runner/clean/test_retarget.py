@@ -13,6 +13,7 @@ from command import Command, commanded
 from oracles import kinematics
 
 from dynsplines import import_motion, models, motion
+from dynsplines.clip.table import MapTable
 from dynsplines.edit.edits import repeated
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
@@ -134,11 +135,11 @@ def test_the_map_of_the_human_that_ships_says_what_is_found_without_it(files):
     captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
     model = mujoco.MjModel.from_xml_string(models.figure_text("human"))
     said = {name: tomllib.loads(models.map_file(name).read_text(encoding="utf-8")) for name in models.maps()}
-    with maps.using(maps.Map()) as found:
+    with maps.using(MapTable()) as found:
         retarget.onto(captured, model, "walk.bvh")
     assert said["human"] == {"figure": dict(found[0].figure)}
     assert set(said["human"]["figure"]) < set(said["g1"]["figure"])
-    with maps.using(maps.Map(said["human"]["figure"])) as again:
+    with maps.using(MapTable(figure=said["human"]["figure"])) as again:
         retarget.onto(captured, model, "walk.bvh")
     assert again[0].figure == found[0].figure
 
@@ -164,7 +165,7 @@ def test_how_large_it_is_is_told_by_the_parts_that_both_have(files):
     captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
     scales = []
     for text in (ANDROID, ANDROID.replace("_ankle_pitch_link", "_mount").replace("_ankle_roll_link", "_base")):
-        with maps.using(maps.Map()) as used:
+        with maps.using(MapTable()) as used:
             _, notes = retarget.onto(captured, mujoco.MjModel.from_xml_string(text), "walk.bvh")
         scales.append(float(notes[0].split()[2].rstrip(",")))
     assert "left_foot" not in used[0].figure and "left_foot" in used[0].recording
