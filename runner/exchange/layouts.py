@@ -25,14 +25,16 @@ from ..scene.configuration import quaternions
 from . import missing_input
 from .evidence import Plausibility, disagreement, in_degrees
 from .skeleton import hierarchy
+from .skeleton.up_axis import TO_Z
 from .trajectory import BodyPoses, Recording
 
 EQUAL = 0.05  # difference in `Disagreement.share` up to which layouts agree equally well with body poses
 SAME = 1e-6  # [m, rad] largest difference between layouts that result in the same motion
-Y_UP = (  # words; axis of the file and sign for each of x, y and z here; whether the root's frame is y up, too
-    ("y up", ((0, 1), (2, -1), (1, 1)), False),
-    ("y up in the world and in the root's frame", ((0, 1), (2, -1), (1, 1)), True),
-    ("y up and z forward in the world and in the root's frame", ((2, 1), (0, 1), (1, 1)), True),
+ABOUT_X = quat.from_rotation_vector(np.array([np.pi / 2, 0, 0]))
+Y_UP = (  # words; rotation to z up; whether the root's frame is y up, too
+    ("y up", ABOUT_X, False),
+    ("y up in the world and in the root's frame", ABOUT_X, True),
+    ("y up and z forward in the world and in the root's frame", TO_Z["y"], True),
 )
 Reading = Callable[[], Array]
 Change = tuple[str, Callable[[Array], Array]]
@@ -293,16 +295,12 @@ def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
     form, base = candidate
     if JointKind.FREE not in model.jnt_type:
         return
-    for words, axes, turns_root in Y_UP:
+    for words, turn, turns_root in Y_UP:
         if turns_root and base.bodies is not None:
             continue
-        places, signs = np.array(axes).T
-        matrix = np.zeros((3, 3))
-        matrix[np.arange(3), places] = signs
-        turn = quat.from_matrix(matrix)
         qpos = base.qpos.copy()
         for start in model.jnt_qposadr[model.jnt_type == JointKind.FREE]:
-            qpos[:, start : start + 3] = signs * qpos[:, start + places]
+            qpos[:, start : start + 3] = quat.rotated(turn, qpos[:, start : start + 3])
             rotation = quat.product(turn, qpos[:, start + 3 : start + 7])
             qpos[:, start + 3 : start + 7] = quat.product(rotation, quat.conjugate(turn)) if turns_root else rotation
         yield form, replace(base, qpos=qpos, layout=(*base.layout, words))
