@@ -89,17 +89,14 @@ class ArrayReader:
         """Return the sampling rate [1/s], a number or an array of one; `fps` is the default for a missing entry."""
         if fps is not None and name not in self:
             return fps
-        array = self._array(name, 1)
-        if array.dtype.kind not in "fiu" or array.size != 1 or not 0.01 <= float(array.reshape(())) <= 100_000:
-            raise UserError(f"{self.where}: '{name}' is not a number of samples a second from 0.01 to 100000")
-        return float(array.reshape(()))
+        return self.number(name, 0.01, 100_000, "a number of samples a second from 0.01 to 100000")
 
-    def integer(self, name: str) -> int:
-        """Return a whole number, stored as a number or an array of one."""
+    def number(self, name: str, least: float, most: float, what: str) -> float:
+        """Return a number within bounds, stored as a number or an array of one; `what` describes it in errors."""
         array = self._array(name, 1)
-        if array.dtype.kind not in "iub" or array.size != 1:
-            raise UserError(f"{self.where}: '{name}' is not a whole number")
-        return int(array.reshape(()))
+        if array.dtype.kind not in "fiub" or array.size != 1 or not least <= float(array.reshape(())) <= most:
+            raise UserError(f"{self.where}: '{name}' is not {what}")
+        return float(array.reshape(()))
 
     def texts(self, name: str) -> list[str]:
         array = self._array(name, 1)

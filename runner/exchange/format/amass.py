@@ -35,6 +35,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
+from ...motion import FARTHEST
 from ...scene.configuration import posed
 from .. import missing_input, plain_pickle
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
@@ -121,7 +122,7 @@ def _motion(reader: ArrayReader) -> tuple[Array, Array]:
         raise UserError(f"{reader.where}: it has no samples")
     position = arrays.pop(place)
     if SCALE in reader:
-        position = position / _scale(reader)
+        position = position / reader.number(SCALE, 1e-9, FARTHEST, "a positive number")
     turns = np.concatenate(list(arrays.values()), axis=1)
     return position, turns[:, :BODY].reshape(count, -1, 3)
 
@@ -138,14 +139,6 @@ def _rows(reader: ArrayReader, name: str, least: int) -> Array:
             f"the {len(smpl.NAMES)} joints of SMPL's body need {least}"
         )
     return array
-
-
-def _scale(reader: ArrayReader) -> float:
-    """Return the factor by which positions are larger than SMPL's."""
-    array = np.asarray(reader.of(SCALE))
-    if array.size != 1 or array.dtype.kind not in "fiu" or not 0 < float(array.reshape(())) < np.inf:
-        raise UserError(f"{reader.where}: '{SCALE}' is not a positive number")
-    return float(array.reshape(()))
 
 
 def _on_shape(reader: ArrayReader) -> tuple[str, ...]:

@@ -145,6 +145,6 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     for part in joints:
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
         start += part.width
-    loops = "loop_mode" in content and content.integer("loop_mode") == WRAP
+    loops = "loop_mode" in content and content.number("loop_mode", -np.inf, np.inf, "a number") == WRAP
     time = times(len(frames), rate)
     return layouts.recording(figure, time, {(): lambda: qpos}, has_names=False, fps=rate, loops=loops)
