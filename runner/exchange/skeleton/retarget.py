@@ -32,7 +32,7 @@ from . import hierarchy, maps
 from .branches import completed
 from .captured_skeleton import CapturedSkeleton
 from .limbs import Limb, bend, chain_of
-from .roles import NEEDED, ONWARD, apply_bone_map, lineage, roles
+from .roles import NEEDED, ONWARD, SIDES, apply_bone_map, lineage, roles
 from .root_motion import carrying, shifted
 from .up_axis import standing_turn, unit
 
@@ -53,10 +53,10 @@ RETRIES = 4
 
 @dataclass(frozen=True)
 class _Standing:
-    """The figure at rest, rotated to be upright and facing x: place (nbody, 3), turn (nbody, 4), bodies by role."""
+    """The figure at rest, rotated to be upright and facing x: at_zero (nbody, 3), turn (nbody, 4), bodies by role."""
 
     model: mujoco.MjModel
-    place: Array
+    at_zero: Array
     turn: Array
     roles: dict[str, int]
     notes: tuple[str, ...] = ()
@@ -70,10 +70,6 @@ class _Standing:
         place, turn = quat.rotated(stand, rest.position[0]), quat.product(stand, rest.rotation[0])
         return cls(model, place, turn, completed(model, bodies, place, turn), notes)
 
-    def joint_of(self, role: str) -> Array:
-        """Return where a part of a limb begins (3,): the first of several bodies for the hinges of a robot's hip."""
-        return self.place[self.first_of(role)]
-
     def straightened(self, role: str) -> Array:
         """Return the rotation (4,) of a forearm or shin into the line of the upper arm or thigh."""
         above = f"{role.partition('_')[0]}_{HANGS_ON.get(role.partition('_')[2], '')}"
@@ -81,27 +77,20 @@ class _Standing:
             return np.array([1.0, 0, 0, 0])
         return swing(self.bone(role), self.bone(above), np.array([0.0, 1, 0]))
 
-    def bracket(self, side: str) -> Array:
-        """Return the offset (3,) [m] of the thigh from the hip's first hinge, across the leg, if the foot cannot roll.
-        Such a foot is flat only under a leg that is vertical below this offset."""
-        if len(hierarchy.joints(self.model, self._below(f"{side}_shin", f"{side}_foot"))) > 1:
-            return np.zeros(3)
-        thigh, shin = (self.place[self.roles[f"{side}_{part}"]] for part in ("thigh", "shin"))
-        return _aside(self.joint_of(f"{side}_thigh"), thigh, shin)
+    @cached_property
+    def bracketed(self) -> list[str]:
+        """The sides on which the hip's first hinge is off the thigh's line, and the foot cannot roll: it is flat only
+        under a leg that is vertical below this offset."""
+        return [side for side in SIDES if not self._rolls(side) and np.any(_bracket(self, side))]
 
-    def _below(self, upper: str, lower: str) -> list[int]:
-        """Return the bodies below one part down to another; none if the latter does not exist."""
-        chain = hierarchy.above(self.model, self.roles[lower], itself=True) if lower in self.roles else []
-        return [body for body in chain if body > self.roles[upper]]
+    def _rolls(self, side: str) -> bool:
+        """Return whether a foot has several joints below the shin."""
+        foot = self.roles.get(f"{side}_foot")
+        chain = [] if foot is None else hierarchy.above(self.model, foot, itself=True)
+        return len(hierarchy.joints(self.model, [body for body in chain if body > self.roles[f"{side}_shin"]])) > 1
 
-    def along_limb(self, role: str) -> Array:
-        """Return where a limb's line begins and bends (3,), or for hand and foot the origin of their body."""
-        if role.endswith("thigh"):
-            return self.joint_of(role) + self.bracket(role.partition("_")[0])
-        return self.place[self.roles[role]] if role.endswith(ENDS) else self.joint_of(role)
-
-    def first_of(self, role: str) -> int:
-        """Return the first body of a part of a limb."""
+    def start_of(self, role: str) -> int:
+        """Return the first body of a part of a limb: of several for the hinges of a robot's hip."""
         body, others = self.roles[role], {0, *self.roles.values()}
         while int(self.model.body_parentid[body]) not in others:
             body = int(self.model.body_parentid[body])
@@ -121,8 +110,11 @@ class _Standing:
         body, (side, _, part) = self.roles[role], role.partition("_")
         onward = self.roles.get(f"{side}_{NEXT.get(part, '')}")
         if onward is not None:
-            return self.place[onward] - self.place[body]
+            return self.at_zero[onward] - self.at_zero[body]
         return quat.rotated(self.turn[body], hierarchy.end(self.model, body))
+
+
+Pose = _Standing | CapturedSkeleton  # in the figure's rest pose, or in the skeleton's zero pose
 
 
 def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
@@ -155,7 +147,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     shared = [role for role in standing.roles if role in captured.roles]
     upright = captured.stands
     alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
-    bent = [side for side in ("left", "right") if f"{side}_toe" not in standing.roles and _has_toes(captured, side)]
+    bent = [side for side in SIDES if f"{side}_toe" not in standing.roles and _has_toes(captured, side)]
     for side in bent:
         captured = _toes_in_foot(captured, side, at_zero=upright)
     turns = {
@@ -166,10 +158,10 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
         for role in shared
     }
     qpos = _angles(model, turns)
-    leg = _leg({role: _line_of(captured, standing, role) for role in shared})
+    leg = _leg({role: _line_of(captured, role, standing.bracketed) for role in shared})
     if not leg > 0:
         raise UserError(f"{where}: its legs are without length, which would tell how large it is")
-    scale = _leg({role: standing.along_limb(role) for role in shared}) / leg
+    scale = _leg({role: _line_of(standing, role, standing.bracketed) for role in shared}) / leg
     for limb in _limbs(captured, standing, turns, scale):
         qpos = bend(model, qpos, limb, _orientation(model, qpos, model.body_parentid[limb.bodies[0]]))
     qpos, missed = _placed(captured, standing, root, qpos, scale)
@@ -195,43 +187,49 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
 
 def _limbs(captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, Array], scale: float) -> Iterator[Limb]:
     """Yield arms and legs with the target positions of hands and feet; scale: of legs."""
-    for side, parts in product(("left", "right"), (LEG, ARM)):
+    for side, parts in product(SIDES, (LEG, ARM)):
         chain = [f"{side}_{part}" for part in parts]
         if not all(role in standing.roles and role in captured.roles for role in chain):
             continue
-        first, last = standing.first_of(chain[0]), standing.roles[chain[-1]]
+        first, last = standing.start_of(chain[0]), standing.roles[chain[-1]]
         bodies = [body for body in hierarchy.above(standing.model, last, itself=True) if body >= first]
-        length = max(_length([_line_of(captured, standing, role) for role in chain]), SHORTEST)
-        size = scale if parts is LEG else _length([standing.along_limb(role) for role in chain]) / length
+        theirs, mine = ([_line_of(pose, role, standing.bracketed) for role in chain] for pose in (captured, standing))
+        size = scale if parts is LEG else _length(mine) / max(_length(theirs), SHORTEST)
         about = captured.position[:, captured.roles[chain[-1]]] - captured.position[:, captured.start_of(chain[0])]
         pelvis = standing.roles.get("pelvis", -1)
-        if parts is LEG and pelvis in turns:
-            mine, theirs = standing.bracket(side), _bracket(captured, standing, side)
-            about = about - quat.rotated(captured.rotation[:, captured.roles["pelvis"]], theirs)
-            mine = quat.rotated(quat.conjugate(standing.turn[pelvis]), mine)
-            about = about + quat.rotated(turns[pelvis], mine) / size
+        if parts is LEG and pelvis in turns and side in standing.bracketed:
+            about = about - quat.rotated(captured.rotation[:, captured.roles["pelvis"]], _bracket(captured, side))
+            in_pelvis = quat.rotated(quat.conjugate(standing.turn[pelvis]), _bracket(standing, side))
+            about = about + quat.rotated(turns[pelvis], in_pelvis) / size
         yield Limb(bodies, size * about, {body: turns[body] for body in bodies if body in turns})
 
 
-def _line_of(captured: CapturedSkeleton, standing: _Standing, role: str) -> Array:
-    """Return `_Standing.along_limb` (3,) of the skeleton's zero pose, next to a figure."""
+def _line_of(pose: Pose, role: str, bracketed: Sequence[str]) -> Array:
+    """Return where a limb's line begins and bends (3,), or for hand and foot the origin of their body."""
     if role.endswith(ENDS):
-        return captured.at_zero[captured.roles[role]]
-    start, (side, _, part) = captured.at_zero[captured.start_of(role)], role.partition("_")
-    return start + _bracket(captured, standing, side) if part == "thigh" else start
+        return pose.at_zero[pose.roles[role]]
+    start, (side, _, part) = pose.at_zero[pose.start_of(role)], role.partition("_")
+    return start + _bracket(pose, side) if part == "thigh" and side in bracketed else start
 
 
-def _bracket(captured: CapturedSkeleton, standing: _Standing, side: str) -> Array:
-    """Return `_Standing.bracket` (3,) [m] of the skeleton's zero pose; zero if that of the figure is."""
-    start, zero = captured.start_of(f"{side}_thigh"), captured.at_zero
-    thigh, shin = (zero[captured.roles[f"{side}_{part}"]] for part in ("thigh", "shin"))
-    return _aside(zero[start], thigh, shin) if np.any(standing.bracket(side)) else np.zeros(3)
+def _bracket(pose: Pose, side: str) -> Array:
+    """Return the offset (3,) [m] of the thigh from the hip's first hinge, across the leg."""
+    thigh, shin = (pose.at_zero[pose.roles[f"{side}_{part}"]] for part in ("thigh", "shin"))
+    return _across(thigh - pose.at_zero[pose.start_of(f"{side}_thigh")], shin - thigh)
 
 
-def _aside(first: Array, thigh: Array, shin: Array) -> Array:
-    """Return the offset (3,) of the thigh from the hip's first hinge across the leg."""
-    down = unit(shin - thigh)
-    return (thigh - first) - down * (down @ (thigh - first))
+def _ahead(pose: Pose, role: str) -> Array:
+    """Return the offset (3,) [m] of the thigh from the hip's first hinge, in the sagittal plane."""
+    return _across(pose.at_zero[pose.roles[role]] - pose.at_zero[pose.start_of(role)], _left(pose))
+
+
+def _left(pose: Pose) -> Array:
+    return pose.at_zero[pose.roles["left_thigh"]] - pose.at_zero[pose.roles["right_thigh"]]
+
+
+def _across(vector: Array, axis: Array) -> Array:
+    """Return the part of a vector (3,) orthogonal to an axis."""
+    return vector - unit(axis) * (unit(axis) @ vector)
 
 
 def _length(places: Sequence[Array] | Array) -> float:
@@ -270,7 +268,7 @@ def _toes_in_foot(captured: CapturedSkeleton, side: str, *, at_zero: bool) -> Ca
 def _leg(place: Mapping[str, Array]) -> float:
     """Return the mean length [m] of both legs, to the ankle if there is one, from positions of the joints."""
     total = 0.0
-    for side in ("left", "right"):
+    for side in SIDES:
         chain = [place[f"{side}_{part}"] for part in ("thigh", "shin", "foot") if f"{side}_{part}" in place]
         total += 0.5 * _length(chain)
     return total
@@ -279,7 +277,7 @@ def _leg(place: Mapping[str, Array]) -> float:
 def _frame(first: Array, second: Array) -> Array:
     """Return a frame (3, 3) with columns: the first direction, the orthogonalised second, and their cross product."""
     x = unit(first)
-    y = unit(second - x * (x @ second))
+    y = unit(_across(second, x))
     return np.stack([x, y, np.cross(x, y)], axis=-1)
 
 
@@ -288,7 +286,7 @@ def swing(start: Array, end: Array, otherwise: Array) -> Array:
     start, end = unit(start), unit(end)
     axis, cosine = np.cross(start, end), float(start @ end)
     if cosine < -0.999999:
-        return quat.from_rotation_vector(np.pi * unit(otherwise - start * (start @ otherwise)))
+        return quat.from_rotation_vector(np.pi * unit(_across(otherwise, start)))
     return quat.normalised(np.append(1 + cosine, axis))
 
 
@@ -299,9 +297,7 @@ def _heading(left: Array) -> Array:
 
 def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str]) -> dict[str, Array]:
     """Return A by role, from an upright zero pose."""
-    captured_left = captured.at_zero[captured.roles["left_thigh"]] - captured.at_zero[captured.roles["right_thigh"]]
-    standing_left = standing.place[standing.roles["left_thigh"]] - standing.place[standing.roles["right_thigh"]]
-    facing = quat.product(_heading(captured_left), quat.conjugate(_heading(standing_left)))
+    facing = quat.product(_heading(_left(captured)), quat.conjugate(_heading(_left(standing))))
     out = {}
     for role in shared:
         part = role.partition("_")[2]
@@ -311,36 +307,24 @@ def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str])
         straight = quat.product(facing, standing.straightened(role))
         mine, theirs = standing.bone(role), _bone(captured, role)
         if part == "thigh":
-            mine = mine + _ahead(standing.joint_of(role), standing.place[standing.roles[role]], standing_left)
-            zero = captured.at_zero
-            theirs = theirs + _ahead(zero[captured.start_of(role)], zero[captured.roles[role]], captured_left)
+            mine, theirs = mine + _ahead(standing, role), theirs + _ahead(captured, role)
         mine = quat.rotated(straight, mine)
         if part == "foot":  # soles are level in both; only their headings may differ
             mine, theirs = mine * [1, 1, 0], theirs * [1, 1, 0]
         if min(np.linalg.norm(mine), np.linalg.norm(theirs)) > 1e-3:
             out[role] = quat.product(swing(mine, theirs, quat.rotated(facing, np.array([1.0, 0, 0]))), straight)
-    for side in ("left", "right"):  # in line with the forearm in both
+    for side in SIDES:  # in line with the forearm in both
         if {f"{side}_hand", f"{side}_forearm"} <= out.keys():
             out[f"{side}_hand"] = out[f"{side}_forearm"]
     return out
-
-
-def _ahead(first: Array, thigh: Array, left: Array) -> Array:
-    """Return the offset (3,) of the thigh from the hip's first hinge in the sagittal plane."""
-    across = unit(left)
-    return (thigh - first) - across * (across @ (thigh - first))
 
 
 def _bone(captured: CapturedSkeleton, role: str) -> Array:
     """Return the vector (3,) from a joint to the next part of its limb, in the joint's axes."""
     joint, (side, _, part) = captured.roles[role], role.partition("_")
     onward = captured.roles.get(f"{side}_{NEXT.get(part, '')}")
-    if onward is not None:
-        place = np.zeros(3)  # bones between the two are taken as straight
-        for step in lineage(onward, captured.parents):
-            if step == joint:
-                return place
-            place = place + captured.offset[step]
+    if onward is not None and joint in lineage(onward, captured.parents):
+        return captured.at_zero[onward] - captured.at_zero[joint]
     tip, end = captured.tip(joint)
     return captured.at_zero[tip] + end - captured.at_zero[joint]
 
@@ -355,7 +339,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
     out: dict[str, Array] = {}
     lateral: dict[str, Array] = {}
     for role, limb, top in (("pelvis", "thigh", "chest"), ("chest", "upper_arm", "neck")):
-        ends = [captured.roles[f"{side}_{limb}"] for side in ("left", "right") if f"{side}_{limb}" in captured.roles]
+        ends = [captured.roles[f"{side}_{limb}"] for side in SIDES if f"{side}_{limb}" in captured.roles]
         if role not in shared or len(ends) < 2:
             continue
         place = captured.position
@@ -368,7 +352,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
         theirs = _frame(_seen(captured, role, across), _seen(captured, role, up))
         mine = _frame(np.array([0.0, 1, 0]), np.array([0.0, 0, 1]))
         out[role], lateral[limb] = quat.from_matrix(theirs @ mine.T), across
-    for side in ("left", "right"):
+    for side in SIDES:
         for upper, lower, sign in (("thigh", "shin", 1.0), ("upper_arm", "forearm", -1.0)):
             pair = [f"{side}_{upper}", f"{side}_{lower}"]
             if not all(role in shared for role in pair):
@@ -498,10 +482,10 @@ def _placed(
     """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin. Also return the
     position error (T, 3) [m] of a root on slides, which is zero for a free joint."""
     model = standing.model
-    hips = captured.position[:, [captured.start_of(f"{side}_thigh") for side in ("left", "right")]].mean(axis=1)
-    middle = 0.5 * (standing.joint_of("left_thigh") + standing.joint_of("right_thigh"))
+    hips = captured.position[:, [captured.start_of(f"{side}_thigh") for side in SIDES]].mean(axis=1)
+    middle = standing.at_zero[[standing.start_of(f"{side}_thigh") for side in SIDES]].mean(axis=0)
     pelvis = standing.roles["pelvis"]
-    offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.place[pelvis])
+    offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.at_zero[pelvis])
 
     def away(qpos: Array) -> Array:
         places = [data.xpos[pelvis] + quat.rotated(data.xquat[pelvis], offset) for data in posed(model, qpos)]
