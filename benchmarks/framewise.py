@@ -87,9 +87,9 @@ class Goal:
     @classmethod
     def of(cls, file: Path, result: Cleaned) -> Goal:
         model, t = result.figure.model, result.recorded.times
-        skeleton, rate = bvh_file.read(file)
+        skeleton = bvh_file.read(file)
         captured = CapturedSkeleton.of(skeleton)
-        at = np.minimum(np.round(t * rate).astype(int), len(captured.position) - 1)
+        at = np.minimum(np.round(t * skeleton.fps).astype(int), len(captured.position) - 1)
         bodies = {r: 1 + i for r, i in roles(hierarchy.names(model)[1:], list(model.body_parentid[1:] - 1)).items()}
         places, turned = poses(model, result.figure.to_qpos(result.before.at(t)))
         raised = np.array([0, 0, np.median((result.recorded.path.at(t) - result.before.at(t))[:, 2])])  # to its floor

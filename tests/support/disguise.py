@@ -79,4 +79,4 @@ def disguised(
             root = larger / unit * theirs(take.bodies.position[:, body])
             columns.append(root if i == 0 else np.tile(offset, (len(root), 1)))
         columns.append(np.degrees(angles(turned(local)[:, None], order.lower())[:, 0]))
-    return Skeleton(tuple(joints), 1 / take.fps, np.concatenate(columns, axis=1))
+    return Skeleton(tuple(joints), take.fps, np.concatenate(columns, axis=1))

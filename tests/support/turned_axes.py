@@ -26,4 +26,4 @@ def turned(skeleton: Skeleton, world: Rotation, rest: Rotation) -> Skeleton:
         )
         for joint in skeleton.joints
     ]
-    return bvh_file.skeleton(joints, place, turn, skeleton.frame_time)
+    return bvh_file.skeleton(joints, place, turn, skeleton.fps)

@@ -39,22 +39,21 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
 
     fps is unused: the files contain their rate. scale [m]: the file's unit of length; None infers it.
     """
-    return recording(*bvh_file.read(path), path, model, scale)
+    return recording(bvh_file.read(path), path, model, scale)
 
 
 def recording(
     skeleton: Skeleton,
-    rate: float,
     path: Path,
     model: mujoco.MjModel | None,
     scale: float | None,
     *,
     is_metric: bool = False,
 ) -> Recording:
-    """Read a skeleton's motion, from any format, as a new figure or on a figure; rate [1/s], scale [m] as in `read`;
-    is_metric, whether the format specifies metres."""
+    """Read a skeleton's motion, from any format, as a new figure or on a figure; scale [m] as in `read`; is_metric,
+    whether the format specifies metres."""
     captured = CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording, is_metric=is_metric)
-    return of_captured(captured, rate, path, model)
+    return of_captured(captured, skeleton.fps, path, model)
 
 
 def of_captured(
@@ -106,7 +105,7 @@ def skeleton(trajectory: SampledTrajectory) -> Skeleton:
         )
         columns += [CENTIMETRES * moved] if moves else []
         columns.append(np.degrees(angles(relative[:, None], order.lower())[:, 0]))
-    return Skeleton(tuple(joints), 1 / trajectory.fps, np.concatenate(columns, axis=1))
+    return Skeleton(tuple(joints), trajectory.fps, np.concatenate(columns, axis=1))
 
 
 def y_up(vector: Array) -> Array:

@@ -89,7 +89,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
     """Read the file's skeleton, or its motion on a figure; fps [1/s] to resample; scale [m], its unit."""
-    return recording(*gltf_file.read(path, fps), path, model, scale, is_metric=True)
+    return recording(gltf_file.read(path, fps), path, model, scale, is_metric=True)
 
 
 def _least(row: Array) -> list[float] | None:

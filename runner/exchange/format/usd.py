@@ -55,7 +55,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
     """Read the file's skeleton, or its motion on a figure; fps [1/s] to resample; scale [m], its unit."""
-    return recording(*usd_file.read(path, fps, scale), path, model, scale, is_metric=True)
+    return recording(usd_file.read(path, fps, scale), path, model, scale, is_metric=True)
 
 
 def _free(stage: Usd.Stage, above: Sdf.Path, text: str) -> Sdf.Path:

@@ -34,8 +34,8 @@ SOON = 1e-6  # [s] tolerance before a key's time, which is rounded to float32
 SINGULAR = 1e-12  # determinant below which a matrix counts as singular
 
 
-def read(path: Path, fps: float | None) -> tuple[Skeleton, float]:
-    """Return the skeleton of the nodes that the first animation moves, and its rate [1/s].
+def read(path: Path, fps: float | None) -> Skeleton:
+    """Return the skeleton of the nodes that the first animation moves.
 
     fps [1/s] to resample, else the animation's rate. Raises UserError for a file without an animation, or with
     references to other files.

@@ -38,9 +38,8 @@ class Nodes:
     fps: float
     notes: tuple[str, ...] = ()
 
-    def skeleton(self) -> tuple[Skeleton, float]:
-        """Return the nodes as joints of a BVH file, with channels of positions and of rotations from the rest pose, and
-        the rate [1/s]."""
+    def skeleton(self) -> Skeleton:
+        """Return the nodes as joints of a BVH file, with channels of positions and of rotations from the rest pose."""
         turn = quat.product(rotations(self.moving), quat.conjugate(rotations(self.rest)))
         place, offset = self.moving[..., :3, 3].copy(), self.rest[:, :3, 3].copy()
         relative = turn.copy()
@@ -51,7 +50,7 @@ class Nodes:
                 relative[:, i] = quat.product(above, turn[:, i])
                 offset[i] -= self.rest[parent, :3, 3]
         joints = [Joint(*row) for row in zip(self.names, self.parents, offset, strict=True)]
-        return replace(bvh_file.skeleton(joints, place, relative, 1 / self.fps), notes=self.notes), self.fps
+        return replace(bvh_file.skeleton(joints, place, relative, self.fps), notes=self.notes)
 
 
 def rotations(matrices: Array) -> Array:

@@ -25,8 +25,8 @@ from .node_tree import Nodes, moving_tree
 REST = "rest"  # in custom data of prims written by this program: translation and rotation wxyz in the rest pose
 
 
-def read(path: Path, fps: float | None, scale: float | None) -> tuple[Skeleton, float]:
-    """Return the skeleton of the moving parts of a stage, y up, and its rate [1/s].
+def read(path: Path, fps: float | None, scale: float | None) -> Skeleton:
+    """Return the skeleton of the moving parts of a stage, y up.
 
     fps [1/s] to resample, else the stage's rate; scale [m], the unit if the user names it, else lengths become metres.
     Raises UserError for a stage without motion, or with references to other files.

@@ -44,13 +44,13 @@ class Joint:
 
 @dataclass(frozen=True)
 class Skeleton:
-    """Joints, parents first, and their motion: values (T, channels), in the file's units and degrees.
+    """Joints, parents first, and their motion: fps [1/s], values (T, channels) in the file's units and degrees.
 
     notes: lines on data that the file lacks; up: the vertical axis by convention
     """
 
     joints: tuple[Joint, ...]
-    frame_time: float
+    fps: float
     values: Array
     notes: tuple[str, ...] = ()
     up: str = "y"
@@ -103,16 +103,14 @@ def placed(parents: Sequence[int], position: Array, rotation: Array) -> tuple[Ar
     return position, quat.aligned(quat.normalised(rotation))
 
 
-def skeleton(joints: Sequence[Joint], place: Array, turn: Array, frame_time: float) -> Skeleton:
+def skeleton(joints: Sequence[Joint], place: Array, turn: Array, fps: float) -> Skeleton:
     """Return a skeleton from joints without channels; positions (T, J, 3) and rotations (T, J, 4) in parents' axes."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # gimbal lock: any of the equivalent angles is correct
         angles = Rotation.from_quat(turn.reshape(-1, 4), scalar_first=True).as_euler("ZYX", degrees=True)
     channels = ("Xposition", "Yposition", "Zposition", "Zrotation", "Yrotation", "Xrotation")
     values = np.concatenate([place, angles.reshape(place.shape)], axis=-1)
-    return Skeleton(
-        tuple(replace(joint, channels=channels) for joint in joints), frame_time, values.reshape(len(place), -1)
-    )
+    return Skeleton(tuple(replace(joint, channels=channels) for joint in joints), fps, values.reshape(len(place), -1))
 
 
 def fps_of(frame_time: float, digits: int) -> float:
@@ -172,8 +170,8 @@ def shown(text: str) -> str:
     return text if len(text) <= 40 else text[:40] + "..."
 
 
-def read(path: Path) -> tuple[Skeleton, float]:
-    """Return the skeleton with its motion, and the rate [1/s]; raises UserError that names the line."""
+def read(path: Path) -> Skeleton:
+    """Return the skeleton with its motion; raises UserError that names the line."""
     try:
         text = _text(path.read_bytes())
     except OSError as error:
@@ -183,10 +181,10 @@ def read(path: Path) -> tuple[Skeleton, float]:
         raise lines.wrong("a BVH file begins with HIERARCHY")
     joints = _hierarchy(lines)
     width = sum(len(joint.channels) for joint in joints)
-    count, frame_time, fps = _heading(lines)
+    count, fps = _heading(lines)
     values, notes = _values(lines, count, width)
     values, more = _with_numbers(lines, joints, values)
-    return Skeleton(tuple(joints), frame_time, values, (*notes, *more)), fps
+    return Skeleton(tuple(joints), fps, values, (*notes, *more))
 
 
 def _text(content: bytes) -> str:
@@ -258,8 +256,8 @@ def _offset(lines: _Lines, line: str, what: str) -> Array:
     return lines.numbers(words[1:], 3, f"OFFSET of {what}")
 
 
-def _heading(lines: _Lines) -> tuple[int, float, float]:
-    """Return the number of frames, the frame time [s] and the rate [1/s]."""
+def _heading(lines: _Lines) -> tuple[int, float]:
+    """Return the number of frames, and the rate [1/s]."""
     words = lines.next("Frames").replace(":", " ").split()
     if words[0].lower() != "frames" or len(words) != 2 or not words[1].isdigit():
         raise lines.wrong(f"'{shown(' '.join(words))}' where 'Frames: N' should be")
@@ -270,7 +268,7 @@ def _heading(lines: _Lines) -> tuple[int, float, float]:
     frame_time = float(lines.numbers(words[2:], 1, "Frame Time")[0])
     if frame_time <= 0:
         raise lines.wrong("Frame Time must be more than nought")
-    return count, frame_time, fps_of(frame_time, len(words[2].partition(".")[2]))
+    return count, fps_of(frame_time, len(words[2].partition(".")[2]))
 
 
 def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ...]]:
@@ -379,7 +377,7 @@ def written(skeleton: Skeleton) -> str:
         lines.append(f"{indent}}}")
 
     block(0, 0)
-    lines += ["MOTION", f"Frames: {len(skeleton.values)}", f"Frame Time: {skeleton.frame_time!r}"]
+    lines += ["MOTION", f"Frames: {len(skeleton.values)}", f"Frame Time: {1 / skeleton.fps!r}"]
     lines += [_row(row) for row in skeleton.values]
     return "\n".join(lines) + "\n"
 

@@ -237,7 +237,7 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
     note = f"'{skeleton.names[root]}' is the root; its parents are folded into it: {names}"
     if beside:
         note += f"; other branches are left out: {', '.join(skeleton.names[i] for i in beside[: bvh_file.LISTED])}"
-    return bvh_file.skeleton(joints, place[:, subtree], turn[:, subtree], skeleton.frame_time), (note,)
+    return bvh_file.skeleton(joints, place[:, subtree], turn[:, subtree], skeleton.fps), (note,)
 
 
 def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:

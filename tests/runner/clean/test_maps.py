@@ -57,7 +57,7 @@ def foreign(walk: Path, target: Path, *, on_reference: bool) -> dict[str, str]:
 def test_a_map_of_limbs_is_enough(walk, tmp_path, on_reference):
     bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=on_reference)
     model = figure_spec("human").compile()
-    expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)[0]), model, "walk.bvh")
+    expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)), model, "walk.bvh")
     with maps.using(MapTable(recording=bone_map)), gaps.allowed():
         found = formats.recording(tmp_path / "a.bvh", model=model)
     assert np.ptp(expected[:, 0]) > 0.3
@@ -99,5 +99,5 @@ def test_clean_uses_a_map(walk, tmp_path, monkeypatch):
     monkeypatch.setattr(clean_command, "run", lambda source, *_, **__: received.append(source))
     cli.clean(tmp_path / "a.bvh", figure="human", map_file=tmp_path / "m.toml")
     read_back = clean_command._read(received[0], clean_command._around(received[0]), Progress(Console(quiet=True)))
-    expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)[0]), figure_spec("human").compile(), "walk.bvh")
+    expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)), figure_spec("human").compile(), "walk.bvh")
     np.testing.assert_allclose(read_back.qpos, expected, atol=1e-5)

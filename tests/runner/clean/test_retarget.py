@@ -132,7 +132,7 @@ def test_a_map_that_neither_is_there_nor_ships_is_told_with_those_that_do(comman
 
 def test_the_map_of_the_human_that_ships_says_what_is_found_without_it(files):
     """And that of the G1 names its parts by bodies that go down a leg and an arm."""
-    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
+    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh"))
     model = mujoco.MjModel.from_xml_string(models.figure_text("human"))
     said = {name: tomllib.loads(models.map_file(name).read_text(encoding="utf-8")) for name in models.maps()}
     with maps.using(MapTable()) as found:
@@ -152,7 +152,7 @@ def test_what_has_no_legs_is_told(command, files):
 
 def test_only_what_nothing_turns_is_said_to_be_kept_at_rest(files):
     """Not the bodies of a hip that turn one after the other above the thigh."""
-    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
+    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh"))
     text = ANDROID.replace("<geom", '<body name="antenna"><joint/><geom size=".01"/></body><geom', 1)
     _, notes = retarget.onto(captured, mujoco.MjModel.from_xml_string(text), "walk.bvh")
     assert [note for note in notes if "kept at rest" in note] == [
@@ -162,7 +162,7 @@ def test_only_what_nothing_turns_is_said_to_be_kept_at_rest(files):
 
 def test_how_large_it_is_is_told_by_the_parts_that_both_have(files):
     """A leg whose foot is called something else is as long as the recording's to the knee."""
-    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
+    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh"))
     scales = []
     for text in (ANDROID, ANDROID.replace("_ankle_pitch_link", "_mount").replace("_ankle_roll_link", "_base")):
         with maps.using(MapTable()) as used:
@@ -174,7 +174,7 @@ def test_how_large_it_is_is_told_by_the_parts_that_both_have(files):
 
 def test_a_hip_that_holds_the_thigh_aside_keeps_the_leg_upright_if_the_foot_cannot_roll(files):
     """Its sole would stand on an edge. A foot that rolls comes where the recording has it about the hip."""
-    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
+    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh"))
     aside = re.sub(
         r'(name="(left|right)_hip_yaw_link")', lambda m: f'{m[1]} pos="0 {"" if m[2] == "left" else "-"}.1 0"', ANDROID
     )
@@ -200,7 +200,7 @@ def test_a_robot_s_own_skeleton_moves_it_as_before(files, tmp_path, rolls):
     text = text if rolls else re.sub(r'<joint name="\w+_ankle_roll" [^>]*>', "", text)
     (tmp_path / "robot.xml").write_text(text, encoding="utf-8")
     model = mujoco.MjModel.from_xml_string(text)
-    qpos, _ = retarget.onto(CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0]), model, "walk.bvh")
+    qpos, _ = retarget.onto(CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")), model, "walk.bvh")
     np.savez(tmp_path / "robot.qpos.npz", time=np.arange(len(qpos)) / 30, qpos=qpos)
     import_motion(tmp_path / "robot.qpos.npz", tmp_path / "robot.xml").export(tmp_path / "robot.bvh", fps=30)
     again = import_motion(tmp_path / "robot.bvh", tmp_path / "robot.xml").sampled(30).qpos
@@ -226,7 +226,7 @@ def test_a_person_stands_as_straight_as_a_robot_whose_thighs_turn_in_front_of_it
 
 
 def test_legs_that_hang_on_the_world_are_told(files):
-    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
+    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh"))
     text = re.sub(r"<freejoint[^>]*>|<body name=.pelvis. pos=.0 0 .79.>", "", ANDROID).replace(
         "</body></worldbody>", "</worldbody>"
     )
@@ -247,7 +247,7 @@ def test_a_robot_that_needs_its_scene_is_told(command, files, tmp_path, monkeypa
 @pytest.mark.slow
 def test_a_robot_that_rests_with_bent_elbows_holds_its_hands_as_one_with_straight_ones(files):
     """Forearms are straightened in mind before directions are compared; hands are in line with them."""
-    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh")[0])
+    captured = CapturedSkeleton.of(bvh_file.read(files / "walk.bvh"))
     bent = re.sub(
         r'(name="(?:left|right)_elbow_link" pos="0 0 -.22")(><joint name="\w+" axis="0 1 0" range=)"-130 2"',
         r'\1 euler="0 -90 0"\2"-40 92"',

@@ -100,8 +100,8 @@ def by_hand(skeleton, sample):
 def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
     """Slides and joints beside their bodies' origins have positions; turned rest poses are baked in."""
     take = SampledTrajectory.of(puppet.moved(), 48.0)
-    found, fps = bvh_file.read(written(take, tmp_path))
-    assert fps == 48.0
+    found = bvh_file.read(written(take, tmp_path))
+    assert found.fps == 48.0
     names = hierarchy.names(take.model)
     for sample in (0, 7, len(take.time) - 1):
         for name, place in by_hand(found, sample).items():
@@ -134,7 +134,7 @@ def under(found, *parents):
     body = [replace(joint, parent=joint.parent + len(parents)) for joint in found.joints]
     body[0] = replace(body[0], parent=len(parents) - 1)
     values = np.concatenate([*(values for _, _, values in parents), found.values], axis=1)
-    return Skeleton((*joints, *body), found.frame_time, values)
+    return Skeleton((*joints, *body), found.fps, values)
 
 
 def still(found, row=(0,) * 6):
@@ -331,7 +331,7 @@ def with_toes(take: SampledTrajectory, bend: np.ndarray) -> Skeleton:
             toe = joint.name.replace("foot", "toe")
             joints.append(Joint(toe, moved[i], ball, ("Xrotation", "Yrotation", "Zrotation"), joint.end - ball))
             columns.append(np.stack([-np.degrees(bend), 0 * bend, 0 * bend], axis=1))
-    return Skeleton(tuple(joints), found.frame_time, np.concatenate(columns, axis=1))
+    return Skeleton(tuple(joints), found.fps, np.concatenate(columns, axis=1))
 
 
 @pytest.mark.slow
@@ -386,7 +386,7 @@ Frame Time: 0.0083333
 def test_a_rounded_frame_time_is_the_rate_that_is_meant(tmp_path):
     path = tmp_path / "good.bvh"
     path.write_text(GOOD.replace("\n", "\r\n").replace("  {", " {  "))
-    assert bvh_file.read(path)[1] == 120
+    assert bvh_file.read(path).fps == 120
     assert bvh_file.fps_of(0.033367, 6) == pytest.approx(30 / 1.001)
     assert bvh_file.fps_of(0.0333333, 7) == 30
     assert bvh_file.fps_of(0.017, 3) == 59

@@ -31,7 +31,7 @@ def lenient(path, content):
     with pytest.raises(UserError, match=r"line \d+: "):
         bvh_file.read(path)
     with gaps.allowed():
-        return bvh_file.read(path)[0]
+        return bvh_file.read(path)
 
 
 @pytest.mark.parametrize(
@@ -75,7 +75,7 @@ def test_a_leg_without_numbers_makes_a_gap_and_one_without_any_is_refused(tmp_pa
     some[3] = some[3].replace("80", "nan")
     with gaps.allowed():
         (tmp_path / "a.bvh").write_text(text(some))
-        assert len(bvh_file.read(tmp_path / "a.bvh")[0].values) == 8
+        assert len(bvh_file.read(tmp_path / "a.bvh").values) == 8
         none = [" ".join([*row.split()[:6], "nan", *row.split()[7:]]) for row in rows()]
         (tmp_path / "b.bvh").write_text(text(none))
         with pytest.raises(UserError, match="no sample has numbers for all parts of the body; 'LeftUpLeg' lacks some"):
@@ -97,7 +97,7 @@ def test_a_line_of_another_width_in_the_middle_and_a_single_frame_are_refused(co
 
 def test_names_in_shift_jis_are_read(tmp_path):
     (tmp_path / "a.bvh").write_bytes(text(rows()).replace("LeftUpLeg", "左足").encode("cp932"))
-    assert "左足" in bvh_file.read(tmp_path / "a.bvh")[0].names
+    assert "左足" in bvh_file.read(tmp_path / "a.bvh").names
 
 
 @pytest.mark.parametrize(("last", "count"), [("24.500000", 8), ("24.50", 7), ("2", 7)])
@@ -105,9 +105,9 @@ def test_the_last_number_of_a_file_without_an_end_of_line_may_be_cut(last, count
     some = [f"{row.rpartition(' ')[0]} {17.5 + i:.6f}" for i, row in enumerate(rows())]
     (tmp_path / "a.bvh").write_text(text([*some[:-1], f"{some[-1].rpartition(' ')[0]} {last}"], end=""))
     with gaps.allowed():
-        assert len(bvh_file.read(tmp_path / "a.bvh")[0].values) == count
+        assert len(bvh_file.read(tmp_path / "a.bvh").values) == count
     if count == 8:
-        assert len(bvh_file.read(tmp_path / "a.bvh")[0].values) == 8
+        assert len(bvh_file.read(tmp_path / "a.bvh").values) == 8
     else:
         with pytest.raises(UserError, match=f"the file ends within the number {last}; `dynsplines clean` uses"):
             bvh_file.read(tmp_path / "a.bvh")

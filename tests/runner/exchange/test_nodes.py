@@ -211,8 +211,8 @@ def test_times_in_float32_lose_no_sample_and_no_rate(rate, last, tmp_path):
     sampler = gl.AnimationSampler(input=file.accessor(times, "SCALAR"), output=file.accessor(values, "VEC3"))
     channel = gl.AnimationChannel(sampler=0, target=gl.AnimationChannelTarget(node=0, path="translation"))
     file.asset.animations = [gl.Animation(samplers=[sampler], channels=[channel])]
-    skeleton, fps = gltf_file.read(file.save(tmp_path / "a.glb"), None)
-    assert (fps, len(skeleton.local[0])) == (rate, last + 1)
+    skeleton = gltf_file.read(file.save(tmp_path / "a.glb"), None)
+    assert (skeleton.fps, len(skeleton.local[0])) == (rate, last + 1)
 
 
 CHAIN = """<mujoco><worldbody><body name="a" pos="0 0 1"><joint name="a" axis="0 0 1"/><geom size=".05"/>

@@ -40,7 +40,7 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> CapturedSkeleton:
     folder = tmp_path_factory.mktemp("recording")
     (folder / "c.toml").write_text(CLIP, encoding="utf-8")
     inbetween(load(folder / "c.toml")).export(folder / "walk.bvh")
-    return CapturedSkeleton.of(bvh_file.read(folder / "walk.bvh")[0])
+    return CapturedSkeleton.of(bvh_file.read(folder / "walk.bvh"))
 
 
 def bodies(xml: str, recording: CapturedSkeleton) -> tuple[Array, Array]:

@@ -58,7 +58,7 @@ def person(turn):
 @pytest.fixture(scope="module")
 def walk(tmp_path_factory):
     moved = shipped.unsolved("walk_loop")
-    skeleton, _ = read(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh", fps=15))
+    skeleton = read(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh", fps=15))
     return CapturedSkeleton.of(skeleton, 0.01)
 
 
