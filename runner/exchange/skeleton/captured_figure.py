@@ -55,8 +55,10 @@ def figure(captured: CapturedSkeleton) -> tuple[str, Array]:
     _hands(bodies, captured)
     for body in bodies:  # a body's geoms and sites precede its children
         body[:] = sorted(body, key=lambda child: child.tag == "body")
-    local = captured.local[:, _depth_first(captured)[1:]].reshape(len(captured.local), -1)
-    qpos = np.concatenate([captured.position[:, 0], captured.rotation[:, 0], local], axis=1)
+    order, turn = _depth_first(captured)[1:], captured.rotation
+    above = quat.conjugate(turn[:, [captured.parents[i] for i in order]])
+    local = quat.aligned(quat.product(above, turn[:, order])).reshape(len(turn), -1)
+    qpos = np.concatenate([captured.position[:, 0], turn[:, 0], local], axis=1)
     ET.indent(root)
     return ET.tostring(root, encoding="unicode"), qpos
 

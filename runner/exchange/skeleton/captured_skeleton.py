@@ -31,8 +31,7 @@ class CapturedSkeleton:
     """Joints, parents first (-1 for the root), at equal time steps.
 
     offset (J, 3) [m] from the parent in the zero pose, that without rotations; ends {joint: (3,)} [m] of End Sites;
-    position (T, J, 3) [m] and rotation (T, J, 4) in the world; local (T, J, 4) in the parent's axes; notes on what was
-    inferred; bone_map, names by role
+    position (T, J, 3) [m] and rotation (T, J, 4) in the world; notes on what was inferred; bone_map, names by role
     """
 
     names: list[str]
@@ -41,7 +40,6 @@ class CapturedSkeleton:
     ends: dict[int, Array]
     position: Array
     rotation: Array
-    local: Array
     notes: tuple[str, ...] = ()
     bone_map: Mapping[str, str] = field(default_factory=dict)
 
@@ -77,22 +75,19 @@ class CapturedSkeleton:
         position, rotation = placed(skeleton.parents, place, turn)
         here = cls(
             unique(skeleton.names), skeleton.parents, unit * offset, {i: unit * end for i, end in ends.items()},
-            unit * position, rotation, turn, notes, bone_map,
+            unit * position, rotation, notes, bone_map,
         )  # fmt: skip
         return _placed_upright(here, skeleton)
 
     def turned(self, world: Array, rest: Array) -> CapturedSkeleton:
         """Return the skeleton with the world rotated (4,), and the zero pose by another rotation (4,)."""
         back = quat.inverse(rest)
-        local = quat.product(quat.product(rest, self.local), back)
-        local[:, 0] = quat.product(quat.product(world, self.local[:, 0]), back)
         return replace(
             self,
             offset=quat.rotated(rest, self.offset),
             ends={i: quat.rotated(rest, end) for i, end in self.ends.items()},
             position=quat.rotated(world, self.position),
             rotation=quat.aligned(quat.product(quat.product(world, self.rotation), back)),
-            local=quat.aligned(local),
         )
 
     @cached_property

@@ -133,10 +133,6 @@ def captured(position: Array, local: Array) -> CapturedSkeleton:
     """Return the mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a z-up world."""
     ours, (away, turn) = quat.inverse(TO_SMPL), in_world(local)
     place = position[:, None] + away
-    relative = quat.product(quat.product(ours, local), TO_SMPL)
-    relative[:, PELVIS] = quat.product(local[:, PELVIS], TO_SMPL)
     ends = {joint: quat.rotated(ours, end) for joint, end in ENDS.items()}
     rotation = quat.aligned(quat.product(turn, TO_SMPL))
-    return CapturedSkeleton(
-        list(NAMES), list(PARENT), quat.rotated(ours, OFFSET), ends, place, rotation, quat.aligned(relative)
-    )
+    return CapturedSkeleton(list(NAMES), list(PARENT), quat.rotated(ours, OFFSET), ends, place, rotation)
