@@ -297,13 +297,11 @@ class ContactTarget:
     """A point that must stay in its place.
 
     kind     "contact" or "stance"
-    text     a sentence with {} for the amount
     rolling  how it rolls, if it does
     """
 
     kind: str
     stance: Stance
-    text: str
     rolling: Rolling | None = None
 
     def distance(self, samples: Samples, at: Index) -> Array:
@@ -327,7 +325,12 @@ def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> 
                 parts.append(Hits(np.full(at.size, i), at, target.distance(samples, at)))
         return Hits.joined(parts)
 
-    rows = [row_of(stay.kind, stay.stance.point.name, stay.text) for stay in targets]
+    texts = {
+        "contact": "contact {0} moves {{}} while it should rest",
+        "stance": "{0} moves {{}} between keyframes with the same position",
+    }
+    names = [stay.stance.point.name for stay in targets]
+    rows = [row_of(stay.kind, name, texts[stay.kind].format(name)) for stay, name in zip(targets, names, strict=True)]
     return Check.each("moved", rows, hits, fixed.places[[stay.stance.point.link for stay in targets]], groups)
 
 
@@ -406,8 +409,8 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
     groups = (np.minimum(limbs[:, None], limbs) * count + np.maximum(limbs[:, None], limbs)).ravel()
 
     def hits(samples: Samples) -> Hits:
-        met = overlaps.met(samples)
-        return Hits(met.links[0] * count + met.links[1], met.at, met.depth)
+        at, (one, two), depth = overlaps.met(samples)
+        return Hits(one * count + two, at, depth).select(depth > 0)
 
     def row(index: int) -> Row:
         links = divmod(index, count)

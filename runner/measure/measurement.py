@@ -231,8 +231,7 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTa
         for k, (rest, group) in enumerate(zip(rests, _groups(rests, feet).tolist(), strict=True)):
             rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
             for stance in _pieces(rest, specified, spots[:, k]):
-                text = f"contact {stance.point.name} moves {{}} while it should rest"
-                yield ContactTarget("contact", stance, text, rolling), group
+                yield ContactTarget("contact", stance, rolling), group
     is_recording = not clip.text and timeline.variable_count == 0
     shortest = Thresholds.of(figure).far_apart if is_recording else 0.0
     free = [
@@ -241,10 +240,7 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTa
         if stance.last - stance.first > shortest and not any(_same(stance, rest) for rest in rests)
     ]
     for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
-        yield (
-            ContactTarget("stance", stance, f"{stance.point.name} moves {{}} between keyframes with the same position"),
-            group,
-        )
+        yield ContactTarget("stance", stance), group
 
 
 def inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:

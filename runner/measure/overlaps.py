@@ -25,19 +25,6 @@ JOINED = 2  # most joints between two bodies that are excluded if they overlap a
 
 
 @dataclass(frozen=True, eq=False)
-class Overlap:
-    """Overlaps of pairs of geoms.
-
-    at     (m,) indices of samples;  depth  (m,) [m]
-    links  (2, m) indices of the geoms' links, the smaller index first
-    """
-
-    at: Index
-    links: Index
-    depth: Array
-
-
-@dataclass(frozen=True, eq=False)
 class Overlaps:
     """The bodies of a figure that can overlap.
 
@@ -54,24 +41,22 @@ class Overlaps:
     def of(cls, figure: Figure) -> Overlaps:
         """Return all bodies that collide in MuJoCo."""
         model, at_rest = _collision_model(figure.model), np.zeros((len(figure.links),) * 2)
-        rest = _overlaps(figure, model, figure.model.qpos0[None], np.zeros(1, np.intp))
-        steps = _steps(figure)[tuple(rest.links)]
-        deep = np.where(steps <= JOINED, np.inf, np.where(np.isfinite(steps), rest.depth, 0.0))
-        np.maximum.at(at_rest, tuple(rest.links), deep)
+        _, links, depth = _overlaps(figure, model, figure.model.qpos0[None])
+        steps = _steps(figure)[links]
+        np.maximum.at(at_rest, links, np.where(steps <= JOINED, np.inf, np.where(np.isfinite(steps), depth, 0.0)))
         return cls(figure, model, at_rest)
 
-    def met(self, samples: Samples) -> Overlap:
-        """Return the overlaps in samples; depths are reduced by those at rest."""
-        overlap = _overlaps(self.figure, self.model, self.figure.to_qpos(samples.y), np.arange(samples.count))
-        depth = overlap.depth - self.at_rest[tuple(overlap.links)]
-        deeper = np.flatnonzero(depth > 0)
-        return Overlap(overlap.at[deeper], overlap.links[:, deeper], depth[deeper])
+    def met(self, samples: Samples) -> tuple[Index, tuple[Index, Index], Array]:
+        """Return the overlaps in samples, as `_overlaps` does; depths are reduced by those at rest."""
+        at, links, depth = _overlaps(self.figure, self.model, self.figure.to_qpos(samples.y))
+        return at, links, depth - self.at_rest[links]
 
 
-def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> Overlap:
-    """Return the overlaps at qpos (k, nq) of samples `at` (k,)."""
+def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array) -> tuple[Index, tuple[Index, Index], Array]:
+    """Return overlaps of geoms at qpos (k, nq): rows (m,) of qpos, links of the geoms (m,) each, the smaller index
+    first, and depths (m,) [m]."""
     parts = []
-    for data, sample in zip(posed(model, qpos), at.tolist(), strict=True):
+    for sample, data in enumerate(posed(model, qpos)):
         mujoco.mj_collision(model, data)
         if data.ncon:
             parts.append((np.full(data.ncon, sample), data.contact.geom.T.copy(), -data.contact.dist))
@@ -79,7 +64,7 @@ def _overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array, at: Index) -> 
     when, geoms, depth = (np.concatenate(part, axis=-1) for part in zip(*parts, strict=True))
     links = np.sort(figure.body_link[model.geom_bodyid[geoms]], axis=0)
     deep = np.flatnonzero((depth > 0) & (links[0] > 0) & (links[0] < links[1]))
-    return Overlap(when[deep], links[:, deep], depth[deep])
+    return when[deep], (links[0, deep], links[1, deep]), depth[deep]
 
 
 def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
