@@ -46,14 +46,13 @@ class Joint:
 class Skeleton:
     """Joints, parents first, and their motion: fps [1/s], values (T, channels) in the file's units and degrees.
 
-    notes: lines on data that the file lacks; up: the vertical axis by convention
+    notes: lines on data that the file lacks
     """
 
     joints: tuple[Joint, ...]
     fps: float
     values: Array
     notes: tuple[str, ...] = ()
-    up: str = "y"
 
     @property
     def parents(self) -> list[int]:

@@ -77,7 +77,7 @@ class CapturedSkeleton:
             unique(skeleton.names), skeleton.parents, unit * offset, {i: unit * end for i, end in ends.items()},
             unit * position, rotation, notes, bone_map,
         )  # fmt: skip
-        return _placed_upright(here, skeleton)
+        return _placed_upright(here)
 
     def turned(self, world: Array, rest: Array) -> CapturedSkeleton:
         """Return the skeleton with the world rotated (4,), and the zero pose by another rotation (4,)."""
@@ -187,9 +187,9 @@ def _unit(
     return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {missing_input.UNIT}",)
 
 
-def _placed_upright(captured: CapturedSkeleton, skeleton: Skeleton) -> CapturedSkeleton:
+def _placed_upright(captured: CapturedSkeleton) -> CapturedSkeleton:
     """Return a skeleton in the file's axes converted to z up, both in the world and in the zero pose."""
-    up, note = vertical(captured.position, captured.roles, skeleton.up)
+    up, note = vertical(captured.position, captured.roles)
     world = TO_Z[up]
     captured = captured.turned(world, world)
     rest, _ = standing_turn(captured.at_zero, captured.roles)

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver.array import Array
 
 CLEARLY = 0.3  # least gain in the sum of the cosines of up and left for which a rest pose is rotated
-AXES = "xyz"
+AXES, USUAL = "xyz", "y"  # and the vertical axis of BVH, glTF and converted USD files
 NONE = np.array([1.0, 0, 0, 0])
 TO_Z = {  # rotation of an axis to z; that of y is for figures facing z, as in animation
     "z": NONE, "y": np.array([0.5, 0.5, 0.5, 0.5]), "x": np.array([0.5, -0.5, -0.5, -0.5]),
@@ -26,17 +26,17 @@ SOME, MOST = 0.2, 0.5  # fractions of the samples that count as enough and as mo
 LEVEL = 0.25  # ratio of standard deviations of the lowest joint's height below which an axis indicates a floor
 
 
-def vertical(position: Array, roles: Mapping[str, int], usual: str) -> tuple[str, tuple[str, ...]]:
+def vertical(position: Array, roles: Mapping[str, int]) -> tuple[str, tuple[str, ...]]:
     """Return the vertical axis of a recording, of "x", "-x", ..., and a note if it is not the usual one.
 
-    position (T, J, 3) of joints; roles: joints by part of the body; usual: the axis by convention
+    position (T, J, 3) of joints; roles: joints by part of the body
     """
     tops = [roles[role] for role in ("head", "neck", "left_upper_arm", "right_upper_arm", "chest") if role in roles][:1]
     tops = tops or [roles[role] for role in ("pelvis",) if role in roles]
     feet = [roles[role] for role in ("left_foot", "right_foot") if role in roles]
     feet = feet or [roles[role] for role in ("left_shin", "right_shin") if role in roles]
     if not tops or not feet:
-        return usual, ()
+        return USUAL, ()
     along = position[:, tops].mean(axis=1) - position[:, feet].mean(axis=1)
     cosine = along / np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
     share, drift = {}, {}
@@ -45,13 +45,13 @@ def vertical(position: Array, roles: Mapping[str, int], usual: str) -> tuple[str
             share[axis] = float(np.mean(sign * cosine[:, i] > UPRIGHT))
             drift[axis] = float(np.std(np.min(sign * position[:, :, i], axis=1)))
     upright = max(share, key=lambda axis: share[axis])
-    if share[usual] >= SOME or upright == usual:
-        return usual, ()
-    if share[upright] > MOST and drift[usual] > LEVEL * drift[upright]:
+    if share[USUAL] >= SOME or upright == USUAL:
+        return USUAL, ()
+    if share[upright] > MOST and drift[USUAL] > LEVEL * drift[upright]:
         return upright, (
             f"{upright} is up in the file: along it the person is upright at {share[upright]:.0%} of the samples",
         )
-    return usual, (f"the person is upright along no axis of the file; {usual} is taken as up, the usual axis",)
+    return USUAL, (f"the person is upright along no axis of the file; {USUAL} is taken as up, the usual axis",)
 
 
 def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[str, ...]]:
