@@ -10,7 +10,6 @@ class Bound:
     """A kind of violation and its tolerance.
 
     most  largest tolerated amount in `unit`: "m", "degrees", "degrees/s", "rad/s²", or "" for none
-    why   the reason for this size
 
     A whip is a sudden swing of a limb: a large angular acceleration of a link relative to its parent. "length" is that
     of quaternions, which should be 1.
@@ -19,39 +18,38 @@ class Bound:
     kind: str
     most: float
     unit: str
-    why: str
 
 
 BOUNDS = {
     bound.kind: bound
     for bound in (
-        Bound("penetration", 0.005, "m", "more than a sole or skin gives"),
-        Bound("self", 0.01, "m", "limbs are soft, and drawn thicker than they are"),
-        Bound("contact", 0.01, "m", "a hand or foot that slips so far is seen to slip"),
-        Bound("grasp", 0.005, "m", "grasped objects and hands are conspicuous"),
-        Bound("hover", 0.01, "m", "as contact, of one that is to rest on whatever is below it"),
-        Bound("aloft", 0.02, "m", "a home pose of a robot may be some millimetres above the floor"),
-        Bound("float", 0.05, "m", "as much as feet in captured walks are above the ground between steps"),
-        Bound("slide", 0.05, "m", "more than a sole moves while it lands in a run"),
-        Bound("drag", 0.1, "m", "heels and toes of captured feet scuff up to 7 cm"),
-        Bound("stance", 0.02, "m", "stances inferred from keyframes are less certain than a clip's contacts"),
-        Bound("placement", 0.01, "m", "a visible miss"),
-        Bound("backward", 3.0, "degrees", "a straight knee or elbow is never quite straight"),
-        Bound("sideways", 3.0, "degrees", "beyond the clip's bound, 8° by default"),
-        Bound("twist", 3.0, "degrees", "as sideways"),
-        Bound("range", 2.0, "degrees", "a soft constraint gives about 1°"),
-        Bound("travel", 0.005, "m", "of slides beyond their range"),
-        Bound("hard range", 0.05, "degrees", "a joint beyond a range that the clip makes hard"),
-        Bound("hard travel", 0.00005, "m", "a slide beyond a range that the clip makes hard"),
-        Bound("overshoot", 10.0, "degrees", "a joint off a value that two neighbouring keyframes hold"),
-        Bound("overshoot travel", 0.1, "m", "a slide, or the root, off its values in two neighbouring keyframes"),
-        Bound("coupled", 1.0, "degrees", "a hinge off what it follows"),
-        Bound("coupled travel", 0.002, "m", "a slide off what it follows"),
-        Bound("torn", 0.005, "m", "points of a closed loop apart"),
-        Bound("speed", 10.0, "degrees/s", "or 5 % of the limit, if that is more: a soft constraint gives as much"),
-        Bound("whip", 500.0, "rad/s²", "or 4 times what the raw spline needs, if that is more; run_loop comes to 370"),
-        Bound("length", 0.5, "", "quaternions so far from length 1 turn fast between samples"),
-        Bound("search", 1.0, "", "the search ended early"),
+        Bound("penetration", 0.005, "m"),  # more than a sole or skin gives
+        Bound("self", 0.01, "m"),  # limbs are soft, and drawn thicker than they are
+        Bound("contact", 0.01, "m"),  # a hand or foot that slips so far is seen to slip
+        Bound("grasp", 0.005, "m"),  # grasped objects and hands are conspicuous
+        Bound("hover", 0.01, "m"),  # as contact, of one that is to rest on whatever is below it
+        Bound("aloft", 0.02, "m"),  # a home pose of a robot may be some millimetres above the floor
+        Bound("float", 0.05, "m"),  # as much as feet in captured walks are above the ground between steps
+        Bound("slide", 0.05, "m"),  # more than a sole moves while it lands in a run
+        Bound("drag", 0.1, "m"),  # heels and toes of captured feet scuff up to 7 cm
+        Bound("stance", 0.02, "m"),  # stances inferred from keyframes are less certain than a clip's contacts
+        Bound("placement", 0.01, "m"),  # a visible miss
+        Bound("backward", 3.0, "degrees"),  # a straight knee or elbow is never quite straight
+        Bound("sideways", 3.0, "degrees"),  # beyond the clip's bound, 8° by default
+        Bound("twist", 3.0, "degrees"),  # as sideways
+        Bound("range", 2.0, "degrees"),  # a soft constraint gives about 1°
+        Bound("travel", 0.005, "m"),  # of slides beyond their range
+        Bound("hard range", 0.05, "degrees"),  # a joint beyond a range that the clip makes hard
+        Bound("hard travel", 0.00005, "m"),  # a slide beyond a range that the clip makes hard
+        Bound("overshoot", 10.0, "degrees"),  # a joint off a value that two neighbouring keyframes hold
+        Bound("overshoot travel", 0.1, "m"),  # a slide, or the root, off its values in two neighbouring keyframes
+        Bound("coupled", 1.0, "degrees"),  # a hinge off what it follows
+        Bound("coupled travel", 0.002, "m"),  # a slide off what it follows
+        Bound("torn", 0.005, "m"),  # points of a closed loop apart
+        Bound("speed", 10.0, "degrees/s"),  # or 5 % of the limit, if that is more: a soft constraint gives as much
+        Bound("whip", 500.0, "rad/s²"),  # or 4 times what the raw spline needs, if that is more; run_loop comes to 370
+        Bound("length", 0.5, ""),  # quaternions so far from length 1 turn fast between samples
+        Bound("search", 1.0, ""),  # the search ended early
     )
 }
 WHIP_SHARE = 4.0  # [1] multiple of the raw spline's largest angular acceleration that is tolerated
