@@ -43,8 +43,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
             values["ctrl"] = _written(simulation.control[i])
         ElementTree.SubElement(keyframes, "key", values)
     if simulation is not None:
-        count = len(simulation.drives)
-        trajectory.notes.append(f"{count} position actuators; `ctrl` of the keys is what to aim them at")
+        trajectory.notes.append(f"{simulation.model.nu} position actuators; `ctrl` of the keys is what to aim them at")
         trajectory.notes.extend(simulation.notes)
         if tracked is not None:
             trajectory.notes.append(tracking.note(tracked, simulation, trajectory))

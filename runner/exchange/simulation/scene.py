@@ -94,7 +94,6 @@ class Simulation:
 
     root: ElementTree.Element
     model: mujoco.MjModel
-    drives: list[Drive]
     control: Array
     notes: tuple[str, ...]
 
@@ -107,7 +106,7 @@ class Simulation:
             model = mujoco.MjModel.from_xml_string(
                 ElementTree.tostring(root, encoding="unicode"), dict(trajectory.saved.scene.assets)
             )
-        return cls(root, model, actuators, targets(trajectory, model, actuators), tuple(notes))
+        return cls(root, model, targets(trajectory, model, actuators), tuple(notes))
 
     def with_timestep(self, timestep: float) -> Simulation:
         """Return the scene with another time step [s]."""
