@@ -81,7 +81,8 @@ def _bodies(stage: Usd.Stage, trajectory: SampledTrajectory) -> list[Sdf.Path]:
         form.GetPrim().SetDisplayName(names[body] if body else trajectory.name)
         if body == 0:
             stage.SetDefaultPrim(form.GetPrim())
-            form.GetPrim().SetCustomDataByKey("keyframes", _keyframes(trajectory))
+            codes = [(key.time - trajectory.time[0]) * trajectory.fps for key in trajectory.saved.keys]
+            form.GetPrim().SetCustomDataByKey("keyframes", Vt.DoubleArray([round(float(code), 6) for code in codes]))
             continue
         at_rest = Vt.DoubleArray([*rest_place[body].tolist(), *rest_turn[body].tolist()])
         form.GetPrim().SetCustomDataByKey(usd_file.REST, at_rest)
@@ -89,12 +90,6 @@ def _bodies(stage: Usd.Stage, trajectory: SampledTrajectory) -> list[Sdf.Path]:
         _animate(form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble), position, lambda row: Gf.Vec3d(*row.tolist()))
         _animate(form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble), rotation, lambda row: Gf.Quatd(*row.tolist()))
     return paths
-
-
-def _keyframes(trajectory: SampledTrajectory) -> Vt.DoubleArray:
-    return Vt.DoubleArray(
-        [round((key.time - float(trajectory.time[0])) * trajectory.fps, 6) for key in trajectory.saved.keys]
-    )
 
 
 def _animate(op: UsdGeom.XformOp, track: Array, kind: Callable[[Array], Any]) -> None:

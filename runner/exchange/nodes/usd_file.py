@@ -78,14 +78,12 @@ def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> Nodes:
 
 def _skeletons(stage: Usd.Stage) -> list[Any]:
     """Return queries of the skeletons, with the animations bound to them."""
-    cache, out = UsdSkel.Cache(), []
-    for prim in stage.Traverse():
+    cache, prims = UsdSkel.Cache(), list(stage.Traverse())
+    for prim in prims:
         if prim.IsA(UsdSkel.Root):
             cache.Populate(UsdSkel.Root(prim), Usd.TraverseInstanceProxies())
-    for prim in stage.Traverse():
-        if prim.IsA(UsdSkel.Skeleton):
-            out.append(cache.GetSkelQuery(UsdSkel.Skeleton(prim)))
-    return [query for query in out if query]
+    queries = [cache.GetSkelQuery(UsdSkel.Skeleton(prim)) for prim in prims if prim.IsA(UsdSkel.Skeleton)]
+    return [query for query in queries if query]
 
 
 def _times(
