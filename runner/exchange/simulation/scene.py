@@ -304,7 +304,8 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
             other = names[names.index("world") - 1]
             notes.append(f"the scene to simulate lets the world and '{other}' collide, which the model excludes")
             remove(spec, pair)
-    _exclude_sockets(spec, model)
+    for first, second in sorted({(body, int(model.geom_bodyid[solid])) for body, solid in bolted(model)}):
+        _exclude(spec, first, second)  # a limb and its fixed base overlap by design
     return notes
 
 
@@ -363,9 +364,3 @@ def _exclude(spec: mujoco.MjSpec, first: int, second: int) -> None:
     for body in (first, second):
         bodies[body].name = bodies[body].name or unique([f"body{body}"], [spec_body.name for spec_body in bodies])[0]
     spec.add_exclude(bodyname1=bodies[first].name, bodyname2=bodies[second].name)
-
-
-def _exclude_sockets(spec: mujoco.MjSpec, model: mujoco.MjModel) -> None:
-    """Exclude contacts between a limb and the geoms of its fixed base that it overlaps by design."""
-    for first, second in sorted({(body, int(model.geom_bodyid[solid])) for body, solid in bolted(model)}):
-        _exclude(spec, first, second)
