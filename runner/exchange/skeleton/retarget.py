@@ -357,7 +357,9 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
             pair = [f"{side}_{upper}", f"{side}_{lower}"]
             if not all(role in shared for role in pair):
                 continue
-            along = [_world(captured, role) for role in pair]
+            along = [
+                quat.rotated(captured.rotation[:, captured.roles[role]], unit(_bone(captured, role))) for role in pair
+            ]
             bend = sign * np.cross(along[0], along[1])
             is_bent = float(np.linalg.norm(bend, axis=1).mean()) > BENT
             for role, direction in zip(pair, along, strict=True):
@@ -371,11 +373,6 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
         if role not in out:  # as for its parent
             out[role] = _like_parent(captured, role, out)
     return out
-
-
-def _world(captured: CapturedSkeleton, role: str) -> Array:
-    """Return a bone's direction (T, 3) in the world."""
-    return quat.rotated(captured.rotation[:, captured.roles[role]], unit(_bone(captured, role)))
 
 
 def _flat(captured: CapturedSkeleton, standing: _Standing, side: str) -> Array:
