@@ -69,6 +69,7 @@ class Side:
     def quantities(self) -> dict[str, object]:
         """Return all quantities by name; those that do not apply to the clip are omitted or empty."""
         clip, samples, timeline, worst = self.clip, self.samples, self.timeline, self.measurement.worst
+        in_grasped = [entry for entry in worst("self") if entry[0].kind == "penetration"]
         every = {
             "objective": sum(self.terms.values()),
             "terms": self.terms,
@@ -82,7 +83,7 @@ class Side:
             "swings": swings(clip, samples),
             "contacts": _contacts(clip, timeline),
             "grasps": _grasps(clip, self.measurement),
-            "penetration of held objects, m": _in_carried(clip, worst("self")),
+            "penetration of held objects, m": _deepest(in_grasped) if clip.context.schedule.grasps else {},
             "target distance, m": {f"{row.name} at {time:g} s": away for row, away, time in worst("placement")},
             "edge clearance, m": _edge_clearance(clip, samples),
             "unit deviation": _unit_deviation(samples),
@@ -105,12 +106,6 @@ def _deepest(worst: Worst) -> Entry:
         return {"deepest": 0.0, "where": "nothing"}
     row, depth, time = worst[0]
     return {"deepest": depth, "where": f"{row.name} in {row.other} at {time:.3f} s"}
-
-
-def _in_carried(clip: Clip, worst: Worst) -> Entry:
-    return (
-        _deepest([entry for entry in worst if entry[0].kind == "penetration"]) if clip.context.schedule.grasps else {}
-    )
 
 
 def _penetration(clip: Clip, worst: Worst) -> dict[str, Any]:
