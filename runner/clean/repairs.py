@@ -57,7 +57,7 @@ def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
     time, qpos, known = _without_dropouts(figure, time, qpos, known, notes)
     if time.size < FEWEST:
         raise UserError(f"{where}: {time.size} samples are left; a motion to clean has {FEWEST} at least")
-    time, qpos, known = _interpolated(figure, time, qpos, known, notes, where)
+    time, qpos, known = _interpolated(time, qpos, known, notes, where)
     known &= ~_jumps(figure, time, qpos, known, notes)
     lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]
     if lost:
@@ -118,9 +118,7 @@ def _without_dropouts(
     return time[keep], qpos[keep], known[keep]
 
 
-def _interpolated(
-    figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str], where: str
-) -> tuple[Array, Array, Mask]:
+def _interpolated(time: Array, qpos: Array, known: Mask, notes: list[str], where: str) -> tuple[Array, Array, Mask]:
     step = float(np.median(np.diff(time)))
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
     missing[np.diff(time) < GAP * step] = 0
