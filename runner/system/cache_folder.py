@@ -1,4 +1,4 @@
-"""The user's cache folder: solved clips, and the renderer that worked.
+"""The user's cache folder, of solved clips.
 
 A file is named by a hash of everything on which its content depends. An old file is therefore never wrong, only unused.
 """
