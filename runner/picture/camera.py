@@ -71,14 +71,7 @@ def plan(
         cameras: Names of the model's cameras.
     """
     paths = _paths(root_path)
-    if view in cameras:
-        return (_through(view),) * paths.shape[1]
-    azimuth, elevation = ANGLES[view]
-    lookat = np.empty(paths.shape[1:])
-    lookat[:, :2] = smoothed(paths.mean(axis=0)[:, :2], fps)
-    lookat[:, 2] = _middle(paths, height)
-    distance = _distance(_corners(paths, height) - lookat[:, None], aspect, azimuth, elevation, fovy)
-    return tuple(View((float(x), float(y), float(z)), distance, azimuth, elevation) for x, y, z in lookat)
+    return _views(paths, smoothed(paths.mean(axis=0)[:, :2], fps), aspect, view, fovy, height, cameras)
 
 
 def still(
@@ -92,13 +85,20 @@ def still(
 ) -> View:
     """Return a fixed setting that shows the figure along its whole path. The arguments are those of `plan`."""
     paths = _paths(root_path)
+    middle = (paths.min(axis=(0, 1)) + paths.max(axis=(0, 1)))[None, :2] / 2
+    return _views(paths, middle, aspect, view, fovy, height, cameras)[0]
+
+
+def _views(
+    paths: Array, places: Array, aspect: float, view: str, fovy: float, height: float, cameras: Collection[str]
+) -> tuple[View, ...]:
+    """Return one setting for each of the places (k, 2) [m] on the floor that are looked at, at one distance for all."""
     if view in cameras:
-        return _through(view)
+        return (View((0.0, 0.0, 0.0), 1.0, 0.0, 0.0, fixed=view),) * len(places)
     azimuth, elevation = ANGLES[view]
-    low, high = paths.min(axis=(0, 1)), paths.max(axis=(0, 1))
-    lookat = np.array([*(low[:2] + high[:2]) / 2, _middle(paths, height)])
-    distance = _distance(_corners(paths, height) - lookat, aspect, azimuth, elevation, fovy)
-    return View((float(lookat[0]), float(lookat[1]), float(lookat[2])), distance, azimuth, elevation)
+    lookat = np.column_stack([places, np.full(len(places), sum(_vertical(paths, height)) / 2)])
+    distance = _distance(_corners(paths, height) - lookat[:, None], aspect, azimuth, elevation, fovy)
+    return tuple(View((x, y, z), distance, azimuth, elevation) for x, y, z in lookat.tolist())
 
 
 def smoothed(path: Array, fps: float) -> Array:
@@ -128,19 +128,11 @@ def _paths(root_path: ArrayLike) -> Array:
     return paths[None] if paths.ndim == 2 else paths
 
 
-def _through(name: str) -> View:
-    return View((0.0, 0.0, 0.0), 1.0, 0.0, 0.0, fixed=name)
-
-
 def _vertical(paths: Array, height: float) -> tuple[float, float]:
     """Return the lowest and highest visible z [m]: from below the feet to above the head, not far below the floor."""
     low, high = float(paths[..., 2].min()), float(paths[..., 2].max())
     floor = min(-0.05, low - 0.15 * height) if low > 0 else -np.inf
     return max(low - 0.58 * height, floor), high + 0.53 * height
-
-
-def _middle(paths: Array, height: float) -> float:
-    return sum(_vertical(paths, height)) / 2
 
 
 def _corners(paths: Array, height: float) -> Array:
