@@ -11,7 +11,6 @@ quantities   the quantities of one column of a report, also *between* the sample
 formatting   lines of a report for the terminal
 depths       depths of a figure's points in surfaces
 exactness    the error of a motion at its keyframes
-swings       swings of feet, with their heights
 curves       the data of the charts, stored in the motion file so that `plot` never solves again
 chart        charts of a motion: foot height, quaternion norm, Euler-Lagrange deviation in ten parts of the clip
 """

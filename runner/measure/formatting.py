@@ -9,12 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from .swings import swing_text as swing_words
-
 Line = tuple[str, str, str]  # label, before, after
 HIDDEN = ("geoms", "unit")  # entries without lines: too many, or shown with their quantity
 FEW = 4  # most numbers of a quantity that are shown in one line
 SPAN = ("from, s", "to, s")
+MOST_SHOWN = 6  # most swings of a foot whose heights a table lists one by one
 
 
 def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
@@ -26,7 +25,7 @@ def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
 def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
     label, unit = _label_and_unit(name, unit)
     if isinstance(after, list) and label.startswith("swings"):
-        yield label, swing_words(before or []), swing_words(after)
+        yield label, swing_text(before or []), swing_text(after)
     elif any(isinstance(entry, dict) for side in (before, after) if isinstance(side, list) for entry in side):
         for one, two in zip(before or [], after, strict=False):
             texts = " on ".join(value for value in two.values() if isinstance(value, str))
@@ -46,6 +45,16 @@ def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
             yield from _rows(f"{label}, {key}", before.get(key), after[key], unit)
     else:
         yield label, _value(name, before, unit), _value(name, after, unit)
+
+
+def swing_text(foot_swings: list[dict[str, float]]) -> str:
+    """Return a foot's swings for a table, by their heights."""
+    high = [1000 * swing["height, m"] for swing in foot_swings]
+    if not high:
+        return "never"
+    if len(high) > MOST_SHOWN:
+        return f"{len(high)} times, {min(high):.0f} to {max(high):.0f} mm"
+    return ", ".join(f"{height:.0f}" for height in high) + " mm"
 
 
 def _label_and_unit(name: str, unit: str) -> tuple[str, str]:

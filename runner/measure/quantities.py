@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from dynsplines.solver.array import runs
 from dynsplines.solver.contacts import within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -27,7 +28,7 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Rolling
 from dynsplines.solver.penalty.motion.peak import rotary
 from dynsplines.solver.surface import Box
-from dynsplines.solver.surface.heights import height_above, heights
+from dynsplines.solver.surface.heights import FAR, height_above, heights
 from dynsplines.solver.surface.points import body_points, displacements, places_of
 from dynsplines.solver.surface.touch import counts_all, movers
 
@@ -36,7 +37,6 @@ from ..motion import even_times, samples_at
 from .checks import Row
 from .exactness import keyframe_error
 from .measurement import Measurement, bend_limits, inferred
-from .swings import swings
 
 RATE = 1000.0  # [1/s] of the samples, finer than those of the optimiser
 HIGHEST = 1.0  # [m] upper limit of the lift of a foot in a stance, in the report
@@ -176,6 +176,27 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
         length, rest = float(steps[i, together[i]].sum()), float(pace[together[i]].sum())
         out[point.name] = {"path, m": length, "speed, m/s": length / rest if rest > 0 else 0.0, "rest, s": rest}
     return out
+
+
+def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
+    """Return the swings of each foot: start and end [s], and height [m] of its lowest point above the surface below.
+
+    A swing begins when all points of a foot have left the ground and ends when one touches it again.
+    """
+    if not clip.context.points or not clip.context.surfaces:
+        return {}
+    limits = Thresholds.of(clip.figure)
+    by_foot: dict[str, list[dict[str, float]]] = {}
+    for link in sorted({point.link for point in clip.context.points}):
+        points = tuple(point for point in clip.context.points if point.link == link)
+        over, _ = heights(clip.context.surfaces, *places_of(points, samples))
+        lowest = over.min(axis=0)
+        by_foot[clip.figure.body_name(link)] = [
+            {"from, s": float(samples.t[a]), "to, s": float(samples.t[b - 1]), "height, m": float(lowest[a:b].max())}
+            for a, b in runs(lowest > limits.swings)
+            if samples.t[b - 1] - samples.t[a] >= limits.brief_swing and lowest[a:b].max() < FAR
+        ]
+    return by_foot
 
 
 def _stances(clip: Clip, timeline: Timeline) -> list[Entry]:

@@ -8,7 +8,8 @@ from oracles import kinematics
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
-from dynsplines.measure.swings import swing_text, swings
+from dynsplines.measure.formatting import swing_text
+from dynsplines.measure.quantities import swings
 from dynsplines.motion import samples_at
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
