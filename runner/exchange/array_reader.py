@@ -76,13 +76,7 @@ class ArrayReader:
 
     def quaternions(self, name: str, *shape: int | str, scalar_last: bool = False) -> Array:
         """Return unit quaternions wxyz, from an array in this order or, with `scalar_last`, in the order xyzw."""
-        array = self.numbers(name, *shape)
-        length = np.linalg.norm(array, axis=-1, keepdims=True)
-        if np.any(np.abs(length - 1) > 0.01):
-            raise UserError(
-                f"{self.where}: '{name}': a quaternion of length {length.flat[np.argmax(abs(length - 1))]:.3g}"
-            )
-        array = array / length
+        array = unit_quaternions(self.numbers(name, *shape), name, self.where)
         return np.roll(array, 1, -1) if scalar_last else array
 
     def rate(self, name: str, fps: float | None = None) -> float:
@@ -127,6 +121,14 @@ class ArrayReader:
             if total > most:
                 break
         return total
+
+
+def unit_quaternions(array: Array, name: str, where: object) -> Array:
+    """Return quaternions (..., 4) scaled to length 1; raises UserError if one is far from it."""
+    length = np.linalg.norm(array, axis=-1, keepdims=True)
+    if np.any(np.abs(length - 1) > 0.01):
+        raise UserError(f"{where}: '{name}': a quaternion of length {length.flat[np.argmax(abs(length - 1))]:.3g}")
+    return array / length
 
 
 def body_poses(reader: ArrayReader) -> BodyPoses | None:

@@ -27,7 +27,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError, words_of
-from ..array_reader import ArrayReader
+from ..array_reader import ArrayReader, unit_quaternions
 from ..robot import needs_figure
 from ..skeleton.humanoid import Humanoid
 from ..trajectory import Recording, SampledTrajectory
@@ -122,8 +122,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 
 def _our_rotation(part: Array, name: str, path: Path) -> Array:
-    called = f"Frames, the rotation of {name}"
-    rotation = ArrayReader(path, {called: part}).quaternions(called, "frames", 4)
+    rotation = unit_quaternions(part, f"Frames, the rotation of {name}", path)
     return np.concatenate([rotation[:, :1], ours(rotation[:, 1:])], 1)
 
 

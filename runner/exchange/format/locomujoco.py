@@ -30,7 +30,7 @@ from dynsplines.solver.figure.figure import JointKind
 from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts, missing_input
-from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times
+from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times, unit_quaternions
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Recording, SampledTrajectory
 from .mjlab import companions as companions
@@ -101,8 +101,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         arrays.check_samples("split_points", (declared,))
     root = starts[kinds.index(JointKind.FREE)]
     hinges = [i for i, kind in enumerate(kinds) if kind != JointKind.FREE]
-    rotation = ArrayReader(path, {"qpos (the root's quaternion)": qpos[:, root + 3 : root + 7]})
-    turned = rotation.quaternions("qpos (the root's quaternion)", "samples", 4)
+    turned = unit_quaternions(qpos[:, root + 3 : root + 7], "qpos (the root's quaternion)", path)
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
     rate = arrays.rate("frequency", fps)
     reading = partial(configurations, model, NAME, path, qpos[:, root : root + 3], turned, joints, called)

@@ -26,7 +26,7 @@ from dynsplines.solver.figure.root import root_of
 from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts
-from ..array_reader import ArrayReader, names_in, read_npz, times
+from ..array_reader import names_in, read_npz, times, unit_quaternions
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Bodies, BodyPoses, Recording, SampledTrajectory
 
@@ -109,7 +109,7 @@ def _complete_qpos(model: mujoco.MjModel, path: Path, numbers: Array, names: lis
     """Return complete qpos, with the root's seven numbers before the joints."""
     if numbers.shape[1] < 7:
         raise UserError(f"{path}: 'joint_pos' has {numbers.shape[1]} columns, too few for a root")
-    rotation = ArrayReader(path, {"joint_pos": numbers[:, 3:7]}).quaternions("joint_pos", "samples", 4)
+    rotation = unit_quaternions(numbers[:, 3:7], "joint_pos", path)
     joints = numbers[:, 7:]
     if names is not None and len(names) == joints.shape[1] + 1:  # the root's joint is named, too
         names = names[1:]
