@@ -14,6 +14,7 @@ from dynsplines.solver.figure.forward import boxes, set_qpos
 from dynsplines.solver.figure.root import root_of
 
 from ..scene.configuration import posed
+from ..scene.framing import spread
 from .trajectory import BodyPoses, Recording
 
 CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] allowed difference between forward kinematics and recorded bodies
@@ -58,7 +59,7 @@ def disagreement(model: mujoco.MjModel, recording: Recording) -> Disagreement:
     compared with its nearest recorded body instead.
     """
     assert recording.bodies is not None, "a recording with body poses"
-    rows = spread(len(recording.qpos))
+    rows = spread(len(recording.qpos), LOOKED_AT)
     poses = ((data.xpos.copy(), data.xquat.copy()) for data in posed(model, recording.qpos[rows]))
     position, rotation = (np.array(part) for part in zip(*poses, strict=True))
     root = root_of(model)
@@ -93,11 +94,6 @@ def _nearest(distance: Array, angle: Array) -> Disagreement:
     partner = np.argmin(np.maximum(distance / CLOSE, angle / ALIGNED), axis=1)
     rows = np.arange(len(partner))
     return Disagreement(float(distance[rows, partner].max()), float(angle[rows, partner].max()))
-
-
-def spread(count: int) -> Index:
-    """Return indices of evenly spread samples of a recording, including the first and the last."""
-    return np.unique(np.linspace(0, count - 1, min(count, LOOKED_AT)).round().astype(np.int64))
 
 
 @dataclass(frozen=True)
@@ -289,7 +285,7 @@ def _posture(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tupl
     size = float(max(np.ptp(rest, axis=0).max(), rest[:, 2].max() - low.min(), 1e-3))
     lies = rest[:, 2].max() - low.min() < LYING * np.ptp(rest, axis=0)[:2].max()
     up = data.xmat[body].reshape(3, 3)[2].copy()
-    rows = spread(len(qpos) - 1) if len(qpos) > 1 else np.zeros(1, int)
+    rows = spread(len(qpos) - 1, LOOKED_AT) if len(qpos) > 1 else np.zeros(1, int)
     tilts, heights, speeds = np.zeros(rows.size), np.zeros(rows.size), np.zeros(rows.size)
     for n, i in enumerate(rows):
         here, low = points(qpos[i])

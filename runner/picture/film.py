@@ -226,11 +226,6 @@ def _write_sheet(path: Path, images: Iterator[Picture], fps: float) -> None:
     iio.imwrite(path, sheet, extension=".png")
 
 
-def sheet_picks(count: int) -> list[int]:
-    """Return the indices of the frames on a contact sheet: up to twelve, evenly spaced, with the first and the last."""
-    return np.linspace(0, count - 1, min(count, SHEET_PICTURES)).round().astype(int).tolist()
-
-
 def _tile(image: Picture) -> Picture:
     height, width = image.shape[:2]
     scale = SHEET_TILE / max(height, width)

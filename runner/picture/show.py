@@ -18,7 +18,7 @@ from dynsplines.solver.curve.frame import Timeline
 from ..errors import UserError, unknown
 from ..motion import Saved, sampled
 from ..scene.assets import Scene
-from ..scene.framing import height, middles
+from ..scene.framing import height, middles, spread
 from ..system.progress import Progress
 from ..system.workers import MOST_WORKERS, cores, in_order
 from . import film, layout
@@ -110,7 +110,7 @@ def draw(
             return
         count, picks = image_count(saved, look, still_keys=still), None
         if still:
-            picks = film.sheet_picks(count)
+            picks = spread(count, film.SHEET_PICTURES).tolist()
             count = len(picks)
         drawn = images(saved, look, graphics, still_keys=still, workers=workers, picks=picks)
         with contextlib.closing(drawn) as pictures:

@@ -93,16 +93,17 @@ def height(figure: Figure, qpos: Array) -> float:
     if figure.root is not None and figure.root.is_free and is_of_people_size(figure.model):
         return STANDING
     low, high = _boxes(figure, qpos)
-    middle = middles(figure, qpos)[_chosen(len(qpos))]
+    middle = middles(figure, qpos)[spread(len(qpos), MOST_POSES)]
     return _camera_height(np.maximum(high - middle, middle - low).max(axis=0))
 
 
-def _chosen(count: int) -> Index:
-    """Return evenly spaced indices of at most MOST_POSES poses."""
-    return np.unique(np.linspace(0, count - 1, min(count, MOST_POSES)).astype(int))
+def spread(count: int, most: int) -> Index:
+    """Return evenly spaced indices of at most `most` of `count` items, with the first and the last."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.intp))
 
 
 def _boxes(figure: Figure, qpos: Array) -> tuple[Array, Array]:
     """Return the figure's boxes in these poses: lowest and highest corners, (n, 3) each."""
-    low, high = zip(*(box(figure.model, data) for data in posed(figure.model, qpos[_chosen(len(qpos))])), strict=True)
+    poses = qpos[spread(len(qpos), MOST_POSES)]
+    low, high = zip(*(box(figure.model, data) for data in posed(figure.model, poses)), strict=True)
     return np.array(low), np.array(high)

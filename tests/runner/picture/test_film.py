@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from dynsplines.errors import UserError
-from dynsplines.picture.film import MOST_WAITING, _in_a_thread, check_target, sheet_picks, write
+from dynsplines.picture.film import MOST_WAITING, SHEET_PICTURES, _in_a_thread, check_target, write
+from dynsplines.scene.framing import spread
 
 RED = (200, 60, 40)
 M_PERTURB = -6  # as glibc's malloc.h has it
@@ -107,7 +108,7 @@ def test_a_contact_sheet_shows_few_images_all_and_twelve_of_many_and_of_one_is_t
     sheet = iio.imread(tmp_path / "a.png")
     assert sheet.shape[0] * sheet.shape[1] > 3 * 48 * 64
     assert (sheet[0, 0] == 255).all()
-    picks = sheet_picks(100)
+    picks = spread(100, SHEET_PICTURES).tolist()
     assert len(picks) == 12 and (picks[0], picks[-1]) == (0, 99)
     assert max(np.diff(picks)) - min(np.diff(picks)) <= 1
 
