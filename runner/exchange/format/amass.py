@@ -40,7 +40,8 @@ from ...scene.configuration import posed
 from .. import missing_input, plain_pickle
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
 from ..skeleton import smpl
-from ..skeleton.humanoid import Humanoid
+from ..skeleton.humanoid import JOINTS, Humanoid
+from ..skeleton.roles import lineage
 from ..trajectory import Recording
 from . import bvh
 
@@ -53,14 +54,7 @@ RATES = ("mocap_framerate", "mocap_frame_rate", "mocap_fps", "framerate", "frame
 SCALE = "smpl_scaling"
 ROBOT = "dof"  # array that only files of robots have, among SMPL's names
 BODY = 3 * len(smpl.NAMES)
-JOINT = {
-    "spine": 9, "left_hip": 1, "right_hip": 2, "left_knee": 4, "right_knee": 5, "left_ankle": 7, "right_ankle": 8,
-    "left_shoulder": 16, "right_shoulder": 17, "left_elbow": 18, "right_elbow": 19,
-}  # fmt: skip
-ABOVE = {
-    "left_shoulder": "spine", "right_shoulder": "spine", "left_elbow": "left_shoulder", "right_elbow": "right_shoulder",
-    "left_knee": "left_hip", "right_knee": "right_hip", "left_ankle": "left_knee", "right_ankle": "right_knee",
-}  # fmt: skip
+JOINT = {name: smpl.NAMES.index("spine3" if name == "spine" else name) for name in JOINTS}  # of SMPL, by ball joint
 SPREAD = {  # rotation of hanging arms to the sides, as at rest in SMPL
     "left": np.array([np.sqrt(0.5), np.sqrt(0.5), 0, 0]),
     "right": np.array([np.sqrt(0.5), -np.sqrt(0.5), 0, 0]),
@@ -164,11 +158,10 @@ def _on_person(person: Humanoid, position: Array, local: Array) -> Array:
         world = quat.product(rotation[:, joint], smpl.TO_SMPL)
         arm = name.endswith(("shoulder", "elbow"))
         bodies[name] = quat.product(world, SPREAD[name.split("_")[0]]) if arm else world
-    joints = {
-        name: quat.product(quat.inverse(bodies[ABOVE.get(name, "root")]), world)
-        for name, world in bodies.items()
-        if name != "root"
-    }
+    names, joints = {joint: name for name, joint in JOINT.items()}, {}
+    for name, joint in JOINT.items():
+        above = next((names[i] for i in lineage(joint, smpl.PARENT)[1:] if i in names), "root")
+        joints[name] = quat.product(quat.inverse(bodies[above]), bodies[name])
     qpos = person.posed(position, bodies["root"], joints)
     qpos[:, person.root + 2] -= _lowest(person.model, qpos)
     return qpos
