@@ -39,7 +39,7 @@ from ...motion import FARTHEST
 from ...scene.configuration import posed
 from .. import missing_input, plain_pickle
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
-from ..skeleton import smpl
+from ..skeleton import hierarchy, smpl
 from ..skeleton.humanoid import JOINTS, Humanoid
 from ..skeleton.roles import lineage
 from ..trajectory import Recording
@@ -153,9 +153,9 @@ def _person(model: mujoco.MjModel) -> Humanoid | None:
 def _on_person(person: Humanoid, position: Array, local: Array) -> Array:
     """Return qpos (T, nq) with the joints' angles, on the floor."""
     _, rotation = smpl.in_world(local)
-    bodies = {"root": quat.product(rotation[:, 0], smpl.TO_SMPL)}
+    bodies = {"root": quat.product(rotation[:, 0], hierarchy.Y_UP)}
     for name, joint in JOINT.items():
-        world = quat.product(rotation[:, joint], smpl.TO_SMPL)
+        world = quat.product(rotation[:, joint], hierarchy.Y_UP)
         arm = name.endswith(("shoulder", "elbow"))
         bodies[name] = quat.product(world, SPREAD[name.split("_")[0]]) if arm else world
     names, joints = {joint: name for name, joint in JOINT.items()}, {}

@@ -17,6 +17,7 @@ from dynsplines.solver.array import Array
 
 from .bvh_file import placed
 from .captured_skeleton import CapturedSkeleton
+from .hierarchy import Y_UP
 
 NAMES = (
     "pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2", "left_ankle", "right_ankle",
@@ -55,7 +56,6 @@ OFFSET = np.array([_mirrored(OFFSET_OF)[name] for name in NAMES])
 ENDS = {NAMES.index(name): end for name, end in _mirrored(END_OF).items()}
 PELVIS, HEAD = NAMES.index("pelvis"), NAMES.index("head")  # indices
 ANKLES, TOES = ([NAMES.index(f"{side}_{part}") for side in ("left", "right")] for part in ("ankle", "toe"))  # indices
-TO_SMPL = np.array([0.5, -0.5, -0.5, -0.5])  # from axes x forward, y left, z up
 
 
 def in_world(local: Array) -> tuple[Array, Array]:
@@ -131,8 +131,8 @@ def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
 
 def captured(position: Array, local: Array) -> CapturedSkeleton:
     """Return the mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a z-up world."""
-    ours, (away, turn) = quat.inverse(TO_SMPL), in_world(local)
+    ours, (away, turn) = quat.inverse(Y_UP), in_world(local)
     place = position[:, None] + away
     ends = {joint: quat.rotated(ours, end) for joint, end in ENDS.items()}
-    rotation = quat.aligned(quat.product(turn, TO_SMPL))
+    rotation = quat.aligned(quat.product(turn, Y_UP))
     return CapturedSkeleton(list(NAMES), list(PARENT), quat.rotated(ours, OFFSET), ends, place, rotation)
