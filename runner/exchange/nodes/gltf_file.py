@@ -27,7 +27,7 @@ from .node_tree import Nodes, float32_step, moving_tree, rate_of
 
 KINDS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
-PATHS = {"translation": 3, "rotation": 4, "scale": 3}
+PATHS = ("translation", "rotation", "scale")
 EMBEDDED = "base64,"
 REST = "rest"  # in extras of nodes written by this program: translation and rotation in the model's rest pose
 SOON = 1e-6  # [s] tolerance before a key's time, which is rounded to float32
