@@ -124,7 +124,7 @@ def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allow
     """Cached while the file is unchanged: editing a clip reads it repeatedly."""
     around, progress = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), silent()
     recording = _read(Source(file, figure), around, progress)
-    saved = _cleaned(recording, around, None, progress, avoids_self_collision=False)[1]
+    saved = _cleaned(recording, around, None, progress)[1]
     return RecordedPath(saved.figure, saved.timeline, saved.fps)
 
 
@@ -132,19 +132,12 @@ def clean_recording(source: Source, max_displacement: float | None, progress: Pr
     """Return a cleaned recording, and its motion; max_displacement [m] as in `closer`. Raises UserError."""
     around = _around(source)
     recording = _read(source, around, progress)
-    return _cleaned(
-        recording,
-        around,
-        max_displacement,
-        progress,
-        avoids_self_collision=source.avoids_self_collision,
-        speed=source.speed,
-    )
+    return _cleaned(recording, around, max_displacement, progress, source)
 
 
 def clean_motion(saved: Saved, max_displacement: float | None, progress: Progress) -> Saved:
     """Return a motion of this program, cleaned; max_displacement [m] as in `closer`."""
-    return _cleaned(_of_motion(saved), SurroundingsTable(), max_displacement, progress, avoids_self_collision=False)[1]
+    return _cleaned(_of_motion(saved), SurroundingsTable(), max_displacement, progress)[1]
 
 
 def _of_motion(saved: Saved) -> ImportedMotion:
@@ -208,17 +201,15 @@ def _cleaned(
     around: SurroundingsTable,
     max_displacement: float | None,
     progress: Progress,
-    *,
-    avoids_self_collision: bool,
-    speed: float | None = None,
+    source: Source | None = None,
 ) -> tuple[Cleaned, Saved]:
     figure = figure_of(recording.scene, recording.name)
     repaired_recording = repaired(figure, recording.time, recording.qpos, recording.name)
     for note in repaired_recording.notes:
         progress.report(f"note: {note}")
-    ground = replace(
-        ground_of(figure, repaired_recording.qpos), avoids_self_collision=avoids_self_collision, speed=speed
-    )
+    ground = ground_of(figure, repaired_recording.qpos)
+    if source is not None:
+        ground = replace(ground, avoids_self_collision=source.avoids_self_collision, speed=source.speed)
     span = float(repaired_recording.time[0]), float(repaired_recording.time[-1])
     requested = rests_of(ground, around.contact, span, recording.name) if around.contact else None
 
