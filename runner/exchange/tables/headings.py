@@ -120,23 +120,17 @@ def _aliases(
         root_words = {*_words(model.joint(joint).name), *_words(model.body(root.body).name), *ROOT}
         start = int(model.jnt_qposadr[joint])
         for part, axis in enumerate(("x", "y", "z", "w", "x", "y", "z")):
-            name = components[start + part]
-            fitting = [
-                (i, text) for i, text in columns if _is_component(_words(text), axis, root_words, is_turn=part > 2)
-            ]
-            for place, text in fitting:
+            for place, text in columns:
+                if _is_component(_words(text), axis, root_words, is_turn=part > 2):
+                    claim(components[start + part], place, text)
+    of_root = set(out.values())
+    stems = [(place, text, _stem(text)) for place, text in columns if place not in of_root]
+    for joint in np.flatnonzero(np.isin(model.jnt_type, (JointKind.HINGE, JointKind.SLIDE))):
+        name = components[int(model.jnt_qposadr[joint])]
+        stem = _stem(name)
+        for place, text, other in stems:
+            if stem and stem == other:
                 claim(name, place, text)
-    stems = {
-        j: _stem(components[int(model.jnt_qposadr[j])])
-        for j in range(model.njnt)
-        if model.jnt_type[j] in (JointKind.HINGE, JointKind.SLIDE)
-    }
-    claimed = set(out.values())
-    for joint, stem in stems.items():
-        if stem:
-            for i, text in columns:
-                if i not in claimed and _stem(text) == stem:
-                    claim(components[int(model.jnt_qposadr[joint])], i, text)
     return out
 
 
