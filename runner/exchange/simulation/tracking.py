@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import JointKind
 
 from ...scene.compose import quietly
@@ -29,34 +29,33 @@ FINER = (5e-4, TIMESTEPS[0])  # [s] smaller time steps to try
 class Tracking:
     """Deviations of a simulated scene from its motion.
 
-    time    (S,) [s] of the steps
-    angle   (S, nv) [rad] of the joints, nan for translations
-    length  (S, nv) [m] of the joints, nan for rotations
-    fell    whether the simulation became unstable
+    time       (S,) [s] of the steps
+    deviation  (S, nv) [m] of translations, [rad] of rotations
+    is_length  (nv,) whether a degree of freedom is a translation
+    fell       whether the simulation became unstable
     """
 
     time: Array
-    angle: Array
-    length: Array
+    deviation: Array
+    is_length: Mask
     fell: bool
+
+    @property
+    def share(self) -> Array:
+        """The deviations (S, nv), relative to the allowed ones."""
+        return self.deviation / np.where(self.is_length, DISTANCE, ANGLE)
 
     @property
     def is_within(self) -> bool:
         """Whether the scene follows its motion."""
-        return not self.fell and self.worst <= 1
-
-    @property
-    def worst(self) -> float:
-        """The largest deviation, relative to the allowed one."""
-        return float(max(np.nanmax(self.angle, initial=0) / ANGLE, np.nanmax(self.length, initial=0) / DISTANCE))
+        return not self.fell and bool(np.all(self.share <= 1))
 
     @property
     def leaves(self) -> tuple[int, int]:
         """The first step beyond the allowed deviation, or the last, and the degree of freedom that deviates most."""
-        share = np.fmax(self.angle / ANGLE, self.length / DISTANCE)
-        beyond = np.flatnonzero((share > 1).any(axis=1))
-        step = int(beyond[0]) if beyond.size else len(share) - 1
-        return step, int(np.nanargmax(share[step]))
+        beyond = np.flatnonzero((self.share > 1).any(axis=1))
+        step = int(beyond[0]) if beyond.size else len(self.time) - 1
+        return step, int(self.share[step].argmax())
 
 
 def tracked(simulation: Simulation, trajectory: SampledTrajectory) -> Tracking:
@@ -82,10 +81,7 @@ def tracked(simulation: Simulation, trajectory: SampledTrajectory) -> Tracking:
                 mujoco.mj_normalizeQuat(model, pose)
                 mujoco.mj_differentiatePos(model, error, 1.0, pose, data.qpos)
                 errors.append(np.abs(error))
-    deviations = np.array(errors)
-    return Tracking(
-        np.array(times), np.where(is_length, np.nan, deviations), np.where(is_length, deviations, np.nan), fell=fell
-    )
+    return Tracking(np.array(times), np.array(errors), is_length, fell)
 
 
 def refined(simulation: Simulation, trajectory: SampledTrajectory) -> tuple[Simulation, Tracking]:
@@ -108,16 +104,15 @@ def refined(simulation: Simulation, trajectory: SampledTrajectory) -> tuple[Simu
 
 def note(tracking: Tracking, simulation: Simulation, trajectory: SampledTrajectory) -> str:
     """Return a note on how far the scene follows its motion."""
-    angle, length = np.nanmax(tracking.angle, initial=0), np.nanmax(tracking.length, initial=0)
-    lasts = tracking.time[-1] - tracking.time[0]
-    size = f"{_rounded(angle)} rad"
-    if np.isfinite(tracking.length).any():
-        size += f", {_rounded(100 * length)} cm"
+    is_length, lasts = tracking.is_length, tracking.time[-1] - tracking.time[0]
+    size = f"{_rounded(tracking.deviation[:, ~is_length].max(initial=0))} rad"
+    if is_length.any():
+        size += f", {_rounded(100 * tracking.deviation[:, is_length].max())} cm"
     if tracking.is_within:
         return f"mj_step of the scene stays within {size} of the motion for {lasts:.2g} s"
     at, dof = tracking.leaves
     name = simulation.model.joint(int(simulation.model.dof_jntid[dof])).name
-    off = f"{100 * DISTANCE:g} cm" if np.isfinite(tracking.length[at, dof]) else f"{ANGLE:g} rad"
+    off = f"{100 * DISTANCE:g} cm" if is_length[dof] else f"{ANGLE:g} rad"
     then = "MuJoCo stops the simulation" if tracking.fell else f"up to {size} after {lasts:.2g} s"
     when = tracking.time[at] - tracking.time[0]
     where = "".join(f"; {line}" for line in _deepest(simulation, trajectory))
