@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -88,11 +88,12 @@ class Pane:
 
 @dataclass(frozen=True)
 class Shot:
-    """One image to be drawn: pictures side by side, seen by one camera."""
+    """One image to be drawn: pictures side by side, seen by one camera, in a number of video frames."""
 
     view: View
     panes: tuple[Pane, ...]
     ghosts: tuple[Ghost, ...] = ()
+    frames: int = 1
 
 
 def draw(
@@ -108,13 +109,11 @@ def draw(
         if look.ghosts and still:
             film.write(target, [figure_six(saved, look, graphics)], look.fps)
             return
-        count, picks = image_count(saved, look, still_keys=still), None
+        shots = shots_of(saved, look)
         if still:
-            picks = spread(count, film.SHEET_PICTURES).tolist()
-            count = len(picks)
-        drawn = images(saved, look, graphics, still_keys=still, workers=workers, picks=picks)
-        with contextlib.closing(drawn) as pictures:
-            film.write(target, progress.over(pictures, "rendering", count), look.fps)
+            shots = [replace(shots[i], frames=1) for i in spread(len(shots), film.SHEET_PICTURES)]
+        with contextlib.closing(images(saved, look, graphics, shots, workers)) as pictures:
+            film.write(target, progress.over(pictures, "rendering", sum(shot.frames for shot in shots)), look.fps)
     except ValueError as error:
         raise UserError(str(error)) from None
     except OSError as error:
@@ -126,37 +125,21 @@ def figure_height(saved: Saved) -> float:
     return height(saved.figure, saved.figure.to_qpos(np.concatenate([saved.raw.states, saved.timeline.states])))
 
 
-def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
-    """Return the number of frames that `images` yields."""
-    if look.only == "keys":
-        return len(saved.keys) * (1 if still_keys else max(1, round(KEY_SECONDS * look.fps)))
-    return 1 if look.at is not None else len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
-
-
 def images(
-    saved: Saved,
-    look: Look,
-    graphics: Graphics,
-    *,
-    still_keys: bool = False,
-    workers: int = 1,
-    picks: Sequence[int] | None = None,
+    saved: Saved, look: Look, graphics: Graphics, shots: Sequence[Shot] | None = None, workers: int = 1
 ) -> Generator[Picture, None, None]:
-    """Yield the frames of a video, independent of the number of workers.
-
-    Args:
-        workers: The maximum number of processes.
-        picks: Indices of the frames to draw; None: all.
-    """
-    keys = look.only == "keys"
-    shots = _key_shots(saved, look) if keys else _moving_shots(saved, look)
-    shots = shots if picks is None else [shots[i] for i in picks]
-    repeat = max(1, round(KEY_SECONDS * look.fps)) if keys and not still_keys else 1
+    """Yield the frames of a video, or those of some of its shots, by up to `workers` processes."""
+    shots = shots_of(saved, look) if shots is None else shots
     processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
     stage = partial(_stage, saved.scene, look, graphics, len(shots[0].panes))
-    for image in in_order(stage, _drawn, shots, processes):
-        for _ in range(repeat):
+    for shot, image in zip(shots, in_order(stage, _drawn, shots, processes), strict=True):
+        for _ in range(shot.frames):
             yield image
+
+
+def shots_of(saved: Saved, look: Look) -> list[Shot]:
+    """Return the images of a video."""
+    return _key_shots(saved, look) if look.only == "keys" else _moving_shots(saved, look)
 
 
 def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int) -> Stage:
@@ -174,9 +157,9 @@ def _drawn(stage: Stage, shot: Shot) -> Picture:
 
 def _key_shots(saved: Saved, look: Look) -> list[Shot]:
     qpos = saved.figure.to_qpos(_key_states(saved, saved.raw))
-    views = _plan(saved, look, middles(saved.figure, qpos), 1.0, 1)
+    views, frames = _plan(saved, look, middles(saved.figure, qpos), 1.0, 1), max(1, round(KEY_SECONDS * look.fps))
     return [
-        Shot(view, (Pane(q, f"keyframe {i} of {len(qpos)}, {key.time:.2f} s"),))
+        Shot(view, (Pane(q, f"keyframe {i} of {len(qpos)}, {key.time:.2f} s"),), frames=frames)
         for i, (q, view, key) in enumerate(zip(qpos, views, saved.keys, strict=True), 1)
     ]
 

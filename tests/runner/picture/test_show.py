@@ -10,7 +10,7 @@ import pytest
 from dynsplines.motion import Saved
 from dynsplines.picture import show
 from dynsplines.picture.graphics import Graphics
-from dynsplines.picture.show import Look, figure_six, image_count, images
+from dynsplines.picture.show import Look, figure_six, images, shots_of
 
 SOFTWARE = Graphics("software", "renderer: software")
 W, H = 48, 32
@@ -31,7 +31,7 @@ def apart(a: np.ndarray, b: np.ndarray) -> int:
 
 def test_before_and_after_stand_side_by_side_in_one_picture_of_the_requested_size(saved):
     both = shot(saved)
-    assert len(both) == image_count(saved, look()) == 5
+    assert len(both) == 5
     assert {image.shape for image in both} == {(H, W, 3)}
     assert {image.dtype for image in both} == {np.dtype(np.uint8)}
     left, right = (shot(saved, only=name, width=W // 2) for name in ("before", "after"))
@@ -42,29 +42,29 @@ def test_before_and_after_stand_side_by_side_in_one_picture_of_the_requested_siz
 
 
 def test_slower_means_more_images_of_the_same_motion(saved):
-    assert image_count(saved, look(slow=2.0)) == 9
     assert len(shot(saved, only="before", slow=2.0, width=16, height=16)) == 9
 
 
 def test_one_image_at_a_time_and_picked_images_are_those_of_the_film(saved):
     film = shot(saved, only="after")
     (one,) = shot(saved, only="after", at=0.2)
-    assert image_count(saved, look(at=0.2)) == 1
     np.testing.assert_array_equal(one, film[2])
-    some = list(images(saved, look(only="after"), SOFTWARE, picks=[0, 3]))
+    shots = shots_of(saved, look(only="after"))
+    some = list(images(saved, look(only="after"), SOFTWARE, [shots[0], shots[3]]))
     np.testing.assert_array_equal(some, [film[0], film[3]])
     assert apart(film[0], film[-1]) > 5
 
 
 def test_keyframes_are_shown_as_they_are_each_for_half_a_second(saved):
     film = shot(saved, only="keys")
-    assert len(film) == image_count(saved, look(only="keys")) == 3 * 5
+    assert len(film) == 3 * 5
     for i in range(3):
         for image in film[5 * i : 5 * i + 5]:
             np.testing.assert_array_equal(image, film[5 * i])
     assert apart(film[0], film[5]) > 3
-    sheet = list(images(saved, look(only="keys"), SOFTWARE, still_keys=True))
-    assert len(sheet) == image_count(saved, look(only="keys"), still_keys=True) == 3
+    single = [replace(shot, frames=1) for shot in shots_of(saved, look(only="keys"))]
+    sheet = list(images(saved, look(only="keys"), SOFTWARE, single))
+    assert len(sheet) == 3
     np.testing.assert_array_equal(sheet, film[::5])
 
 
