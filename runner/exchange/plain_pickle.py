@@ -22,7 +22,7 @@ from typing import Any, BinaryIO, Literal
 
 import numpy as np
 
-from ..errors import UserError, words_of
+from ..errors import UserError, listed, words_of
 from ..system import size_limit
 from .array_reader import ArrayReader
 
@@ -287,8 +287,9 @@ def one_motion(reader: ArrayReader) -> ArrayReader:
     if not entries or not all(isinstance(entry, dict) for entry in entries.values()):
         return reader
     if len(entries) > 1:
-        names = ", ".join(list(entries)[:5]) + (", ..." if len(entries) > 5 else "")
-        raise UserError(f"{reader.where}: it holds {len(entries)} motions: {names}; save one of them alone")
+        raise UserError(
+            f"{reader.where}: it holds {len(entries)} motions: {listed(entries, 5)}; save one of them alone"
+        )
     return ArrayReader(reader.where, {str(key): value for key, value in next(iter(entries.values())).items()})
 
 

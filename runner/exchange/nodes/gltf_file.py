@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from dynsplines.solver.array import Array, segments_at
 
-from ...errors import UserError, words_of
+from ...errors import UserError, listed, words_of
 from ...system import size_limit
 from .. import gaps
 from ..skeleton.bvh_file import Skeleton
@@ -116,7 +116,7 @@ class _File:
         names = [animation.name or f"animation {i}" for i, animation in enumerate(self.asset.animations)]
         if len(names) == 1:
             return ()
-        return (f"read '{names[0]}', the first of {len(names)} animations: {', '.join(names[:8])}",)
+        return (f"read '{names[0]}', the first of {len(names)} animations: {listed(names, 8)}",)
 
     def _order(self) -> tuple[list[int], dict[int, int]]:
         count = len(self.asset.nodes)

@@ -11,6 +11,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from ...errors import listed
 from .. import missing_input
 from . import bvh_file
 from .bvh_file import Skeleton, placed
@@ -68,7 +69,9 @@ class CapturedSkeleton:
         drift = np.abs(place[:, 1:] - offset[1:]).max(axis=(0, 2), initial=0.0)
         stretched = [skeleton.names[1 + i] for i in np.flatnonzero(unit * drift > DRIFT * REACH)]
         if stretched:
-            notes += (f"bones keep their lengths; what moves in its parent is left out: {', '.join(stretched[:8])}",)
+            notes += (
+                f"bones keep their lengths; what moves in its parent is left out: {listed(stretched, bvh_file.LISTED)}",
+            )
         place = place.copy()
         place[:, 1:] = offset[1:]
         offset = np.concatenate([np.zeros((1, 3)), offset[1:]])
@@ -231,7 +234,7 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
     names = ", ".join(skeleton.names[i] for i in reversed(above))
     note = f"'{skeleton.names[root]}' is the root; its parents are folded into it: {names}"
     if beside:
-        note += f"; other branches are left out: {', '.join(skeleton.names[i] for i in beside[: bvh_file.LISTED])}"
+        note += f"; other branches are left out: {listed((skeleton.names[i] for i in beside), bvh_file.LISTED)}"
     return bvh_file.skeleton(joints, place[:, subtree], turn[:, subtree], skeleton.fps), (note,)
 
 

@@ -69,7 +69,7 @@ def resolve(
     others = [f"{names[place]} for {name}" for name, place in places.items() if name not in exact]
     notes = []
     if others:
-        notes.append(f"columns by other names: {', '.join(others[:4])}" + (" and so on" if len(others) > 4 else ""))
+        notes.append(f"columns by other names: {listed(others, 4)}")
     hinges = {components[int(model.jnt_qposadr[j])] for j in range(model.njnt) if model.jnt_type[j] == JointKind.HINGE}
     factors = [_factor(units[places[name]], bare[places[name]], is_hinge=name in hinges) for name in components]
     if any(name in hinges and factor != 1 for name, factor in zip(components, factors, strict=True)):
