@@ -41,6 +41,7 @@ SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of 
 MOST_FRAMES = 12  # default limit of variable frames, on average per segment between keyframes
 OF_CONTACTS, OF_LIMBS = frozenset({Role.CONTACT, Role.PHYSICS}), frozenset({Role.LIMIT})
 CLEARLY = 0.5  # [1] share of the first E, below which a path is better than the raw one at any accuracy of quadrature
+ROUNDING = 1e-9  # [1] relative error of E between two sums over the same samples
 MOST_REFINEMENTS = 3  # [1] how often a search continues after it ended, with more samples
 ALIKE = 1.1  # [1] ratio of the E of two searches, up to which their minima count as the same
 
@@ -289,10 +290,17 @@ class _Loop:
                     return ends
                 refinements += 1
             if is_finer:
-                self.objective, self.least = finer, np.inf  # E may rise
+                self.objective, self.least = finer, self._least_of(finer)
             rough = float(np.clip(SHARE_OF_PROMISE * promise, tolerance, rough)) if chosen.size else tolerance
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size) or is_finer
+
+    def _least_of(self, finer: Objective) -> float:
+        """Return the value of the best path under an objective with more samples, so high that the path counts again.
+
+        It may be larger than before. The path is not that of the present search if an earlier one ended better.
+        """
+        return np.inf if self.best is None else finer.value(path_of(self.best())) * (1 + ROUNDING)
 
     def loosened(self, timeline: Timeline, without: frozenset[Role]) -> Timeline:
         """Return the minimum of a rough search without the terms of some roles."""
