@@ -23,6 +23,7 @@ from .touch import movers
 DIRECTIONS = 600  # number of directions in which a link's outermost spheres are determined
 MOST_BETWEEN = 1000  # maximum number of spheres along a capsule, more than any limb needs
 MESH_DIRECTIONS = 150  # number of directions in which a mesh's outermost vertices are determined
+RIM, RIM_POINTS = 0.002, (8, 32)  # [m] protrusion of a cylinder's rim between two points on it; least, most points
 TIE = 1e-9  # [m] difference up to which two spheres reach equally far
 SPACING, THIN = 0.75, 0.01  # spacing of spheres along a capsule, in radii [1] of at least THIN [m]
 
@@ -154,7 +155,8 @@ def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
     if kind == geom.mjGEOM_CAPSULE:
         return [(np.array([0, 0, z]), float(size[0])) for z in (-size[1], size[1])]
     if kind == geom.mjGEOM_CYLINDER:
-        ring = [np.array([np.cos(a), np.sin(a), 0]) * size[0] for a in np.arange(8) * np.pi / 4]
+        count = int(np.clip(np.ceil(np.pi / np.arccos(max(1 - RIM / size[0], 0))), *RIM_POINTS))
+        ring = [np.array([np.cos(a), np.sin(a), 0]) * size[0] for a in np.arange(count) * 2 * np.pi / count]
         return [(p + np.array([0, 0, z]), 0.0) for p in ring for z in (-size[1], size[1])]
     if kind == geom.mjGEOM_BOX:
         signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
