@@ -84,18 +84,22 @@ def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
     """Return pairs of a moving body (the first of those welded together) and a static geom that overlap by design.
 
     These are bodies without a free joint on their chain to the world that touch a static geom at rest, unless a slide
-    separates them. Also included are bodies with the geoms of the fixed body on which they turn.
+    separates them. Also included are bodies with the geoms of the fixed body on which they turn. Of obstacles that a
+    clip adds, only bodies next to the fixed one count: an arm may stand on a table, but a hand at rest on it may leave.
     """
     data = kinematics(model)
     weld, pairs = model.body_weldid, set()
+    obstacle = is_scenery(model) & (model.geom_type != int(mujoco.mjtGeom.mjGEOM_PLANE))
     fixed = [geom for geom in movers(model) if _hangs(model, int(model.geom_bodyid[geom]))]
     for solid in solids(model):
         under = int(model.geom_bodyid[solid])
         for geom in fixed:
             body = int(weld[model.geom_bodyid[geom]])
             beside = under != 0 and int(model.body_parentid[body]) == under
+            is_first = weld[model.body_parentid[body]] == 0
             if beside or (
                 (body, solid) not in pairs
+                and (is_first or not obstacle[solid])
                 and _touches(model, data, geom, solid)
                 and not _slides_out(model, geom, solid)
             ):

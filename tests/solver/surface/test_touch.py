@@ -8,7 +8,7 @@ from dynsplines.clip.obstacles import obstacles
 from dynsplines.clip.table import SceneTable
 from dynsplines.scene.compose import compose
 from dynsplines.solver.surface import static_surfaces
-from dynsplines.solver.surface.touch import bolted, counts_all, grounds, movers, solids
+from dynsplines.solver.surface.touch import SCENERY, bolted, counts_all, grounds, movers, solids
 
 ARM = """
 <mujoco><asset><mesh name="rock" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1 .1 .1 .1"/></asset>
@@ -53,6 +53,17 @@ def test_limbs_are_bolted_to_what_they_are_in_at_rest_unless_they_can_leave_it()
     found = {(model.body(body).name, model.geom(geom).name) for body, geom in bolted(model)}
     # the arm's first limb turns in its socket and reaches into the floor, the cart cannot leave it; lift and die can
     assert found == {("one", "base"), ("one", "floor"), ("cart", "floor")}
+
+
+def test_a_clips_obstacle_is_bolted_to_the_first_limb_alone():
+    """An arm stands on a table that a clip adds; its hand at rest on the table may leave it."""
+    arm = """<mujoco><worldbody><geom name="table" type="box" size="1 1 .5" contype="0" conaffinity="{}"/>
+      <body name="upper" pos="0 0 .52"><joint axis="0 0 1"/><geom type="capsule" size=".03" fromto="0 0 0 .3 0 0"/>
+        <body name="hand" pos=".3 0 0"><joint axis="0 1 0"/><geom type="capsule" size=".03" fromto="0 0 0 .3 0 0"/>
+      </body></body></worldbody></mujoco>"""
+    for bit, bodies in ((1, {"upper", "hand"}), (1 | SCENERY, {"upper"})):
+        model = mujoco.MjModel.from_xml_string(arm.format(bit))
+        assert {model.body(body).name for body, _ in bolted(model)} == bodies
 
 
 ROOM = """
