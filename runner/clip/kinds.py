@@ -54,7 +54,7 @@ from dynsplines.solver.penalty import (
     root_limits,
 )
 from dynsplines.solver.surface import Box, Plane, Surface
-from dynsplines.solver.surface.cover import covering_points
+from dynsplines.solver.surface.cover import covering_points, wide_points
 from dynsplines.solver.surface.points import Point, body_points
 from dynsplines.solver.surface.touch import bolted
 
@@ -232,15 +232,26 @@ def bend_limits(bends: tuple[Bend, ...], options: LimitOptions) -> BendLimits:
 
 
 def _body(context: Context, options: CollisionOptions) -> Penalty:
-    """Return the penalty of the body in surfaces: its corners on floors and steps, else spheres that fill it."""
-    figure, margin = context.figure, options.margin or 0.0
-    ground = tuple(s for s in context.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
+    margin = options.margin or 0.0
+    parts = *body_contacts(context, margin), *_grasped_object_contacts(context, margin)
+    return parts[0] if len(parts) == 1 else Sum(parts, term_name=BODY)
+
+
+def body_contacts(context: Context, margin: float = 0.0) -> tuple[Contact, ...]:
+    """Return the contacts of the body with surfaces.
+
+    On floors and steps these are its corners, and spheres that fill geoms wider than the edges of steps. Elsewhere they
+    are spheres that fill the body.
+    """
+    figure = context.figure
+    steps = tuple(s for s in context.surfaces if isinstance(s, Box) and s.buried)
+    ground = tuple(s for s in context.surfaces if isinstance(s, Plane) or any(s is step for step in steps))
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
-    corners = _contacts(context, body_points(figure), ground, margin)
-    if not others and not context.schedule.grasped:
-        return corners[0] if len(corners) == 1 else Sum(corners, term_name=BODY)
-    skin = _contacts(context, covering_points(figure), others, margin) if others else ()
-    return Sum((*corners, *skin, *_grasped_object_contacts(context, margin)), term_name=BODY)
+    contacts = _contacts(context, body_points(figure), ground, margin)
+    for points, surfaces in ((wide_points, steps), (covering_points, others)):
+        if surfaces and points(figure):
+            contacts += _contacts(context, points(figure), surfaces, margin)
+    return contacts
 
 
 def _grasped_object_contacts(context: Context, margin: float) -> tuple[Contact, ...]:

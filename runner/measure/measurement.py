@@ -30,10 +30,10 @@ from dynsplines.solver.penalty import (
     slipped,
 )
 from dynsplines.solver.penalty.motion.peak import relative_accelerations
-from dynsplines.solver.surface.points import Point, body_points, places_of
+from dynsplines.solver.surface.points import Point, places_of
 
 from ..clip.build import Clip
-from ..clip.kinds import BODY, bolted_links
+from ..clip.kinds import BODY, body_contacts
 from ..motion import even_times, sample_runs, samples_at
 from . import checks
 from .checks import Check, ContactTarget, Fixed, Hits, Row
@@ -190,10 +190,7 @@ def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, .
     if Contact.term_name not in names:
         contacts.append(Contact(clip.context.points, clip.context.surfaces))
     if BODY not in names:
-        body, bolted = body_points(clip.figure), bolted_links(clip.figure)
-        for surface in clip.context.surfaces:
-            links = bolted.get(surface.name, frozenset())
-            contacts.append(Contact(tuple(point for point in body if point.link not in links), (surface,)))
+        contacts += body_contacts(clip.context)
     return tuple(part for part in contacts if part.points and part.surfaces and not part.carrier)
 
 

@@ -1,13 +1,15 @@
 """A whole body as spheres, so close together that not even a thin rail fits between them.
 
-`body_points` suffices for planes and steps, which touch a body's convex hull. A rail can also touch parts inside the
-hull, and faces that bulge between corners. Here every geom is therefore filled with spheres about its medial axis:
-segments in capsules and cylinders, rectangles in boxes. In an ellipsoid of half axes a ≥ b ≥ c it is the ellipse of
-half axes (a² − c²)/a and (b² − c²)/b, where the sphere at (x, y) has the radius c √(1 − x²/(a² − c²) − y²/(b² − c²)).
+`body_points` suffices for planes, which touch a body's convex hull, and for steps, unless their edges enter a wide face
+between its corners. A rail can also touch parts inside the hull, and faces that bulge between corners. Here every geom
+is therefore filled with spheres about its medial axis: segments in capsules and cylinders, rectangles in boxes. In an
+ellipsoid of half axes a ≥ b ≥ c it is the ellipse of half axes (a² − c²)/a and (b² − c²)/b, where the sphere at (x, y)
+has the radius c √(1 − x²/(a² − c²) − y²/(b² − c²)).
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 import mujoco
@@ -17,12 +19,15 @@ from .. import quaternion as quat
 from ..array import Array
 from ..figure.figure import Figure
 from ..figure.naming import geom_name
+from ..figure.size import Size
 from . import hull_of
 from .points import Point, mesh_vertices
 from .solid import TINY
 from .touch import movers
 
+WIDE = 0.3  # [m] length plus width of a geom's largest face from which it is wide, for an adult
 GAP = 0.001  # [m] depth to which a straight edge may enter between two spheres
+THINNEST = 0.02  # [m] least radius of spheres beside edges
 CLOSEST = 0.02  # [m] spacing of points on sharp edges
 FINEST = 16  # maximum number of points along a mesh
 CORNERS = 60  # maximum number of corners of a mesh's hull
@@ -36,10 +41,36 @@ Spheres = tuple[Array, Array]
 @lru_cache(maxsize=2)  # editing a clip needs them repeatedly
 def covering_points(figure: Figure) -> tuple[Point, ...]:
     """Return spheres that fill the solid geoms of the figure's links, without those inside others of their link."""
+    return _filled(figure, movers(figure.model))
+
+
+@lru_cache(maxsize=2)
+def wide_points(figure: Figure) -> tuple[Point, ...]:
+    """Return spheres that fill the boxes, cylinders and meshes into which an edge may enter between the corners."""
+    return _filled(figure, [geom for geom in movers(figure.model) if _is_wide(figure, geom)])
+
+
+def _is_wide(figure: Figure, geom: int) -> bool:
+    """Return whether a geom has a straight edge or a flat face that is long or wide for the figure."""
+    model, kinds = figure.model, mujoco.mjtGeom
+    kind, size = int(model.geom_type[geom]), model.geom_size[geom]
+    if kind == kinds.mjGEOM_BOX:
+        extents = 2 * size
+    elif kind == kinds.mjGEOM_CYLINDER:
+        extents = 2 * size[[0, 0, 1]]
+    elif kind == kinds.mjGEOM_MESH:
+        extents = np.ptp(mesh_vertices(model, geom), axis=0)
+    else:
+        return False
+    return bool(np.sort(extents)[1:].sum() > WIDE * Size.of(figure).length)
+
+
+def _filled(figure: Figure, geoms: Sequence[int]) -> tuple[Point, ...]:
+    """Return spheres that fill geoms, without those inside others of their link."""
     model = figure.model
     out: list[Point] = []
     by_link: dict[int, list[tuple[str, Array, Array]]] = {}
-    for geom in movers(model):
+    for geom in geoms:
         body = int(model.geom_bodyid[geom])
         centres, radii = filling_spheres(model, geom)
         axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
@@ -129,19 +160,22 @@ def _cylinder(radius: float, half: float, gap: float) -> Spheres:
 
 
 def _box(half: Array, gap: float) -> Spheres:
-    """Return spheres as thick as the box in its middle plane, and points along its edges."""
+    """Return spheres as thick as the box in its middle plane, thinner ones beside its edges, and points on these."""
     inner = float(half.min())
-    middle = np.array(np.meshgrid(*[_spread(size - inner, inner, gap) for size in half])).reshape(3, -1).T
-    edges = []
-    for axis in range(3):
-        for sides in np.array(np.meshgrid([-1, 1], [-1, 1])).reshape(2, -1).T:
-            along = _spread(half[axis], 0.0, gap)
-            edge = np.empty((along.size, 3))
-            edge[:, axis] = along
-            edge[:, np.delete(np.arange(3), axis)] = sides * np.delete(half, axis)
-            edges.append(edge)
-    points = np.concatenate(edges)
-    return np.concatenate([middle, points]), np.repeat([inner, 0.0], [len(middle), len(points)])
+    parts = [np.array(np.meshgrid(*[_spread(size - inner, inner, gap) for size in half])).reshape(3, -1).T]
+    thin = 0.5 ** np.arange(1, 1 + max(0, int(np.log2(inner / THINNEST))))
+    radii = [inner, *(inner * thin), 0.0]
+    for radius in radii[1:]:
+        edges = []
+        for axis in range(3):
+            for sides in np.array(np.meshgrid([-1, 1], [-1, 1])).reshape(2, -1).T:
+                along = _spread(half[axis] - radius, radius, gap)
+                edge = np.empty((along.size, 3))
+                edge[:, axis] = along
+                edge[:, np.delete(np.arange(3), axis)] = sides * (np.delete(half, axis) - radius)
+                edges.append(edge)
+        parts.append(np.concatenate(edges))
+    return np.concatenate(parts), np.repeat(radii, [len(part) for part in parts])
 
 
 def _ellipsoid(half: Array, gap: float) -> Spheres:

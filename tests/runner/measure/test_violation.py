@@ -545,3 +545,34 @@ def test_hands_that_pass_fast_through_each_other_are_reported(offset, tmp_path):
     (overlap,) = [each for each in wrong(read(text, figure, tmp_path)) if each.kind == "self"]
     assert 0.04 < overlap.amount < 0.081
     assert overlap.time == pytest.approx(0.25 + offset, abs=0.005)
+
+
+DECK = """<mujoco><worldbody><body name="cart" pos="0 0 .5"><freejoint name="root"/>
+  <geom name="deck" type="box" size=".3 .3 .1" mass="1"/></body></worldbody></mujoco>"""
+ROD = """<mujoco><worldbody><body name="arm" pos="0 0 1"><joint name="lift" axis="0 1 0"/>
+  <geom name="rod" type="cylinder" size=".04 .5" pos=".5 0 0" euler="0 90 0" mass="1"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize("above", [0.0, 0.02])  # [m]: on the floor, an obstacle counts as a step
+@pytest.mark.parametrize("is_penalized", [True, False])
+@pytest.mark.parametrize(
+    ("model", "row", "box"),
+    [
+        (DECK, "root.position = [1, 0, 0.5]", "size = [0.06, 0.06, 1.2]\nposition = [1, 0, {}]"),
+        (ROD, "joints.lift = 20", "size = [0.04, 1, 0.9]\nposition = [0.6, 0, {}]"),
+    ],
+)
+def test_a_narrow_obstacle_inside_a_wide_geom_is_reported(model, row, box, above, is_penalized, tmp_path):
+    (tmp_path / "model.xml").write_text(model)
+    keys = "".join(f"[[keyframe]]\ntime = {t}\n{row}\n" for t in (0, 1))
+    scene = f"[[scene.box]]\nname = 'post'\n{box.format(above + (0.6 if model is DECK else 0.45))}\n"
+    off = "" if is_penalized else "[[penalty]]\nkind = 'collision'\nweight = 0\n"
+    solved = inbetween(
+        recordings.from_text('figure = "model.xml"\n' + scene + off + keys, folder=tmp_path, name="post")
+    )
+    data = mujoco.MjData(solved.model)
+    data.qpos = solved.at(0.0)
+    mujoco.mj_kinematics(solved.model, data)
+    geoms = [solved.model.geom(name).id for name in ("deck" if model is DECK else "rod", "post")]
+    assert mujoco.mj_geomDistance(solved.model, data, *geoms, 0.1, None) < -0.02
+    assert any(v.kind == "penetration" and v.amount > 0.02 for v in solved.violations)

@@ -126,11 +126,13 @@ def test_a_boxs_spheres_are_inside_it_touch_its_wide_faces_and_its_edges_are_den
     half = np.array([a, b, c])
     centres, radii = spheres("box", *half)
     np.testing.assert_array_less(box_distance(half, centres) + radii, 1e-9)
-    thick = radii > 0
-    np.testing.assert_array_equal(radii[thick], half.min())
+    thick = radii == half.min()
+    beside = (radii > 0) & ~thick
+    to_faces = np.sort(half - np.abs(centres[beside]), axis=1)
+    np.testing.assert_allclose(to_faces[:, :2], radii[beside, None].repeat(2, axis=1), atol=1e-12)
     np.testing.assert_allclose(centres[thick].max(axis=0), half - half.min(), atol=1e-12)
     np.testing.assert_allclose(centres[thick].min(axis=0), half.min() - half, atol=1e-12)
-    edges = centres[~thick]
+    edges = centres[radii == 0]
     at_side = np.isclose(np.abs(edges), half)
     assert np.all(at_side.sum(axis=1) >= 2)
     assert len(np.unique(np.round(edges[at_side.all(axis=1)], 9), axis=0)) == 8
@@ -140,6 +142,18 @@ def test_a_boxs_spheres_are_inside_it_touch_its_wide_faces_and_its_edges_are_den
             own = np.all(np.isclose(edges[:, others], np.array(sides) * half[others]), axis=1)
             along = np.unique(np.round(edges[own, axis], 12))
             assert np.diff(along).max() <= cover.CLOSEST + 1e-9
+
+
+@settings(deadline=None, max_examples=50)
+@given(st.floats(0.05, 0.3), st.floats(0.05, 0.3), st.floats(0.05, 0.3), SEEDS)
+def test_no_line_parallel_to_an_edge_of_a_box_slips_through_it(a, b, c, seed):
+    """A line of no thickness, 2 cm inside the box or deeper."""
+    half, rng = np.array([a, b, c]), np.random.default_rng(seed)
+    centres, radii = spheres("box", *half)
+    axis = rng.integers(3)
+    others = np.delete(np.arange(3), axis)
+    place = rng.uniform(-1, 1, 2) * (half[others] - 0.02)
+    assert np.min(np.linalg.norm(centres[:, others] - place, axis=1) - radii) < 0
 
 
 @settings(deadline=None, max_examples=25)
