@@ -61,8 +61,9 @@ def contacts(
     for table, name in zip(tables, names, strict=True):
         point = points[table.point]
         assert point is not None
-        requested.append(Rest(point, table.start, table.end))
-        spots = _spots(figure, keys, point, table, name, surfaces)
+        target = None if table.position is None else np.array(table.position, float)
+        requested.append(Rest(point, table.start, table.end, position=target))
+        spots = _spots(figure, keys, requested[-1], name, surfaces)
         if spots:
             stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
         else:
@@ -93,14 +94,16 @@ def check_overlap(
 
 
 def _spots(
-    figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
+    figure: Figure, keys: Timeline, rest: Rest, name: str, surfaces: Sequence[Surface]
 ) -> list[tuple[float, Array]]:
-    """Return the point's specified positions at times of the interval, from the table and from keyframes."""
-    at_keys = KeyframePoints.of(figure, keys, [point], surfaces)
+    """Return the point's specified positions at times of the interval, from the table and from keyframes.
+
+    Posed keyframes count only if the table specifies no position.
+    """
+    at_keys, target = KeyframePoints.of(figure, keys, [rest.point], surfaces), rest.position
     centres, drift = at_keys.centres, at_keys.limits.same_spot
-    inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
-    setting = np.flatnonzero(inside & at_keys.is_known[0])
-    target = None if table.position is None else np.array(table.position, float)
+    inside = (keys.times >= rest.first - ROUNDING) & (keys.times <= rest.last + ROUNDING)
+    setting = np.flatnonzero(inside & (at_keys.is_known if target is None else at_keys.is_fixed)[0])
 
     def contradicts(k: int, distance: float, first: int | None) -> str:
         where = "the contact's position" if first is None else f"where keyframe {first + 1} does"
@@ -111,11 +114,11 @@ def _spots(
 
     agreed = agreeing(centres[:, 0], setting, at_keys.is_fixed[0], target, drift, contradicts)
     if not agreed:
-        return [] if target is None else [(table.start, target)]
-    height, up = height_over(surfaces, centres, np.array([point.radius]))
+        return [] if target is None else [(rest.first, target)]
+    height, up = height_over(surfaces, centres, np.array([rest.point.radius]))
     sunk = Allowance(keys.times, np.maximum(-height[0], 0.0) * at_keys.is_fixed[0])
     spots = [(float(keys.times[k]), centres[:, 0, k].copy()) for k in agreed]
-    first, last = (_risen(spots[i], end, sunk, up[:, 0, agreed[i]]) for i, end in ((0, table.start), (-1, table.end)))
+    first, last = (_risen(spots[i], end, sunk, up[:, 0, agreed[i]]) for i, end in ((0, rest.first), (-1, rest.last)))
     return [*first, *spots, *last]
 
 
@@ -203,8 +206,11 @@ def grasps_of(
         check_interval(table, keys, name)
         why = "a site holds one thing at a time"
         check_overlap(table, tables[: number - 1], name, "grasp {} of the same site", why)
-        grasp = Grasp(point, link, table.body, table.start, table.end)
-        grasps.append(replace(grasp, spots=tuple(_grasp_spots(figure, keys, grasp, table, name))))
+        target = None
+        if table.position is not None:
+            target = figure.point_on_link(bodies[table.body], np.array(table.position, float))[1]
+        grasp = Grasp(point, link, table.body, table.start, table.end, position=target)
+        grasps.append(replace(grasp, spots=tuple(_grasp_spots(figure, keys, grasp, name))))
     return tuple(grasps)
 
 
@@ -223,13 +229,11 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
     return unknown("body", name, bodies)
 
 
-def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, table: GraspTable, name: str) -> list[Spot]:
+def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> list[Spot]:
     """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
     limits = Thresholds.of(figure)
     setting, places, exact = _grasp_places(figure, keys, grasp)
-    target = None
-    if table.position is not None:
-        target = figure.point_on_link(moving_bodies(figure)[table.body], np.array(table.position, float))[1]
+    target = grasp.position
 
     def contradicts(k: int, distance: float, first: int | None) -> str:
         where = "the grasp's position" if first is None else f"where keyframe {first + 1} has it"

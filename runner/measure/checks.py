@@ -326,7 +326,7 @@ def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> 
         return Hits.joined(parts)
 
     texts = {
-        "contact": "contact {0} moves {{}} while it should rest",
+        "contact": "contact {0} is {{}} from the place where it should rest",
         "stance": "{0} moves {{}} between keyframes with the same position",
     }
     names = [stay.stance.point.name for stay in targets]
@@ -336,7 +336,7 @@ def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> 
 
 def slips(grasps: Sequence[Grasp], starts: Sequence[Array], fixed: Fixed) -> Check:
     """Return the check of sites that move on grasped links; starts: initial positions (3,) [m] on these."""
-    text = "{} moves {{}} on {}, which it holds"
+    text = "{} is {{}} from the place where it grasps {}"
     rows = [row_of("grasp", grasp.point.name, text.format(grasp.point.name, grasp.body)) for grasp in grasps]
 
     def hits(samples: Samples) -> Hits:

@@ -140,7 +140,10 @@ def _checks(
     if context.schedule.grasps:
         path = path_of(timeline)
         starts = [
-            slipped(samples_at(figure, path, np.array([grasp.first])), grasp)[:, 0] for grasp in context.schedule.grasps
+            slipped(samples_at(figure, path, np.array([grasp.first])), grasp)[:, 0]
+            if grasp.position is None
+            else grasp.position
+            for grasp in context.schedule.grasps
         ]
         yield checks.slips(context.schedule.grasps, starts, fixed)
     soles = frozenset(point.name for point in context.points)
@@ -255,7 +258,10 @@ def _same(stance: Stance, rest: Rest) -> bool:
 
 
 def _pieces(rest: Rest, known: Sequence[Stance], middle: Array) -> list[Stance]:
-    """Return the targets of a contact's point: specified positions, else the one in mid-contact, (3,) [m]."""
+    """Return the targets of a contact's point: the position that it specifies, else those that keyframes specify, else
+    the one in mid-contact, (3,) [m]."""
+    if rest.position is not None:
+        return [Stance(rest.point, rest.first, rest.last, rest.position, rest.position)]
     first, last = rest.first - ROUNDING, rest.last + ROUNDING
     placed = [stance for stance in known if _same(stance, rest) and first <= stance.first and stance.last <= last]
     return placed or [Stance(rest.point, rest.first, rest.last, middle, middle)]

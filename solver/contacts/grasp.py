@@ -48,6 +48,7 @@ class Grasp:
 
     link   index of the grasped link;  body  its name
     spots  positions on the link, consecutive without gaps; none if unknown
+    position  the specified position (3,) on the link [m], from which keyframes may differ a little; None without one
     """
 
     point: Point
@@ -56,6 +57,7 @@ class Grasp:
     first: float
     last: float
     spots: tuple[Spot, ...] = ()
+    position: Array | None = None
 
     @property
     def name(self) -> str:

@@ -47,7 +47,8 @@ class Stance:
 class Rest:
     """A point that rests from `first` to `last` [s] on a plane, or else on any surface below it.
 
-    rolls  whether a sphere may roll on the ground like a wheel; otherwise its centre rests
+    rolls     whether a sphere may roll on the ground like a wheel; otherwise its centre rests
+    position  the specified position (3,) [m], from which keyframes may differ a little; None if there is none
     """
 
     point: Point
@@ -55,6 +56,7 @@ class Rest:
     last: float
     ground: Plane | None = None
     rolls: bool = False
+    position: Array | None = None
 
 
 def stances(soles: KeyframePoints) -> tuple[Stance, ...]:

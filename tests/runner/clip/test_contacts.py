@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from rekeyed import with_keys
 
+from dynsplines import inbetween as solve
 from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.errors import UserError
@@ -183,3 +184,15 @@ def test_legs_do_not_whip_where_keyframes_put_a_foot_into_a_step():
     motion = inbetween(inside.problem)
     qpos = motion.at(np.linspace(0, 1, 100))
     np.testing.assert_allclose(qpos, np.broadcast_to(qpos[0], qpos.shape), atol=0.02)
+
+
+@pytest.mark.parametrize("off", [0.0, 0.02, 0.045])
+def test_the_distance_from_a_specified_position_is_reported_if_keyframes_put_the_point_elsewhere(off):
+    loaded = recordings.from_text(text(), name="stand")
+    heel = next(point for point in loaded.context.points if point.name == "left_heel")
+    x, y, z = places_of([heel], Samples.still(loaded.figure, loaded.context.keys.states))[0][:, 0, 0]
+    contact = f'point = "left_heel"\nfrom = 0\nto = 1\nposition = [{x + off}, {y}, {z}]'
+    solved = solve(recordings.from_text(text(contact), name="stand"))
+    rows = [violation for violation in solved.violations if violation.kind == "contact"]
+    assert bool(rows) == (off > 0.01)
+    assert all(violation.amount == pytest.approx(off, abs=1e-6) for violation in rows)

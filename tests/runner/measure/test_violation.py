@@ -234,8 +234,8 @@ def test_a_contact_that_moves_and_its_worst_moment():
     assert [(each.name, each.keyframe) for each in found] == [("right_toe", None)]
     assert found[0].amount == pytest.approx(max(x[1] - x[0], x[2] - x[1]), abs=1e-3)
     assert found[0].time in (1.2, 1.8)
-    assert found[0].text.startswith("contact right_toe moves ")
-    assert " while it should rest at " in found[0].text
+    assert found[0].text.startswith("contact right_toe is ")
+    assert " from the place where it should rest at " in found[0].text
 
 
 def test_a_contact_that_is_up_in_the_air():
