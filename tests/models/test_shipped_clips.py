@@ -52,7 +52,7 @@ LEVEL = {"deepest": 0.001, "bent": 0.0, "sideways": 5.0, "itself": 0.005}
 PROMISES = {
     "carry_box": Promise(raw=0.02, contacts=101, travel=0.53, climb=-0.01),
     "cartwheel": Promise(raw=0.02, contacts=16, travel=2.98),
-    "hand_on_rail": Promise(raw=0.02, contacts=13, travel=0.5),
+    "hand_on_rail": Promise(raw=0.02, contacts=11, travel=0.5),
     "jump_over_box": Promise(raw=0.1, contacts=14, travel=1.175),
     "run_and_step": Promise(raw=0.05, contacts=9, travel=3.55, climb=0.404, deepest=0.001),
     "run_loop": Promise(raw=0.02, contacts=4, travel=2.0, mirrored=1e-3, **LEVEL),
