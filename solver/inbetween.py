@@ -175,7 +175,9 @@ class _Loop:
         guide = guide_of(self.objective)
         if guide is not None and first.variable_count:
             most = settings.frames if settings.variable is None else first.variable_count
-            first = guide.initial_guess(first, most)
+            guess = guide.initial_guess(first, most)
+            if guide.is_binding or self.objective.value(path_of(guess)) < self.objective.value(path_of(first)):
+                first = guess
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 
     def continue_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:

@@ -11,6 +11,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from typing import ClassVar
 
 import numpy as np
 
@@ -239,7 +240,13 @@ class Momentary(Penalty):
 
 
 class Guide(Penalty):
-    """A soft constraint that provides an initial path, for clips whose raw spline is a poor initial guess."""
+    """A soft constraint that provides an initial path, for clips whose raw spline is a poor initial guess.
+
+    Attributes:
+        is_binding: Whether the search starts on this path even if it costs more than the raw spline.
+    """
+
+    is_binding: ClassVar[bool] = False
 
     @property
     def expected(self) -> Path | None:

@@ -325,8 +325,8 @@ def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
 class Leading:
     """What knows of a path to begin with: the timeline moved in its variable frames, told how it was asked."""
 
-    def __init__(self, by: float) -> None:
-        self.by, self.asked = by, []
+    def __init__(self, by: float, *, is_binding: bool = False) -> None:
+        self.by, self.is_binding, self.asked = by, is_binding, []
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         self.asked.append((timeline.variable_count, most))
@@ -338,19 +338,27 @@ class Leading:
     ("settings", "asked"),
     [({}, (6, None)), ({"variable": 1, "frames": 9}, (3, 3)), ({"variable": 0}, None)],
 )
-def test_a_search_begins_on_the_path_of_a_guide(settings, asked, monkeypatch):
+@pytest.mark.parametrize(("is_better", "is_binding"), [(True, False), (False, False), (False, True)])
+def test_a_search_begins_on_the_path_of_a_guide_if_it_is_better_or_binding(
+    settings, asked, is_better, is_binding, monkeypatch
+):
+    """A constant added to what runs between keyframes makes a worse path of the spline, and a better one of that."""
     module, begun = import_module("dynsplines.solver.inbetween"), []
-    guide = Leading(0.5)
+    guide = Leading(0.5 if not is_better else -0.5, is_binding=is_binding)
     monkeypatch.setattr(module, "guide_of", lambda objective: guide)
     monkeypatch.setattr(_Loop, "searched", lambda loop, begin, *told: begun.append((begin, *told)) or begin)
+    if is_better:
+        plain = module.split
+        monkeypatch.setattr(module, "split", lambda *told: Leading(0.5).initial_guess(plain(*told), None))
     problem = Problem(hinged(), hinge_keys(), PENALTIES, Settings(**settings))
     inbetween(problem)
     ((begin, segments, budget),) = begun
     assert guide.asked == ([] if asked is None else [asked])
     assert segments == 3
     assert budget == settings.get("frames")
-    moved = [0.5 * frame.is_variable for frame in begin.frames]
-    np.testing.assert_allclose(begin.states[:, 0], path_of(problem.raw).at(begin.times)[:, 0] + moved, atol=1e-12)
+    raw = path_of(problem.raw).at(begin.times)
+    moved = np.array([0.5 * (is_binding and frame.is_variable) for frame in begin.frames])
+    np.testing.assert_allclose(begin.states, raw + moved[:, None], atol=1e-12)
 
 
 TWO_SLIDES = """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>

@@ -31,6 +31,7 @@ class SteppingStances(StancePenalty, Guide):
         spans: The times [s] of the keyframes before and after steps.
     """
 
+    is_binding = True  # hands at their places cost less on the raw spline, from which feet do not learn to step
     poses: tuple[Frame, ...] = ()
     spans: tuple[tuple[float, float], ...] = ()
 
