@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.figure.figure import Figure
@@ -48,6 +48,7 @@ from .standing_feet import Stander
 from .unmet_goals import can_move, immovable
 
 HEADING, BALANCE = 2.0, 100.0  # [1/rad], [1/m] weights of preferences relative to 1 rad of a limb joint
+ALIKE = 0.5  # [1] largest difference of the ways of feet that move alike, relative to their mean
 MOST_RISES = 10  # attempts to lift the soles out of the ground
 MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
@@ -128,6 +129,7 @@ def with_pose(
         home[columns] = quat.normalised(home[columns])
     also = [*stander.beside(path, key, k, goals), *(_planted(figure, keys[k - 1], goals) if k else ())]
     soles = sole_points(figure, np.reshape([frame.state for frame in keys if frame.is_key], (-1, figure.width)))
+    home = _with_feet(figure, home, ~key.fixed, goals, soles)
     is_slow = _speed(figure, path, k) < Thresholds.of(figure).travels
     best = None
     for chosen in ([*goals, *also], goals) if also else (goals,):
@@ -143,6 +145,34 @@ def with_pose(
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
     return posed_key, best
+
+
+def _with_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], soles: Sequence[Point]) -> Array:
+    """Return the pose `home` with its root above the feet, if all feet are to move about alike and the root is free.
+
+    Otherwise the legs would stretch back to where the figure stood, and it would crouch.
+    """
+    root = figure.root
+    if root is None or not root.is_free:
+        return home
+    across = figure.links[root.link].qpos + np.arange(2)
+    feet = {figure.links[point.link].body for point in soles}
+    points = [goal for goal in goals if isinstance(goal, PointGoal) and not np.isnan(goal.position[:2]).any()]
+    is_placed = any(isinstance(goal, PointGoal) and goal.index == figure.links[root.link].body for goal in goals)
+    if is_placed or not free[across].all() or not feet or feet != {goal.index for goal in points}:
+        return home
+    data = kinematics(figure.model, home)
+    by_foot = [
+        np.mean([(goal.position - goal.place(data))[:2] for goal in points if goal.index == foot], axis=0)
+        for foot in sorted(feet)
+    ]
+    move = np.mean(by_foot, axis=0)
+    is_alike = np.linalg.norm(by_foot - move, axis=1).max() < ALIKE * np.linalg.norm(move)
+    if not is_alike or np.linalg.norm(move) < Thresholds.of(figure).strode:
+        return home
+    moved = np.array(home)
+    moved[across] += move
+    return moved
 
 
 def _leveled(

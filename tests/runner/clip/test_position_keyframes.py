@@ -397,3 +397,19 @@ others = "{others}"
     assert data.site("right_heel").xpos == pytest.approx([0.15, -0.09, height], abs=1e-4)
     assert data.site("right_toe").xpos[2] > 0
     assert data.site("left_toe").xpos[2] == pytest.approx(0, abs=1e-4)
+
+
+@pytest.mark.parametrize("heading", [0, 80])
+def test_the_trunk_follows_two_feet_that_are_placed_elsewhere(heading):
+    """It stayed behind as far as the legs reach, so that the figure crouched, deeper with every keyframe."""
+    text, angle = REST, np.radians(heading)
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    for k in range(1, 5):
+        text += f'[[keyframe]]\ntime = {3 * k}\nothers = "previous"\nroot.position = "free"\n'
+        text += f"root.rotation.heading = {heading}\n"
+        for side, y in (("left", 0.09), ("right", -0.09)):
+            x, y = turn @ [-0.055 + 1.2 * k, y]
+            text += f"sites.{side}_heel = [{x}, {y}, 0]\nbodies.{side}_foot = {{flat = true, heading = {heading}}}\n"
+    roots = read(text).context.keys.states[:, :3]
+    np.testing.assert_allclose(roots[:, 2], roots[0, 2], atol=0.01)
+    np.testing.assert_allclose(roots[1:, :2], [turn @ [1.2 * k, 0] for k in range(1, 5)], atol=0.05)
