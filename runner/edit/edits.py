@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.mirror import Mirror
@@ -28,13 +28,14 @@ from ..clip.file import standalone
 from ..clip.load import clip_from_motion, of_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
-from ..clip.table import ClipTable, ContactTable, GraspTable, PenaltyTable, SolveTable
+from ..clip.table import ClipTable, ContactTable, GraspTable, KeyframeTable, PenaltyTable, SolveTable
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..measure.violation import is_recording, stop_of
 from ..motion import Saved
 from ..solving import Solved
 from ..system.progress import Progress
+from .targets import at_cut, moved_contacts, moved_targets, searched_targets, with_targets
 
 Span = tuple[float, float]  # [s]
 Row = TypeVar("Row", ContactTable, GraspTable)
@@ -113,11 +114,13 @@ def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float)
 
 @dataclass(frozen=True)
 class TimedTables:
-    """Contacts, holds and flights that a motion gets from another one; flights None: their times are unknown."""
+    """Contacts, grasps, flights and targets that a motion gets from another one; flights None: their times are
+    unknown."""
 
     contacts: Sequence[ContactTable] = ()
     grasps: Sequence[GraspTable] = ()
     flights: Sequence[Span] | None = ()
+    targets: Sequence[KeyframeTable] = ()
 
 
 def check_interval(source: Clip | Saved, first: float, last: float) -> None:
@@ -134,8 +137,9 @@ def trimmed(saved: Saved, first: float, last: float) -> Saved:
     timeline = retime.trimmed(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
     inside = [key for key in saved.keys if begin + SHORTEST <= key.time <= end - SHORTEST]
-    keys = (_key_on(saved.figure, timeline, 0), *inside, _key_on(saved.figure, timeline, -1))
-    return _with_keys(saved, keys, timeline)
+    edges = (_key_on(saved.figure, timeline, number) for number in (0, -1))
+    start, stop = (at_cut(edge, saved.keys, searched_targets(saved)) for edge in edges)
+    return _with_keys(saved, (start, *inside, stop), timeline)
 
 
 def repeated(saved: Saved, count: int) -> Saved:
@@ -154,11 +158,13 @@ def repeated(saved: Saved, count: int) -> Saved:
     keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed, posed)
     seam = Seam.of(saved.figure, saved.timeline)
     table, flown = _table(saved), _flights(saved) or ()
-    rounds = [(i, period * i) for i in range(1, count)]
+    rounds = [(i, period * i, partial(seam.moved_points, saved.figure, periods=i)) for i in range(1, count)]
+    targets = [row for row in searched_targets(saved) if row.time > saved.keys[0].time]
     more = TimedTables(
-        [row for i, shift in rounds for row in _carried(_later(table.contact, shift), saved.figure, seam, i)],
-        [row for _, shift in rounds for row in _later(table.grasp, shift)],
-        [(first + shift, last + shift) for _, shift in rounds for first, last in flown],
+        [row for _, shift, displaced in rounds for row in moved_contacts(_later(table.contact, shift), displaced)],
+        [row for _, shift, _ in rounds for row in _later(table.grasp, shift)],
+        [(first + shift, last + shift) for _, shift, _ in rounds for first, last in flown],
+        [row for _, shift, displaced in rounds for row in moved_targets(saved, targets, displaced, shift)],
     )
     displacement = around(replace(saved, timeline=timeline))
     names = [name for name in AROUND if getattr(_table(saved).solve, name) is not None]
@@ -183,13 +189,16 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     table, flown = _table(after), _flights(after)
     grasps = _grasps_across(figure, ends, _table(before).grasp, _later(table.grasp, shift))
     between = _transition(before, one, two, ends, grasps, progress)
-    keys = (*before.keys[:-1], *ends, *moved[1:])
+    targets = moved_targets(after, searched_targets(after), place.points, shift)
+    last, first = at_cut(ends[0], before.keys, searched_targets(before)), at_cut(ends[1], moved, targets)
+    keys = (*before.keys[:-1], last, first, *moved[1:])
     with _with_name("join"):
         check_times([key.time for key in keys], "join")
     more = TimedTables(
-        [row for row in _later(table.contact, shift) if row.position is None],  # specified positions no longer apply
+        moved_contacts(_later(table.contact, shift), place.points),
         [*grasps, *_later(table.grasp, shift)],
         None if flown is None else [(first + shift, last + shift) for first, last in flown],
+        targets,
     )
     return _with_keys(before, keys, join.joined(one, between, two), more)
 
@@ -304,9 +313,10 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
 def _keyed(
     saved: Saved, keys: Sequence[Frame], solve: SolveTable | None = None, more: TimedTables = TimedTables()
 ) -> str:
-    """Return the clip's text with other keyframes, and its and `more`'s contacts, grasps and flights, cut to its time.
-    There are no flights if the times of those of `more` are unknown. With `solve` None the clip has free ends."""
-    span = keys[0].time, keys[-1].time
+    """Return the clip's text with other keyframes, and its and `more`'s contacts, grasps, flights and targets, cut to
+    its time. There are no flights if the times of those of `more` are unknown. With `solve` None the clip has free
+    ends."""
+    span, targets = (keys[0].time, keys[-1].time), [*searched_targets(saved), *more.targets]
 
     def changed(clip: ClipTable) -> ClipTable:
         return clip.changed(
@@ -314,7 +324,7 @@ def _keyed(
             contact=_cut([*clip.contact, *more.contacts], *span),
             grasp=_cut([*clip.grasp, *more.grasps], *span),
             penalty=[_flying(row, more.flights, span) for row in clip.penalty],
-            keyframe=keyframe_tables(saved.figure, keys),
+            keyframe=with_targets(keyframe_tables(saved.figure, keys), targets),
         )
 
     return _text(saved, changed)
@@ -352,15 +362,6 @@ def _table(saved: Saved) -> ClipTable:
 
 def _later(rows: Sequence[Row], shift: float) -> list[Row]:
     return [row.changed(start=row.start + shift, end=row.end + shift) for row in rows]
-
-
-def _carried(contacts: Sequence[ContactTable], figure: Figure, seam: Seam, periods: int) -> list[ContactTable]:
-    """Return contacts with their positions some periods of a loop later."""
-
-    def later(position: ArrayLike) -> tuple[float, ...]:
-        return tuple(seam.moved_points(figure, np.array(position), periods).tolist())
-
-    return [row if row.position is None else row.changed(position=later(row.position)) for row in contacts]
 
 
 def _cut(rows: Sequence[Row], first: float, last: float) -> list[Row]:

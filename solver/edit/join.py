@@ -54,6 +54,10 @@ class Placement:
             out[..., columns] += self.shift
         return out
 
+    def points(self, points: Array) -> Array:
+        """Return moved points (..., 3) [m] of the world."""
+        return quat.rotated(self.turn, points) + self.shift
+
     def timeline(self, figure: Figure, timeline: Timeline) -> Timeline:
         frames = Frame.many(timeline.times, self.states(figure, timeline.states), timeline.fixed)
         return Timeline(tuple(frames), self.slopes(figure, timeline.end_slope), timeline.ends)
