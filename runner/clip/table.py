@@ -88,7 +88,7 @@ class RotationTable(Table):
         if self.is_heading:
             return
         if len(notations) != 1:
-            names = " and ".join(notations) or "none"
+            names = " and ".join(notations) or "none (a root, a body or an obstacle may have heading alone)"
             raise ValueError(f"give exactly one of rotvec, euler, quat, not {names}")
         if self.order is not None and self.euler is None:
             raise ValueError(f"order goes with euler, not with {notations[0]}")

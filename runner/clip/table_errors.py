@@ -49,10 +49,11 @@ def describe(
     complaints = error.errors()
     telling = ("finite_number", "extra_forbidden")
     first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
-    names, words, actual, around, expected = _walked((*inside, *first["loc"]), raw, schema, len(inside))
+    kind = first["type"]
+    location = (*inside, *first["loc"])
+    names, words, actual, around, expected = _walked(location, raw, schema, len(inside), has_key=kind != "missing")
     where = "".join(f"{word}: " for word in words)
     key = ".".join(names)
-    kind = first["type"]
     if kind == "extra_forbidden":
         if key in RENAMED:
             return f"[[{key}]] is named [[{RENAMED[key]}]] now"
@@ -109,12 +110,13 @@ def _repeated(lines: list[str], number: int, name: str, schema: type[Table]) -> 
 
 
 def _walked(
-    location: tuple[int | str, ...], raw: object, schema: type[Table], start: int
+    location: tuple[int | str, ...], raw: object, schema: type[Table], start: int, *, has_key: bool
 ) -> tuple[list[str], list[str], object, Any, str]:
     """Return the keys of an error's location in the file, the labels of numbered tables around it, the value there,
     the type of the last table, and the expected value. pydantic's names of alternatives are omitted.
 
     start  number of parts of the location above the validated table
+    has_key  whether the file has the key at the end of the location
     """
     names: list[str] = []
     words: list[str] = []
@@ -132,7 +134,7 @@ def _walked(
                 words.append(f"{names.pop()} {part + 1}" + (f" (t = {time:g} s)" if is_time else ""))
             if not names:
                 kind, expected = (_entry(kind, part) if i >= start else kind), ""
-        elif isinstance(here, dict) and (part in here or i == len(location) - 1):
+        elif isinstance(here, dict) and (part in here or (i == len(location) - 1 and not has_key)):
             names.append(str(part))
             here = here.get(part, here)
             if i >= start:

@@ -36,6 +36,25 @@ MISTAKES = {
 }  # fmt: skip
 
 
+ROTATIONS = {
+    "joints.left_elbow = {}": "joints.left_elbow: give exactly one of rotvec, euler, quat, not none (",
+    "root.rotation = {}": "root.rotation: give exactly one of rotvec, euler, quat, not none (a root, a body or",
+    "joints.left_elbow = {rotvec = [0, 0, 0], quat = [1, 0, 0, 0]}": "joints.left_elbow: give exactly one of",
+    "joints.left_elbow = {quat = [0, 0, 0, 0]}": "joints.left_elbow: the quaternion is zero",
+    'root.rotation = {euler = [1, 2], order = "xyz"}': "root.rotation: euler has 2 angles",
+    "joints.left_elbow = {rotvec = [0, 1]}": "joints.left_elbow.rotvec must be three angles",
+    "joints.left_elbow = {rot = [0, 1]}": "joints.left_elbow: no key 'rot'",
+    "sites.left_hand = {}": "'sites.left_hand.position' is missing",
+}
+
+
+@pytest.mark.parametrize("entry", ROTATIONS)
+def test_an_error_names_the_keys_of_the_file_alone(entry):
+    with pytest.raises(UserError) as caught:
+        parse(f'figure = "human"\n{KEY}{entry}', "c", "c.toml")
+    assert str(caught.value).startswith(f"c.toml: keyframe 1 (t = 0 s): {ROTATIONS[entry]}")
+
+
 @pytest.mark.parametrize("ending", ["\n", "\r\n"])
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_invalid_toml_is_reported_with_its_line_and_a_remedy(mistake, ending):
