@@ -5,6 +5,9 @@ figure's colliding geoms count. If any geom collides, only colliding ones are ob
 geoms all of them count. Two kinds always count: planes of the world, which are floors and walls, and the floor, step
 and obstacles that a clip adds, which have a separate bit (`SCENERY`).
 
+Mocap bodies do not move. Their geoms are obstacles if they collide; others are markers. Those that an equality
+constraint attaches to the figure are handles, which drag it in a simulation, and never count.
+
 A limb that its joints attach to the world, and that overlaps a static geom at rest, overlaps by design: an arm in its
 socket.
 """
@@ -23,6 +26,7 @@ from ..figure.forward import kinematics
 SCENERY = 1 << 30  # bit of conaffinity that marks geoms which a clip adds to a model
 LEVEL = 0.99  # [1] minimum z of the unit normal of a floor
 TOUCHING = 0.001  # [m] distance up to which geoms touch
+SITE = int(mujoco.mjtObj.mjOBJ_SITE)
 
 FAR = np.array([-0.5, 0.5])  # [m] displacements tried for slides without bounds
 
@@ -40,9 +44,19 @@ def collides(model: mujoco.MjModel) -> Mask:
 
 
 def _on_mocap(model: mujoco.MjModel) -> Mask:
-    """Return which geoms are of mocap bodies, usually markers, (ngeom,)."""
-    mocap = np.asarray(model.body_mocapid >= 0)
-    return mocap[model.body_rootid[model.geom_bodyid]]
+    """Return which geoms are of mocap bodies and bodies welded to them, (ngeom,)."""
+    return np.asarray(model.body_mocapid[model.body_weldid[model.geom_bodyid]] >= 0)
+
+
+def _attached(model: mujoco.MjModel) -> Mask:
+    """Return which geoms are of bodies that an equality constraint connects or welds to another body, (ngeom,)."""
+    attached = np.zeros(model.nbody, bool)
+    for kind in (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD):
+        rows = np.flatnonzero(model.eq_type == int(kind))
+        ids, of_sites = np.stack([model.eq_obj1id[rows], model.eq_obj2id[rows]]), model.eq_objtype[rows] == SITE
+        attached[model.body_weldid[ids[:, ~of_sites]]] = True
+        attached[model.body_weldid[model.site_bodyid[ids[:, of_sites]]]] = True
+    return attached[model.body_weldid[model.geom_bodyid]]
 
 
 def is_scenery(model: mujoco.MjModel) -> Mask:
@@ -65,7 +79,7 @@ def movers(model: mujoco.MjModel) -> list[int]:
 
 def solids(model: mujoco.MjModel) -> list[int]:
     """Return the static geoms that count."""
-    still = ~moves(model) & ~_on_mocap(model)
+    still = ~moves(model) & ~(_on_mocap(model) & (~collides(model) | _attached(model)))
     if counts_all(model):
         return np.flatnonzero(still).tolist()
     ground = (model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)) & (model.geom_bodyid == 0)

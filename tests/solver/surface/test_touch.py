@@ -20,7 +20,7 @@ ARM = """
       fromto="0 0 0 0 0 .3"/><geom name="look" type="mesh" mesh="rock" contype="0" conaffinity="0"/>
       <body name="two" pos="0 0 .3"><joint name="pitch" axis="0 1 0"/><geom name="two" type="mesh" mesh="rock"/></body>
     </body></body>
-  <body name="mark" mocap="true" pos="0 0 3"><geom name="mark" size=".1"/></body>
+  <body name="mark" mocap="true" pos="0 0 3"><geom name="mark" size=".1" contype="0" conaffinity="0"/></body>
   <body name="cart" pos="0 1 .1"><joint name="rail" type="slide" axis="1 0 0"/><geom name="cart" size=".15"/></body>
   <body name="lift" pos="0 -1 .1"><joint name="lift" type="slide" axis="0 0 1"/><geom name="lift" size=".15"/></body>
   <body name="die" pos="1 0 0"><freejoint/><geom name="die" size=".1"/></body>
@@ -36,6 +36,27 @@ def test_what_is_only_to_be_seen_and_what_a_programme_moves_do_not_count():
     assert named(model, solids(model)) == ["floor", "wall", "base"]
     assert named(model, movers(model)) == ["one", "two", "cart", "lift", "die"]
     assert [surface.name for surface in static_surfaces(model)] == ["floor", "wall", "base"]
+
+
+MOCAP = """
+<mujoco><worldbody>
+  <body name="table" mocap="true"><geom name="top" type="box" size="1 1 .1"/>
+    <body name="vase" pos="0 0 .2"><geom name="vase" size=".1"/><geom name="look" size=".2" {seen}/></body></body>
+  <body name="base" mocap="true" pos="2 0 0"><geom name="base" size=".1"/>
+    <body name="arm" pos="0 0 .5"><joint name="elbow"/><geom name="arm" size=".1"/></body></body>
+  <body name="pull" mocap="true" pos="3 0 0"><geom name="pull" size=".1"/></body>
+  <body name="grip" mocap="true" pos="4 0 0"><geom name="grip" size=".1"/><site name="grip"/></body>
+  <body name="ball" pos="0 0 1"><freejoint/><geom name="ball" size=".1"/><site name="ball"/></body>
+</worldbody><equality><connect body1="ball" body2="pull" anchor="0 0 0"/><weld site1="grip" site2="ball"/></equality>
+</mujoco>"""
+
+
+def test_colliding_mocap_bodies_are_obstacles_unless_they_are_handles_of_the_figure():
+    model = mujoco.MjModel.from_xml_string(MOCAP.format(seen='contype="0" conaffinity="0"'))
+    assert named(model, solids(model)) == ["top", "vase", "base"]
+    assert named(model, movers(model)) == ["arm", "ball"]
+    touching = {(model.body(body).name, model.geom(geom).name) for body, geom in bolted(model)}
+    assert touching == {("arm", "base")}
 
 
 def test_floors_are_the_planes_that_no_programme_moves_and_that_face_up():
