@@ -265,7 +265,8 @@ def mirror(
 ) -> None:
     """Swap left and right in a motion or a clip.
     If the input is a clip (.toml), the output is a clip too, unless -o names a
-    motion (.npz)."""
+    motion (.npz). In a clip, step and obstacles are mirrored; in a motion, the
+    scene is unchanged."""
     _edit(files.mirrored(), output, overwrite, no_cache, source)
 
 

@@ -102,9 +102,17 @@ def _write_clip(table: ClipTable, source: str, target: Path) -> None:
 
 def mirrored() -> Edit:
     """Return the edit that exchanges left and right."""
+
+    def motion_alone(sources: Sequence[Saved], progress: Progress) -> Saved:
+        (saved,) = sources
+        out = edits.mirrored(saved)
+        if saved.text and table_of(out.text, saved.name).scene != table_of(saved.text, saved.name).scene:
+            progress.report("note: step and obstacles are not mirrored; to mirror them, mirror the clip: -o NAME.toml")
+        return out
+
     return Edit(
         "mirrored",
-        lambda saved, _: edits.mirrored(saved[0]),
+        motion_alone,
         lambda table, source: mirrored_tables(table, source.figure, edits.mirror_of(source)),
         lambda source: edits.mirror_of(source[0]),
     )

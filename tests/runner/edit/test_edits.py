@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 import tomllib
 from typing import Any
@@ -13,6 +14,7 @@ import pytest
 import shipped
 import tiny
 from quiet import quiet
+from rich.console import Console
 
 from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -29,6 +31,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.system.progress import Progress
 
 FPS = 97.0
 
@@ -249,6 +252,20 @@ def test_keyframes_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_pa
         mine, its = (found.figure.model.geom(geom) for found in (one, two))
         np.testing.assert_allclose(its.pos, mine.pos * [1, -1, 1], atol=1e-12)
     assert tables(mirrored_tables(table, one.figure, mirror)) == tables(table_of(ROUND, "one"))
+
+
+@pytest.mark.parametrize(("y", "is_noted"), [(0.4, True), (0.0, False)])
+def test_a_mirrored_motion_keeps_its_scene_and_a_note_states_it(tmp_path, y, is_noted):
+    ball = f'\n[[scene.sphere]]\nname = "ball"\nradius = 0.1\nposition = [2, {y}, 1]\n'
+    path = tiny.written(tmp_path, tiny.changed("fps = 20", "fps = 20" + ball))
+    output = io.StringIO()
+    progress = Progress(Console(file=output))
+    for ending in ("toml", "npz"):
+        target = tmp_path / f"other.{ending}"
+        edit_files.run([str(path)], edit_files.mirrored(), target, overwrite=False, progress=progress)
+        assert ("note: step and obstacles are not mirrored" in output.getvalue()) is (is_noted and ending == "npz")
+    there = clip.load(str(tmp_path / "other.toml")).figure.model.geom("ball").pos[1]
+    assert (there, motion.load(tmp_path / "other.npz").figure.model.geom("ball").pos[1]) == (-y, y)
 
 
 @pytest.mark.slow
